@@ -1,0 +1,65 @@
+// The list of file formats, and reading and writing a level in any of them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "../level/level.h"
+
+namespace talus {
+
+// What is wrong with a file, and where.
+struct FormatError {
+  std::string place;    // "byte 12", "line 4"; empty when the whole file is meant
+  std::string message;  // one sentence without the place
+};
+
+// "FILE:PLACE: error: MESSAGE", or "FILE: error: MESSAGE" without a place.
+std::string to_string(const FormatError& error, std::string_view file);
+
+template <class T>
+using FormatResult = tl::expected<T, FormatError>;
+
+// A written level, and what the format could not hold.
+struct WrittenLevel {
+  std::string bytes;
+  std::vector<std::string> dropped;  // one phrase each: "2 spawns"; empty when nothing was lost
+};
+
+// What a reader or writer may need to know besides the content.
+struct FormatContext {
+  std::string extension;  // of the file's name, lower case, without the dot; may be empty
+};
+
+struct Format {
+  std::string_view id;                          // "tic", as in `talus export --to tic`
+  std::string_view label;                       // "TIC-80 cartridge"
+  std::span<const std::string_view> extensions; // without the dot; the first is the usual one
+  bool (*accepts)(std::string_view bytes, const FormatContext&);  // could this be such a file?
+  FormatResult<Level> (*read)(std::string_view bytes, const FormatContext&);
+  FormatResult<WrittenLevel> (*write)(const Level&, const FormatContext&);
+};
+
+// Every format, in the order in which content is tried. To add one, add its row here.
+std::span<const Format> formats();
+const Format* find_format(std::string_view id);  // null when there is none
+// The format that a file of this name is written in; null when the extension is nobody's.
+const Format* format_for_file(const std::string& path);
+FormatContext context_for_file(const std::string& path);
+
+struct LoadedLevel {
+  Level level;
+  const Format* format = nullptr;  // never null
+};
+
+// Reads bytes or a file in whichever format accepts them, told by content, then by extension.
+FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
+FormatResult<LoadedLevel> load_level(const std::string& path);
+// Writes atomically (see atomic_file.h); returns what the format dropped.
+FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
+                                                  const std::string& path);
+
+}  // namespace talus

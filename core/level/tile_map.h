@@ -1,0 +1,48 @@
+// A rectangle of tile numbers.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+#include "../collision/geometry.h"
+
+namespace talus {
+
+inline constexpr int kMaxMapSide = 4096;  // cells
+inline constexpr int kTicMapWidth = 240;  // cells, the size of every TIC-80 map
+inline constexpr int kTicMapHeight = 136;
+inline constexpr int kScreenColumns = 30;  // cells, one TIC-80 screen
+inline constexpr int kScreenRows = 17;
+
+class TileMap {
+ public:
+  // width, height: cells, 1..kMaxMapSide (asserted).
+  explicit TileMap(int width = kTicMapWidth, int height = kTicMapHeight)
+      : width_(width), height_(height), cells_(static_cast<std::size_t>(width) * height) {
+    assert(width >= 1 && width <= kMaxMapSide && height >= 1 && height <= kMaxMapSide);
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
+
+  // The cell must lie inside the map (asserted).
+  std::uint8_t at(Cell c) const { return cells_[index(c)]; }
+  void set(Cell c, std::uint8_t tile) { cells_[index(c)] = tile; }
+
+  const std::vector<std::uint8_t>& cells() const { return cells_; }  // row by row
+  std::vector<std::uint8_t>& cells() { return cells_; }              // keep its size
+  friend bool operator==(const TileMap&, const TileMap&) = default;
+
+ private:
+  std::size_t index(Cell c) const {
+    assert(contains(c));
+    return static_cast<std::size_t>(c.y) * width_ + c.x;
+  }
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> cells_;
+};
+
+}  // namespace talus
