@@ -1,0 +1,65 @@
+// What a step did, for those who want to see it. Recording never changes a result.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "../collision/world.h"
+#include "scene.h"
+
+namespace talus {
+
+// The other side of a contact: a tile of the map, or another body.
+struct Obstacle {
+  TileRole role = TileRole::solid;  // ball: a body
+  Cell cell;                        // its tile; of a body, the tile it started from
+  int body = 0;                     // id; 0 for a tile
+  Rect box;                         // px
+};
+
+// The article's slope correction: the floor height is interpolated at the body's centre.
+struct SlopeProbe {
+  Obstacle slope;          // the slope that the probe found, not always the contact's own
+  double delta = 0;        // how far along the slope the centre is, 0 at its left end to 1 at its right end
+  double floor_y = 0;      // px, the line under the body: where the probe puts its feet, before rounding
+  double placed_y = 0;     // px, the body's top after the article's floor(); it is put there if it was lower
+  Vec2 normal;             // unit, up and out of the slope
+  bool corrected = false;  // the body was below and has been put at placed_y
+};
+
+struct ContactRecord {
+  int body = 0;   // id
+  int order = 0;  // from 0, within the body's step
+  Obstacle other;
+  Response response = Response::slide;
+  bool overlaps = false;  // the boxes overlapped before the move
+  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
+  Vec2 move;              // px, what the body wanted when this contact was found
+  Vec2 normal;            // unit axis vector out of the obstacle
+  Vec2 touch;             // px, the body's top-left corner at the contact
+  std::optional<SlopeProbe> slope;  // when the contact led to a look for the slope's floor
+  bool handled = false;   // false: found, but skipped, since a slope correction ended the step
+};
+
+// A candidate of the broad phase whose box was tested against the body's way.
+struct TestedBox {
+  int body = 0;
+  Obstacle other;
+};
+
+// How a body went in this step.
+struct BodyPath {
+  int body = 0;
+  Rect from;  // px, its box before the step
+  Vec2 goal;  // px, where it wanted its top-left corner
+  Rect to;    // px, its box after the step
+};
+
+struct StepRecord {
+  std::vector<BodyPath> paths;          // by body id
+  std::vector<ContactRecord> contacts;  // in the order in which they were handled
+  std::vector<TestedBox> tested;        // each once for a body, in the order of testing
+  void clear();
+};
+
+}  // namespace talus

@@ -1,0 +1,26 @@
+// Solver: takes a state one frame further.
+#pragma once
+
+#include <memory>
+
+#include "record.h"
+#include "state.h"
+
+namespace talus {
+
+// A solver keeps working storage between steps, for speed alone: what step() does depends on nothing but the
+// scene and its arguments, so one solver may step unrelated states in any order.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  // Advances `state` by one frame. `record`, when given, is overwritten with what happened.
+  virtual void step(State& state, const Input& input, StepRecord* record = nullptr) = 0;
+};
+
+// The solver that the scene's tuning names.
+std::unique_ptr<Solver> make_solver(std::shared_ptr<const Scene> scene);
+
+// The same as one pure function, for callers that step once.
+State step(const Scene& scene, const State& state, const Input& input, StepRecord* record = nullptr);
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+// State: everything that changes from frame to frame, and the input that changes it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene.h"
+
+namespace talus {
+
+struct Body {
+  int id = 0;         // from 1, in scene order at the start; never reused
+  BodyOrigin origin;
+  Rect box;           // px
+  Vec2 velocity;      // px/frame
+  Vec2 previous;      // px, top-left corner before the last dragged frame; its throw is measured from here
+  friend bool operator==(const Body&, const Body&) = default;
+};
+
+struct State {
+  std::int64_t frame = 0;    // steps made so far
+  std::vector<Body> bodies;  // by id
+  int grabbed = 0;           // id of the body that the mouse holds; 0: none
+  const Body* find(int id) const;  // null when there is none
+  friend bool operator==(const State&, const State&) = default;
+};
+
+struct Input {
+  Vec2 mouse;               // px, in the level
+  bool mouse_down = false;  // the left button
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+State initial_state(const Scene& scene);
+
+// The state that goes on in an edited scene: a body stays as it is while its origin stays; a new origin makes
+// a new body with the next free id; a body whose origin is gone goes too.
+State carry_over(const State& state, const Scene& edited);
+
+// 64-bit FNV-1a over the frame and the bits of every body, equal on every machine.
+std::uint64_t state_hash(const State& state);
+
+}  // namespace talus

@@ -1,0 +1,66 @@
+// Edit: a reversible change of a level. Tools make edits from a level and a gesture; the session applies,
+// merges, undoes and redoes them.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "level/level.h"
+
+namespace talus {
+
+// Each change knows what was there and what comes, so that it can be taken back. `before` must be what the
+// level holds when the change is applied (asserted).
+struct CellChange {
+  Cell cell;
+  std::uint8_t before, after;
+};
+struct PixelChange {
+  SheetId sheet;
+  int tile;   // 0..255
+  int pixel;  // 0..63, row by row
+  std::uint8_t before, after;
+};
+struct FlagsChange {
+  SheetId sheet;
+  int tile;
+  std::uint8_t before, after;
+};
+struct ColorChange {
+  int color;  // 0..15
+  Rgb before, after;
+};
+struct FlagNameChange {
+  int flag;  // 0..7
+  std::string before, after;
+};
+struct RolesChange {
+  FlagRoles before, after;
+};
+struct TuningChange {
+  Tuning before, after;
+};
+struct SpawnsChange {
+  std::vector<Spawn> before, after;
+};
+struct MapChange {  // the whole map: its size, or too many cells to list
+  TileMap before, after;
+};
+
+using Change = std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, RolesChange,
+                            TuningChange, SpawnsChange, MapChange>;
+
+struct Edit {
+  std::string label;            // for the Edit menu and the history: "Paint tiles"
+  std::vector<Change> changes;  // applied first to last, undone last to first
+  bool empty() const { return changes.empty(); }
+};
+
+void apply_edit(Level& level, const Edit& edit);
+void revert_edit(Level& level, const Edit& edit);
+// Appends `next`, keeping one change for each place: its first `before` and last `after`. Changes that end
+// where they began vanish.
+void merge_edit(Edit& edit, const Edit& next);
+
+}  // namespace talus

@@ -1,0 +1,34 @@
+// The history of edits, with merging of strokes and a mark for the saved state.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "edit.h"
+
+namespace talus {
+
+class UndoStack {
+ public:
+  // Applies and records. Edits with the same stroke (> 0) in a row are one entry; stroke 0 never merges.
+  void push(Level& level, Edit edit, int stroke = 0);
+  bool can_undo() const { return next_ > 0; }
+  bool can_redo() const { return next_ < edits_.size(); }
+  void undo(Level& level);  // can_undo() must hold
+  void redo(Level& level);  // can_redo() must hold
+  void clear();
+
+  const std::vector<Edit>& edits() const { return edits_; }
+  std::size_t position() const { return next_; }  // edits before it are applied
+
+  void mark_saved() { saved_ = static_cast<std::ptrdiff_t>(next_); }
+  bool is_saved() const { return saved_ == static_cast<std::ptrdiff_t>(next_); }
+
+ private:
+  std::vector<Edit> edits_;
+  std::size_t next_ = 0;
+  std::ptrdiff_t saved_ = 0;  // -1: the saved state can no longer be reached
+  int open_stroke_ = 0;
+};
+
+}  // namespace talus

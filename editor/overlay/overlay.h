@@ -1,0 +1,53 @@
+// Turns a step's records into lines, boxes, marks and labels in level pixels. The canvas only strokes them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision/geometry.h"
+#include "overlay_id.h"
+#include "sim/record.h"
+#include "sim/state.h"
+
+namespace talus {
+
+struct OverlayLine {
+  OverlayId overlay;
+  Vec2 from, to;
+  bool arrow = false;  // a head at `to`
+};
+struct OverlayBox {
+  OverlayId overlay;
+  Rect box;
+  bool filled = false;  // lightly tinted; else an outline
+};
+struct OverlayMark {  // a small cross
+  OverlayId overlay;
+  Vec2 at;
+};
+struct OverlayBar {  // a gauge from 0 to 1 above a box
+  OverlayId overlay;
+  Rect box;         // of the bar
+  double fraction;  // filled part
+};
+struct OverlayLabel {
+  OverlayId overlay;
+  Vec2 at;           // the point that it belongs to; the canvas keeps the text beside, not over it
+  std::string text;
+  bool important = true;  // false: left out at low zoom
+};
+
+struct OverlayDrawing {
+  std::vector<OverlayLine> lines;
+  std::vector<OverlayBox> boxes;
+  std::vector<OverlayMark> marks;
+  std::vector<OverlayBar> bars;
+  std::vector<OverlayLabel> labels;
+};
+
+// `visible`: level px; what lies wholly outside is left out. `chosen_body`: id whose details are always
+// labelled; 0: none.
+OverlayDrawing make_overlays(const Scene& scene, const State& state, const StepRecord& record,
+                             OverlaySet overlays, Rect visible, int chosen_body);
+
+}  // namespace talus

@@ -1,0 +1,113 @@
+// Actions: everything that a user can do to a session, as values. Panels emit them; Session::apply carries
+// them out. Tests and the command palette speak the same language.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "edit/edit.h"
+#include "edit/map_tools.h"
+#include "edit/sprite_tools.h"
+#include "overlay/overlay_id.h"
+
+namespace talus {
+
+// The tools of the map, in the order of their keys 1 to 6; 1, 2 and 4 as in TIC-80.
+enum class MapTool { stamp, pan, rectangle, fill, erase, pick };
+// The tools of the sprite canvas, in the order of their keys 1, 2 and 4, as in TIC-80.
+enum class SpriteTool { pencil, pick, fill };
+
+namespace action {
+
+// --- the level
+struct EditLevel {  // an edit made by a tool; a stroke > 0 merges with the entry of the same stroke before it
+  Edit edit;
+  int stroke = 0;
+};
+struct Undo {};
+struct Redo {};
+
+// --- files. What would lose unsaved changes is asked about first: see Session::question().
+struct NewLevel {};
+struct OpenFile {
+  std::string path;
+};
+struct SaveFile {};  // to its own path and format; asks for a name when it has none (Session::wants_save_as())
+struct SaveFileAs {
+  std::string path;  // the format by its extension
+};
+struct Quit {};
+enum class Answer { save, discard, cancel };
+struct AnswerQuestion {  // to Session::question()
+  Answer answer = Answer::cancel;
+};
+struct CancelSaveAs {};
+struct ShowMessage {  // for what panels and the platform find out
+  std::string text;
+  bool is_error = false;
+};
+struct DismissMessage {};
+
+// --- play
+struct Play {};
+struct Pause {};
+struct TogglePlay {};
+struct StepFrame {};  // pauses and makes one step
+struct ResetPlay {};  // back to frame 0 of the level as it is now; keeps running if it ran
+struct SetSpeed {
+  double factor = 1;  // 1/8 to 8; clamped
+};
+struct HoldMouse {  // the mouse over the play view, in level pixels; drags balls while down
+  Vec2 position;
+  bool down = false;
+};
+
+// --- what is chosen and shown
+struct SelectBody {
+  int id = 0;  // 0: none
+};
+struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp
+  SpriteArea area;
+};
+struct SetStamp {
+  Stamp stamp;
+};
+struct SetMapTool {
+  MapTool tool;
+};
+struct SetSpriteTool {
+  SpriteTool tool;
+};
+struct SetColor {
+  int color = 0;           // 0..15
+  bool secondary = false;  // false: the left button's colour; true: the right button's
+};
+struct SetOverlay {
+  OverlayId overlay;
+  bool on = true;
+};
+struct SetFlagOverlay {
+  std::optional<int> flag;  // 0..7 tints the map where that flag is set; nothing: no tint
+};
+struct SetGrid {
+  bool on = true;
+};
+struct SetScreenBorders {
+  bool on = true;
+};
+
+}  // namespace action
+
+using Action =
+    std::variant<action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile,
+                 action::SaveFile, action::SaveFileAs, action::Quit, action::AnswerQuestion,
+                 action::CancelSaveAs, action::ShowMessage, action::DismissMessage, action::Play,
+                 action::Pause, action::TogglePlay, action::StepFrame, action::ResetPlay, action::SetSpeed,
+                 action::HoldMouse, action::SelectBody, action::SelectTiles, action::SetStamp,
+                 action::SetMapTool, action::SetSpriteTool, action::SetColor, action::SetOverlay,
+                 action::SetFlagOverlay, action::SetGrid, action::SetScreenBorders>;
+using Actions = std::vector<Action>;
+
+}  // namespace talus
