@@ -35,9 +35,9 @@ struct FormatContext {
 };
 
 struct Format {
-  std::string_view id;                          // "tic", as in `talus export --to tic`
-  std::string_view label;                       // "TIC-80 cartridge"
-  std::span<const std::string_view> extensions; // without the dot; the first is the usual one
+  std::string_view id;                           // "tic", as in `talus export --to tic`
+  std::string_view label;                        // "TIC-80 cartridge"
+  std::span<const std::string_view> extensions;  // without the dot; the first is the usual one
   bool (*accepts)(std::string_view bytes, const FormatContext&);  // could this be such a file?
   FormatResult<Level> (*read)(std::string_view bytes, const FormatContext&);
   FormatResult<WrittenLevel> (*write)(const Level&, const FormatContext&);

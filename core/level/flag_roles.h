@@ -30,7 +30,7 @@ TileRole role_of(std::uint8_t flags, const FlagRoles& roles);
 struct FlagRoleInfo {
   std::string_view key;    // in files: "up_slope"
   std::string_view label;  // on screen: "up-slope"
-  int FlagRoles::* flag;
+  int FlagRoles::*flag;
   TileRole role;
 };
 const std::array<FlagRoleInfo, 4>& flag_role_infos();

@@ -10,7 +10,8 @@ std::span<const TuningField> tuning_fields() {
       {"cell_size", "cell size", "px", &T::cell_size, 1, 1024,
        "Side of a grid cell of the collision world; only speed depends on it. Slow when far from 2-4 tiles."},
       {"fall_speed", "fall speed", "px/frame", &T::fall_speed, -64, 64,
-       "The vertical speed that falling tends to. Over 8, a ball skips a tile a frame and slopes are missed."},
+       "The vertical speed that falling tends to. Over 8, a ball skips a tile a frame and slopes are "
+       "missed."},
       {"fall_blend", "fall blend", "", &T::fall_blend, 0, 1,
        "Share of the way to the fall speed gained each frame. Too high: no arc; too low: floats."},
       {"drift_speed", "drift speed", "px/frame", &T::drift_speed, -64, 64,
@@ -28,7 +29,8 @@ std::span<const TuningField> tuning_fields() {
       {"slope_width", "slope width", "px", &T::slope_width, 1, 64,
        "Width of a slope's box from the left side of its flagged tile. Must match the drawing."},
       {"slope_height", "slope height", "px", &T::slope_height, 1, 64,
-       "Height of a slope's box. The article's floor height is right only when it equals a ball's height, 8."},
+       "Height of a slope's box. The article's floor height is right only when it equals a ball's height, "
+       "8."},
       {"drag_blend", "drag blend", "", &T::drag_blend, 0, 1,
        "Share of the way to the mouse that a dragged ball moves each frame. 0 leaves it hanging."},
       {"drag_offset", "drag offset", "px", &T::drag_offset, -64, 64,
@@ -43,7 +45,8 @@ std::span<const TuningField> tuning_fields() {
 
 std::string_view solver_name(SolverKind solver) {
   switch (solver) {
-    case SolverKind::article: return "article";
+    case SolverKind::article:
+      return "article";
   }
   return "";
 }

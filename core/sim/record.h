@@ -32,13 +32,13 @@ struct ContactRecord {
   int order = 0;  // from 0, within the body's step
   Obstacle other;
   Response response = Response::slide;
-  bool overlaps = false;  // the boxes overlapped before the move
-  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
-  Vec2 move;              // px, what the body wanted when this contact was found
-  Vec2 normal;            // unit axis vector out of the obstacle
-  Vec2 touch;             // px, the body's top-left corner at the contact
+  bool overlaps = false;            // the boxes overlapped before the move
+  double ti = 0;                    // time of impact, fraction of `move`; minus the overlap area if overlaps
+  Vec2 move;                        // px, what the body wanted when this contact was found
+  Vec2 normal;                      // unit axis vector out of the obstacle
+  Vec2 touch;                       // px, the body's top-left corner at the contact
   std::optional<SlopeProbe> slope;  // when the contact led to a look for the slope's floor
-  bool handled = false;   // false: found, but skipped, since a slope correction ended the step
+  bool handled = false;             // false: found, but the solver did nothing more with it
 };
 
 // A candidate of the broad phase whose box was tested against the body's way.

@@ -9,18 +9,19 @@
 namespace talus {
 
 struct Body {
-  int id = 0;         // from 1, in scene order at the start; never reused
+  int id = 0;  // from 1, in scene order at the start; never reused
   BodyOrigin origin;
-  Rect box;           // px
-  Vec2 velocity;      // px/frame
-  Vec2 previous;      // px, top-left corner before the last dragged frame; its throw is measured from here
+  Rect box;       // px
+  Vec2 velocity;  // px/frame
+  Vec2 previous;  // px, top-left corner before the last dragged frame; its throw is measured from here
   friend bool operator==(const Body&, const Body&) = default;
 };
 
 struct State {
-  std::int64_t frame = 0;    // steps made so far
-  std::vector<Body> bodies;  // by id
-  int grabbed = 0;           // id of the body that the mouse holds; 0: none
+  std::int64_t frame = 0;          // steps made so far
+  std::vector<Body> bodies;        // by id
+  int grabbed = 0;                 // id of the body that the mouse holds; 0: none
+  int next_id = 1;                 // id of the next new body
   const Body* find(int id) const;  // null when there is none
   friend bool operator==(const State&, const State&) = default;
 };

@@ -1,0 +1,11 @@
+#include "record.h"
+
+namespace talus {
+
+void StepRecord::clear() {
+  paths.clear();
+  contacts.clear();
+  tested.clear();
+}
+
+}  // namespace talus

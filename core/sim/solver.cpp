@@ -1,0 +1,23 @@
+#include "solver.h"
+
+#include "article_solver.h"
+
+namespace talus {
+
+std::unique_ptr<Solver> make_solver(std::shared_ptr<const Scene> scene) {
+  switch (scene->tuning.solver) {
+    case SolverKind::article:
+      return std::make_unique<ArticleSolver>(std::move(scene));
+  }
+  return nullptr;
+}
+
+State step(const Scene& scene, const State& state, const Input& input, StepRecord* record) {
+  // The solver lives no longer than this call, so it may look at the caller's scene without owning it.
+  const std::shared_ptr<const Scene> borrowed(std::shared_ptr<const Scene>(), &scene);
+  State next = state;
+  make_solver(borrowed)->step(next, input, record);
+  return next;
+}
+
+}  // namespace talus
