@@ -1,0 +1,39 @@
+// talus check FILE
+
+#include <algorithm>
+#include <ostream>
+
+#include "command.h"
+#include "level/lint.h"
+
+namespace talus {
+namespace {
+
+std::string place_of(const Problem& problem) {
+  if (problem.cell) return "cell " + std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y);
+  if (problem.tile >= 0) return "tile " + std::to_string(problem.tile);
+  return "";
+}
+
+void check(CommandContext& context, const std::string& file) {
+  const std::optional<Level> level = load_or_fail(context, file);
+  if (!level) return;
+  for (const Problem& problem : lint(*level)) {
+    const bool is_error = problem.severity == Severity::error;
+    const std::string place = place_of(problem);
+    context.out << file << (place.empty() ? "" : ":") << place << (is_error ? ": error: " : ": warning: ")
+                << problem.message << " [" << problem.code << "]\n";
+    if (is_error) context.status = kExitBad;
+  }
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, CommandContext& context) {
+  CLI::App* command = program.add_subcommand("check", "List what is likely wrong in a level; exits 1 on errors");
+  auto file = std::make_shared<std::string>();
+  command->add_option("FILE", *file, "Level or cart")->required();
+  command->callback([&context, file] { check(context, *file); });
+}
+
+}  // namespace talus

@@ -1,0 +1,47 @@
+// What the sub-commands share: each is one file that adds itself to the program.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli.h"
+#include "level/level.h"
+
+namespace talus {
+
+struct CommandContext {
+  std::ostream& out;
+  std::ostream& err;
+  int status = kExitGood;  // set by the command that ran
+};
+
+// To add a sub-command: write its file, declare it here, and list it in cli.cpp.
+void add_edit_command(CLI::App& program, CommandContext& context);
+void add_sim_command(CLI::App& program, CommandContext& context);
+void add_replay_command(CLI::App& program, CommandContext& context);
+void add_import_command(CLI::App& program, CommandContext& context);
+void add_export_command(CLI::App& program, CommandContext& context);
+void add_check_command(CLI::App& program, CommandContext& context);
+void add_shot_command(CLI::App& program, CommandContext& context);
+void add_bench_command(CLI::App& program, CommandContext& context);
+
+// Reports "FILE:PLACE: error: MESSAGE" (without ":PLACE" when it is empty) and sets the status to kExitBad.
+void fail(CommandContext& context, const std::string& file, const std::string& place,
+          const std::string& message);
+
+// The level in a file, or nothing after having failed.
+std::optional<Level> load_or_fail(CommandContext& context, const std::string& file);
+
+// The options that choose the physics, shared by sim and bench.
+struct PhysicsOptions {
+  std::string solver;                 // a solver's name; empty: the level's own
+  std::vector<std::string> settings;  // "key=value" of tuning_fields()
+};
+void add_physics_options(CLI::App& command, PhysicsOptions& options);
+// Applies them to the level's tuning; false after having failed.
+bool apply_physics(CommandContext& context, const PhysicsOptions& options, Tuning& tuning);
+
+}  // namespace talus

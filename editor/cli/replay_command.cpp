@@ -1,0 +1,30 @@
+// talus replay SCENARIO.json
+
+#include <ostream>
+
+#include "command.h"
+#include "formats/atomic_file.h"
+#include "formats/replay.h"
+
+namespace talus {
+namespace {
+
+void replay(CommandContext& context, const std::string& file) {
+  const auto bytes = read_file(file);
+  if (!bytes) return fail(context, file, bytes.error().place, bytes.error().message);
+  const auto answers = replay_scenario(*bytes);
+  if (!answers) return fail(context, file, answers.error().place, answers.error().message);
+  for (const std::string& line : *answers) context.out << line << '\n';
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& program, CommandContext& context) {
+  CLI::App* command =
+      program.add_subcommand("replay", "Run a collision scenario: one JSON line for each operation");
+  auto file = std::make_shared<std::string>();
+  command->add_option("SCENARIO", *file, "Scenario file (JSON)")->required();
+  command->callback([&context, file] { replay(context, *file); });
+}
+
+}  // namespace talus

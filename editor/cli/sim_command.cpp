@@ -1,0 +1,84 @@
+// talus sim FILE --frames N [--solver S] [--set KEY=VALUE] [--input F.jsonl] [--trace F.jsonl] [--hash]
+
+#include <fstream>
+#include <ostream>
+
+#include "command.h"
+#include "formats/atomic_file.h"
+#include "input_file.h"
+#include "sim/solver.h"
+#include "trace.h"
+
+namespace talus {
+namespace {
+
+struct SimOptions {
+  std::string file, input, trace;
+  std::int64_t frames = 0;
+  bool hash = false;
+  bool no_contacts = false;
+  PhysicsOptions physics;
+};
+
+// The recorded input, an empty one without a file, or nothing after having failed.
+std::optional<std::vector<TimedInput>> load_input(CommandContext& context, const std::string& file) {
+  if (file.empty()) return std::vector<TimedInput>();
+  const auto bytes = read_file(file);
+  if (!bytes) {
+    fail(context, file, bytes.error().place, bytes.error().message);
+    return std::nullopt;
+  }
+  auto inputs = read_input(*bytes);
+  if (!inputs) {
+    fail(context, file, inputs.error().place, inputs.error().message);
+    return std::nullopt;
+  }
+  return std::move(*inputs);
+}
+
+void simulate(CommandContext& context, const SimOptions& options) {
+  std::optional<Level> level = load_or_fail(context, options.file);
+  if (!level || !apply_physics(context, options.physics, level->tuning)) return;
+  std::optional<std::vector<TimedInput>> inputs = load_input(context, options.input);
+  if (!inputs) return;
+
+  std::ofstream trace_file;
+  std::ostream* trace = options.trace == "-" ? &context.out : nullptr;
+  if (!options.trace.empty() && trace == nullptr) {
+    trace_file.open(options.trace, std::ios::binary);
+    if (!trace_file) return fail(context, options.trace, "", "cannot be written");
+    trace = &trace_file;
+  }
+
+  const auto scene = std::make_shared<const Scene>(compile_scene(*level));
+  const std::unique_ptr<Solver> solver = make_solver(scene);
+  State state = initial_state(*scene);
+  InputPlayer player(std::move(*inputs));
+  StepRecord record;
+  StepRecord* wanted = trace != nullptr && !options.no_contacts ? &record : nullptr;
+  for (std::int64_t i = 0; i < options.frames; ++i) {
+    solver->step(state, player.at(state.frame + 1), wanted);
+    if (trace != nullptr) *trace << trace_line(state, wanted) << '\n';
+  }
+  if (trace_file.is_open() && !trace_file.flush()) return fail(context, options.trace, "", "cannot be written");
+  if (options.hash) context.out << hash_text(state_hash(state)) << '\n';
+}
+
+}  // namespace
+
+void add_sim_command(CLI::App& program, CommandContext& context) {
+  CLI::App* command = program.add_subcommand("sim", "Run a level without a window and write what happens");
+  auto options = std::make_shared<SimOptions>();
+  command->add_option("FILE", options->file, "Level or cart")->required();
+  command->add_option("--frames", options->frames, "Steps to make")
+      ->required()
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+  add_physics_options(*command, options->physics);
+  command->add_option("--input", options->input, "Recorded mouse and keys (JSON lines)");
+  command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
+  command->add_flag("--no-contacts", options->no_contacts, "Leave the contacts out of the trace");
+  command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
+  command->callback([&context, options] { simulate(context, *options); });
+}
+
+}  // namespace talus

@@ -1,0 +1,129 @@
+#include "trace.h"
+
+#include <charconv>
+#include <string_view>
+
+namespace talus {
+namespace {
+
+void append(std::string& line, std::string_view text) { line += text; }
+
+template <class Number>
+void append_number(std::string& line, Number number) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
+  line.append(text, end);
+}
+
+void append_pair(std::string& line, std::string_view key, Vec2 v) {
+  append(line, key);
+  append(line, "[");
+  append_number(line, v.x);
+  append(line, ",");
+  append_number(line, v.y);
+  append(line, "]");
+}
+
+void append_field(std::string& line, std::string_view key, double number) {
+  append(line, key);
+  append_number(line, number);
+}
+
+void append_body(std::string& line, const Body& body) {
+  append(line, "{\"id\":");
+  append_number(line, body.id);
+  append_field(line, ",\"x\":", body.box.x);
+  append_field(line, ",\"y\":", body.box.y);
+  append_field(line, ",\"vx\":", body.velocity.x);
+  append_field(line, ",\"vy\":", body.velocity.y);
+  append(line, "}");
+}
+
+void append_slope(std::string& line, const SlopeProbe& slope) {
+  append_field(line, ",\"slope\":{\"delta\":", slope.delta);
+  append_field(line, ",\"floor\":", slope.floor_y);
+  append_field(line, ",\"placed\":", slope.placed_y);
+  append_pair(line, ",\"normal\":", slope.normal);
+  append(line, slope.corrected ? ",\"corrected\":true}" : ",\"corrected\":false}");
+}
+
+std::string_view role_name(TileRole role) {
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    if (info.role == role) return info.key;
+  }
+  return "none";
+}
+
+std::string_view response_name(Response response) {
+  switch (response) {
+    case Response::touch: return "touch";
+    case Response::cross: return "cross";
+    case Response::slide: return "slide";
+    case Response::bounce: return "bounce";
+    default: return "";
+  }
+}
+
+void append_contact(std::string& line, const ContactRecord& contact) {
+  append(line, "{\"body\":");
+  append_number(line, contact.body);
+  append(line, ",\"other\":\"");
+  append(line, role_name(contact.other.role));
+  append(line, "\"");
+  if (contact.other.body != 0) {
+    append(line, ",\"other_body\":");
+    append_number(line, contact.other.body);
+  } else {
+    append(line, ",\"cell\":[");
+    append_number(line, contact.other.cell.x);
+    append(line, ",");
+    append_number(line, contact.other.cell.y);
+    append(line, "]");
+  }
+  append(line, ",\"response\":\"");
+  append(line, response_name(contact.response));
+  append(line, contact.overlaps ? "\",\"overlaps\":true" : "\",\"overlaps\":false");
+  append_field(line, ",\"ti\":", contact.ti);
+  append_pair(line, ",\"move\":", contact.move);
+  append_pair(line, ",\"normal\":", contact.normal);
+  append_pair(line, ",\"touch\":", contact.touch);
+  append(line, contact.handled ? ",\"handled\":true" : ",\"handled\":false");
+  if (contact.slope) append_slope(line, *contact.slope);
+  append(line, "}");
+}
+
+template <class Items, class Append>
+void append_list(std::string& line, const Items& items, Append append_item) {
+  bool first = true;
+  for (const auto& item : items) {
+    if (!first) append(line, ",");
+    first = false;
+    append_item(line, item);
+  }
+}
+
+}  // namespace
+
+std::string trace_line(const State& state, const StepRecord* record) {
+  std::string line = "{\"frame\":";
+  append_number(line, state.frame);
+  append(line, ",\"bodies\":[");
+  append_list(line, state.bodies, append_body);
+  append(line, "]");
+  if (record != nullptr) {
+    append(line, ",\"contacts\":[");
+    append_list(line, record->contacts, append_contact);
+    append(line, "]");
+  }
+  append(line, "}");
+  return line;
+}
+
+std::string hash_text(std::uint64_t hash) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (int i = 15; i >= 0; --i, hash >>= 4) text[i] = kDigits[hash & 15];
+  return text;
+}
+
+}  // namespace talus

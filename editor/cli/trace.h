@@ -1,0 +1,18 @@
+// The trace of a simulation: one JSON line a frame.
+#pragma once
+
+#include <string>
+
+#include "sim/record.h"
+#include "sim/state.h"
+
+namespace talus {
+
+// {"frame":1,"bodies":[{"id":1,"x":..,"y":..,"vx":..,"vy":..}],"contacts":[..]}, without a line break; numbers
+// are the shortest decimals that read back as the same double. Without a record, no contacts.
+std::string trace_line(const State& state, const StepRecord* record);
+
+// 16 lower-case hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
+
+}  // namespace talus
