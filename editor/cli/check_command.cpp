@@ -30,7 +30,8 @@ void check(CommandContext& context, const std::string& file) {
 }  // namespace
 
 void add_check_command(CLI::App& program, CommandContext& context) {
-  CLI::App* command = program.add_subcommand("check", "List what is likely wrong in a level; exits 1 on errors");
+  CLI::App* command =
+      program.add_subcommand("check", "List what is likely wrong in a level; exits 1 on errors");
   auto file = std::make_shared<std::string>();
   command->add_option("FILE", *file, "Level or cart")->required();
   command->callback([&context, file] { check(context, *file); });

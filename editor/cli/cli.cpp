@@ -10,14 +10,15 @@
 namespace talus {
 namespace {
 
-constexpr std::array kAddCommands = {add_edit_command,   add_sim_command,   add_replay_command,
+constexpr std::array kAddCommands = {add_edit_command,   add_sim_command,    add_replay_command,
                                      add_import_command, add_export_command, add_check_command,
                                      add_shot_command,   add_bench_command};
 
 // `talus FILE` and `talus` alone mean `talus edit`.
 std::vector<std::string> with_command(const CLI::App& program, std::vector<std::string> arguments) {
   const bool is_option = !arguments.empty() && arguments[0].size() > 1 && arguments[0][0] == '-';
-  const bool is_command = !arguments.empty() && program.get_subcommand_no_throw(arguments[0]) != nullptr;
+  const auto is_first = [&](const CLI::App* command) { return command->get_name() == arguments[0]; };
+  const bool is_command = !arguments.empty() && !program.get_subcommands(is_first).empty();
   if (!is_option && !is_command) arguments.insert(arguments.begin(), "edit");
   return arguments;
 }
@@ -70,7 +71,8 @@ bool apply_physics(CommandContext& context, const PhysicsOptions& options, Tunin
     const std::size_t equals = setting.find('=');
     const std::string key = setting.substr(0, equals);
     const auto fields = tuning_fields();
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.key == key; });
+    const auto field =
+        std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.key == key; });
     if (equals == std::string::npos || field == fields.end()) {
       fail(context, "--set", setting, "there is no number of the tuning called \"" + key + "\"");
       return false;

@@ -14,8 +14,8 @@ enum ExitStatus : int {
   kExitUsage = 2,  // the command line itself is wrong
 };
 
-// Runs `talus ARGUMENTS...` (without the program's name); results go to `out`, errors to `err`, one line each.
-// `edit` opens the window and blocks until it is closed. Returns an ExitStatus.
+// Runs `talus ARGUMENTS...` (without the program's name); results go to `out`, errors to `err`, one line
+// each. `edit` opens the window and blocks until it is closed. Returns an ExitStatus.
 int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace talus

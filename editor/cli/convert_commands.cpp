@@ -45,7 +45,8 @@ void add_import_command(CLI::App& program, CommandContext& context) {
   auto conversion = std::make_shared<Conversion>();
   conversion->format = "native";
   command->add_option("FILE", conversion->input, "Level or cart")->required();
-  command->add_option("-o,--output", conversion->output, "Native level to write; - for standard output")->required();
+  command->add_option("-o,--output", conversion->output, "Native level to write; - for standard output")
+      ->required();
   command->callback([&context, conversion] { convert(context, *conversion); });
 }
 

@@ -15,7 +15,8 @@ std::string read_line(const Json& line, TimedInput& timed) {
   if (!line.is_object()) return "an input line must be a JSON object";
   for (const auto& [key, value] : line.items()) {
     if (key == "frame") {
-      if (!value.is_number_integer() || value.get<std::int64_t>() < 1) return "\"frame\" must be a whole number from 1";
+      if (!value.is_number_integer() || value.get<std::int64_t>() < 1)
+        return "\"frame\" must be a whole number from 1";
       timed.frame = value.get<std::int64_t>();
     } else if (key == "mouse") {
       if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) {

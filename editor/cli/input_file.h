@@ -17,8 +17,8 @@ struct TimedInput {
   Input input;
 };
 
-// Reads the lines in order; a key that a line leaves out keeps its value. Frames must not go backwards. Errors
-// name the line.
+// Reads the lines in order; a key that a line leaves out keeps its value. Frames must not go backwards.
+// Errors name the line.
 tl::expected<std::vector<TimedInput>, FormatError> read_input(std::string_view text);
 
 // Plays them back: call at() with the frames 1, 2, 3...

@@ -60,7 +60,8 @@ void simulate(CommandContext& context, const SimOptions& options) {
     solver->step(state, player.at(state.frame + 1), wanted);
     if (trace != nullptr) *trace << trace_line(state, wanted) << '\n';
   }
-  if (trace_file.is_open() && !trace_file.flush()) return fail(context, options.trace, "", "cannot be written");
+  if (trace_file.is_open() && !trace_file.flush())
+    return fail(context, options.trace, "", "cannot be written");
   if (options.hash) context.out << hash_text(state_hash(state)) << '\n';
 }
 

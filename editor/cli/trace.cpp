@@ -6,8 +6,6 @@
 namespace talus {
 namespace {
 
-void append(std::string& line, std::string_view text) { line += text; }
-
 template <class Number>
 void append_number(std::string& line, Number number) {
   char text[32];
@@ -16,27 +14,27 @@ void append_number(std::string& line, Number number) {
 }
 
 void append_pair(std::string& line, std::string_view key, Vec2 v) {
-  append(line, key);
-  append(line, "[");
+  line += key;
+  line += "[";
   append_number(line, v.x);
-  append(line, ",");
+  line += ",";
   append_number(line, v.y);
-  append(line, "]");
+  line += "]";
 }
 
 void append_field(std::string& line, std::string_view key, double number) {
-  append(line, key);
+  line += key;
   append_number(line, number);
 }
 
 void append_body(std::string& line, const Body& body) {
-  append(line, "{\"id\":");
+  line += "{\"id\":";
   append_number(line, body.id);
   append_field(line, ",\"x\":", body.box.x);
   append_field(line, ",\"y\":", body.box.y);
   append_field(line, ",\"vx\":", body.velocity.x);
   append_field(line, ",\"vy\":", body.velocity.y);
-  append(line, "}");
+  line += "}";
 }
 
 void append_slope(std::string& line, const SlopeProbe& slope) {
@@ -44,7 +42,7 @@ void append_slope(std::string& line, const SlopeProbe& slope) {
   append_field(line, ",\"floor\":", slope.floor_y);
   append_field(line, ",\"placed\":", slope.placed_y);
   append_pair(line, ",\"normal\":", slope.normal);
-  append(line, slope.corrected ? ",\"corrected\":true}" : ",\"corrected\":false}");
+  line += slope.corrected ? ",\"corrected\":true}" : ",\"corrected\":false}";
 }
 
 std::string_view role_name(TileRole role) {
@@ -56,47 +54,52 @@ std::string_view role_name(TileRole role) {
 
 std::string_view response_name(Response response) {
   switch (response) {
-    case Response::touch: return "touch";
-    case Response::cross: return "cross";
-    case Response::slide: return "slide";
-    case Response::bounce: return "bounce";
-    default: return "";
+    case Response::touch:
+      return "touch";
+    case Response::cross:
+      return "cross";
+    case Response::slide:
+      return "slide";
+    case Response::bounce:
+      return "bounce";
+    default:
+      return "";
   }
 }
 
 void append_contact(std::string& line, const ContactRecord& contact) {
-  append(line, "{\"body\":");
+  line += "{\"body\":";
   append_number(line, contact.body);
-  append(line, ",\"other\":\"");
-  append(line, role_name(contact.other.role));
-  append(line, "\"");
+  line += ",\"other\":\"";
+  line += role_name(contact.other.role);
+  line += "\"";
   if (contact.other.body != 0) {
-    append(line, ",\"other_body\":");
+    line += ",\"other_body\":";
     append_number(line, contact.other.body);
   } else {
-    append(line, ",\"cell\":[");
+    line += ",\"cell\":[";
     append_number(line, contact.other.cell.x);
-    append(line, ",");
+    line += ",";
     append_number(line, contact.other.cell.y);
-    append(line, "]");
+    line += "]";
   }
-  append(line, ",\"response\":\"");
-  append(line, response_name(contact.response));
-  append(line, contact.overlaps ? "\",\"overlaps\":true" : "\",\"overlaps\":false");
+  line += ",\"response\":\"";
+  line += response_name(contact.response);
+  line += contact.overlaps ? "\",\"overlaps\":true" : "\",\"overlaps\":false";
   append_field(line, ",\"ti\":", contact.ti);
   append_pair(line, ",\"move\":", contact.move);
   append_pair(line, ",\"normal\":", contact.normal);
   append_pair(line, ",\"touch\":", contact.touch);
-  append(line, contact.handled ? ",\"handled\":true" : ",\"handled\":false");
+  line += contact.handled ? ",\"handled\":true" : ",\"handled\":false";
   if (contact.slope) append_slope(line, *contact.slope);
-  append(line, "}");
+  line += "}";
 }
 
 template <class Items, class Append>
 void append_list(std::string& line, const Items& items, Append append_item) {
   bool first = true;
   for (const auto& item : items) {
-    if (!first) append(line, ",");
+    if (!first) line += ",";
     first = false;
     append_item(line, item);
   }
@@ -107,15 +110,15 @@ void append_list(std::string& line, const Items& items, Append append_item) {
 std::string trace_line(const State& state, const StepRecord* record) {
   std::string line = "{\"frame\":";
   append_number(line, state.frame);
-  append(line, ",\"bodies\":[");
+  line += ",\"bodies\":[";
   append_list(line, state.bodies, append_body);
-  append(line, "]");
+  line += "]";
   if (record != nullptr) {
-    append(line, ",\"contacts\":[");
+    line += ",\"contacts\":[";
     append_list(line, record->contacts, append_contact);
-    append(line, "]");
+    line += "]";
   }
-  append(line, "}");
+  line += "}";
   return line;
 }
 

@@ -1,0 +1,138 @@
+// talus bench FILE --bodies N --frames N [--solver S] [--set KEY=VALUE] [--threads N] [--seed N]
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "bench_kernel.h"
+#include "command.h"
+#include "sim/solver.h"
+#include "trace.h"
+
+namespace talus {
+namespace {
+
+struct BenchOptions {
+  std::string file;
+  int bodies = 0;
+  int frames = 0;
+  int threads = 1;
+  std::uint64_t seed = 1;
+  PhysicsOptions physics;
+};
+
+// SplitMix64 by Sebastiano Vigna: the same numbers everywhere, unlike the standard's distributions.
+std::uint64_t next_random(std::uint64_t& state) {
+  state += 0x9e3779b97f4a7c15;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+// Cells in which a ball overlaps nothing: neither a tile with a role nor the second half of a slope.
+std::vector<Cell> free_cells(const Level& level) {
+  const auto is_slope = [&](Cell cell) {
+    const TileRole role = level.role_at(cell);
+    return role == TileRole::up_slope || role == TileRole::down_slope;
+  };
+  std::vector<Cell> cells;
+  for (Cell cell{0, 0}; cell.y < level.map.height(); ++cell.y) {
+    for (cell.x = 0; cell.x < level.map.width(); ++cell.x) {
+      const bool behind_slope = cell.x > 0 && is_slope({cell.x - 1, cell.y});
+      if (level.role_at(cell) == TileRole::none && !behind_slope) cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+// Adds balls on free cells, each cell once; false when there are too few.
+bool spawn_balls(Level& level, int count, std::uint64_t seed) {
+  std::vector<Cell> cells = free_cells(level);
+  if (cells.size() < static_cast<std::size_t>(count)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    std::swap(cells[i], cells[i + next_random(seed) % (cells.size() - i)]);
+    Spawn spawn;
+    spawn.position = {static_cast<double>(cells[i].x) * kTileSize,
+                      static_cast<double>(cells[i].y) * kTileSize};
+    level.spawns.push_back(spawn);
+  }
+  return true;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <class Function>
+double nanoseconds(Function function) {
+  const auto start = std::chrono::steady_clock::now();
+  function();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+void bench(CommandContext& context, const BenchOptions& options) {
+  std::optional<Level> level = load_or_fail(context, options.file);
+  if (!level || !apply_physics(context, options.physics, level->tuning)) return;
+  if (!spawn_balls(*level, options.bodies, options.seed)) {
+    return fail(context, options.file, "",
+                "the map has too few free cells for " + std::to_string(options.bodies) + " bodies");
+  }
+
+  const auto scene = std::make_shared<const Scene>(compile_scene(*level));
+  const std::unique_ptr<Solver> solver = make_solver(scene);
+  State state = initial_state(*scene);
+  BenchKernel kernel(*level, state);
+  const Input input;
+  const auto bodies = static_cast<double>(state.bodies.size());
+  std::vector<double> solver_ns, kernel_ns;
+  double total_ns = 0;
+  // The two take turns, so that whatever else the machine does falls on both.
+  for (int frame = 0; frame < options.frames; ++frame) {
+    const double ns = nanoseconds([&] { solver->step(state, input); });
+    total_ns += ns;
+    solver_ns.push_back(ns / bodies);
+    kernel_ns.push_back(nanoseconds([&] { kernel.step(); }) / bodies);
+  }
+
+  nlohmann::ordered_json line;
+  line["solver"] = solver_name(scene->tuning.solver);
+  line["bodies"] = state.bodies.size();
+  line["frames"] = options.frames;
+  line["threads"] = 1;  // balls block one another in the order of their ids: there is nothing to share out
+  line["seed"] = options.seed;
+  line["ns_per_body_step"] = median(solver_ns);
+  line["mean_ns_per_body_step"] = total_ns / options.frames / bodies;
+  line["kernel_ns_per_body_step"] = median(kernel_ns);
+  line["ratio_to_kernel"] = median(solver_ns) / median(kernel_ns);
+  line["kernel_checksum"] = kernel.checksum();
+  line["hash"] = hash_text(state_hash(state));
+  context.out << line.dump() << '\n';
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, CommandContext& context) {
+  CLI::App* command =
+      program.add_subcommand("bench", "Time a level's simulation: one JSON line, medians over the frames");
+  auto options = std::make_shared<BenchOptions>();
+  command->add_option("FILE", options->file, "Level or cart")->required();
+  command->add_option("--bodies", options->bodies, "Balls to put on free cells")
+      ->required()
+      ->check(CLI::Range(1, 10'000'000));
+  command->add_option("--frames", options->frames, "Steps to time")
+      ->required()
+      ->check(CLI::Range(1, 10'000'000));
+  add_physics_options(*command, options->physics);
+  command
+      ->add_option("--threads", options->threads,
+                   "Threads at most; the result is the same for any number. `article` uses one")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--seed", options->seed, "Where the balls start");
+  command->callback([&context, options] { bench(context, *options); });
+}
+
+}  // namespace talus

@@ -1,0 +1,34 @@
+// The yardstick of `talus bench`: about the least that balls on a tile map can cost. Moves x, then y, by
+// whole frames, looks tiles up in a flat array, lifts the centre onto slopes; records nothing and is not
+// exact.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/level.h"
+#include "sim/state.h"
+
+namespace talus {
+
+class BenchKernel {
+ public:
+  BenchKernel(const Level& level, const State& start);
+  void step();
+  double checksum() const;  // of the positions, so that no work can be left out
+
+ private:
+  struct Ball {
+    double x, y, vx, vy;
+  };
+  TileRole role_at(double x, double y) const;
+  bool is_solid_box(double x, double y) const;
+  void step(Ball& ball) const;
+
+  int width_, height_;           // cells
+  std::vector<TileRole> roles_;  // row by row
+  std::vector<Ball> balls_;
+  ArticleTuning tuning_;
+};
+
+}  // namespace talus
