@@ -2,7 +2,9 @@
 // merges, undoes and redoes them.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -53,14 +55,34 @@ using Change = std::variant<CellChange, PixelChange, FlagsChange, ColorChange, F
 
 struct Edit {
   std::string label;            // for the Edit menu and the history: "Paint tiles"
-  std::vector<Change> changes;  // applied first to last, undone last to first
+  std::vector<Change> changes;  // at most one for each place; applied first to last, undone last to first
   bool empty() const { return changes.empty(); }
 };
 
 void apply_edit(Level& level, const Edit& edit);
 void revert_edit(Level& level, const Edit& edit);
+// Fits an edit to a level that has changed since the tool saw it: each `before` becomes what the level holds.
+// Changes that lost their place, or change nothing any more, vanish.
+void rebase_edit(const Level& level, Edit& edit);
 // Appends `next`, keeping one change for each place: its first `before` and last `after`. Changes that end
 // where they began vanish.
 void merge_edit(Edit& edit, const Edit& next);
+
+// merge_edit for a stroke of many edits: it knows where each place's change is, so that a merge takes time by
+// the length of `next` alone.
+class EditMerger {
+ public:
+  EditMerger() = default;
+  explicit EditMerger(const Edit& edit);
+  // `edit` must be the one that the merger was made with, changed by it alone.
+  void merge(Edit& edit, const Edit& next);
+
+ private:
+  void merge_change(Edit& edit, const Change& next);
+  void fold_cells_into_map(Edit& edit, const MapChange& next);
+  void remove(Edit& edit, std::size_t index);
+
+  std::unordered_map<std::uint64_t, std::size_t> index_of_place_;  // into Edit::changes
+};
 
 }  // namespace talus

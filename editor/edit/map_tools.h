@@ -23,9 +23,9 @@ struct Stamp {
   friend bool operator==(const Stamp&, const Stamp&) = default;
 };
 
-// The rectangle of the tile sheet (16 columns) as a stamp; cut at the sheet's edge.
+// The rectangle of the tile sheet (16 columns) as a stamp; cut at the sheet's edge. Wholly outside: tile 0.
 Stamp stamp_of_sheet(CellRect tiles);
-Stamp stamp_of_map(const Level& level, CellRect cells);  // the picker; cut at the map's edge
+Stamp stamp_of_map(const Level& level, CellRect cells);  // the picker; cut likewise at the map's edge
 
 // One stamp with its top-left cell at `at`.
 Edit paint_stamp(const Level& level, Cell at, const Stamp& stamp);

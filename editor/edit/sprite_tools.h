@@ -25,6 +25,7 @@ Edit replace_color(const Level& level, const SpriteArea& area, std::uint8_t from
 Edit flip_horizontal(const Level& level, const SpriteArea& area);
 Edit flip_vertical(const Level& level, const SpriteArea& area);
 Edit rotate_clockwise(const Level& level, const SpriteArea& area);  // the area must be square (asserted)
+// Fills the area with a colour and, as TIC-80 does when it erases a whole sprite, clears the flags of its tiles.
 Edit clear_area(const Level& level, const SpriteArea& area, std::uint8_t color);
 
 // Whether a flag is set in none, some or all of the area's tiles.

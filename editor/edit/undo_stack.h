@@ -10,7 +10,8 @@ namespace talus {
 
 class UndoStack {
  public:
-  // Applies and records. Edits with the same stroke (> 0) in a row are one entry; stroke 0 never merges.
+  // Applies and records. Edits with the same stroke (> 0) in a row are one entry; stroke 0 never merges. An
+  // empty edit is ignored, and a stroke that ends where it began leaves no entry.
   void push(Level& level, Edit edit, int stroke = 0);
   bool can_undo() const { return next_ > 0; }
   bool can_redo() const { return next_ < edits_.size(); }
@@ -21,14 +22,19 @@ class UndoStack {
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t position() const { return next_; }  // edits before it are applied
 
-  void mark_saved() { saved_ = static_cast<std::ptrdiff_t>(next_); }
+  // Ends the open stroke too, since an entry that went on growing would no longer be what was saved.
+  void mark_saved() {
+    saved_ = static_cast<std::ptrdiff_t>(next_);
+    open_stroke_ = 0;
+  }
   bool is_saved() const { return saved_ == static_cast<std::ptrdiff_t>(next_); }
 
  private:
   std::vector<Edit> edits_;
   std::size_t next_ = 0;
   std::ptrdiff_t saved_ = 0;  // -1: the saved state can no longer be reached
-  int open_stroke_ = 0;
+  int open_stroke_ = 0;      // the stroke that the last entry still takes edits of; 0: none
+  EditMerger merger_;        // of the last entry, while its stroke is open
 };
 
 }  // namespace talus

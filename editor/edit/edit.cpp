@@ -1,0 +1,180 @@
+// Applying, reverting and merging edits.
+#include "edit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <type_traits>
+
+namespace talus {
+namespace {
+
+// The place in a level that a change is about. L is Level or const Level.
+template <class L>
+auto& place(L& level, const CellChange& c) {
+  assert(level.map.contains(c.cell));
+  return level.map.cells()[static_cast<std::size_t>(c.cell.y) * level.map.width() + c.cell.x];
+}
+template <class L>
+auto& place(L& level, const PixelChange& c) {
+  return level.sheet(c.sheet).images[c.tile][c.pixel];
+}
+template <class L>
+auto& place(L& level, const FlagsChange& c) {
+  return level.sheet(c.sheet).flags[c.tile];
+}
+template <class L>
+auto& place(L& level, const ColorChange& c) {
+  return level.palette[c.color];
+}
+template <class L>
+auto& place(L& level, const FlagNameChange& c) {
+  return level.flag_names[c.flag];
+}
+template <class L>
+auto& place(L& level, const RolesChange&) {
+  return level.roles;
+}
+template <class L>
+auto& place(L& level, const TuningChange&) {
+  return level.tuning;
+}
+template <class L>
+auto& place(L& level, const SpawnsChange&) {
+  return level.spawns;
+}
+template <class L>
+auto& place(L& level, const MapChange&) {
+  return level.map;
+}
+
+// What tells two places of the same kind apart; fits 56 bits.
+std::uint64_t number(const CellChange& c) {
+  return static_cast<std::uint64_t>(c.cell.y) * kMaxMapSide + c.cell.x;
+}
+std::uint64_t number(const PixelChange& c) {
+  const int image = static_cast<int>(c.sheet) * kTileCount + c.tile;
+  return static_cast<std::uint64_t>(image) * kTileSize * kTileSize + c.pixel;
+}
+std::uint64_t number(const FlagsChange& c) {
+  return static_cast<std::uint64_t>(static_cast<int>(c.sheet) * kTileCount + c.tile);
+}
+std::uint64_t number(const ColorChange& c) { return static_cast<std::uint64_t>(c.color); }
+std::uint64_t number(const FlagNameChange& c) { return static_cast<std::uint64_t>(c.flag); }
+template <class OneOfAKind>
+std::uint64_t number(const OneOfAKind&) {
+  return 0;
+}
+
+std::uint64_t place_key(const Change& change) {
+  const std::uint64_t within = std::visit([](const auto& c) { return number(c); }, change);
+  return static_cast<std::uint64_t>(change.index()) << 56 | within;
+}
+
+// The key of MapChange, of which an edit has one at most.
+constexpr std::size_t kMapIndex = std::variant_size_v<Change> - 1;
+static_assert(std::is_same_v<std::variant_alternative_t<kMapIndex, Change>, MapChange>);
+constexpr std::uint64_t kMapKey = std::uint64_t{kMapIndex} << 56;
+
+bool is_no_change(const Change& change) {
+  return std::visit([](const auto& c) { return c.before == c.after; }, change);
+}
+
+}  // namespace
+
+void apply_edit(Level& level, const Edit& edit) {
+  for (const Change& change : edit.changes) {
+    std::visit(
+        [&](const auto& c) {
+          auto& value = place(level, c);
+          assert(value == c.before);
+          value = c.after;
+        },
+        change);
+  }
+}
+
+void revert_edit(Level& level, const Edit& edit) {
+  std::for_each(edit.changes.rbegin(), edit.changes.rend(), [&](const Change& change) {
+    std::visit(
+        [&](const auto& c) {
+          auto& value = place(level, c);
+          assert(value == c.after);
+          value = c.before;
+        },
+        change);
+  });
+}
+
+void rebase_edit(const Level& level, Edit& edit) {
+  std::erase_if(edit.changes, [&](Change& change) {
+    const CellChange* cell = std::get_if<CellChange>(&change);
+    if (cell != nullptr && !level.map.contains(cell->cell)) return true;
+    return std::visit(
+        [&](auto& c) {
+          const auto& value = place(level, c);
+          if (c.before != value) c.before = value;
+          return c.before == c.after;
+        },
+        change);
+  });
+}
+
+void merge_edit(Edit& edit, const Edit& next) { EditMerger(edit).merge(edit, next); }
+
+EditMerger::EditMerger(const Edit& edit) {
+  index_of_place_.reserve(edit.changes.size());
+  for (std::size_t i = 0; i < edit.changes.size(); ++i) index_of_place_[place_key(edit.changes[i])] = i;
+}
+
+void EditMerger::merge(Edit& edit, const Edit& next) {
+  for (const Change& change : next.changes) merge_change(edit, change);
+  // Checked once, not for each cell that was folded into it: comparing maps is dear.
+  const auto map = index_of_place_.find(kMapKey);
+  if (map != index_of_place_.end() && is_no_change(edit.changes[map->second])) remove(edit, map->second);
+}
+
+void EditMerger::merge_change(Edit& edit, const Change& next) {
+  const auto map = index_of_place_.find(kMapKey);
+  const bool has_map = map != index_of_place_.end();
+  if (const CellChange* cell = std::get_if<CellChange>(&next); cell != nullptr && has_map) {
+    std::get<MapChange>(edit.changes[map->second]).after.set(cell->cell, cell->after);
+    return;
+  }
+  if (const MapChange* whole = std::get_if<MapChange>(&next); whole != nullptr && !has_map) {
+    fold_cells_into_map(edit, *whole);
+    return;
+  }
+  const auto [found, is_new] = index_of_place_.try_emplace(place_key(next), edit.changes.size());
+  if (is_new) {
+    edit.changes.push_back(next);
+    return;
+  }
+  const std::size_t index = found->second;
+  std::visit([&](const auto& c) { std::get<std::decay_t<decltype(c)>>(edit.changes[index]).after = c.after; },
+             next);
+  if (!std::holds_alternative<MapChange>(next) && is_no_change(edit.changes[index])) remove(edit, index);
+}
+
+// Cells and the whole map are one place seen twice, so an edit keeps either cells or the map.
+void EditMerger::fold_cells_into_map(Edit& edit, const MapChange& next) {
+  MapChange whole = next;
+  std::erase_if(edit.changes, [&](const Change& change) {
+    const CellChange* cell = std::get_if<CellChange>(&change);
+    if (cell != nullptr) whole.before.set(cell->cell, cell->before);
+    return cell != nullptr;
+  });
+  edit.changes.emplace_back(std::move(whole));
+  *this = EditMerger(edit);
+}
+
+// Places are independent of one another, so the last change may take the removed one's position.
+void EditMerger::remove(Edit& edit, std::size_t index) {
+  index_of_place_.erase(place_key(edit.changes[index]));
+  if (index + 1 < edit.changes.size()) {
+    edit.changes[index] = std::move(edit.changes.back());
+    index_of_place_[place_key(edit.changes[index])] = index;
+  }
+  edit.changes.pop_back();
+}
+
+}  // namespace talus

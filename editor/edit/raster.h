@@ -1,0 +1,24 @@
+// Lines and connected areas on a grid, for the tools of the map and of the sprite canvas alike.
+#pragma once
+
+#include <vector>
+
+#include "collision/function_ref.h"
+#include "collision/geometry.h"
+
+namespace talus {
+
+// Visits every cell of the straight line between two cells, both included, from the first to the last.
+void for_each_on_line(Cell from, Cell to, FunctionRef<void(Cell)> visit);
+
+// The cells of one row from column `first` to column `last`, both included.
+struct Span {
+  int y, first, last;
+  friend bool operator==(const Span&, const Span&) = default;
+};
+
+// The 4-connected area around `at` where `inside` holds, in a grid of width x height cells, each cell in one
+// span. Empty when `at` lies outside the grid. Takes time and memory by the area, without recursion.
+std::vector<Span> flood_area(int width, int height, Cell at, FunctionRef<bool(Cell)> inside);
+
+}  // namespace talus
