@@ -1,0 +1,40 @@
+// The table of overlays.
+#include "overlay_id.h"
+
+#include <algorithm>
+
+namespace talus {
+
+const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
+  // Colours of Okabe and Ito, which stay apart for colour-blind eyes, less their black and dark blue, plus
+  // white.
+  static constexpr std::array<OverlayInfo, kOverlayCount> kInfos = {{
+      {OverlayId::boxes, "boxes", "boxes",
+       "Outlines of solids, slopes and bodies as the collision sees them.", 0x56b4e9},
+      {OverlayId::normals, "normals", "contact normals",
+       "Arrows out of the touched sides, and out of the slopes that a body was put on.", 0xe69f00},
+      {OverlayId::touch_points, "touch_points", "touch points",
+       "Crosses where bodies met something, with the fraction of the move done by then.", 0xf0e442},
+      {OverlayId::velocity, "velocity", "velocity",
+       "Arrows from the bodies' centres, 4 px long for each px/frame.", 0x009e73},
+      {OverlayId::slope_delta, "slope_delta", "slope delta",
+       "Gauges of how far along a slope a body's centre is, from 0 at the left end to 1 at the right.",
+       0xcc79a7},
+      {OverlayId::floor_height, "floor_height", "floor height",
+       "The floor computed under a body on a slope, before and after rounding, and the slope's surface.",
+       0xd55e00},
+      {OverlayId::tested_tiles, "tested_tiles", "tested tiles",
+       "Tinted boxes that the last step tested against the bodies' ways.", 0xf4f4f4},
+  }};
+  return kInfos;
+}
+
+std::optional<OverlayId> find_overlay(std::string_view key) {
+  const auto& infos = overlay_infos();
+  const auto found =
+      std::find_if(infos.begin(), infos.end(), [&](const OverlayInfo& i) { return i.key == key; });
+  if (found == infos.end()) return std::nullopt;
+  return found->id;
+}
+
+}  // namespace talus
