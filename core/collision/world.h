@@ -25,8 +25,8 @@
 
 namespace talus {
 
-// Names an item of one World. A value: copy it freely. {0,0} names nothing. Once its item is removed the handle
-// is stale for good, since a later item in the same slot has another generation.
+// Names an item of one World. A value: copy it freely. {0,0} names nothing. Once its item is removed the
+// handle is stale for good, since a later item in the same slot has another generation.
 struct ItemId {
   std::uint32_t index = 0;       // slot, from 1; dense, so it can index a caller's own array
   std::uint32_t generation = 0;  // from 1; 0 only in the null handle
@@ -47,17 +47,17 @@ enum class Response : std::uint16_t {
 
 // One contact of a move, in the order in which the move met them.
 struct Collision {
-  ItemId item;                        // the mover; null when project() was called without one
-  ItemId other;                       // what it met
+  ItemId item;   // the mover; null when project() was called without one
+  ItemId other;  // what it met
   Response response = Response::touch;
-  bool overlaps = false;              // the boxes already overlapped before the move
-  double ti = 0;                      // time of impact, fraction of `move`; minus the overlap area if overlaps
-  Vec2 move;                          // px, what the mover wanted when this contact was found
-  Vec2 normal;                        // unit axis vector out of `other`; {0,0} has no direction
-  Vec2 touch;                         // px, the mover's top-left corner at the contact
-  Rect item_rect;                     // the mover before the move
+  bool overlaps = false;  // the boxes already overlapped before the move
+  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
+  Vec2 move;              // px, what the mover wanted when this contact was found
+  Vec2 normal;            // unit axis vector out of `other`; {0,0} has no direction
+  Vec2 touch;             // px, the mover's top-left corner at the contact
+  Rect item_rect;         // the mover before the move
   Rect other_rect;
-  std::optional<Vec2> aim;            // slide and bounce: the goal they redirected the mover to
+  std::optional<Vec2> aim;  // slide and bounce: the goal they redirected the mover to
 };
 
 // A box met by a segment. ti1 and ti2 are the fractions of the segment where it enters and leaves the box.
@@ -78,6 +78,9 @@ std::string item_not_added_message(std::string_view item);
 std::string item_added_twice_message(std::string_view item);
 std::string unknown_response_message(std::string_view name);
 
+// Used by one thread at a time: even the const functions share scratch memory. A filter or response may call
+// the const ones, never change the world. Filters are called once a projection for every item whose cells the
+// swept box covers, before any geometry, in an order that depends only on the calls made so far.
 class World {
  public:
   using Filter = FunctionRef<Response(ItemId item, ItemId other)>;  // how `item` reacts to `other`
@@ -85,10 +88,21 @@ class World {
 
   enum class Mode {
     faithful,  // bump's results to the last bit, quirks included
-    robust,    // places the mover exactly on the side it hit: no ghosts, no sticking at seams, no teleports
+    // Places the mover exactly on the side it hit: no ghosts, no sticking at seams, no teleports. An overlap
+    // is left by its shortest way first. Crossed items are reported on the way actually travelled and do not
+    // bend it. Solid items may be met again after a bounce; after 64 contacts the mover stays at the last.
+    // Coordinates must be finite.
+    robust,
   };
 
-  // cell_size: px, side of a grid cell; > 0, or WorldError. A few times a typical item is a good value.
+  // Where bump would hang or run out of memory, WorldError is thrown and nothing changes: for a coordinate
+  // that is infinite or kMaxCell cells or more from the origin, and for an item that covers more than 2^22
+  // cells.
+  static constexpr int kMaxCell = 1 << 30;
+  static constexpr double kMaxCellSize = 1e100;  // px; keeps squares of coordinates finite
+
+  // cell_size: px, side of a grid cell; > 0 and at most kMaxCellSize, or WorldError. A few times a typical
+  // item is a good value.
   explicit World(double cell_size = 64, Mode mode = Mode::faithful);
   ~World();
   World(World&&) noexcept;
@@ -122,7 +136,8 @@ class World {
   Rect rect(ItemId item) const;
   void items(std::vector<ItemId>& out) const;  // in the order of adding
   std::size_t item_count() const noexcept;
-  // Cells that hold or ever held an item, as bump counts them until its garbage is collected.
+  // Cells that hold or ever held an item, as bump counts them until its garbage is collected. Collected by
+  // collect_empty_cells(), or when the grid must grow and most of them are empty.
   std::size_t cell_count() const noexcept;
   void collect_empty_cells();
 
@@ -130,8 +145,9 @@ class World {
   Cell to_cell(Vec2 point) const;  // 1-based, as bump's: the cell of {0,0} is {1,1}
   Vec2 to_world(Cell cell) const;  // its top-left corner
 
-  // A response of the user's own: given the contact, the mover's box at the start of the move and its goal, it
-  // appends further contacts to `next` (usually by world.project with the same filter) and returns the new goal.
+  // A response of the user's own: given the contact, the mover's box at the start of the move and its goal,
+  // it appends further contacts to `next` (usually by world.project with the same filter) and returns the new
+  // goal.
   using ResponseFunction = std::function<Vec2(const World& world, Collision& hit, Rect start, Vec2 goal,
                                               Filter filter, std::vector<Collision>& next)>;
   Response add_response(std::string name, ResponseFunction function);  // replaces one of the same name
@@ -141,6 +157,7 @@ class World {
 
  private:
   struct Impl;
+  class Checker;
   std::unique_ptr<Impl> impl_;
 };
 

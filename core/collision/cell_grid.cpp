@@ -1,0 +1,75 @@
+// Changes of the grid; looking up is inline in the header.
+#include "cell_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <utility>
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kSmallest = 64;
+
+template <class Visit>
+void for_cells(const CellRange& range, const CellRange& except, Visit visit) {
+  const bool keep_all = except.empty();
+  for (std::int32_t y = range.top; y <= range.bottom; ++y) {
+    for (std::int32_t x = range.left; x <= range.right; ++x) {
+      if (keep_all || !except.contains(x, y)) visit(x, y);
+    }
+  }
+}
+
+}  // namespace
+
+void CellGrid::move(std::uint32_t item, const CellRange& from, const CellRange& to) {
+  for_cells(from, to, [&](std::int32_t x, std::int32_t y) {
+    List& items = list(x, y);
+    const auto at = std::find(items.begin(), items.end(), item);
+    assert(at != items.end());
+    *at = items.back();
+    items.pop_back();
+  });
+  for_cells(to, from, [&](std::int32_t x, std::int32_t y) { list(x, y).push_back(item); });
+}
+
+CellGrid::List& CellGrid::list(std::int32_t x, std::int32_t y) {
+  const std::uint64_t key = pack(x, y);
+  if (!slots_.empty()) {
+    Slot& slot = slots_[probe(key)];
+    if (slot.key == key) return slot.items;
+  }
+  if (2 * (used_ + 1) > slots_.size()) make_room();
+  Slot& slot = slots_[probe(key)];
+  slot.key = key;
+  ++used_;
+  return slot.items;
+}
+
+// A world that wanders would keep every cell it ever touched; so empty ones go first when they are the
+// majority.
+void CellGrid::make_room() {
+  const auto empty = std::count_if(slots_.begin(), slots_.end(),
+                                   [](const Slot& slot) { return slot.key != kNoKey && slot.items.empty(); });
+  if (2 * static_cast<std::size_t>(empty) > used_) drop_empty_cells();
+  rebuild(std::max(kSmallest, std::bit_ceil(4 * (used_ + 1))));
+}
+
+void CellGrid::drop_empty_cells() {
+  for (Slot& slot : slots_) {
+    if (slot.items.empty()) slot = {};
+  }
+  used_ = static_cast<std::size_t>(
+      std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.key != kNoKey; }));
+  rebuild(std::max(kSmallest, std::bit_ceil(2 * used_)));
+}
+
+void CellGrid::rebuild(std::size_t capacity) {
+  std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(capacity));
+  for (Slot& slot : old) {
+    if (slot.key != kNoKey) slots_[probe(slot.key)] = std::move(slot);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,79 @@
+// The broad phase: a hash from the cells of an endless grid to the items in them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry.h"
+
+namespace talus {
+
+// A block of cells, both ends included; empty when right < left or bottom < top.
+struct CellRange {
+  std::int32_t left = 0;
+  std::int32_t top = 0;
+  std::int32_t right = -1;
+  std::int32_t bottom = -1;
+
+  bool empty() const { return right < left || bottom < top; }
+  bool single() const { return left == right && top == bottom; }
+  bool contains(std::int32_t x, std::int32_t y) const {
+    return left <= x && x <= right && top <= y && y <= bottom;
+  }
+  bool meets(const CellRange& o) const {
+    return !empty() && !o.empty() && left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom;
+  }
+  std::int64_t count() const {
+    return empty() ? 0 : (std::int64_t{right} - left + 1) * (std::int64_t{bottom} - top + 1);
+  }
+  friend bool operator==(const CellRange&, const CellRange&) = default;
+};
+
+// Open addressing with linear probing over packed coordinates. A cell keeps its list, and the list its
+// memory, when its last item leaves, so that items moving over the same ground allocate nothing.
+class CellGrid {
+ public:
+  using List = std::vector<std::uint32_t>;  // slots of items
+
+  // The items of a cell; null when no item was ever in it. Valid until the next change.
+  const List* find(std::int32_t x, std::int32_t y) const {
+    if (slots_.empty()) return nullptr;
+    const Slot& slot = slots_[probe(pack(x, y))];
+    return slot.key == kNoKey ? nullptr : &slot.items;
+  }
+
+  void insert(std::uint32_t item, const CellRange& range) { move(item, {}, range); }
+  void remove(std::uint32_t item, const CellRange& range) { move(item, range, {}); }
+  // Leaves the cells of `from` that are not in `to`, and enters those of `to` that are not in `from`.
+  void move(std::uint32_t item, const CellRange& from, const CellRange& to);
+
+  std::size_t cell_count() const noexcept { return used_; }
+  void drop_empty_cells();
+
+ private:
+  struct Slot {
+    std::uint64_t key = kNoKey;
+    List items;
+  };
+  static constexpr std::uint64_t kNoKey = 0x7fffffff7fffffff;  // beyond World::kMaxCell
+
+  static std::uint64_t pack(std::int32_t x, std::int32_t y) {
+    return std::uint64_t{static_cast<std::uint32_t>(x)} << 32 | static_cast<std::uint32_t>(y);
+  }
+  // Where the key is, or would go. The upper bits of Fibonacci hashing are the well-mixed ones.
+  std::size_t probe(std::uint64_t key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32) & mask;
+    while (slots_[at].key != key && slots_[at].key != kNoKey) at = (at + 1) & mask;
+    return at;
+  }
+  List& list(std::int32_t x, std::int32_t y);
+  void make_room();
+  void rebuild(std::size_t capacity);
+
+  std::vector<Slot> slots_;  // a power of two, at most half full
+  std::size_t used_ = 0;
+};
+
+}  // namespace talus

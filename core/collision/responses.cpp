@@ -1,0 +1,238 @@
+// How a mover goes on after a contact: check() and move(), the built-in responses and the user's own.
+#include <cassert>
+
+#include "world.h"
+#include "world_impl.h"
+
+namespace talus {
+namespace {
+
+// A bounce between near walls, or a response of the user's, may go on for ever; after this many legs the
+// mover stays where its last contact put it, and the contacts tell.
+constexpr std::size_t kMaxLegs = 64;
+
+// Whether the goal lies on the free side of the surface, as it may after leaving an overlap.
+bool leads_away(const Collision& hit, Vec2 goal) {
+  return (goal.x - hit.touch.x) * hit.normal.x + (goal.y - hit.touch.y) * hit.normal.y >= 0;
+}
+
+Vec2 slide(const Collision& hit, Vec2 goal) {
+  return hit.normal.x != 0 ? Vec2{hit.touch.x, goal.y} : Vec2{goal.x, hit.touch.y};
+}
+
+Vec2 bounce(const Collision& hit, Vec2 goal) {
+  const Vec2 rest = goal - hit.touch;
+  return hit.touch + (hit.normal.x == 0 ? Vec2{rest.x, -rest.y} : Vec2{-rest.x, rest.y});
+}
+
+}  // namespace
+
+// One check of one mover. It marks the items that it has met and takes the marks back at its end, since a
+// user's response may check in turn.
+class World::Checker {
+ public:
+  Checker(const World& world, ItemId item, Filter filter, std::vector<Collision>& hits)
+      : world_(world),
+        impl_(*world.impl_),
+        item_(item),
+        self_(impl_.checked_slot(item)),
+        start_(impl_.items[self_].rect),
+        filter_(filter),
+        hits_(hits),
+        first_visit_(impl_.visits.size()) {
+    ++impl_.depth;
+    hits_.clear();
+  }
+  ~Checker() {
+    for (; impl_.visits.size() > first_visit_; impl_.visits.pop_back()) {
+      const Impl::Visit& visit = impl_.visits.back();
+      impl_.items[visit.slot].visited = visit.previous;
+    }
+    --impl_.depth;
+  }
+  Checker(const Checker&) = delete;
+  Checker& operator=(const Checker&) = delete;
+
+  Vec2 run(Vec2 goal) { return impl_.mode == Mode::robust ? robust(goal) : faithful(goal); }
+
+ private:
+  // bump's loop: the first contact alone counts, and each item once.
+  Vec2 faithful(Vec2 goal) {
+    bool more = append_first(start_.position(), goal);
+    while (more) {
+      Collision& hit = hits_.back();
+      mark(hit.other);
+      if (is_user(hit.response)) {
+        ScratchPool<Collision>::Lease next(impl_.collisions);
+        goal = respond(hit, goal, *next);
+        more = !next->empty();
+        if (more) append(next->front());
+      } else if (hit.response == Response::touch) {
+        return hit.touch;
+      } else if (hit.response == Response::cross) {
+        more = append_first(start_.position(), goal);
+      } else {
+        goal = redirect(hit, goal, hit.move.x != 0 || hit.move.y != 0);
+        more = append_first(hit.touch, goal);
+      }
+    }
+    return goal;
+  }
+
+  // Leg by leg from contact to contact. A crossed item is reported and bends nothing; a solid one ends the
+  // leg, and may be met again on a later one.
+  Vec2 robust(Vec2 goal) {
+    Vec2 from = start_.position();
+    for (std::size_t leg = 0; leg < kMaxLegs; ++leg) {
+      if (!append_leg(from, goal)) return goal;
+      Collision& hit = hits_.back();
+      if (hit.overlaps) mark(hit.other);
+      from = hit.touch;
+      if (is_user(hit.response)) {
+        ScratchPool<Collision>::Lease next(impl_.collisions);
+        goal = respond(hit, goal, *next);
+        if (next->empty()) return goal;
+        from = next->front().item_rect.position();
+      } else if (hit.response == Response::touch) {
+        return hit.touch;
+      } else {
+        goal = redirect(hit, goal, !leads_away(hit, goal));
+      }
+    }
+    return from;
+  }
+
+  // Appends the first contact from `from` to the goal; false when there is none.
+  bool append_first(Vec2 from, Vec2 goal) {
+    std::uint32_t first = Impl::kNoSlot;
+    Response first_response{};
+    Contact first_contact{};
+    const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+      const double da = square_distance(sweep.box, impl_.items[a].rect);
+      const double db = square_distance(sweep.box, impl_.items[b].rect);
+      return da != db ? da < db : impl_.items[a].serial < impl_.items[b].serial;
+    };
+    impl_.for_contacts(
+        sweep, self_, [this](std::uint32_t slot) { return reaction(slot); },
+        [&](std::uint32_t slot, Response response, const Contact& contact) {
+          if (first == Impl::kNoSlot || contact.ti < first_contact.ti ||
+              (contact.ti == first_contact.ti && before(slot, first))) {
+            first = slot;
+            first_response = response;
+            first_contact = contact;
+          }
+        });
+    if (first == Impl::kNoSlot) return false;
+    append(impl_.collision(sweep, item_, first, first_response, first_contact));
+    return true;
+  }
+
+  // Appends the crossed items on the way to the first solid one, and that; false when none ends the leg.
+  bool append_leg(Vec2 from, Vec2 goal) {
+    ScratchPool<Collision>::Lease contacts(impl_.collisions);
+    const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
+    impl_.for_contacts(
+        sweep, self_, [this](std::uint32_t slot) { return reaction(slot); },
+        [&](std::uint32_t slot, Response response, const Contact& contact) {
+          contacts->push_back(impl_.collision(sweep, item_, slot, response, contact));
+        });
+    impl_.sort_contacts(*contacts);
+    for (const Collision& contact : *contacts) {
+      append(contact);
+      if (contact.response != Response::cross || is_user(contact.response)) return true;
+      mark(contact.other);
+    }
+    return false;
+  }
+
+  void append(const Collision& hit) {
+    // Only a user's response that ignores its filter can get here more often than there are items.
+    if (hits_.size() > impl_.live + 64 * kMaxLegs) {
+      throw WorldError("The responses report items without end.");
+    }
+    hits_.push_back(hit);
+  }
+
+  static Vec2 redirect(Collision& hit, Vec2 goal, bool into_surface) {
+    if (into_surface) goal = hit.response == Response::slide ? slide(hit, goal) : bounce(hit, goal);
+    hit.aim = goal;
+    return goal;
+  }
+
+  Vec2 respond(Collision& hit, Vec2 goal, std::vector<Collision>& next) const {
+    const auto unseen = [this](ItemId mover, ItemId other) {
+      return impl_.has(other) && seen(other.index - 1) ? Response::ignore : filter_(mover, other);
+    };
+    const auto& function = impl_.responses[static_cast<std::size_t>(hit.response)].function;
+    return function(world_, hit, start_, goal, unseen, next);
+  }
+
+  bool is_user(Response response) const {
+    const auto index = static_cast<std::size_t>(response);
+    if (index >= impl_.responses.size()) throw WorldError(unknown_response_message(std::to_string(index)));
+    return static_cast<bool>(impl_.responses[index].function);
+  }
+
+  Response reaction(std::uint32_t slot) const {
+    return seen(slot) ? Response::ignore : filter_(item_, impl_.id_of(slot));
+  }
+  bool seen(std::uint32_t slot) const { return impl_.items[slot].visited == impl_.depth; }
+  void mark(ItemId item) {
+    const std::uint32_t slot = impl_.slot_of(item);
+    if (slot == Impl::kNoSlot || seen(slot)) return;
+    impl_.visits.push_back({slot, impl_.items[slot].visited});
+    impl_.items[slot].visited = impl_.depth;
+  }
+
+  const World& world_;
+  Impl& impl_;
+  ItemId item_;
+  std::uint32_t self_;
+  Rect start_;
+  Filter filter_;
+  std::vector<Collision>& hits_;
+  std::size_t first_visit_;
+};
+
+Vec2 World::check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const {
+  return Checker(*this, item, filter, hits).run(goal);
+}
+
+Vec2 World::move(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) {
+  const Vec2 at = check(item, goal, filter, hits);
+  update(item, at);
+  return at;
+}
+
+Vec2 World::move(ItemId item, Vec2 goal, std::vector<Collision>& hits) {
+  return move(
+      item, goal, [](ItemId, ItemId) { return Response::slide; }, hits);
+}
+
+// The names are searched from 1: `ignore` is an answer of filters, not a response.
+std::optional<Response> World::find_response(std::string_view name) const {
+  for (std::size_t i = 1; i < impl_->responses.size(); ++i) {
+    if (impl_->responses[i].name == name) return static_cast<Response>(i);
+  }
+  return std::nullopt;
+}
+
+Response World::add_response(std::string name, ResponseFunction function) {
+  assert(impl_->depth == 0 && "a filter or response must not change the world");
+  assert(function);
+  if (const auto known = find_response(name)) {
+    impl_->responses[static_cast<std::size_t>(*known)].function = std::move(function);
+    return *known;
+  }
+  impl_->responses.push_back({std::move(name), std::move(function)});
+  return static_cast<Response>(impl_->responses.size() - 1);
+}
+
+std::string_view World::response_name(Response response) const {
+  const auto index = static_cast<std::size_t>(response);
+  if (index >= impl_->responses.size()) throw WorldError(unknown_response_message(std::to_string(index)));
+  return impl_->responses[index].name;
+}
+
+}  // namespace talus

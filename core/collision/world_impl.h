@@ -1,0 +1,179 @@
+// The inside of World, shared by its source files only.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+
+#include "cell_grid.h"
+#include "sweep.h"
+#include "world.h"
+
+namespace talus {
+
+// Lends vectors that keep their memory. A callback may call back into the world, hence more than one.
+template <class T>
+class ScratchPool {
+ public:
+  class Lease {
+   public:
+    explicit Lease(ScratchPool& pool) : pool_(pool) {
+      if (pool_.lent_ == pool_.vectors_.size()) pool_.vectors_.emplace_back();
+      vector_ = &pool_.vectors_[pool_.lent_++];
+      vector_->clear();
+    }
+    ~Lease() { --pool_.lent_; }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    std::vector<T>& operator*() { return *vector_; }
+    std::vector<T>* operator->() { return vector_; }
+
+   private:
+    ScratchPool& pool_;
+    std::vector<T>* vector_;
+  };
+
+ private:
+  std::deque<std::vector<T>> vectors_;  // a deque, since a lease points into it
+  std::size_t lent_ = 0;
+};
+
+struct World::Impl {
+  // One cache line, since a candidate costs little more than fetching it.
+  struct alignas(64) Item {
+    Rect rect;
+    CellRange cells;
+    std::uint64_t serial = 0;  // order of adding, from 1; 0 in a free slot
+    std::uint32_t generation = 1;
+    std::uint32_t visited = 0;  // depth of the check that has met it, 0 for none
+  };
+  struct NamedResponse {
+    std::string name;
+    ResponseFunction function;  // empty for the built-in ones
+  };
+  struct Visit {
+    std::uint32_t slot;
+    std::uint32_t previous;
+  };
+  struct WeightedHit {
+    double weight;
+    std::uint64_t serial;
+    SegmentHit hit;
+  };
+  static constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
+
+  double cell_size;
+  Mode mode;
+  std::vector<Item> items;
+  std::vector<std::uint32_t> free_slots;
+  std::size_t live = 0;
+  std::uint64_t next_serial = 1;
+  CellGrid grid;
+  std::vector<NamedResponse> responses;
+
+  std::uint32_t depth = 0;  // of nested checks
+  std::vector<Visit> visits;
+  ScratchPool<Collision> collisions;
+  ScratchPool<std::uint32_t> slots;
+  ScratchPool<WeightedHit> segment_hits;
+
+  Impl(double cell_size, Mode mode);
+
+  ItemId id_of(std::uint32_t slot) const { return {slot + 1, items[slot].generation}; }
+  bool has(ItemId id) const {
+    return id.index - 1 < items.size() && items[id.index - 1].generation == id.generation &&
+           items[id.index - 1].serial != 0;
+  }
+  std::uint32_t slot_of(ItemId id) const { return has(id) ? id.index - 1 : kNoSlot; }
+  std::uint32_t checked_slot(ItemId id) const;  // throws when there is no such item
+  void check_rect(const Rect& rect) const;      // throws when it is none
+  CellRange cells_of(const Rect& rect) const;   // throws when it reaches beyond kMaxCell
+  void place(std::uint32_t slot, const Rect& rect);
+
+  // Calls visit(slot) once for every item with a cell in the range.
+  template <class Callback>
+  void for_candidates(const CellRange& range, Callback visit) const;
+
+  // Calls found(slot, response, contact) for every contact of the sweep, in no particular order. `self` is
+  // left out.
+  template <class Reaction, class Found>
+  void for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const;
+
+  // The order of contacts: time, then distance from the mover's start, then age.
+  struct Rank {
+    double ti;
+    double distance;
+    std::uint64_t serial;
+    bool operator<(const Rank& o) const {
+      if (ti != o.ti) return ti < o.ti;
+      return distance != o.distance ? distance < o.distance : serial < o.serial;
+    }
+  };
+  Rank rank(const Collision& hit) const {
+    return {hit.ti, square_distance(hit.item_rect, hit.other_rect), items[hit.other.index - 1].serial};
+  }
+  void sort_contacts(std::vector<Collision>& hits) const {
+    std::sort(hits.begin(), hits.end(),
+              [this](const Collision& a, const Collision& b) { return rank(a) < rank(b); });
+  }
+  void sort_by_age(std::vector<ItemId>& ids) const {
+    std::sort(ids.begin(), ids.end(),
+              [this](ItemId a, ItemId b) { return items[a.index - 1].serial < items[b.index - 1].serial; });
+  }
+  Collision collision(const Sweep& sweep, ItemId item, std::uint32_t slot, Response response,
+                      const Contact& contact) const;
+};
+
+template <class Callback>
+void World::Impl::for_candidates(const CellRange& range, Callback visit) const {
+  if (range.empty()) return;
+  if (range.single()) {
+    if (const CellGrid::List* list = grid.find(range.left, range.top)) {
+      for (const std::uint32_t slot : *list) visit(slot);
+    }
+    return;
+  }
+  // A long move may sweep more cells than there are items.
+  if (range.count() > static_cast<std::int64_t>(64 + 4 * items.size())) {
+    for (std::uint32_t slot = 0; slot < items.size(); ++slot) {
+      if (items[slot].cells.meets(range)) visit(slot);
+    }
+    return;
+  }
+  for (std::int32_t y = range.top; y <= range.bottom; ++y) {
+    for (std::int32_t x = range.left; x <= range.right; ++x) {
+      const CellGrid::List* list = grid.find(x, y);
+      if (!list) continue;
+      for (const std::uint32_t slot : *list) {
+        // An item of several cells counts in the first that it shares with the range.
+        const CellRange& cells = items[slot].cells;
+        if (std::max(cells.left, range.left) == x && std::max(cells.top, range.top) == y) visit(slot);
+      }
+    }
+  }
+}
+
+template <class Reaction, class Found>
+void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const {
+  const Rect& box = sweep.box;
+  const double left = std::min(sweep.goal.x, box.x);
+  const double top = std::min(sweep.goal.y, box.y);
+  const double right = std::max(sweep.goal.x + box.w, box.x + box.w);
+  const double bottom = std::max(sweep.goal.y + box.h, box.y + box.h);
+  for_candidates(cells_of({left, top, right - left, bottom - top}), [&](std::uint32_t slot) {
+    if (slot == self) return;
+    const Response response = reaction(slot);
+    if (response == Response::ignore) return;
+    const Rect& other = items[slot].rect;
+    Contact contact;
+    if (mode == Mode::robust) {
+      if (detect_robust(sweep, other, contact)) found(slot, response, contact);
+      return;
+    }
+    const Sides difference = minkowski_difference(box, other);
+    if (misses(difference, sweep.d)) return;
+    if (detect_faithful(sweep, difference, contact)) found(slot, response, contact);
+  });
+}
+
+}  // namespace talus
