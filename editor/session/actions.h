@@ -36,7 +36,7 @@ struct OpenFile {
 };
 struct SaveFile {};  // to its own path and format; asks for a name when it has none (Session::wants_save_as())
 struct SaveFileAs {
-  std::string path;  // the format by its extension
+  std::string path;  // the format by its extension; with an unknown one nothing is saved
 };
 struct Quit {};
 enum class Answer { save, discard, cancel };
@@ -57,7 +57,7 @@ struct TogglePlay {};
 struct StepFrame {};  // pauses and makes one step
 struct ResetPlay {};  // back to frame 0 of the level as it is now; keeps running if it ran
 struct SetSpeed {
-  double factor = 1;  // 1/8 to 8; clamped
+  double factor = 1;  // kMinSpeed to kMaxSpeed; clamped
 };
 struct HoldMouse {  // the mouse over the play view, in level pixels; drags balls while down
   Vec2 position;
@@ -66,7 +66,7 @@ struct HoldMouse {  // the mouse over the play view, in level pixels; drags ball
 
 // --- what is chosen and shown
 struct SelectBody {
-  int id = 0;  // 0: none
+  int id = 0;  // 0, or the id of no body: none
 };
 struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp
   SpriteArea area;

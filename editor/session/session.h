@@ -33,9 +33,12 @@ struct Choices {
   bool screen_borders = true;
 };
 
+inline constexpr double kMinSpeed = 1.0 / 8;
+inline constexpr double kMaxSpeed = 8;
+
 struct Playback {
   bool running = false;
-  double speed = 1;  // 1/8 to 8
+  double speed = 1;  // kMinSpeed to kMaxSpeed
   Input input;       // held until changed
 };
 
@@ -51,14 +54,19 @@ struct Question {
 
 class Session {
  public:
-  explicit Session(Level level = {}, std::string path = {});  // path: empty for a level without a file
+  // path: the file that the level was read from, in the format of its extension; empty for a level without one.
+  explicit Session(Level level = Level(), std::string path = {});
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  // Carries actions out, in order. An edit is fitted to the level as it is by then (see rebase_edit). What the
+  // simulation sees of an edit is in the next step: bodies go on from where they are, except that at frame 0 they
+  // start anew from the edited level.
   void apply(const Action& action);
   void apply(const Actions& actions);
-  // Lets `seconds` of real time pass: makes the steps that are due, at most kMaxCatchUpSteps.
+  // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a longer
+  // pause the rest is dropped.
   void advance(double seconds);
   static constexpr int kMaxCatchUpSteps = 64;
 
@@ -81,7 +89,8 @@ class Session {
   bool wants_save_as() const;                       // waits for SaveFileAs or CancelSaveAs
   bool wants_quit() const;                          // the program should end
 
-  // A number for the next stroke of edits, unlike any before.
+  // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and give the
+  // same number to each of its edits.
   int next_stroke() const;
 
  private:

@@ -1,0 +1,53 @@
+// The simulation of the open level.
+#include "player.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace talus {
+
+void Player::load(const Level& level) {
+  compile(compile_scene(level));
+  set_running(false);
+  playback_.input = {};
+  reset();
+}
+
+void Player::recompile(const Level& edited) {
+  Scene scene = compile_scene(edited);
+  if (scene == *scene_) return;
+  compile(std::move(scene));
+  state_ = state_.frame == 0 ? initial_state(*scene_) : carry_over(state_, *scene_);
+}
+
+void Player::reset() {
+  state_ = initial_state(*scene_);
+  record_.clear();
+  due_ = 0;
+}
+
+void Player::set_running(bool running) {
+  playback_.running = running;
+  due_ = 0;
+}
+
+void Player::set_speed(double factor) {
+  playback_.speed = factor >= kMinSpeed ? std::min(factor, kMaxSpeed) : kMinSpeed;
+}
+
+void Player::step() { solver_->step(state_, playback_.input, &record_); }
+
+void Player::advance(double seconds) {
+  assert(seconds >= 0);
+  if (!playback_.running) return;
+  due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, Session::kMaxCatchUpSteps);
+  for (; due_ >= 1; due_ -= 1) step();
+}
+
+void Player::compile(Scene scene) {
+  scene_ = std::make_shared<const Scene>(std::move(scene));
+  solver_ = make_solver(scene_);
+}
+
+}  // namespace talus

@@ -1,0 +1,41 @@
+// Player: the simulation of the open level. Compiles it, steps it in real time and records each step.
+#pragma once
+
+#include <memory>
+
+#include "session.h"
+
+namespace talus {
+
+class Player {
+ public:
+  explicit Player(const Level& level) { load(level); }
+
+  void load(const Level& level);        // another level: stopped, at frame 0
+  void recompile(const Level& edited);  // the same level, edited: the state goes on, see Session::apply
+  void reset();                         // frame 0 of the compiled level; keeps running if it ran
+
+  void set_running(bool running);
+  void set_speed(double factor);  // clamped; NaN gives kMinSpeed
+  void hold(const Input& input) { playback_.input = input; }
+
+  void step();
+  void advance(double seconds);  // see Session::advance
+
+  const Scene& scene() const { return *scene_; }
+  const State& state() const { return state_; }
+  const StepRecord& record() const { return record_; }
+  const Playback& playback() const { return playback_; }
+
+ private:
+  void compile(Scene scene);
+
+  std::shared_ptr<const Scene> scene_;
+  std::unique_ptr<Solver> solver_;
+  State state_;
+  StepRecord record_;
+  Playback playback_;
+  double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
+};
+
+}  // namespace talus

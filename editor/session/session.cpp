@@ -1,0 +1,143 @@
+// Session: editing, playing and choosing. Files are in session_files.cpp.
+#include "session.h"
+
+#include <algorithm>
+#include <cassert>
+#include <type_traits>
+#include <utility>
+
+#include "session_impl.h"
+
+namespace talus {
+namespace {
+
+// Whether the simulation can see a change. Painting pixels or one plain tile over another must not cost a
+// compilation.
+bool changes_scene(const Level& level, const Change& change) {
+  return std::visit(
+      [&](const auto& c) {
+        using T = std::decay_t<decltype(c)>;
+        if constexpr (std::is_same_v<T, CellChange>) {
+          return role_of(level.tile_flags(c.before), level.roles) !=
+                 role_of(level.tile_flags(c.after), level.roles);
+        } else if constexpr (std::is_same_v<T, FlagsChange>) {
+          return c.sheet == SheetId::tiles && role_of(c.before, level.roles) != role_of(c.after, level.roles);
+        } else {
+          return std::is_same_v<T, RolesChange> || std::is_same_v<T, TuningChange> ||
+                 std::is_same_v<T, SpawnsChange> || std::is_same_v<T, MapChange>;
+        }
+      },
+      change);
+}
+
+}  // namespace
+
+Session::Impl::Impl(Level opened, std::string opened_path)
+    : level(std::move(opened)),
+      path(std::move(opened_path)),
+      format(path.empty() ? nullptr : format_for_file(path)),
+      player(level) {}
+
+void Session::Impl::carry_out(const action::EditLevel& a) {
+  last_stroke = std::max(last_stroke, a.stroke);
+  Edit edit = a.edit;
+  rebase_edit(level, edit);
+  if (edit.empty()) return;
+  history.push(level, edit, a.stroke);
+  note_change(edit);
+}
+
+void Session::Impl::carry_out(const action::Undo&) {
+  if (!history.can_undo()) return;
+  history.undo(level);
+  note_change(history.edits()[history.position()]);
+}
+
+void Session::Impl::carry_out(const action::Redo&) {
+  if (!history.can_redo()) return;
+  history.redo(level);
+  note_change(history.edits()[history.position() - 1]);
+}
+
+void Session::Impl::carry_out(const action::StepFrame&) {
+  player.set_running(false);
+  refresh_scene();
+  player.step();
+}
+
+void Session::Impl::carry_out(const action::ResetPlay&) {
+  refresh_scene();
+  keep_chosen_body([&] { player.reset(); });
+}
+
+void Session::Impl::carry_out(const action::SelectBody& a) {
+  refresh_scene();
+  choices.body = player.state().find(a.id) != nullptr ? a.id : 0;
+}
+
+void Session::Impl::carry_out(const action::SelectTiles& a) {
+  choices.area = a.area;
+  if (a.area.sheet == SheetId::tiles) choices.stamp = stamp_of_sheet(a.area.tiles);
+}
+
+void Session::Impl::note_change(const Edit& edit) {
+  ++revision;
+  scene_is_behind = scene_is_behind || std::any_of(edit.changes.begin(), edit.changes.end(),
+                                                   [&](const Change& c) { return changes_scene(level, c); });
+}
+
+void Session::Impl::refresh_scene() {
+  if (std::exchange(scene_is_behind, false)) keep_chosen_body([&] { player.recompile(level); });
+}
+
+void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
+  const Body* chosen = player.state().find(choices.body);
+  choices.body = 0;
+  if (chosen == nullptr) return renumber();
+  const BodyOrigin origin = chosen->origin;
+  renumber();
+  for (const Body& body : player.state().bodies) {
+    if (body.origin == origin) choices.body = body.id;
+  }
+}
+
+Session::Session(Level level, std::string path)
+    : impl_(std::make_unique<Impl>(std::move(level), std::move(path))) {}
+Session::~Session() = default;
+
+void Session::apply(const Action& action) { apply(Actions{action}); }
+
+void Session::apply(const Actions& actions) {
+  for (const Action& action : actions) std::visit([this](const auto& a) { impl_->carry_out(a); }, action);
+  impl_->refresh_scene();
+}
+
+void Session::advance(double seconds) { impl_->player.advance(seconds); }
+
+const Level& Session::level() const { return impl_->level; }
+std::uint64_t Session::revision() const { return impl_->revision; }
+const UndoStack& Session::history() const { return impl_->history; }
+const std::string& Session::path() const { return impl_->path; }
+std::string Session::file_name() const { return impl_->file_name(); }
+bool Session::modified() const { return !impl_->history.is_saved(); }
+
+const std::vector<Problem>& Session::problems() const {
+  if (impl_->linted_revision != impl_->revision) {
+    impl_->problems = lint(impl_->level);
+    impl_->linted_revision = impl_->revision;
+  }
+  return impl_->problems;
+}
+
+const Scene& Session::scene() const { return impl_->player.scene(); }
+const State& Session::state() const { return impl_->player.state(); }
+const StepRecord& Session::record() const { return impl_->player.record(); }
+const Playback& Session::playback() const { return impl_->player.playback(); }
+const Choices& Session::choices() const { return impl_->choices; }
+const std::optional<Message>& Session::message() const { return impl_->message; }
+const std::optional<Question>& Session::question() const { return impl_->question; }
+bool Session::wants_save_as() const { return impl_->wants_save_as; }
+bool Session::wants_quit() const { return impl_->wants_quit; }
+int Session::next_stroke() const { return impl_->last_stroke + 1; }
+
+}  // namespace talus

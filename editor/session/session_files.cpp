@@ -1,0 +1,132 @@
+// Session: opening and saving, and the questions that they lead to.
+#include <filesystem>
+#include <utility>
+
+#include "session_impl.h"
+
+namespace talus {
+namespace {
+
+std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+template <class Strings>
+std::string joined(const Strings& strings, std::string_view before_each) {
+  std::string text;
+  for (const auto& string : strings) {
+    if (!text.empty()) text += ", ";
+    text.append(before_each).append(string);
+  }
+  return text;
+}
+
+std::string known_extensions() {
+  std::vector<std::string_view> all;
+  for (const Format& format : formats())
+    all.insert(all.end(), format.extensions.begin(), format.extensions.end());
+  return joined(all, ".");
+}
+
+}  // namespace
+
+void Session::Impl::carry_out(const action::SaveFileAs& a) {
+  const Format* chosen = format_for_file(a.path);
+  if (chosen == nullptr) {
+    message = Message{
+        "Cannot save " + name_of(a.path) + ": its extension is none of " + known_extensions() + ".", true};
+    return;
+  }
+  if (!save_to(a.path, *chosen)) return;
+  wants_save_as = false;
+  continue_pending();
+}
+
+void Session::Impl::carry_out(const action::AnswerQuestion& a) {
+  if (!question) return;
+  question.reset();
+  const bool may_go_on = a.answer == action::Answer::discard || (a.answer == action::Answer::save && save());
+  if (may_go_on) {
+    continue_pending();
+  } else if (!wants_save_as) {
+    pending.reset();
+  }
+}
+
+void Session::Impl::carry_out(const action::CancelSaveAs&) {
+  wants_save_as = false;
+  pending.reset();
+}
+
+std::string Session::Impl::file_name() const { return path.empty() ? "untitled" : name_of(path); }
+
+void Session::Impl::ask_or_go_on(Losing losing) {
+  question.reset();
+  pending.reset();
+  wants_save_as = false;
+  if (history.is_saved()) {
+    go_on(losing);
+    return;
+  }
+  pending = std::move(losing);
+  question = Question{"Save the changes to " + file_name() + "?"};
+}
+
+void Session::Impl::continue_pending() {
+  if (const auto losing = std::exchange(pending, std::nullopt)) go_on(*losing);
+}
+
+void Session::Impl::go_on(const Losing& losing) {
+  if (const auto* file = std::get_if<action::OpenFile>(&losing)) {
+    open(file->path);
+  } else if (std::holds_alternative<action::NewLevel>(losing)) {
+    replace_level(Level(), {}, nullptr);
+  } else {
+    wants_quit = true;
+  }
+}
+
+void Session::Impl::open(const std::string& opened_path) {
+  FormatResult<LoadedLevel> loaded = load_level(opened_path);
+  if (loaded) {
+    replace_level(std::move(loaded->level), opened_path, loaded->format);
+  } else {
+    message = Message{to_string(loaded.error(), opened_path), true};
+  }
+}
+
+void Session::Impl::replace_level(Level opened, std::string opened_path, const Format* opened_format) {
+  level = std::move(opened);
+  path = std::move(opened_path);
+  format = opened_format;
+  history.clear();
+  ++revision;
+  player.load(level);
+  scene_is_behind = false;
+  choices.body = 0;
+  // An old error no longer holds, but what a saving on the way here dropped is still news.
+  if (message && message->is_error) message.reset();
+}
+
+bool Session::Impl::save() {
+  if (path.empty() || format == nullptr) {
+    wants_save_as = true;
+    return false;
+  }
+  return save_to(path, *format);
+}
+
+bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_format) {
+  const FormatResult<std::vector<std::string>> dropped = save_level(level, saved_format, saved_path);
+  if (!dropped) {
+    message = Message{to_string(dropped.error(), saved_path), true};
+    return false;
+  }
+  path = saved_path;
+  format = &saved_format;
+  history.mark_saved();
+  std::string text = "Saved " + file_name() + ".";
+  if (!dropped->empty()) text += " Not stored in this format: " + joined(*dropped, "") + ".";
+  message = Message{std::move(text), false};
+  return true;
+}
+
+}  // namespace talus

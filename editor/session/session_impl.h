@@ -1,0 +1,86 @@
+// What a Session is made of; for session.cpp and session_files.cpp alone.
+#pragma once
+
+#include <variant>
+
+#include "collision/function_ref.h"
+#include "player.h"
+#include "session.h"
+
+namespace talus {
+
+struct Session::Impl {
+  // What loses the changes since the last save, and so is asked about first.
+  using Losing = std::variant<action::NewLevel, action::OpenFile, action::Quit>;
+
+  Impl(Level opened, std::string opened_path);
+
+  // One for each action, in the order of actions.h.
+  void carry_out(const action::EditLevel& a);
+  void carry_out(const action::Undo&);
+  void carry_out(const action::Redo&);
+  void carry_out(const action::NewLevel& a) { ask_or_go_on(a); }
+  void carry_out(const action::OpenFile& a) { ask_or_go_on(a); }
+  void carry_out(const action::SaveFile&) { save(); }
+  void carry_out(const action::SaveFileAs& a);
+  void carry_out(const action::Quit& a) { ask_or_go_on(a); }
+  void carry_out(const action::AnswerQuestion& a);
+  void carry_out(const action::CancelSaveAs&);
+  void carry_out(const action::ShowMessage& a) { message = Message{a.text, a.is_error}; }
+  void carry_out(const action::DismissMessage&) { message.reset(); }
+  void carry_out(const action::Play&) { player.set_running(true); }
+  void carry_out(const action::Pause&) { player.set_running(false); }
+  void carry_out(const action::TogglePlay&) { player.set_running(!player.playback().running); }
+  void carry_out(const action::StepFrame&);
+  void carry_out(const action::ResetPlay&);
+  void carry_out(const action::SetSpeed& a) { player.set_speed(a.factor); }
+  void carry_out(const action::HoldMouse& a) { player.hold({a.position, a.down}); }
+  void carry_out(const action::SelectBody& a);
+  void carry_out(const action::SelectTiles& a);
+  void carry_out(const action::SetStamp& a) { choices.stamp = a.stamp; }
+  void carry_out(const action::SetMapTool& a) { choices.map_tool = a.tool; }
+  void carry_out(const action::SetSpriteTool& a) { choices.sprite_tool = a.tool; }
+  void carry_out(const action::SetColor& a) {
+    (a.secondary ? choices.secondary_color : choices.color) = a.color;
+  }
+  void carry_out(const action::SetOverlay& a) { choices.overlays.set(a.overlay, a.on); }
+  void carry_out(const action::SetFlagOverlay& a) { choices.flag_overlay = a.flag; }
+  void carry_out(const action::SetGrid& a) { choices.grid = a.on; }
+  void carry_out(const action::SetScreenBorders& a) { choices.screen_borders = a.on; }
+
+  void note_change(const Edit& edit);  // to be called after each edit, undo and redo
+  void refresh_scene();                // brings the simulation up to the level, if it is behind
+  void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
+
+  std::string file_name() const;
+  void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
+  void go_on(const Losing& losing);
+  void open(const std::string& opened_path);
+  void replace_level(Level opened, std::string opened_path, const Format* opened_format);
+  bool save();  // false when it failed or a name is needed first
+  bool save_to(const std::string& saved_path, const Format& saved_format);
+  void continue_pending();
+
+  Level level;
+  UndoStack history;
+  std::uint64_t revision = 0;
+  int last_stroke = 0;  // the highest number of a stroke so far
+
+  std::string path;                // empty: none
+  const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
+
+  Player player;
+  bool scene_is_behind = false;  // the level has changed in a way that the simulation has not seen
+  Choices choices;
+
+  std::optional<Message> message;
+  std::optional<Question> question;
+  std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
+  bool wants_save_as = false;
+  bool wants_quit = false;
+
+  std::vector<Problem> problems;  // of the level at linted_revision
+  std::optional<std::uint64_t> linted_revision;
+};
+
+}  // namespace talus
