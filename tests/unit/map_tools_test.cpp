@@ -1,0 +1,156 @@
+// The tools of the map.
+#include "edit/map_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+namespace talus {
+namespace {
+
+// A level whose map is drawn in letters, one tile each: '.' is 0, 'a' is 1, 'b' is 2.
+Level level_of(const std::vector<std::string>& rows) {
+  Level level;
+  level.map = TileMap(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
+  for (Cell c{0, 0}; c.y < level.map.height(); ++c.y) {
+    for (c.x = 0; c.x < level.map.width(); ++c.x) {
+      const char letter = rows[c.y][c.x];
+      level.map.set(c, static_cast<std::uint8_t>(letter == '.' ? 0 : letter - 'a' + 1));
+    }
+  }
+  return level;
+}
+
+std::vector<std::string> drawn(const TileMap& map) {
+  std::vector<std::string> rows(map.height());
+  for (Cell c{0, 0}; c.y < map.height(); ++c.y) {
+    for (c.x = 0; c.x < map.width(); ++c.x) {
+      const int tile = map.at(c);
+      rows[c.y] += static_cast<char>(tile == 0 ? '.' : 'a' + tile - 1);
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> after(Level level, const Edit& edit) {
+  apply_edit(level, edit);
+  return drawn(level.map);
+}
+
+using Rows = std::vector<std::string>;
+const Stamp kA{1, 1, {1}};
+const Stamp kAb{2, 1, {1, 2}};
+const Stamp kSquare{2, 2, {1, 2, 3, 4}};
+
+TEST(MapTools, SpannedHasBothCornersInAnyOrder) {
+  EXPECT_EQ(spanned({3, 1}, {1, 5}), (CellRect{1, 1, 3, 5}));
+  EXPECT_EQ(spanned({2, 2}, {2, 2}), (CellRect{2, 2, 1, 1}));
+}
+
+TEST(MapTools, StampOfSheetNumbersTilesRowByRow) {
+  EXPECT_EQ(stamp_of_sheet({2, 1, 2, 2}), (Stamp{2, 2, {18, 19, 34, 35}}));
+}
+
+TEST(MapTools, StampOfSheetIsCutAtItsEdge) {
+  EXPECT_EQ(stamp_of_sheet({15, 15, 3, 3}), (Stamp{1, 1, {255}}));
+  EXPECT_EQ(stamp_of_sheet({-1, 0, 2, 1}), (Stamp{1, 1, {0}}));
+  EXPECT_EQ(stamp_of_sheet({16, 0, 1, 1}), Stamp{}) << "wholly outside";
+}
+
+TEST(MapTools, StampOfMapPicksAndIsCut) {
+  const Level level = level_of({"ab", "cd"});
+  EXPECT_EQ(stamp_of_map(level, {0, 0, 2, 2}), kSquare);
+  EXPECT_EQ(stamp_of_map(level, {1, 1, 5, 5}), (Stamp{1, 1, {4}}));
+}
+
+TEST(MapTools, PaintStampLeavesOutWhatIsOutside) {
+  const Level level = level_of({"...", "..."});
+  EXPECT_EQ(after(level, paint_stamp(level, {1, 0}, kSquare)), (Rows{".ab", ".cd"}));
+  EXPECT_EQ(after(level, paint_stamp(level, {2, 1}, kSquare)), (Rows{"...", "..a"}));
+  EXPECT_EQ(after(level, paint_stamp(level, {-1, -1}, kSquare)), (Rows{"d..", "..."}));
+}
+
+TEST(MapTools, PaintingWhatIsThereIsAnEmptyEdit) {
+  const Level level = level_of({"a"});
+  EXPECT_TRUE(paint_stamp(level, {0, 0}, kA).empty());
+}
+
+TEST(MapTools, StrokeIsALineWithoutGaps) {
+  const Level level = level_of({".....", ".....", "....."});
+  EXPECT_EQ(after(level, paint_stroke(level, {0, 0}, {0, 0}, {4, 2}, kA)), (Rows{"a....", ".aa..", "...aa"}));
+}
+
+//   anchor 1, stamp "ab": cells 1-2, 3-4 and 5-6 belong together, whatever cell of them the mouse is over
+TEST(MapTools, StrokeTilesTheStampFromItsAnchor) {
+  const Level level = level_of({"........"});
+  EXPECT_EQ(after(level, paint_stroke(level, {1, 0}, {1, 0}, {4, 0}, kAb)), (Rows{".abab..."}));
+  EXPECT_EQ(after(level, paint_stroke(level, {5, 0}, {5, 0}, {2, 0}, kAb)), (Rows{".ababab."}));
+}
+
+TEST(MapTools, FillRectRepeatsTheStampFromTheCorner) {
+  const Level level = level_of({".....", ".....", "....."});
+  EXPECT_EQ(after(level, fill_rect(level, {1, 0, 3, 3}, kSquare)), (Rows{".aba.", ".cdc.", ".aba."}));
+  EXPECT_EQ(after(level, fill_rect(level, {-1, 0, 3, 1}, kAb)), (Rows{"ba...", ".....", "....."}))
+      << "the corner counts even where it lies outside";
+}
+
+TEST(MapTools, FloodFillStopsAtOtherTilesAndCorners) {
+  const Level level = level_of({"..b..",  //
+                                ".b...",  //
+                                "b..b.",  //
+                                "..b.."});
+  EXPECT_EQ(after(level, flood_fill(level, {0, 0}, kA)), (Rows{"aab..", "ab...", "b..b.", "..b.."}));
+  EXPECT_EQ(after(level, flood_fill(level, {4, 0}, kA)), (Rows{"..baa", ".baaa", "baaba", "aabaa"}));
+}
+
+TEST(MapTools, FloodFillRepeatsTheStampFromTheClickedCell) {
+  const Level level = level_of({"....", "...."});
+  EXPECT_EQ(after(level, flood_fill(level, {1, 0}, kAb)), (Rows{"baba", "baba"}));
+}
+
+TEST(MapTools, FloodFillWithAStampThatHasTheOldTileEnds) {
+  const Level level = level_of({"aaaa"});
+  EXPECT_EQ(after(level, flood_fill(level, {0, 0}, kAb)), (Rows{"abab"}));
+}
+
+TEST(MapTools, FloodFillOutsideTheMapIsEmpty) {
+  const Level level = level_of({".."});
+  EXPECT_TRUE(flood_fill(level, {2, 0}, kA).empty());
+  EXPECT_TRUE(flood_fill(level, {0, -1}, kA).empty());
+}
+
+TEST(MapTools, EraseIsCutAtTheMapsEdge) {
+  const Level level = level_of({"abc", "abc"});
+  EXPECT_EQ(after(level, erase_cells(level, {1, -3, 9, 4})), (Rows{"a..", "abc"}));
+  EXPECT_TRUE(erase_cells(level, {5, 5, 2, 2}).empty());
+}
+
+TEST(MapTools, ALargeEditHoldsTheMapInsteadOfEveryCell) {
+  Level level;
+  level.map = TileMap(100, 100);
+  const Edit small = fill_rect(level, {0, 0, 16, 16}, kA);
+  EXPECT_EQ(small.changes.size(), 256u);
+  const Edit large = fill_rect(level, {0, 0, 100, 100}, kAb);
+  ASSERT_EQ(large.changes.size(), 1u);
+  const Level before = level;
+  apply_edit(level, large);
+  EXPECT_EQ(level.map.at({99, 99}), 2);
+  revert_edit(level, large);
+  EXPECT_TRUE(level == before);
+}
+
+TEST(MapTools, FloodFillsTheLargestMapSoon) {
+  Level level;
+  level.map = TileMap(kMaxMapSide, kMaxMapSide);
+  const auto begin = std::chrono::steady_clock::now();
+  const Edit edit = flood_fill(level, {2000, 2000}, kA);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  apply_edit(level, edit);
+  EXPECT_EQ(level.map.at({0, 0}), 1);
+  EXPECT_EQ(level.map.at({kMaxMapSide - 1, kMaxMapSide - 1}), 1);
+  EXPECT_LT(took.count(), 10) << "typically 0.3 s; the bound allows for sanitizers and busy machines";
+}
+
+}  // namespace
+}  // namespace talus

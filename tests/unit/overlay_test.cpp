@@ -1,0 +1,268 @@
+// Overlays: their table, and the exact geometry drawn for hand-made records.
+#include "overlay/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace talus {
+namespace {
+
+constexpr Rect kEverything{-1000, -1000, 4000, 4000};
+
+OverlaySet only(OverlayId id) {
+  OverlaySet set;
+  set.set(id, true);
+  return set;
+}
+
+Body body(int id, Rect box, Vec2 velocity = {}) { return {id, {}, box, velocity, box.position()}; }
+
+SceneItem item(TileRole role, Rect box) {
+  SceneItem made;
+  made.role = role;
+  made.box = box;
+  return made;
+}
+
+State state_of(std::vector<Body> bodies) {
+  State state;
+  state.frame = 1;
+  state.bodies = std::move(bodies);
+  return state;
+}
+
+ContactRecord contact(Rect other, Vec2 normal, Vec2 touch) {
+  ContactRecord record;
+  record.body = 1;
+  record.other.box = other;
+  record.normal = normal;
+  record.touch = touch;
+  record.ti = 0.25;
+  return record;
+}
+
+// Body 1 on an up-slope of 16x8 at (16, 88), its centre 7/16 along.
+StepRecord on_slope() {
+  ContactRecord record = contact({16, 88, 16, 8}, {0, -1}, {19, 80});
+  record.other.role = TileRole::up_slope;
+  record.slope = SlopeProbe{record.other, 0.4375, 92.4375, 84, {-0.6, -0.8}, true};
+  StepRecord step;
+  step.contacts = {record};
+  return step;
+}
+const Rect kBall{19, 84, 8, 8};
+
+// Relative luminance by WCAG 2.
+double luminance(std::uint32_t rgb) {
+  const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear((rgb >> 16 & 255) / 255.0) + 0.7152 * linear((rgb >> 8 & 255) / 255.0) +
+         0.0722 * linear((rgb & 255) / 255.0);
+}
+
+TEST(OverlayInfos, AreInTheOrderOfTheirIdsAndFoundByKey) {
+  std::set<std::uint32_t> colors;
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const OverlayInfo& info = overlay_infos()[i];
+    EXPECT_EQ(static_cast<int>(info.id), i);
+    EXPECT_EQ(find_overlay(info.key), info.id);
+    colors.insert(info.color);
+  }
+  EXPECT_EQ(colors.size(), 7u) << "one colour each";
+  EXPECT_EQ(find_overlay("floor"), std::nullopt);
+}
+
+TEST(OverlayInfos, AreLegibleOnTheDarkBackground) {
+  for (const OverlayInfo& info : overlay_infos()) {
+    const double contrast = (luminance(info.color) + 0.05) / (luminance(0x1a1c2c) + 0.05);
+    EXPECT_GT(contrast, 4) << info.key;
+  }
+}
+
+TEST(OverlaySet, HoldsWhatWasSet) {
+  OverlaySet set;
+  EXPECT_TRUE(set.empty());
+  set.set(OverlayId::velocity, true);
+  EXPECT_TRUE(set.has(OverlayId::velocity));
+  EXPECT_FALSE(set.has(OverlayId::boxes));
+  for (const OverlayInfo& info : overlay_infos()) EXPECT_TRUE(OverlaySet::all().has(info.id));
+}
+
+TEST(Overlays, NothingIsDrawnWhenNoneIsOn) {
+  const OverlayDrawing drawing =
+      make_overlays({}, state_of({body(1, kBall, {1, 1})}), on_slope(), {}, kEverything, 1);
+  EXPECT_TRUE(drawing.lines.empty() && drawing.boxes.empty() && drawing.marks.empty() &&
+              drawing.bars.empty() && drawing.labels.empty());
+}
+
+TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
+  Scene scene;
+  scene.items = {item(TileRole::solid, {0, 96, 8, 8}), item(TileRole::up_slope, {16, 88, 16, 8}),
+                 item(TileRole::ball, {40, 0, 8, 8})};
+  const auto drawing =
+      make_overlays(scene, state_of({body(1, kBall)}), {}, only(OverlayId::boxes), kEverything, 0);
+  ASSERT_EQ(drawing.boxes.size(), 3u);
+  EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 96, 8, 8}));
+  EXPECT_EQ(drawing.boxes[1].box, (Rect{16, 88, 16, 8}));
+  EXPECT_EQ(drawing.boxes[2].box, kBall);
+  EXPECT_FALSE(drawing.boxes[2].filled);
+}
+
+TEST(Overlays, LeavesOutWhatCannotBeSeen) {
+  Scene scene;
+  scene.items = {item(TileRole::solid, {0, 0, 8, 8}), item(TileRole::solid, {80, 0, 8, 8})};
+  const auto drawing = make_overlays(scene, {}, {}, only(OverlayId::boxes), {4, 4, 40, 40}, 0);
+  ASSERT_EQ(drawing.boxes.size(), 1u);
+  EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 0, 8, 8}));
+}
+
+//      +--+ ball at (4, 0), 8 wide
+//      |  |
+//    +-++-+--+  the floor's top from x 0 to 8: they share x 4 to 8
+TEST(Overlays, NormalStartsInTheMiddleOfTheSharedSide) {
+  StepRecord record;
+  record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};
+  const auto drawing =
+      make_overlays({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::normals), kEverything, 0);
+  ASSERT_EQ(drawing.lines.size(), 1u);
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{6, 8}));
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{6, 0}));
+  EXPECT_TRUE(drawing.lines[0].arrow);
+}
+
+TEST(Overlays, NormalOfEachSide) {
+  const struct {
+    Vec2 normal, touch, from, to;
+  } cases[] = {
+      {{1, 0}, {8, 2}, {8, 5}, {16, 5}},    // from the right
+      {{-1, 0}, {-8, 2}, {0, 5}, {-8, 5}},  // from the left
+      {{0, 1}, {2, 8}, {5, 8}, {5, 16}},    // from below
+      {{0, -1}, {2, -8}, {5, 0}, {5, -8}},  // from above
+  };
+  for (const auto& c : cases) {
+    StepRecord record;
+    record.contacts = {contact({0, 0, 8, 8}, c.normal, c.touch)};
+    const auto drawing = make_overlays({}, state_of({body(1, {0, 0, 8, 8})}), record,
+                                       only(OverlayId::normals), kEverything, 0);
+    ASSERT_EQ(drawing.lines.size(), 1u);
+    EXPECT_EQ(drawing.lines[0].from, c.from);
+    EXPECT_EQ(drawing.lines[0].to, c.to);
+  }
+}
+
+TEST(Overlays, AContactWithoutADirectionHasNoArrow) {
+  StepRecord record;
+  record.contacts = {contact({0, 0, 8, 8}, {0, 0}, {2, 2})};
+  const State state = state_of({body(1, {2, 2, 8, 8})});
+  EXPECT_TRUE(make_overlays({}, state, record, only(OverlayId::normals), kEverything, 0).lines.empty());
+  const auto drawing = make_overlays({}, state, record, only(OverlayId::touch_points), kEverything, 0);
+  ASSERT_EQ(drawing.marks.size(), 1u);
+  EXPECT_EQ(drawing.marks[0].at, (Vec2{5, 5})) << "the middle of the overlap";
+}
+
+TEST(Overlays, TouchPointHasTheTimeOfImpact) {
+  StepRecord record;
+  record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};
+  const auto drawing = make_overlays({}, state_of({body(1, {4, 0, 8, 8})}), record,
+                                     only(OverlayId::touch_points), kEverything, 0);
+  ASSERT_EQ(drawing.marks.size(), 1u);
+  EXPECT_EQ(drawing.marks[0].at, (Vec2{6, 8}));
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "t 0.25");
+  EXPECT_EQ(drawing.labels[0].at, (Vec2{6, 8}));
+  EXPECT_FALSE(drawing.labels[0].important);
+}
+
+TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
+  const State state = state_of({body(1, {0, 0, 8, 8}, {1.5, -0.25}), body(2, {20, 0, 8, 8})});
+  const auto drawing = make_overlays({}, state, {}, only(OverlayId::velocity), kEverything, 1);
+  ASSERT_EQ(drawing.lines.size(), 1u) << "a body at rest has no arrow";
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{4, 4}));
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{10, 3}));
+  EXPECT_TRUE(drawing.lines[0].arrow);
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "1.50, -0.25");
+}
+
+TEST(Overlays, OnlyTheChosenBodysLabelsAreImportant) {
+  const State state = state_of({body(1, {0, 0, 8, 8}, {1, 0}), body(2, {20, 0, 8, 8}, {1, 0})});
+  const auto drawing = make_overlays({}, state, {}, only(OverlayId::velocity), kEverything, 2);
+  ASSERT_EQ(drawing.labels.size(), 2u);
+  EXPECT_FALSE(drawing.labels[0].important);
+  EXPECT_TRUE(drawing.labels[1].important);
+}
+
+TEST(Overlays, SlopeDeltaIsABarAndANumber) {
+  const auto drawing =
+      make_overlays({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::slope_delta), kEverything, 1);
+  ASSERT_EQ(drawing.bars.size(), 1u);
+  EXPECT_EQ(drawing.bars[0].box, (Rect{19, 80, 8, 2}));
+  EXPECT_EQ(drawing.bars[0].fraction, 0.4375);
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "delta 0.44");
+  EXPECT_EQ(drawing.labels[0].at, (Vec2{23, 80}));
+  EXPECT_TRUE(drawing.labels[0].important);
+}
+
+TEST(Overlays, FloorHeightIsALineOnTheSlopesSurface) {
+  const auto drawing = make_overlays({}, state_of({body(1, kBall)}), on_slope(),
+                                     only(OverlayId::floor_height), kEverything, 1);
+  ASSERT_EQ(drawing.lines.size(), 2u);
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{16, 96})) << "an up-slope is low on the left";
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{32, 88}));
+  EXPECT_EQ(drawing.lines[1].from, (Vec2{15, 92.4375}));
+  EXPECT_EQ(drawing.lines[1].to, (Vec2{31, 92.4375}));
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "floor 92.44 -> 92");
+  EXPECT_EQ(drawing.labels[0].at, (Vec2{31, 92.4375}));
+}
+
+TEST(Overlays, ADownSlopesSurfaceIsHighOnTheLeft) {
+  StepRecord record = on_slope();
+  record.contacts[0].slope->slope.role = TileRole::down_slope;
+  const auto drawing =
+      make_overlays({}, state_of({body(1, kBall)}), record, only(OverlayId::floor_height), kEverything, 1);
+  EXPECT_EQ(drawing.lines.at(0).from, (Vec2{16, 88}));
+  EXPECT_EQ(drawing.lines.at(0).to, (Vec2{32, 96}));
+}
+
+TEST(Overlays, ASlopesOwnNormalStandsOnItsFloor) {
+  const auto drawing =
+      make_overlays({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::normals), kEverything, 1);
+  ASSERT_EQ(drawing.lines.size(), 2u) << "the box's and the slope's";
+  EXPECT_EQ(drawing.lines[1].from, (Vec2{23, 92.4375}));
+  EXPECT_DOUBLE_EQ(drawing.lines[1].to.x, 23 - 4.8);
+  EXPECT_DOUBLE_EQ(drawing.lines[1].to.y, 92.4375 - 6.4);
+}
+
+TEST(Overlays, TheLastLookForAFloorCounts) {
+  StepRecord record = on_slope();
+  record.contacts.push_back(record.contacts[0]);
+  record.contacts[1].slope->delta = 0.75;
+  const auto drawing =
+      make_overlays({}, state_of({body(1, kBall)}), record, only(OverlayId::slope_delta), kEverything, 1);
+  ASSERT_EQ(drawing.bars.size(), 1u);
+  EXPECT_EQ(drawing.bars[0].fraction, 0.75);
+}
+
+TEST(Overlays, TestedTilesAreTintedOnce) {
+  const Obstacle floor{TileRole::solid, {1, 12}, 0, {8, 96, 8, 8}};
+  const Obstacle other{TileRole::ball, {}, 2, {20, 80, 8, 8}};
+  StepRecord record;
+  record.tested = {{1, floor}, {1, other}, {2, floor}};
+  const auto drawing = make_overlays({}, {}, record, only(OverlayId::tested_tiles), kEverything, 0);
+  ASSERT_EQ(drawing.boxes.size(), 2u);
+  EXPECT_EQ(drawing.boxes[0].box, floor.box);
+  EXPECT_EQ(drawing.boxes[1].box, other.box);
+  EXPECT_TRUE(drawing.boxes[0].filled && drawing.boxes[1].filled);
+}
+
+TEST(Overlays, ABodyThatAnEditTookAwayLeavesNothing) {
+  const auto drawing = make_overlays({}, state_of({}), on_slope(), OverlaySet::all(), kEverything, 1);
+  EXPECT_TRUE(drawing.lines.empty() && drawing.marks.empty() && drawing.bars.empty() &&
+              drawing.labels.empty());
+}
+
+}  // namespace
+}  // namespace talus
