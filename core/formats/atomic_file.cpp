@@ -1,0 +1,140 @@
+// The POSIX way to replace a file: write a temporary beside it, fsync, rename over it, fsync the directory.
+#include "atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<FormatError> failure(const char* what, int error_number) {
+  return tl::unexpected(
+      FormatError{"", std::string(what) + ": " + std::generic_category().message(error_number)});
+}
+
+class File {
+ public:
+  explicit File(int descriptor) : descriptor_(descriptor) {}
+  ~File() { close(); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  int get() const { return descriptor_; }
+  bool is_open() const { return descriptor_ >= 0; }
+  bool close() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    return descriptor < 0 || ::close(descriptor) == 0;
+  }
+
+ private:
+  int descriptor_;
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// The file that a chain of symbolic links ends at, whether it exists or not.
+fs::path follow_links(fs::path path) {
+  constexpr int kMaxLinks = 40;  // as the kernel's own limit; a longer chain is a loop
+  std::error_code error;
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) break;
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  return path;
+}
+
+// Creates a file that did not exist, beside `target`; -1 with errno when that fails.
+int create_temporary(const fs::path& target, std::string& name) {
+  constexpr int kAttempts = 100;
+  constexpr std::size_t kMaxStem = 200;  // file names end at 255 bytes
+  std::string stem = ".";
+  stem += target.filename().string().substr(0, kMaxStem) + "." + std::to_string(getpid()) + "-";
+  int descriptor = -1;
+  for (int i = 0; i < kAttempts && descriptor < 0; ++i) {
+    name = (target.parent_path() / (stem + std::to_string(i) + ".tmp")).string();
+    descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno != EEXIST) return -1;
+  }
+  return descriptor;
+}
+
+FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes) {
+  File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.is_open()) return failure("cannot be opened for writing", errno);
+  if (!write_all(file.get(), bytes) || !file.close()) return failure("cannot be written", errno);
+  return {};
+}
+
+// The rename has happened, so what fails here costs durability at power loss and nothing else.
+void sync_directory(const fs::path& target) {
+  const fs::path directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const File file(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (file.is_open()) ::fsync(file.get());
+}
+
+}  // namespace
+
+FormatResult<std::string> read_file(const std::string& path) {
+  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) return failure("cannot be opened", errno);
+  struct stat status = {};
+  if (::fstat(file.get(), &status) != 0) return failure("cannot be read", errno);
+  if (S_ISDIR(status.st_mode)) return failure("cannot be read", EISDIR);
+  std::string bytes;
+  constexpr std::size_t kStep = 1 << 20;
+  for (;;) {
+    const std::size_t size = bytes.size();
+    if (size > kMaxFileBytes) {
+      return tl::unexpected(
+          FormatError{"", "is larger than " + std::to_string(kMaxFileBytes >> 20) + " MiB"});
+    }
+    bytes.resize(size + kStep);
+    const ssize_t count = ::read(file.get(), bytes.data() + size, kStep);
+    const int error_number = errno;
+    bytes.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
+    if (count == 0) return bytes;
+    if (count < 0 && error_number != EINTR) return failure("cannot be read", error_number);
+  }
+}
+
+FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes) {
+  const fs::path target = follow_links(path);
+  struct stat old = {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
+  if (exists && !S_ISREG(old.st_mode)) return write_in_place(target, bytes);
+  // rename() would replace a write-protected file: its directory's permissions alone decide.
+  if (exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
+
+  std::string temporary;
+  File file(create_temporary(target, temporary));
+  if (!file.is_open()) return failure("cannot be written", errno);
+  const bool done = (!exists || ::fchmod(file.get(), old.st_mode & 07777) == 0) &&
+                    write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close() &&
+                    ::rename(temporary.c_str(), target.c_str()) == 0;
+  if (!done) {
+    const int error_number = errno;
+    ::unlink(temporary.c_str());
+    return failure("cannot be written", error_number);
+  }
+  sync_directory(target);
+  return {};
+}
+
+}  // namespace talus

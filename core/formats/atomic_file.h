@@ -1,0 +1,23 @@
+// Whole files in and out, so that a crash, a full disk or a hostile path costs nobody a level.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "format.h"
+
+namespace talus {
+
+// Larger files are refused unread: the largest level, a full 4096x4096 map, takes about 34 MB.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+
+// The file's bytes; an error for directories, unreadable files and files over kMaxFileBytes.
+FormatResult<std::string> read_file(const std::string& path);
+
+// Puts the bytes in place at once: whoever reads the path, even after a kill or power loss at any moment,
+// finds the old file or the new one whole. Symbolic links are followed, the old file's permissions stay, and
+// a device or pipe is written in place. After an error the old file is untouched and no temporary remains;
+// only a process killed between two system calls can leave its temporary, ".NAME.PID-N.tmp", beside the file.
+FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes);
+
+}  // namespace talus
