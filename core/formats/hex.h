@@ -1,0 +1,29 @@
+// Hexadecimal digits, as cart texts and native levels spell bytes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace talus {
+
+inline constexpr std::string_view kHexDigits = "0123456789abcdef";
+
+// 0..15, or -1 when c is no digit; upper case reads like lower case.
+constexpr int hex_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+inline std::string to_hex(std::string_view bytes) {
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const char c : bytes) {
+    text += kHexDigits[static_cast<unsigned char>(c) >> 4];
+    text += kHexDigits[static_cast<unsigned char>(c) & 15];
+  }
+  return text;
+}
+
+}  // namespace talus
