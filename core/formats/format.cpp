@@ -1,0 +1,97 @@
+// The list of formats, and the way between files and levels.
+#include "format.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "atomic_file.h"
+#include "native.h"
+#include "tic_cart.h"
+#include "tic_text.h"
+
+namespace talus {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+// The format with the longest extension that the name ends with: "a.talus.json" is no ".json" of another's.
+const Format* format_of_name(std::string_view lower_name) {
+  const Format* best = nullptr;
+  std::size_t length = 0;
+  for (const Format& format : formats()) {
+    for (const std::string_view extension : format.extensions) {
+      if (extension.size() > length && lower_name.ends_with(std::string(1, '.').append(extension))) {
+        best = &format;
+        length = extension.size();
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string to_string(const FormatError& error, std::string_view file) {
+  return std::string(file) + (error.place.empty() ? "" : ":" + error.place) + ": error: " + error.message;
+}
+
+std::span<const Format> formats() {
+  static constexpr std::array<std::string_view, 2> kNativeExtensions = {"talus.json", "json"};
+  static constexpr std::array<std::string_view, 1> kTicExtensions = {"tic"};
+  static const std::array<Format, 3> list = {{
+      {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
+      {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic},
+      {"text", "TIC-80 text project", text_extensions(), accepts_text, read_text, write_text},
+  }};
+  return list;
+}
+
+const Format* find_format(std::string_view id) {
+  const auto all = formats();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Format& format) { return format.id == id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const Format* format_for_file(const std::string& path) { return format_of_name(lower_case(path)); }
+
+FormatContext context_for_file(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  return {dot == std::string::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot + 1))};
+}
+
+FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context) {
+  const auto all = formats();
+  const auto accepting = std::find_if(all.begin(), all.end(),
+                                      [&](const Format& format) { return format.accepts(bytes, context); });
+  const Format* format = accepting != all.end() ? &*accepting : format_of_name("." + context.extension);
+  if (!format) {
+    return tl::unexpected(FormatError{"", "is no Talus level, TIC-80 cartridge or TIC-80 text project"});
+  }
+  auto level = format->read(bytes, context);
+  if (!level) return tl::unexpected(level.error());
+  return LoadedLevel{*std::move(level), format};
+}
+
+FormatResult<LoadedLevel> load_level(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return read_level(*bytes, context_for_file(path));
+}
+
+FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
+                                                  const std::string& path) {
+  auto written = format.write(level, context_for_file(path));
+  if (!written) return tl::unexpected(written.error());
+  if (const auto saved = write_file_atomic(path, written->bytes); !saved)
+    return tl::unexpected(saved.error());
+  return std::move(written->dropped);
+}
+
+}  // namespace talus

@@ -1,0 +1,165 @@
+// A look over the text before nlohmann's parser builds anything, so that hostile nesting and counts cost no
+// memory; and a printer with a line for what a diff should show alone.
+#include "json_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMaxInline = 140;  // a tile with all its flags fits
+
+tl::unexpected<FormatError> error_at(std::string_view text, std::size_t offset, std::string message) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
+  const auto line = 1 + std::count(text.begin(), end, '\n');
+  return tl::unexpected(FormatError{"line " + std::to_string(line), std::move(message)});
+}
+
+FormatResult<void> check_limits(std::string_view text) {
+  int depth = 0, values = 1;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+      continue;
+    }
+    in_string = c == '"';
+    const bool opens = c == '[' || c == '{';
+    if (c == ']' || c == '}') --depth;
+    if (opens && ++depth > kMaxJsonDepth)
+      return error_at(text, i, "JSON is nested deeper here than 64 levels");
+    if ((opens || c == ',') && ++values > kMaxJsonValues)
+      return error_at(text, i, "JSON has too many values");
+  }
+  return {};
+}
+
+bool is_row(const Json& value) {
+  return value.is_array() && std::all_of(value.begin(), value.end(),
+                                         [](const Json& v) { return v.is_primitive() && !v.is_string(); });
+}
+
+class Printer {
+ public:
+  explicit Printer(std::span<const std::string_view> order) : order_(order) {}
+
+  void print(const Json& value, int indent) {
+    if (value.is_primitive()) {
+      text_ += value.dump();
+    } else if (value.empty()) {
+      text_ += value.is_array() ? "[]" : "{}";
+    } else if (!print_inline(value)) {
+      print_lines(value, indent);
+    }
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  struct Member {
+    const std::string* key;  // null in an array
+    const Json* value;
+  };
+
+  std::vector<Member> members(const Json& value) const {
+    std::vector<Member> list;
+    list.reserve(value.size());
+    if (value.is_array()) {
+      for (const Json& element : value) list.push_back({nullptr, &element});
+      return list;
+    }
+    for (auto it = value.begin(); it != value.end(); ++it) list.push_back({&it.key(), &it.value()});
+    std::sort(list.begin(), list.end(), [this](const Member& a, const Member& b) {
+      const auto rank = [this](const std::string& key) {
+        return std::find(order_.begin(), order_.end(), key);
+      };
+      const auto rank_a = rank(*a.key), rank_b = rank(*b.key);
+      if (rank_a != rank_b) return rank_a < rank_b;
+      if (a.key->size() != b.key->size()) return a.key->size() < b.key->size();
+      return *a.key < *b.key;
+    });
+    return list;
+  }
+
+  void print_key(const Member& member) {
+    if (member.key) text_ += Json(*member.key).dump() + ": ";
+  }
+
+  bool print_inline(const Json& value) {
+    const bool flat =
+        is_row(value) || (value.is_object() && std::all_of(value.begin(), value.end(), [](const Json& v) {
+                            return v.is_primitive() || is_row(v);
+                          }));
+    if (!flat || value.size() > kMaxInline) return false;
+    const std::size_t begin = text_.size();
+    text_ += value.is_array() ? "[" : "{";
+    const char* separator = "";
+    for (const Member& member : members(value)) {
+      text_ += separator;
+      separator = ", ";
+      print_key(member);
+      print(*member.value, 0);
+      if (text_.size() - begin > kMaxInline) {
+        text_.resize(begin);
+        return false;
+      }
+    }
+    text_ += value.is_array() ? "]" : "}";
+    return true;
+  }
+
+  void print_lines(const Json& value, int indent) {
+    text_ += value.is_array() ? "[" : "{";
+    const char* separator = "\n";
+    for (const Member& member : members(value)) {
+      text_.append(separator).append(static_cast<std::size_t>(indent) + 2, ' ');
+      separator = ",\n";
+      print_key(member);
+      print(*member.value, indent + 2);
+    }
+    text_.append("\n").append(static_cast<std::size_t>(indent), ' ').append(value.is_array() ? "]" : "}");
+  }
+
+  std::span<const std::string_view> order_;
+  std::string text_;
+};
+
+}  // namespace
+
+FormatResult<Json> parse_json(std::string_view text) {
+  if (const auto good = check_limits(text); !good) return tl::unexpected(good.error());
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    return error_at(text, error.byte == 0 ? 0 : error.byte - 1, "this is not valid JSON");
+  } catch (const Json::exception&) {  // a number that no double holds; nlohmann does not say where
+    return tl::unexpected(FormatError{"", "has a number that is too large"});
+  }
+}
+
+std::string print_json(const Json& value, std::span<const std::string_view> order) {
+  Printer printer(order);
+  printer.print(value, 0);
+  return printer.take() + "\n";
+}
+
+bool is_utf8(std::string_view text) {
+  try {
+    Json(text).dump();  // the same check that printing makes
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+Json json_number(double value) {
+  constexpr double kExact = 9007199254740992;  // 2^53, up to where a double holds every whole number
+  const bool whole =
+      std::abs(value) < kExact && value == std::trunc(value) && !(value == 0 && std::signbit(value));
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+}  // namespace talus
