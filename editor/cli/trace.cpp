@@ -1,17 +1,11 @@
 #include "trace.h"
 
-#include <charconv>
 #include <string_view>
+
+#include "formats/number_text.h"
 
 namespace talus {
 namespace {
-
-template <class Number>
-void append_number(std::string& line, Number number) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-  line.append(text, end);
-}
 
 void append_pair(std::string& line, std::string_view key, Vec2 v) {
   line += key;
