@@ -1,0 +1,258 @@
+// Playback: real time to steps, stepping, resetting, dragging, and editing while it runs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "session/session.h"
+
+namespace talus {
+namespace {
+
+namespace act = action;
+
+constexpr std::uint8_t kSolid = 1, kBall = 2, kPlain = 3, kOtherSolid = 4;
+constexpr double kFrame = 1.0 / 60;
+
+// A ball high above a floor: a body at (16, 8), the floor's top at 64.
+Level ball_over_floor() {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.sheet(SheetId::tiles).flags[kSolid] = 1 << 0;
+  level.sheet(SheetId::tiles).flags[kOtherSolid] = 1 << 0;
+  level.sheet(SheetId::tiles).flags[kBall] = 1 << 1;
+  level.map.set({2, 1}, kBall);
+  for (int x = 0; x < 30; ++x) level.map.set({x, 8}, kSolid);
+  return level;
+}
+
+act::EditLevel painted(const Session& session, Cell at, std::uint8_t tile) {
+  return {paint_stamp(session.level(), at, {1, 1, {tile}}), 0};
+}
+
+// The states after 0, 1, 2... steps of a level that nobody edits.
+State state_after(const Level& level, int steps) {
+  State state = initial_state(compile_scene(level));
+  for (int i = 0; i < steps; ++i) state = step(compile_scene(level), state, {});
+  return state;
+}
+
+TEST(Playback, IsAtRestAtFirst) {
+  Session session(ball_over_floor());
+  session.advance(1);
+  EXPECT_FALSE(session.playback().running);
+  EXPECT_EQ(session.state(), state_after(session.level(), 0));
+  EXPECT_TRUE(session.record().paths.empty());
+}
+
+TEST(Playback, MakesSixtyStepsASecond) {
+  Session session(ball_over_floor());
+  session.apply(act::Play{});
+  for (int i = 0; i < 30; ++i) session.advance(kFrame);
+  EXPECT_EQ(session.state().frame, 30);
+  session.advance(0.5);
+  EXPECT_EQ(session.state().frame, 60);
+  EXPECT_EQ(session.state(), state_after(session.level(), 60));
+}
+
+TEST(Playback, KeepsWhatIsLessThanAStep) {
+  Session session(ball_over_floor());
+  session.apply(act::Play{});
+  for (int i = 0; i < 7; ++i) session.advance(kFrame / 2);
+  EXPECT_EQ(session.state().frame, 3);
+  session.advance(kFrame / 2);
+  EXPECT_EQ(session.state().frame, 4);
+}
+
+TEST(Playback, SpeedScalesTime) {
+  Session session(ball_over_floor());
+  session.apply({act::Play{}, act::SetSpeed{0.125}});
+  for (int i = 0; i < 7; ++i) session.advance(kFrame);
+  EXPECT_EQ(session.state().frame, 0);
+  session.advance(kFrame);
+  EXPECT_EQ(session.state().frame, 1);
+  session.apply(act::SetSpeed{8});
+  session.advance(kFrame);
+  EXPECT_EQ(session.state().frame, 9);
+}
+
+TEST(Playback, SpeedIsClamped) {
+  Session session;
+  session.apply(act::SetSpeed{100});
+  EXPECT_EQ(session.playback().speed, 8);
+  session.apply(act::SetSpeed{0});
+  EXPECT_EQ(session.playback().speed, 0.125);
+  session.apply(act::SetSpeed{std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_EQ(session.playback().speed, 0.125);
+}
+
+TEST(Playback, DropsWhatItCannotCatchUpWith) {
+  Session session(ball_over_floor());
+  session.apply(act::Play{});
+  session.advance(3600);
+  EXPECT_EQ(session.state().frame, Session::kMaxCatchUpSteps);
+  session.advance(0);
+  EXPECT_EQ(session.state().frame, Session::kMaxCatchUpSteps);
+}
+
+TEST(Playback, StepFramePausesAndMakesOneStep) {
+  Session session(ball_over_floor());
+  session.apply(act::Play{});
+  session.advance(kFrame * 1.75);
+  session.apply(act::StepFrame{});
+  EXPECT_FALSE(session.playback().running);
+  EXPECT_EQ(session.state().frame, 2);
+  session.apply(act::StepFrame{});
+  EXPECT_EQ(session.state().frame, 3);
+  EXPECT_EQ(session.state(), state_after(session.level(), 3));
+}
+
+TEST(Playback, TogglePauseAndPlay) {
+  Session session;
+  session.apply(act::TogglePlay{});
+  EXPECT_TRUE(session.playback().running);
+  session.apply(act::TogglePlay{});
+  EXPECT_FALSE(session.playback().running);
+  session.apply(act::Play{});
+  session.apply(act::Pause{});
+  EXPECT_FALSE(session.playback().running);
+}
+
+TEST(Playback, ResetGoesBackAndKeepsRunning) {
+  Session session(ball_over_floor());
+  session.apply(act::Play{});
+  session.advance(0.5);
+  session.apply(act::ResetPlay{});
+  EXPECT_TRUE(session.playback().running);
+  EXPECT_EQ(session.state(), state_after(session.level(), 0));
+  EXPECT_TRUE(session.record().paths.empty());
+}
+
+TEST(Playback, TheRecordIsOfTheLastStep) {
+  Session session(ball_over_floor());
+  session.apply({act::StepFrame{}, act::StepFrame{}});
+  StepRecord expected;
+  step(session.scene(), state_after(session.level(), 1), {}, &expected);
+  ASSERT_EQ(session.record().paths.size(), 1u);
+  EXPECT_EQ(session.record().paths[0].from, expected.paths[0].from);
+  EXPECT_EQ(session.record().paths[0].to, session.state().bodies[0].box);
+}
+
+TEST(Playback, AnEditIsInTheNextStep) {
+  Session session(ball_over_floor());
+  session.apply(act::Play{});
+  session.advance(0.25);
+  const Body falling = session.state().bodies.at(0);
+  ASSERT_EQ(session.state().frame, 15);
+  ASSERT_LT(falling.box.bottom(), 64);
+  session.apply(painted(session, {2, 6}, kSolid));
+  EXPECT_EQ(session.state().frame, 15);
+  EXPECT_EQ(session.state().bodies.at(0), falling) << "the body goes on from where it is";
+  EXPECT_EQ(session.scene(), compile_scene(session.level()));
+  while (session.record().contacts.empty() && session.state().frame < 60) session.advance(kFrame);
+  ASSERT_FALSE(session.record().contacts.empty());
+  EXPECT_EQ(session.record().contacts[0].other.cell, (Cell{2, 6}))
+      << "it lands on the new tile, above the floor";
+}
+
+TEST(Playback, AnEditInTheSameBatchIsInTheStepAfterIt) {
+  Session session(ball_over_floor());
+  session.apply(act::StepFrame{});
+  session.apply({painted(session, {2, 2}, kSolid), act::StepFrame{}});
+  EXPECT_EQ(session.record().contacts.at(0).other.cell, (Cell{2, 2}));
+}
+
+TEST(Playback, UndoIsInTheNextStepToo) {
+  Session session(ball_over_floor());
+  const Scene before = session.scene();
+  session.apply(painted(session, {2, 6}, kSolid));
+  EXPECT_NE(session.scene(), before);
+  session.apply(act::Undo{});
+  EXPECT_EQ(session.scene(), before);
+  session.apply(act::Redo{});
+  EXPECT_NE(session.scene(), before);
+}
+
+// What the physics cannot see must not cost a compilation: the very same scene object stays.
+TEST(Playback, PicturesAndPlainTilesDoNotRecompile) {
+  Session session(ball_over_floor());
+  const Scene* before = &session.scene();
+  session.apply(act::EditLevel{draw_line(session.level(), {}, {0, 0}, {7, 7}, 3), 0});
+  session.apply(act::EditLevel{set_color(session.level(), 3, {1, 2, 3}), 0});
+  session.apply(act::EditLevel{rename_flag(session.level(), 3, "ice"), 0});
+  session.apply(painted(session, {9, 2}, kPlain));
+  session.apply(painted(session, {9, 8}, kOtherSolid));
+  session.apply(act::EditLevel{set_flag(session.level(), {SheetId::sprites, {1, 0, 1, 1}}, 0, true), 0});
+  session.apply(act::EditLevel{set_flag(session.level(), {SheetId::tiles, {3, 0, 1, 1}}, 7, true), 0});
+  EXPECT_EQ(&session.scene(), before);
+  EXPECT_EQ(session.scene(), compile_scene(session.level()));
+}
+
+TEST(Playback, EveryKindOfEditThatThePhysicsSeesRecompiles) {
+  Session session(ball_over_floor());
+  const auto expect_recompiled = [&](Edit edit) {
+    const Scene before = session.scene();
+    session.apply(act::EditLevel{std::move(edit), 0});
+    EXPECT_NE(session.scene(), before) << session.history().edits().back().label;
+    EXPECT_EQ(session.scene(), compile_scene(session.level()));
+  };
+  const Level& level = session.level();
+  expect_recompiled(paint_stamp(level, {5, 5}, {1, 1, {kSolid}}));
+  expect_recompiled(set_flag(level, {SheetId::tiles, {kBall, 0, 1, 1}}, 0, true));
+  expect_recompiled(erase_cells(level, {0, 8, 30, 1}));
+  expect_recompiled(set_roles(level, {7, 1, 2, 3}));
+  expect_recompiled(set_spawns(level, {Spawn{"", {100, 8}, {}, ""}}, "Place a spawn"));
+  Tuning tuning = level.tuning;
+  tuning.article.fall_speed = 1;
+  expect_recompiled(set_tuning(level, tuning));
+  TileMap small(4, 4);
+  small.set({1, 1}, kBall);
+  expect_recompiled(Edit{"Resize", {MapChange{level.map, small}}});
+}
+
+TEST(Playback, AtFrameZeroTheStateIsTheEditedLevels) {
+  Level level = ball_over_floor();
+  level.spawns = {Spawn{"hero", {100, 8}, {}, ""}};
+  Session session(level);
+  level.spawns[0].position = {120, 16};
+  session.apply(act::EditLevel{set_spawns(session.level(), level.spawns, "Move the spawn"), 0});
+  EXPECT_EQ(session.state(), initial_state(session.scene()));
+  EXPECT_EQ(session.state().bodies.at(1).box.x, 120);
+}
+
+TEST(Playback, TheChosenBodySurvivesEdits) {
+  Session session(ball_over_floor());
+  session.apply(act::SelectBody{1});
+  EXPECT_EQ(session.choices().body, 1);
+  session.apply(painted(session, {1, 1}, kBall));  // comes first in map order and takes id 1
+  EXPECT_EQ(session.choices().body, 2);
+  EXPECT_EQ(session.state().find(2)->origin.cell, (Cell{2, 1}));
+  session.apply(act::StepFrame{});
+  session.apply(painted(session, {0, 1}, kBall));
+  EXPECT_EQ(session.choices().body, 2) << "later edits leave ids alone";
+  session.apply(act::ResetPlay{});
+  EXPECT_EQ(session.choices().body, 3) << "and a reset numbers them anew";
+  session.apply(painted(session, {2, 1}, 0));
+  EXPECT_EQ(session.choices().body, 0) << "its tile is gone";
+}
+
+TEST(Playback, ABodyThatIsNotThereCannotBeChosen) {
+  Session session(ball_over_floor());
+  session.apply(act::SelectBody{7});
+  EXPECT_EQ(session.choices().body, 0);
+}
+
+TEST(Playback, TheMouseDragsABall) {
+  Session session(ball_over_floor());
+  session.apply({act::HoldMouse{{20, 12}, true}, act::StepFrame{}});
+  EXPECT_EQ(session.state().grabbed, 1);
+  EXPECT_EQ(session.state().bodies[0].box, (Rect{16, 8, 8, 8})) << "held at its centre it does not fall";
+  session.apply({act::HoldMouse{{30, 12}, true}, act::StepFrame{}});
+  EXPECT_DOUBLE_EQ(session.state().bodies[0].box.x, 19) << "0.3 of the 10 px to the mouse";
+  session.apply({act::HoldMouse{{30, 12}, false}, act::StepFrame{}});
+  EXPECT_EQ(session.state().grabbed, 0);
+  EXPECT_GT(session.state().bodies[0].velocity.x, 2) << "thrown";
+}
+
+}  // namespace
+}  // namespace talus

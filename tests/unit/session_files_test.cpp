@@ -1,0 +1,268 @@
+// Session: opening, saving, and the questions before changes are lost. Works on real files.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "session/session.h"
+
+namespace talus {
+namespace {
+
+namespace act = action;
+namespace fs = std::filesystem;
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+class SessionFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("talus_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+
+  // A session with the level's tile (1, 1) painted, and so modified.
+  void paint(std::uint8_t tile) {
+    session_.apply(act::EditLevel{paint_stamp(session_.level(), {1, 1}, {1, 1, {tile}}), 0});
+  }
+  // A file of another level, whose tile (1, 1) is `tile`.
+  std::string other_file(const std::string& name, std::uint8_t tile) {
+    Level level;
+    level.map.set({1, 1}, tile);
+    EXPECT_TRUE(save_level(level, *format_for_file(name), file(name)));
+    return file(name);
+  }
+  int painted() const { return session_.level().map.at({1, 1}); }
+  std::string message() const { return session_.message() ? session_.message()->text : ""; }
+
+  Session session_;
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(SessionFiles, SaveAsTakesTheNameAndTheFormatOfItsExtension) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("a.talus.json")});
+  EXPECT_EQ(session_.file_name(), "a.talus.json");
+  EXPECT_FALSE(session_.modified());
+  EXPECT_EQ(message(), "Saved a.talus.json.");
+  EXPECT_FALSE(session_.message()->is_error);
+  const auto loaded = load_level(file("a.talus.json"));
+  ASSERT_TRUE(loaded);
+  EXPECT_TRUE(loaded->level == session_.level());
+}
+
+TEST_F(SessionFiles, SaveWritesToTheSameFile) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  paint(6);
+  EXPECT_TRUE(session_.modified());
+  session_.apply(act::SaveFile{});
+  EXPECT_FALSE(session_.modified());
+  EXPECT_FALSE(session_.wants_save_as());
+  EXPECT_EQ(load_level(file("a.tic"))->level.map.at({1, 1}), 6);
+}
+
+TEST_F(SessionFiles, HistoryOutlivesSaving) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::Undo{});
+  EXPECT_EQ(painted(), 0);
+  EXPECT_TRUE(session_.modified()) << "the file has the tile";
+  session_.apply(act::Redo{});
+  EXPECT_FALSE(session_.modified());
+}
+
+TEST_F(SessionFiles, SaveTellsWhatTheFormatCannotHold) {
+  session_.apply(act::EditLevel{set_spawns(session_.level(), {Spawn{}, Spawn{}}, "Place spawns"), 0});
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  EXPECT_EQ(message(), "Saved a.tic. Not stored in this format: 2 spawns.");
+  EXPECT_FALSE(session_.message()->is_error);
+}
+
+TEST_F(SessionFiles, SaveAsWithAnUnknownExtensionNamesTheKnownOnes) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("a.xyz")});
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_TRUE(message().starts_with("Cannot save a.xyz: ")) << message();
+  EXPECT_NE(message().find(".tic"), std::string::npos) << message();
+  EXPECT_NE(message().find(".talus.json"), std::string::npos) << message();
+  EXPECT_FALSE(exists("a.xyz"));
+  EXPECT_TRUE(session_.modified());
+}
+
+TEST_F(SessionFiles, SaveThatFailsKeepsTheNameAndTheChanges) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("missing/a.tic")});
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_EQ(session_.path(), "");
+  EXPECT_TRUE(session_.modified());
+}
+
+TEST_F(SessionFiles, SaveOfAnUnnamedLevelAsksForAName) {
+  paint(5);
+  session_.apply(act::SaveFile{});
+  EXPECT_TRUE(session_.wants_save_as());
+  session_.apply(act::CancelSaveAs{});
+  EXPECT_FALSE(session_.wants_save_as());
+  session_.apply(act::SaveFile{});
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  EXPECT_FALSE(session_.wants_save_as());
+  EXPECT_TRUE(exists("a.tic"));
+}
+
+TEST_F(SessionFiles, OpenReplacesTheLevelAndStopsPlay) {
+  const std::string path = other_file("b.tic", 9);
+  session_.apply({act::Play{}, act::SetGrid{false}});
+  session_.advance(0.5);
+  session_.apply(act::OpenFile{path});
+  EXPECT_EQ(painted(), 9);
+  EXPECT_EQ(session_.path(), path);
+  EXPECT_FALSE(session_.modified());
+  EXPECT_TRUE(session_.history().edits().empty());
+  EXPECT_FALSE(session_.playback().running);
+  EXPECT_EQ(session_.state().frame, 0);
+  EXPECT_EQ(session_.scene(), compile_scene(session_.level()));
+  EXPECT_EQ(session_.choices().body, 0);
+  EXPECT_FALSE(session_.choices().grid) << "how things are shown is the user's, not the level's";
+}
+
+TEST_F(SessionFiles, AnUntouchedCartIsSavedByteForByte) {
+  const std::string path = other_file("b.tic", 9);
+  const std::string before = bytes_of(path);
+  session_.apply({act::OpenFile{path}, act::SaveFile{}});
+  EXPECT_EQ(message(), "Saved b.tic.");
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST_F(SessionFiles, SaveKeepsTheFormatThatTheContentWasIn) {
+  const std::string path = file("cart.bin");
+  fs::rename(other_file("b.talus.json", 9), path);
+  session_.apply(act::OpenFile{path});
+  ASSERT_EQ(painted(), 9) << message();
+  paint(8);
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(message(), "Saved cart.bin.");
+  EXPECT_EQ(load_level(path)->level.map.at({1, 1}), 8);
+}
+
+TEST_F(SessionFiles, AFileThatCannotBeReadLeavesTheLevelAlone) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  std::ofstream(file("bad.talus.json")) << "{ nonsense";
+  session_.apply(act::OpenFile{file("bad.talus.json")});
+  ASSERT_TRUE(session_.message());
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_EQ(message(), to_string(load_level(file("bad.talus.json")).error(), file("bad.talus.json")));
+  EXPECT_EQ(painted(), 5);
+  EXPECT_EQ(session_.file_name(), "a.tic");
+  EXPECT_EQ(session_.history().edits().size(), 1u);
+}
+
+TEST_F(SessionFiles, AFileThatIsNotThereIsAnError) {
+  session_.apply(act::OpenFile{file("missing.tic")});
+  ASSERT_TRUE(session_.message());
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_TRUE(message().starts_with(file("missing.tic"))) << message();
+}
+
+TEST_F(SessionFiles, OpeningClearsAnOldError) {
+  session_.apply(act::OpenFile{file("missing.tic")});
+  session_.apply(act::OpenFile{other_file("b.tic", 9)});
+  EXPECT_FALSE(session_.message());
+}
+
+TEST_F(SessionFiles, UnsavedChangesAreAskedAbout) {
+  paint(5);
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  const std::string path = other_file("b.tic", 9);
+  paint(6);
+  for (const Action& losing : Actions{act::OpenFile{path}, act::NewLevel{}, act::Quit{}}) {
+    session_.apply(losing);
+    ASSERT_TRUE(session_.question());
+    EXPECT_EQ(session_.question()->text, "Save the changes to a.tic?");
+    EXPECT_FALSE(session_.wants_quit());
+    EXPECT_EQ(painted(), 6);
+    session_.apply(act::AnswerQuestion{act::Answer::cancel});
+    EXPECT_FALSE(session_.question());
+    EXPECT_EQ(painted(), 6);
+    EXPECT_FALSE(session_.wants_quit());
+  }
+}
+
+TEST_F(SessionFiles, NothingIsAskedWithoutChanges) {
+  session_.apply(act::Quit{});
+  EXPECT_FALSE(session_.question());
+  EXPECT_TRUE(session_.wants_quit());
+}
+
+TEST_F(SessionFiles, DiscardGoesOnWithoutSaving) {
+  paint(5);
+  session_.apply({act::OpenFile{other_file("b.tic", 9)}, act::AnswerQuestion{act::Answer::discard}});
+  EXPECT_EQ(painted(), 9);
+  EXPECT_FALSE(session_.question());
+}
+
+TEST_F(SessionFiles, SaveGoesOnAfterSaving) {
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  paint(5);
+  session_.apply({act::NewLevel{}, act::AnswerQuestion{act::Answer::save}});
+  EXPECT_EQ(painted(), 0);
+  EXPECT_EQ(session_.file_name(), "untitled");
+  EXPECT_EQ(load_level(file("a.tic"))->level.map.at({1, 1}), 5);
+  EXPECT_EQ(message(), "Saved a.tic.") << "also tells what was dropped";
+}
+
+TEST_F(SessionFiles, SaveOfAnUnnamedLevelGoesOnAfterItsName) {
+  paint(5);
+  session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}});
+  EXPECT_TRUE(session_.wants_save_as());
+  EXPECT_FALSE(session_.wants_quit());
+  session_.apply(act::SaveFileAs{file("a.xyz")});
+  EXPECT_TRUE(session_.wants_save_as()) << "the name was no good; another may be given";
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  EXPECT_FALSE(session_.wants_save_as());
+  EXPECT_TRUE(session_.wants_quit());
+}
+
+TEST_F(SessionFiles, CancellingTheNameForgetsWhatWasToFollow) {
+  paint(5);
+  session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}, act::CancelSaveAs{}});
+  EXPECT_FALSE(session_.wants_save_as());
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  EXPECT_FALSE(session_.wants_quit());
+}
+
+TEST_F(SessionFiles, AFailedSaveForgetsWhatWasToFollow) {
+  session_.apply(act::SaveFileAs{file("a.tic")});
+  paint(5);
+  fs::remove_all(fs::path(file("a.tic")).parent_path());
+  session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}});
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_FALSE(session_.wants_quit());
+  EXPECT_FALSE(session_.question());
+  EXPECT_TRUE(session_.modified());
+}
+
+TEST_F(SessionFiles, AnAnswerWithoutAQuestionDoesNothing) {
+  paint(5);
+  session_.apply(act::AnswerQuestion{act::Answer::discard});
+  EXPECT_EQ(painted(), 5);
+  EXPECT_TRUE(session_.modified());
+}
+
+}  // namespace
+}  // namespace talus
