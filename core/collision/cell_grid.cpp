@@ -11,54 +11,57 @@ namespace {
 
 constexpr std::size_t kSmallest = 64;
 
-template <class Visit>
-void for_cells(const CellRange& range, const CellRange& except, Visit visit) {
-  const bool keep_all = except.empty();
+}  // namespace
+
+void CellGrid::insert(std::uint32_t slot, std::uint32_t generation, const CellRange& range) {
   for (std::int32_t y = range.top; y <= range.bottom; ++y) {
     for (std::int32_t x = range.left; x <= range.right; ++x) {
-      if (keep_all || !except.contains(x, y)) visit(x, y);
+      const std::uint32_t first =
+          (x == range.left ? CellEntry::kFirstColumn : 0) | (y == range.top ? CellEntry::kFirstRow : 0);
+      list(x, y).push_back({slot, generation & kMaxGeneration, first & 3});
     }
   }
 }
 
-}  // namespace
-
-void CellGrid::move(std::uint32_t item, const CellRange& from, const CellRange& to) {
-  for_cells(from, to, [&](std::int32_t x, std::int32_t y) {
-    List& items = list(x, y);
-    const auto at = std::find(items.begin(), items.end(), item);
-    assert(at != items.end());
-    *at = items.back();
-    items.pop_back();
-  });
-  for_cells(to, from, [&](std::int32_t x, std::int32_t y) { list(x, y).push_back(item); });
+void CellGrid::remove(std::uint32_t slot, const CellRange& range) {
+  for (std::int32_t y = range.top; y <= range.bottom; ++y) {
+    for (std::int32_t x = range.left; x <= range.right; ++x) {
+      List& entries = list(x, y);
+      const auto at = std::find_if(entries.begin(), entries.end(),
+                                   [slot](const CellEntry& entry) { return entry.slot == slot; });
+      assert(at != entries.end());
+      *at = entries.back();
+      entries.pop_back();
+    }
+  }
 }
 
 CellGrid::List& CellGrid::list(std::int32_t x, std::int32_t y) {
   const std::uint64_t key = pack(x, y);
   if (!slots_.empty()) {
     Slot& slot = slots_[probe(key)];
-    if (slot.key == key) return slot.items;
+    if (slot.key == key) return slot.entries;
   }
   if (2 * (used_ + 1) > slots_.size()) make_room();
   Slot& slot = slots_[probe(key)];
   slot.key = key;
   ++used_;
-  return slot.items;
+  return slot.entries;
 }
 
 // A world that wanders would keep every cell it ever touched; so empty ones go first when they are the
 // majority.
 void CellGrid::make_room() {
-  const auto empty = std::count_if(slots_.begin(), slots_.end(),
-                                   [](const Slot& slot) { return slot.key != kNoKey && slot.items.empty(); });
+  const auto empty = std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) {
+    return slot.key != kNoKey && slot.entries.empty();
+  });
   if (2 * static_cast<std::size_t>(empty) > used_) drop_empty_cells();
   rebuild(std::max(kSmallest, std::bit_ceil(4 * (used_ + 1))));
 }
 
 void CellGrid::drop_empty_cells() {
   for (Slot& slot : slots_) {
-    if (slot.items.empty()) slot = {};
+    if (slot.entries.empty()) slot = {};
   }
   used_ = static_cast<std::size_t>(
       std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.key != kNoKey; }));

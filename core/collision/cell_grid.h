@@ -30,23 +30,35 @@ struct CellRange {
   friend bool operator==(const CellRange&, const CellRange&) = default;
 };
 
+inline constexpr std::uint32_t kMaxGeneration = (1u << 30) - 1;
+
+// An item in the list of a cell. Holds all that a filter needs, so that an ignored candidate costs no other
+// memory.
+struct CellEntry {
+  static constexpr std::uint32_t kFirstColumn = 1;
+  static constexpr std::uint32_t kFirstRow = 2;
+
+  std::uint32_t slot;
+  std::uint32_t generation : 30;
+  std::uint32_t
+      first : 2;  // kFirstColumn, kFirstRow: this cell is in the first column or row of the item's cells
+};
+
 // Open addressing with linear probing over packed coordinates. A cell keeps its list, and the list its
 // memory, when its last item leaves, so that items moving over the same ground allocate nothing.
 class CellGrid {
  public:
-  using List = std::vector<std::uint32_t>;  // slots of items
+  using List = std::vector<CellEntry>;
 
   // The items of a cell; null when no item was ever in it. Valid until the next change.
   const List* find(std::int32_t x, std::int32_t y) const {
     if (slots_.empty()) return nullptr;
     const Slot& slot = slots_[probe(pack(x, y))];
-    return slot.key == kNoKey ? nullptr : &slot.items;
+    return slot.key == kNoKey ? nullptr : &slot.entries;
   }
 
-  void insert(std::uint32_t item, const CellRange& range) { move(item, {}, range); }
-  void remove(std::uint32_t item, const CellRange& range) { move(item, range, {}); }
-  // Leaves the cells of `from` that are not in `to`, and enters those of `to` that are not in `from`.
-  void move(std::uint32_t item, const CellRange& from, const CellRange& to);
+  void insert(std::uint32_t slot, std::uint32_t generation, const CellRange& range);
+  void remove(std::uint32_t slot, const CellRange& range);
 
   std::size_t cell_count() const noexcept { return used_; }
   void drop_empty_cells();
@@ -54,7 +66,7 @@ class CellGrid {
  private:
   struct Slot {
     std::uint64_t key = kNoKey;
-    List items;
+    List entries;
   };
   static constexpr std::uint64_t kNoKey = 0x7fffffff7fffffff;  // beyond World::kMaxCell
 

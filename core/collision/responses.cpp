@@ -36,7 +36,7 @@ class World::Checker {
         impl_(*world.impl_),
         item_(item),
         self_(impl_.checked_slot(item)),
-        start_(impl_.items[self_].rect),
+        start_(impl_.rects[self_]),
         filter_(filter),
         hits_(hits),
         first_visit_(impl_.visits.size()) {
@@ -109,12 +109,12 @@ class World::Checker {
     Contact first_contact{};
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
-      const double da = square_distance(sweep.box, impl_.items[a].rect);
-      const double db = square_distance(sweep.box, impl_.items[b].rect);
+      const double da = square_distance(sweep.box, impl_.rects[a]);
+      const double db = square_distance(sweep.box, impl_.rects[b]);
       return da != db ? da < db : impl_.items[a].serial < impl_.items[b].serial;
     };
     impl_.for_contacts(
-        sweep, self_, [this](std::uint32_t slot) { return reaction(slot); },
+        sweep, self_, [this](std::uint32_t slot, ItemId other) { return reaction(slot, other); },
         [&](std::uint32_t slot, Response response, const Contact& contact) {
           if (first == Impl::kNoSlot || contact.ti < first_contact.ti ||
               (contact.ti == first_contact.ti && before(slot, first))) {
@@ -133,7 +133,7 @@ class World::Checker {
     ScratchPool<Collision>::Lease contacts(impl_.collisions);
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
     impl_.for_contacts(
-        sweep, self_, [this](std::uint32_t slot) { return reaction(slot); },
+        sweep, self_, [this](std::uint32_t slot, ItemId other) { return reaction(slot, other); },
         [&](std::uint32_t slot, Response response, const Contact& contact) {
           contacts->push_back(impl_.collision(sweep, item_, slot, response, contact));
         });
@@ -174,15 +174,19 @@ class World::Checker {
     return static_cast<bool>(impl_.responses[index].function);
   }
 
-  Response reaction(std::uint32_t slot) const {
-    return seen(slot) ? Response::ignore : filter_(item_, impl_.id_of(slot));
+  Response reaction(std::uint32_t slot, ItemId other) const {
+    return seen(slot) ? Response::ignore : filter_(item_, other);
   }
-  bool seen(std::uint32_t slot) const { return impl_.items[slot].visited == impl_.depth; }
+  bool seen(std::uint32_t slot) const {
+    return (seen_bits_ & bit(slot)) && impl_.items[slot].visited == impl_.depth;
+  }
+  static std::uint64_t bit(std::uint32_t slot) { return std::uint64_t{1} << (slot & 63); }
   void mark(ItemId item) {
     const std::uint32_t slot = impl_.slot_of(item);
     if (slot == Impl::kNoSlot || seen(slot)) return;
     impl_.visits.push_back({slot, impl_.items[slot].visited});
     impl_.items[slot].visited = impl_.depth;
+    seen_bits_ |= bit(slot);
   }
 
   const World& world_;
@@ -193,6 +197,8 @@ class World::Checker {
   Filter filter_;
   std::vector<Collision>& hits_;
   std::size_t first_visit_;
+  std::uint64_t seen_bits_ =
+      0;  // a bit set for each met item's slot, modulo 64: spares most looks at the item
 };
 
 Vec2 World::check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const {

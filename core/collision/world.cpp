@@ -100,16 +100,19 @@ void World::Impl::place(std::uint32_t slot, const Rect& rect) {
     throw WorldError("The item covers more than " + std::to_string(kMaxCellsOfItem) + " cells of the grid.");
   }
   Item& item = items[slot];
-  if (!(cells == item.cells)) grid.move(slot, item.cells, cells);
-  item.cells = cells;
+  if (!(cells == item.cells)) {
+    grid.remove(slot, item.cells);
+    grid.insert(slot, item.generation, cells);
+    item.cells = cells;
+  }
   // Equal values stay as they were: 0 is not replaced by -0.
-  if (!(item.rect == rect)) item.rect = rect;
+  if (!(rects[slot] == rect)) rects[slot] = rect;
 }
 
 Collision World::Impl::collision(const Sweep& sweep, ItemId item, std::uint32_t slot, Response response,
                                  const Contact& contact) const {
   return {item,           id_of(slot),   response,  contact.overlaps, contact.ti, sweep.d,
-          contact.normal, contact.touch, sweep.box, items[slot].rect, {}};
+          contact.normal, contact.touch, sweep.box, rects[slot],      {}};
 }
 
 World::World(double cell_size, Mode mode) : impl_(std::make_unique<Impl>(cell_size, mode)) {}
@@ -122,11 +125,17 @@ ItemId World::add(Rect rect) {
   w.check_rect(rect);
   const bool reuse = !w.free_slots.empty();
   const auto slot = reuse ? w.free_slots.back() : static_cast<std::uint32_t>(w.items.size());
-  if (!reuse) w.items.emplace_back();
+  if (!reuse) {
+    w.items.emplace_back();
+    w.rects.emplace_back();
+  }
   try {
     w.place(slot, rect);
   } catch (...) {
-    if (!reuse) w.items.pop_back();
+    if (!reuse) {
+      w.items.pop_back();
+      w.rects.pop_back();
+    }
     throw;
   }
   if (reuse) w.free_slots.pop_back();
@@ -143,9 +152,10 @@ void World::remove(ItemId id) {
   Impl::Item& item = w.items[slot];
   w.free_slots.push_back(slot);
   w.grid.remove(slot, item.cells);
-  const std::uint32_t generation = item.generation + 1;
+  const std::uint32_t generation = item.generation == kMaxGeneration ? 1 : item.generation + 1;
   item = {};
-  item.generation = generation == 0 ? 1 : generation;
+  item.generation = generation;
+  w.rects[slot] = {};
   --w.live;
 }
 
@@ -156,7 +166,7 @@ void World::update(ItemId id, Rect rect) {
 }
 
 void World::update(ItemId id, Vec2 position) {
-  const Rect& old = impl_->items[impl_->checked_slot(id)].rect;
+  const Rect& old = impl_->rects[impl_->checked_slot(id)];
   update(id, {position.x, position.y, old.w, old.h});
 }
 
@@ -166,7 +176,7 @@ void World::project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vecto
   hits.clear();
   const Sweep sweep(rect, goal);
   w.for_contacts(
-      sweep, w.slot_of(item), [&](std::uint32_t slot) { return filter(item, w.id_of(slot)); },
+      sweep, w.slot_of(item), [&](std::uint32_t, ItemId other) { return filter(item, other); },
       [&](std::uint32_t slot, Response response, const Contact& contact) {
         hits.push_back(w.collision(sweep, item, slot, response, contact));
       });
@@ -187,8 +197,8 @@ void World::query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) c
   const Impl& w = *impl_;
   w.check_rect(rect);
   out.clear();
-  w.for_candidates(w.cells_of(rect), [&](std::uint32_t slot) {
-    if (filter(w.id_of(slot)) && intersect(rect, w.items[slot].rect)) out.push_back(w.id_of(slot));
+  w.for_candidates(w.cells_of(rect), [&](std::uint32_t slot, ItemId item) {
+    if (filter(item) && intersect(rect, w.rects[slot])) out.push_back(item);
   });
   w.sort_by_age(out);
 }
@@ -200,8 +210,8 @@ void World::query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out)
   const double y = point.y / w.cell_size;
   if (!is_cell(x) || !is_cell(y)) return;
   const Cell cell{floor_int(x) + 1, floor_int(y) + 1};
-  w.for_candidates({cell.x, cell.y, cell.x, cell.y}, [&](std::uint32_t slot) {
-    if (filter(w.id_of(slot)) && contains(sides_of(w.items[slot].rect), point)) out.push_back(w.id_of(slot));
+  w.for_candidates({cell.x, cell.y, cell.x, cell.y}, [&](std::uint32_t slot, ItemId item) {
+    if (filter(item) && contains(sides_of(w.rects[slot]), point)) out.push_back(item);
   });
   w.sort_by_age(out);
 }
@@ -268,7 +278,7 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
 
   ScratchPool<std::uint32_t>::Lease slots(w.slots);
   const auto gather = [&](const CellRange& range) {
-    w.for_candidates(range, [&](std::uint32_t slot) { slots->push_back(slot); });
+    w.for_candidates(range, [&](std::uint32_t slot, ItemId) { slots->push_back(slot); });
   };
   const bool walked = walk_segment(w.cell_size, from, to, first, last, [&](std::int32_t x, std::int32_t y) {
     gather({x, y, x, y});
@@ -284,7 +294,7 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
   const Vec2 d = to - from;
   for (const std::uint32_t slot : *slots) {
     if (!filter(w.id_of(slot))) continue;
-    const Sides box = sides_of(w.items[slot].rect);
+    const Sides box = sides_of(w.rects[slot]);
     Clip cut{0, 1, {}};
     if (!clip_line(box, from, d, cut)) continue;
     if (!((0 < cut.ti1 && cut.ti1 < 1) || (0 < cut.ti2 && cut.ti2 < 1))) continue;
@@ -302,7 +312,7 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
 }
 
 bool World::has(ItemId item) const noexcept { return impl_->has(item); }
-Rect World::rect(ItemId item) const { return impl_->items[impl_->checked_slot(item)].rect; }
+Rect World::rect(ItemId item) const { return impl_->rects[impl_->checked_slot(item)]; }
 
 void World::items(std::vector<ItemId>& out) const {
   out.clear();

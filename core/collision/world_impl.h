@@ -39,9 +39,8 @@ class ScratchPool {
 };
 
 struct World::Impl {
-  // One cache line, since a candidate costs little more than fetching it.
-  struct alignas(64) Item {
-    Rect rect;
+  // What is known of an item besides its box.
+  struct Item {
     CellRange cells;
     std::uint64_t serial = 0;  // order of adding, from 1; 0 in a free slot
     std::uint32_t generation = 1;
@@ -65,6 +64,7 @@ struct World::Impl {
   double cell_size;
   Mode mode;
   std::vector<Item> items;
+  std::vector<Rect> rects;  // beside the items, since a candidate costs little more than fetching its box
   std::vector<std::uint32_t> free_slots;
   std::size_t live = 0;
   std::uint64_t next_serial = 1;
@@ -90,7 +90,7 @@ struct World::Impl {
   CellRange cells_of(const Rect& rect) const;   // throws when it reaches beyond kMaxCell
   void place(std::uint32_t slot, const Rect& rect);
 
-  // Calls visit(slot) once for every item with a cell in the range.
+  // Calls visit(slot, id) once for every item with a cell in the range.
   template <class Callback>
   void for_candidates(const CellRange& range, Callback visit) const;
 
@@ -126,17 +126,10 @@ struct World::Impl {
 
 template <class Callback>
 void World::Impl::for_candidates(const CellRange& range, Callback visit) const {
-  if (range.empty()) return;
-  if (range.single()) {
-    if (const CellGrid::List* list = grid.find(range.left, range.top)) {
-      for (const std::uint32_t slot : *list) visit(slot);
-    }
-    return;
-  }
   // A long move may sweep more cells than there are items.
   if (range.count() > static_cast<std::int64_t>(64 + 4 * items.size())) {
     for (std::uint32_t slot = 0; slot < items.size(); ++slot) {
-      if (items[slot].cells.meets(range)) visit(slot);
+      if (items[slot].cells.meets(range)) visit(slot, id_of(slot));
     }
     return;
   }
@@ -144,10 +137,11 @@ void World::Impl::for_candidates(const CellRange& range, Callback visit) const {
     for (std::int32_t x = range.left; x <= range.right; ++x) {
       const CellGrid::List* list = grid.find(x, y);
       if (!list) continue;
-      for (const std::uint32_t slot : *list) {
-        // An item of several cells counts in the first that it shares with the range.
-        const CellRange& cells = items[slot].cells;
-        if (std::max(cells.left, range.left) == x && std::max(cells.top, range.top) == y) visit(slot);
+      // An item of several cells counts in the first that it shares with the range.
+      const std::uint32_t needed =
+          (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
+      for (const CellEntry& entry : *list) {
+        if ((entry.first & needed) == needed) visit(entry.slot, ItemId{entry.slot + 1, entry.generation});
       }
     }
   }
@@ -160,14 +154,14 @@ void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction 
   const double top = std::min(sweep.goal.y, box.y);
   const double right = std::max(sweep.goal.x + box.w, box.x + box.w);
   const double bottom = std::max(sweep.goal.y + box.h, box.y + box.h);
-  for_candidates(cells_of({left, top, right - left, bottom - top}), [&](std::uint32_t slot) {
+  for_candidates(cells_of({left, top, right - left, bottom - top}), [&](std::uint32_t slot, ItemId other_id) {
     if (slot == self) return;
-    const Response response = reaction(slot);
-    if (response == Response::ignore) return;
-    const Rect& other = items[slot].rect;
+    const Response response = reaction(slot, other_id);
+    const Rect& other = rects[slot];
     Contact contact;
     if (mode == Mode::robust) {
-      if (detect_robust(sweep, other, contact)) found(slot, response, contact);
+      if (response != Response::ignore && detect_robust(sweep, other, contact))
+        found(slot, response, contact);
       return;
     }
     const Sides difference = minkowski_difference(box, other);
