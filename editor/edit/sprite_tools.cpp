@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-bool lies_in_sheet(const SpriteArea& area) {
+[[maybe_unused]] bool lies_in_sheet(const SpriteArea& area) {
   const CellRect& t = area.tiles;
   constexpr int kRows = kTileCount / kSheetColumns;
   return t.x >= 0 && t.y >= 0 && t.w >= 1 && t.h >= 1 && t.x + t.w <= kSheetColumns && t.y + t.h <= kRows;
