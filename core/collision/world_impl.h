@@ -157,11 +157,11 @@ void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction 
   for_candidates(cells_of({left, top, right - left, bottom - top}), [&](std::uint32_t slot, ItemId other_id) {
     if (slot == self) return;
     const Response response = reaction(slot, other_id);
+    if (response == Response::ignore) return;
     const Rect& other = rects[slot];
     Contact contact;
     if (mode == Mode::robust) {
-      if (response != Response::ignore && detect_robust(sweep, other, contact))
-        found(slot, response, contact);
+      if (detect_robust(sweep, other, contact)) found(slot, response, contact);
       return;
     }
     const Sides difference = minkowski_difference(box, other);
