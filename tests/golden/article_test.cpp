@@ -1,5 +1,5 @@
-// The article solver, run by the program's own command, against the trajectories of the reference: every double
-// of every frame must be the same bits.
+// The article solver, run by the program's own command, against the trajectories of the reference: every
+// double of every frame must be the same bits.
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,9 @@ std::string run(std::vector<std::string> arguments) {
 }
 
 std::vector<std::string> sim_arguments(const std::string& name) {
-  std::vector<std::string> arguments = {"sim",     kFolder + name + ".lua", "--solver",    "article", "--frames",
-                                        std::to_string(kFrames), "--trace", "-", "--no-contacts"};
+  std::vector<std::string> arguments = {"sim",          kFolder + name + ".lua", "--solver", "article",
+                                        "--frames",     std::to_string(kFrames), "--trace",  "-",
+                                        "--no-contacts"};
   const std::string input = kFolder + name + ".input.jsonl";
   if (std::ifstream(input)) arguments.insert(arguments.end(), {"--input", input});
   return arguments;
