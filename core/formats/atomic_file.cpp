@@ -117,6 +117,8 @@ FormatResult<void> write_file_atomic(const std::string& path, std::string_view b
   const fs::path target = follow_links(path);
   struct stat old = {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT)
+    return failure("cannot be written", errno);  // a loop of links, a forbidden path
   if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
   if (exists && !S_ISREG(old.st_mode)) return write_in_place(target, bytes);
   // rename() would replace a write-protected file: its directory's permissions alone decide.

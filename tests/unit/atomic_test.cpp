@@ -1,0 +1,177 @@
+// Files that are old or new, never half: kills, full disks, links and permissions.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFileTest : public testing::Test {
+ protected:
+  AtomicFileTest() {
+    std::string name = testing::TempDir() + "talus_atomic_XXXXXX";
+    directory_ = mkdtemp(name.data());
+  }
+  ~AtomicFileTest() override {
+    fs::permissions(directory_, fs::perms::owner_all);
+    fs::remove_all(directory_);
+  }
+  std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  std::ptrdiff_t files() const {
+    return std::distance(fs::directory_iterator(directory_), fs::directory_iterator());
+  }
+
+  fs::path directory_;
+};
+
+TEST_F(AtomicFileTest, ReadsWhatItWrites) {
+  const std::string bytes("a\0b\n", 4);
+  ASSERT_TRUE(write_file_atomic(path("x"), bytes));
+  EXPECT_EQ(read_file(path("x")).value(), bytes);
+  ASSERT_TRUE(write_file_atomic(path("x"), ""));
+  EXPECT_EQ(read_file(path("x")).value(), "");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, UnreadableThingsAreErrors) {
+  EXPECT_EQ(read_file(path("none")).error().message, "cannot be opened: No such file or directory");
+  EXPECT_EQ(read_file(directory_.string()).error().message, "cannot be read: Is a directory");
+}
+
+TEST_F(AtomicFileTest, LargeAndEndlessFilesAreRefused) {
+  std::ofstream(path("big")).close();
+  fs::resize_file(path("big"), kMaxFileBytes);
+  EXPECT_EQ(read_file(path("big"))->size(), kMaxFileBytes);
+  fs::resize_file(path("big"), kMaxFileBytes + 1);
+  EXPECT_EQ(read_file(path("big")).error().message, "is larger than 64 MiB");
+  EXPECT_EQ(read_file("/dev/zero").error().message, "is larger than 64 MiB");
+}
+
+TEST_F(AtomicFileTest, ThePermissionsStay) {
+  ASSERT_TRUE(write_file_atomic(path("x"), "old"));
+  fs::permissions(path("x"), fs::perms{0640});
+  ASSERT_TRUE(write_file_atomic(path("x"), "new"));
+  EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms{0640});
+}
+
+TEST_F(AtomicFileTest, ANewFileHasTheUsualPermissions) {
+  const mode_t mask = umask(022);
+  const bool written = write_file_atomic(path("x"), "new").has_value();
+  umask(mask);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms{0644});
+}
+
+TEST_F(AtomicFileTest, LinksAreFollowed) {
+  fs::create_directory(path("there"));
+  fs::create_symlink("there/file", path("link"));
+  fs::create_symlink("link", path("link2"));
+  ASSERT_TRUE(write_file_atomic(path("link2"), "dangling"));
+  EXPECT_EQ(read_file(path("there/file")).value(), "dangling");
+  ASSERT_TRUE(write_file_atomic(path("link2"), "new"));
+  EXPECT_EQ(read_file(path("there/file")).value(), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")) && fs::is_symlink(path("link2")));
+  fs::create_symlink("loop", path("loop"));
+  EXPECT_FALSE(write_file_atomic(path("loop"), "x"));
+}
+
+TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenTo) {
+  EXPECT_EQ(write_file_atomic(directory_.string(), "x").error().message, "cannot be written: Is a directory");
+  EXPECT_EQ(write_file_atomic(path("none/x"), "x").error().message,
+            "cannot be written: No such file or directory");
+  ASSERT_TRUE(write_file_atomic("/dev/null", "x"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(write_file_atomic("/dev/full", "x").error().message,
+            "cannot be written: No space left on device");
+}
+
+TEST_F(AtomicFileTest, LongNamesWork) {
+  const std::string name(255, 'n');
+  ASSERT_TRUE(write_file_atomic(path(name), "x"));
+  EXPECT_EQ(read_file(path(name)).value(), "x");
+}
+
+// Runs `body` in a child process, as a user who may not everything; returns its exit status.
+template <class Body>
+int in_child(Body body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(99);
+    _exit(body());
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(AtomicFileTest, ProtectedFilesAndDirectoriesAreErrors) {
+  ASSERT_TRUE(write_file_atomic(path("x"), "old"));
+  fs::permissions(directory_, fs::perms{0777});
+  fs::permissions(path("x"), fs::perms{0444});
+  EXPECT_EQ(in_child([&] { return write_file_atomic(path("x"), "new") ? 1 : 0; }), 0);
+  fs::permissions(path("x"), fs::perms{0666});
+  fs::permissions(directory_, fs::perms{0555});
+  EXPECT_EQ(in_child([&] { return write_file_atomic(path("x"), "new") ? 1 : 0; }), 0);
+  fs::permissions(path("x"), fs::perms{0200});
+  EXPECT_EQ(in_child([&] { return read_file(path("x")) ? 1 : 0; }), 0);
+  fs::permissions(path("x"), fs::perms{0644});
+  EXPECT_EQ(read_file(path("x")).value(), "old");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
+  ASSERT_TRUE(write_file_atomic(path("x"), "old"));
+  fs::permissions(directory_, fs::perms{0777});
+  fs::permissions(path("x"), fs::perms{0666});
+  const int status = in_child([&] {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit = {1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const auto written = write_file_atomic(path("x"), std::string(5000, 'n'));
+    return !written && written.error().message == "cannot be written: File too large" ? 7 : 1;
+  });
+  EXPECT_EQ(status, 7);
+  EXPECT_EQ(read_file(path("x")).value(), "old");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, AKillAtAnyMomentLeavesOldOrNewWhole) {
+  const auto content = [](int number) { return std::string(200'000, static_cast<char>('a' + number % 26)); };
+  ASSERT_TRUE(write_file_atomic(path("x"), content(0)));
+  int changed = 0;
+  for (int round = 0; round < 60; ++round) {
+    const pid_t child = fork();
+    if (child == 0) {
+      for (int number = 1;; ++number) {
+        if (!write_file_atomic(path("x"), content(number))) _exit(1);
+      }
+    }
+    usleep(static_cast<useconds_t>(500 + 379 * round));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    const std::string bytes = read_file(path("x")).value();
+    ASSERT_EQ(bytes.size(), 200'000u);
+    ASSERT_EQ(std::count(bytes.begin(), bytes.end(), bytes[0]), 200'000);
+    changed += bytes[0] != 'a';
+  }
+  EXPECT_GT(changed, 0);  // else the kills came before the first save ended
+}
+
+}  // namespace
+}  // namespace talus
