@@ -265,7 +265,9 @@ FormatResult<std::shared_ptr<const CartOrigin>> take_cart(Json& cart, const Leve
   }
   if (!bytes) return tl::unexpected(bytes.error());
   if (!content) {
-    return error_at("cart", "is damaged at " + content.error().place + ": " + content.error().message);
+    const FormatError& error = content.error();
+    return error_at("cart",
+                    "is damaged" + (error.place.empty() ? "" : " at " + error.place) + ": " + error.message);
   }
   origin.bytes = *std::move(bytes);
   return std::make_shared<const CartOrigin>(std::move(origin));

@@ -1,0 +1,76 @@
+// The list of formats: which one a file is read and written in.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "formats/atomic_file.h"
+#include "formats/format.h"
+
+namespace talus {
+namespace {
+
+TEST(Formats, ErrorsNameTheFileAndThePlace) {
+  EXPECT_EQ(to_string({"line 3", "is bad"}, "a.lua"), "a.lua:line 3: error: is bad");
+  EXPECT_EQ(to_string({"", "is bad"}, "a.lua"), "a.lua: error: is bad");
+}
+
+TEST(Formats, AreFoundByIdAndByName) {
+  EXPECT_EQ(find_format("tic")->id, "tic");
+  EXPECT_EQ(find_format("text")->id, "text");
+  EXPECT_EQ(find_format("native")->id, "native");
+  EXPECT_EQ(find_format("png"), nullptr);
+  EXPECT_EQ(format_for_file("dir.tic/a.LUA")->id, "text");
+  EXPECT_EQ(format_for_file("a.tic")->id, "tic");
+  EXPECT_EQ(format_for_file("a.talus.json")->id, "native");
+  EXPECT_EQ(format_for_file("a.json")->id, "native");
+  EXPECT_EQ(format_for_file("a.png"), nullptr);
+  EXPECT_EQ(format_for_file("tic"), nullptr);
+}
+
+TEST(Formats, TheContextIsTheExtension) {
+  EXPECT_EQ(context_for_file("x/y.talus.JSON").extension, "json");
+  EXPECT_EQ(context_for_file("x.y/z").extension, "");
+  EXPECT_EQ(context_for_file("z").extension, "");
+}
+
+TEST(Formats, TheContentDecidesBeforeTheName) {
+  const std::string text = "x\n-- <MAP>\n-- </MAP>\n", native = R"({"talus": 1})", cart("\x04\x01\0\0m", 5);
+  for (const std::string extension : {"", "tic", "lua", "json", "txt"}) {
+    EXPECT_EQ(read_level(text, {extension})->format->id, "text") << extension;
+    EXPECT_EQ(read_level(native, {extension})->format->id, "native") << extension;
+    EXPECT_EQ(read_level(cart, {extension})->format->id, "tic") << extension;
+  }
+}
+
+TEST(Formats, TheNameDecidesWhenTheContentDoesNot) {
+  EXPECT_EQ(read_level("print()", {"lua"})->format->id, "text");
+  EXPECT_EQ(read_level("print()", {"tic"}).error().place, "byte 0");
+  EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1");
+  EXPECT_EQ(read_level("print()", {"txt"}).error().message,
+            "is no Talus level, TIC-80 cartridge or TIC-80 text project");
+}
+
+TEST(Formats, SaveAndLoad) {
+  const std::string path = testing::TempDir() + "talus_format_test.tic";
+  Level level;
+  level.map.set({2, 3}, 4);
+  level.spawns.resize(1);
+  EXPECT_THAT(save_level(level, *format_for_file(path), path).value(), testing::ElementsAre("1 spawn"));
+  const LoadedLevel loaded = load_level(path).value();
+  EXPECT_EQ(loaded.format->id, "tic");
+  EXPECT_EQ(loaded.level.map, level.map);
+  std::filesystem::remove(path);
+  EXPECT_EQ(load_level(path).error().message, "cannot be opened: No such file or directory");
+}
+
+TEST(Formats, AFailedSaveWritesNothing) {
+  const std::string path = testing::TempDir() + "talus_format_test.lua";
+  Level level;
+  level.map = TileMap(300, 1);
+  EXPECT_FALSE(save_level(level, *format_for_file(path), path));
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+}  // namespace
+}  // namespace talus

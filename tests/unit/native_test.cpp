@@ -1,0 +1,324 @@
+// Native levels: what they look like, what they keep, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "formats/format.h"
+#include "formats/native.h"
+#include "formats/tic_cart.h"
+#include "formats/tic_text.h"
+
+namespace talus {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Level read(const std::string& text) { return read_native(text, {}).value(); }
+std::string write(const Level& level) { return write_native(level, {}).value().bytes; }
+
+// A level with these members besides its version.
+std::string with(const std::string& members) { return R"({"talus": 1, )" + members + "}"; }
+
+void expect_error(const std::string& text, const std::string& place, const std::string& message) {
+  const auto level = read_native(text, {});
+  ASSERT_FALSE(level) << text;
+  EXPECT_EQ(level.error().place, place) << text;
+  EXPECT_EQ(level.error().message, message) << text;
+}
+
+Level small_level() {
+  Level level;
+  level.map = TileMap(3, 4);
+  level.map.set({1, 1}, 0x2a);
+  level.sheet(SheetId::tiles).images[3].fill(14);
+  level.sheet(SheetId::tiles).images[3][9] = 0;
+  level.sheet(SheetId::tiles).flags[3] = 0b101;
+  level.sheet(SheetId::sprites).flags[255] = 0x80;
+  level.flag_names[2] = "ramp";
+  level.roles.ball = FlagRoles::kUnused;
+  level.spawns.push_back({"hero", {8, 0.5}, {-1, 0}, ""});
+  return level;
+}
+
+constexpr const char* kSmallLevel = R"({
+  "talus": 1,
+  "palette": [
+    "1a1c2c",
+    "5d275d",
+    "b13e53",
+    "ef7d57",
+    "ffcd75",
+    "a7f070",
+    "38b764",
+    "257179",
+    "29366f",
+    "3b5dc9",
+    "41a6f6",
+    "73eff7",
+    "f4f4f4",
+    "94b0c2",
+    "566c86",
+    "333c57"
+  ],
+  "flag_names": [
+    "",
+    "",
+    "ramp",
+    "",
+    "",
+    "",
+    "",
+    ""
+  ],
+  "roles": {"solid": 0, "up_slope": 2, "down_slope": 3, "ball": null},
+  "tuning": {
+    "solver": "article",
+    "cell_size": 24,
+    "fall_speed": 5,
+    "fall_blend": 0.075,
+    "drift_speed": 0,
+    "drift_blend": 0.03,
+    "floor_bounce": 0.9,
+    "floor_grip": 0.75,
+    "wall_bounce": 0.9,
+    "slope_bounce": 0.5,
+    "slope_width": 16,
+    "slope_height": 8,
+    "drag_blend": 0.3,
+    "drag_offset": 4,
+    "drag_probe": 1,
+    "balls_block": 1
+  },
+  "spawns": [
+    {"name": "hero", "x": 8, "y": 0.5, "vx": -1, "vy": 0}
+  ],
+  "tiles": {
+    "3": {"flags": [0, 2], "pixels": "eeeeeeee e.eeeeee eeeeeeee eeeeeeee eeeeeeee eeeeeeee eeeeeeee eeeeeeee"}
+  },
+  "sprites": {
+    "255": {"flags": [7]}
+  },
+  "map": {
+    "width": 3,
+    "height": 4,
+    "rows": [
+      "",
+      "..2a"
+    ]
+  }
+}
+)";
+
+TEST(Native, LooksLikeThis) { EXPECT_EQ(write(small_level()), kSmallLevel); }
+
+TEST(Native, ReadsWhatItWrites) { EXPECT_EQ(read(kSmallLevel), small_level()); }
+
+TEST(Native, MissingKeysMeanTheDefaults) { EXPECT_EQ(read(R"({"talus": 1})"), Level()); }
+
+TEST(Native, OneChangedCellIsOneChangedLine) {
+  Level level = small_level();
+  level.map.set({2, 0}, 1);
+  std::string expected = kSmallLevel;
+  const std::string row = "      \"\",\n      \"..2a\"";
+  expected.replace(expected.find(row), row.size(), "      \"....01\",\n      \"..2a\"");
+  EXPECT_EQ(write(level), expected);
+}
+
+TEST(Native, KeepsUnknownKeysWhereTheyWere) {
+  const std::string text = R"({
+    "talus": 1,
+    "future": {"a": [1, {"b": null}], "c": 0.1},
+    "roles": {"solid": 1, "ladder": 5},
+    "tuning": {"fall_speed": 4, "wind": "west"},
+    "spawns": [{"x": 1, "kind": "coin"}],
+    "tiles": {"7": {"flags": [1], "sound": 3}, "300th": true},
+    "map": {"width": 2, "height": 2, "rows": ["01"], "wraps": true}
+  })";
+  const Level level = read(text);
+  EXPECT_EQ(level.spawns[0].extra, R"({"kind":"coin"})");
+  const std::string written = write(level);
+  for (const char* part : {R"("a": [)", R"("b": null)", R"("c": 0.1)", R"("ladder": 5)", R"("wind": "west")",
+                           R"("kind": "coin")", R"("sound": 3)", R"("300th": true)", R"("wraps": true)"}) {
+    EXPECT_THAT(written, HasSubstr(part));
+  }
+  EXPECT_EQ(read(written), level);
+  EXPECT_EQ(write(read(written)), written);
+}
+
+TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
+  Level level = read(with(R"("tiles": {"7": {"flags": [1], "sound": 3}}, "cart": {"label": "x"})"));
+  level.sheet(SheetId::tiles).flags[7] = 0;
+  const std::string written = write(level);
+  EXPECT_THAT(written, HasSubstr(R"("7": {"sound": 3})"));
+  EXPECT_THAT(written, HasSubstr(R"("cart": {"label": "x"})"));
+  EXPECT_EQ(read(written), level);
+}
+
+TEST(Native, ANewerVersionIsRefused) {
+  expect_error(R"({"talus": 2, "palette": 7})", "key talus",
+               "this level has version 2, and this Talus reads up to version 1");
+  expect_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
+  expect_error(R"({"map": {}})", "key talus", "is missing, so this is no Talus level");
+  expect_error("[]", "", "is JSON, but no Talus level");
+}
+
+TEST(Native, ErrorsSayWhere) {
+  expect_error("{\n\"talus\": 1,\n]", "line 3", "this is not valid JSON");
+  expect_error("{\"talus\": 1e999}", "", "has a number that is too large");
+  expect_error(with(R"("tuning": {"fall_speed": 900})"), "key tuning.fall_speed",
+               "must be a number from -64 to 64 px/frame");
+  expect_error(with(R"("tuning": {"fall_blend": "x"})"), "key tuning.fall_blend",
+               "must be a number from 0 to 1");
+  expect_error(with(R"("tuning": {"solver": "magic"})"), "key tuning.solver", "must be \"article\"");
+  expect_error(with(R"("tuning": [])"), "key tuning", "must be an object");
+  expect_error(with(R"("roles": {"solid": 8})"), "key roles.solid", "must be a flag from 0 to 7, or null");
+  expect_error(with(R"("palette": ["000000"])"), "key palette", "must be a list of 16 colours");
+  expect_error(with(R"("flag_names": [1])"), "key flag_names", "must be a list of up to 8 strings");
+  expect_error(with(R"("spawns": [{}, {"x": 2000000}])"), "key spawns[1].x",
+               "must be a number from -1000000 to 1000000");
+  expect_error(with(R"("spawns": [7])"), "key spawns[0]", "must be an object");
+  expect_error(with(R"("tiles": {"256": {}})"), "key tiles.256", "is no tile number from 0 to 255");
+  expect_error(with(R"("tiles": {"01": {}})"), "key tiles.01", "is no tile number from 0 to 255");
+  expect_error(with(R"("tiles": {"1": {"flags": [8]}})"), "key tiles.1.flags",
+               "must be a list of flags from 0 to 7");
+  expect_error(with(R"("sprites": {"9": {"pixels": "0"}})"), "key sprites.9.pixels",
+               "must be eight rows of eight hexadecimal digits");
+}
+
+TEST(Native, MapErrorsSayInWhichRow) {
+  expect_error(with(R"("map": {"width": 4097})"), "key map.width", "must be a whole number from 1 to 4096");
+  expect_error(with(R"("map": {"height": 0})"), "key map.height", "must be a whole number from 1 to 4096");
+  expect_error(with(R"("map": {"height": 1, "rows": ["", ""]})"), "key map.rows",
+               "has 2 rows, more than the map's height of 1");
+  expect_error(with(R"("map": {"width": 2, "rows": ["", "010101"]})"), "map row 1",
+               "is longer than the map's width of 2 cells");
+  expect_error(with(R"("map": {"rows": ["010"]})"), "map row 0", "must have two characters a cell");
+  expect_error(with(R"("map": {"rows": ["", "", "01.1"]})"), "map row 2",
+               "has a cell, number 1, that is no two hexadecimal digits");
+}
+
+TEST(Native, DeepAndEndlessJsonIsRefused) {
+  expect_error(std::string(100'000, '['), "line 1", "JSON is nested deeper here than 64 levels");
+  expect_error(with("\n\"x\": " + std::string(100'000, '[') + std::string(100'000, ']')), "line 2",
+               "JSON is nested deeper here than 64 levels");
+  std::string many = "[0";
+  for (int i = 0; i < 5'000'001; ++i) many += ",0";
+  expect_error(many, "line 1", "JSON has too many values");
+  EXPECT_EQ(read(with(R"("x": "[[[[\"[[[")")).extra, R"({"x":"[[[[\"[[["})");
+}
+
+TEST(Native, TheLargestMapComesBack) {
+  Level level;
+  level.map = TileMap(4096, 4096);
+  for (std::size_t i = 0; i < level.map.cells().size(); ++i)
+    level.map.cells()[i] = static_cast<std::uint8_t>(i * 7 + 1);
+  const std::string text = write(level);
+  EXPECT_LT(text.size(), 34'000'000u);
+  EXPECT_EQ(read(text), level);
+}
+
+TEST(Native, NumbersKeepEveryBit) {
+  Level level;
+  level.spawns.push_back({"", {0.1, -0.0}, {1.0 / 3, 1e-300}, ""});
+  const Level again = read(write(level));
+  EXPECT_EQ(again, level);
+  EXPECT_TRUE(std::signbit(again.spawns[0].position.y));
+}
+
+TEST(Native, WhatCouldNotBeReadIsNotWritten) {
+  Level level;
+  level.spawns.push_back({"", {std::numeric_limits<double>::quiet_NaN(), 0}, {}, ""});
+  EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
+  level.spawns[0] = {"\xff", {}, {}, ""};
+  EXPECT_EQ(write_native(level, {}).error().message, "a name of a flag or spawn is not valid UTF-8");
+  level.spawns.clear();
+  level.tuning.article.cell_size = 0;
+  EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");
+}
+
+std::string sample_cart() {
+  std::string bytes;
+  append_tic_chunk(bytes, {.type = 12, .data = std::string(96, 'p')});
+  append_tic_chunk(bytes, {.type = 4, .data = "abc"});
+  append_tic_chunk(bytes, {.type = 9, .bank = 2, .reserved = 7, .data = std::string(70, '\x5a')});
+  append_tic_chunk(bytes, {.type = 27, .data = "?"});
+  append_tic_chunk(bytes, {.type = kTicCode, .bank = 1, .data = std::string(65536, '\xff')});
+  append_tic_chunk(bytes, {.type = kTicCode, .data = "-- \"code\"\n\treturn"});
+  return bytes;
+}
+
+TEST(Native, ACartIsReadable) {
+  const std::string text = write(read_tic(sample_cart(), {}).value());
+  EXPECT_THAT(text, HasSubstr(R"({"chunk": "MAP", "data": "level"})"));
+  EXPECT_THAT(text,
+              HasSubstr("\"code\": [\n          \"-- \\\"code\\\"\",\n          \"\\treturn\"\n        ]"));
+  EXPECT_THAT(text, HasSubstr("\"chunk\": 27,\n        \"data\": [\n          \"3f\"\n        ]"));
+  EXPECT_THAT(text, HasSubstr("\"chunk\": \"SAMPLES\",\n        \"bank\": 2,\n        \"reserved\": 7,"));
+  EXPECT_EQ(write_tic(read(text), {})->bytes, sample_cart());
+}
+
+TEST(Native, AnEditOfACartLevelIsOneLine) {
+  Level level = read_tic(sample_cart(), {}).value();
+  const std::string before = write(level);
+  level.map.set({1, 0}, 0x11);
+  std::string expected = before;
+  expected.replace(expected.find("\"616263\""), 8, "\"611163\"");
+  EXPECT_EQ(write(level), expected);
+  EXPECT_EQ(write_tic(read(expected), {})->bytes, write_tic(level, {})->bytes);
+}
+
+TEST(Native, AMapTooLargeForItsCartKeepsTheCarts) {
+  Level level = read_tic(sample_cart(), {}).value();
+  level.map = TileMap(300, 300);
+  const std::string text = write(level);
+  const Level again = read(text);
+  EXPECT_EQ(again, level);
+  EXPECT_EQ(again.cart->bytes, sample_cart());
+}
+
+TEST(Native, ATextProjectIsKeptLineByLine) {
+  const std::string rows = "-- 000:1" + std::string(511, '0');
+  const std::string project = "code \"x\"\r\n\n-- <FLAGS>\n" + rows + "\n-- </FLAGS>\n-- <SFX>\n-- </SFX>";
+  const Level level = read_text(project, {"lua"}).value();
+  EXPECT_EQ(read(write(level)), level);
+  std::string plain = project;
+  std::erase(plain, '\r');
+  const std::string text = write(read_text(plain, {"lua"}).value());
+  EXPECT_THAT(text, HasSubstr("{\"level\": \"FLAGS\"}"));
+  EXPECT_THAT(text, Not(HasSubstr(rows)));
+  EXPECT_EQ(write_text(read(text), {"lua"})->bytes, plain);
+}
+
+TEST(Native, ATextProjectThatIsNoUtf8IsKept) {
+  const std::string project = "-- \xff\xfe\n-- <MAP>\n-- </MAP>\n";
+  EXPECT_EQ(write_text(read(write(read_text(project, {"lua"}).value())), {"lua"})->bytes, project);
+}
+
+TEST(Native, CartErrorsSayWhere) {
+  const auto expect = [](const std::string& cart, const std::string& place, const std::string& message) {
+    expect_error(with("\"cart\": {" + cart + "}"), place, message);
+  };
+  expect(R"("kind": "png")", "key cart.kind", "must be \"tic\" or \"text\"");
+  expect(R"("kind": "tic")", "key cart.chunks", "must be a list");
+  expect(R"("kind": "tic", "chunks": [])", "key cart", "is damaged: the file is empty");
+  expect(R"("kind": "tic", "chunks": [{"chunk": "MAPS"}])", "key cart.chunks[0].chunk",
+         "must be the name of a chunk, or its number from 0 to 31");
+  expect(R"("kind": "tic", "chunks": [{"chunk": 1, "bank": 8}])", "key cart.chunks[0].bank",
+         "must be a whole number from 0 to 7");
+  expect(R"("kind": "tic", "chunks": [{"chunk": 1, "data": ["0"]}])", "key cart.chunks[0].data",
+         "has a row that is no pairs of hexadecimal digits");
+  expect(R"("kind": "tic", "chunks": [{"chunk": "CODE"}])", "key cart.chunks[0]",
+         "has 0 bytes, which its header cannot say");
+  expect(R"("kind": "tic", "chunks": [{"chunk": 1, "date": []}])", "key cart.chunks[0]",
+         "has a key that no chunk has");
+  expect(R"("kind": "tic", "chunks": [{"chunk": "CODE_ZIP", "data": ["00"]}])", "key cart",
+         "is damaged at byte 0: the compressed code is damaged");
+  expect(R"("kind": "text", "comment": "%")", "key cart.comment", "must be \"--\", \"//\", \";;\" or \"#\"");
+  expect(R"("kind": "text", "comment": "#", "lines": [{"level": "SFX"}])", "key cart.lines[0]",
+         "names a section that the level has not, or a map too large for a cart");
+}
+
+}  // namespace
+}  // namespace talus
