@@ -157,14 +157,14 @@ class Linter {
     const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
     const bool inside =
         corner.x >= 0 && corner.y >= 0 && corner.x + kBallSize <= width && corner.y + kBallSize <= height;
-    if (!inside) {
-      add(Severity::warning, "spawn-outside", subject + " is not wholly on the map");
-      // Far away there are no tiles, and no int for the cell either.
-      if (!(corner.x > -kBallSize && corner.y > -kBallSize && corner.x < width && corner.y < height)) return;
-    }
-    const Cell corner_cell = {cell_of(corner.x), cell_of(corner.y)};
+    // Farther away there are no tiles, and perhaps no int for the cell either.
+    const bool touches =
+        corner.x > -kBallSize && corner.y > -kBallSize && corner.x < width && corner.y < height;
+    const Cell corner_cell = touches ? Cell{cell_of(corner.x), cell_of(corner.y)} : Cell{-1, -1};
     const std::optional<Cell> cell =
         level_.map.contains(corner_cell) ? std::optional(corner_cell) : std::nullopt;
+    if (!inside) add(Severity::warning, "spawn-outside", subject + " is not wholly on the map", cell);
+    if (!touches) return;
     if (!check_solids_under(corner, subject, cell)) check_slopes_under(corner, subject, cell, -1);
   }
 

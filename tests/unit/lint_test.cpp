@@ -1,0 +1,176 @@
+// Every rule of the lint, on small maps drawn here: '#' solid, 'o' ball, '/' up-slope, '\' down-slope, each
+// with its other half '-', '!' solid and up-slope, '.' empty, '?' a flagged slope's half without a drawing.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "formats/format.h"
+#include "level/lint.h"
+
+namespace talus {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+enum Tile : std::uint8_t { kEmpty, kSolid, kBall, kUp, kDown, kHalf, kBoth, kBlank };
+
+Level level_of(const std::vector<std::string>& rows) {
+  Level level;
+  level.map = TileMap(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
+  constexpr std::string_view kSigns = ".#o/\\-!?";
+  for (int y = 0; y < level.map.height(); ++y) {
+    for (int x = 0; x < level.map.width(); ++x) {
+      level.map.set({x, y}, static_cast<std::uint8_t>(kSigns.find(rows[y][x])));
+    }
+  }
+  Sheet& tiles = level.sheet(SheetId::tiles);
+  for (int tile = kSolid; tile < kBlank; ++tile) tiles.images[tile].fill(1);
+  tiles.flags[kSolid] = 1;
+  tiles.flags[kBall] = 2;
+  tiles.flags[kUp] = 4;
+  tiles.flags[kDown] = 8;
+  tiles.flags[kBoth] = 5;
+  return level;
+}
+
+// "E code (x, y) tile: message", the cell and the tile where there is one.
+std::vector<std::string> problems(const Level& level) {
+  std::vector<std::string> list;
+  for (const Problem& p : lint(level)) {
+    std::string text = p.severity == Severity::error ? "E " : "W ";
+    text += p.code;
+    if (p.cell) text += " (" + std::to_string(p.cell->x) + ", " + std::to_string(p.cell->y) + ")";
+    if (p.tile >= 0) text += " " + std::to_string(p.tile);
+    list.push_back(text + ": " + p.message);
+  }
+  return list;
+}
+
+TEST(Lint, AGoodLevelHasNoProblem) {
+  EXPECT_THAT(problems(level_of({"..o....o..",  //
+                                 "#./-##\\-.#", "##########"})),
+              IsEmpty());
+}
+
+TEST(Lint, NothingWillMove) {
+  Level level = level_of({"..", "##"});
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre("W no-balls: no ball is on the map and none is placed by hand, so nothing will move"));
+  level.spawns.push_back({});
+  EXPECT_THAT(problems(level), IsEmpty());
+}
+
+TEST(Lint, HalfOfASlopeIsNotDrawn) {
+  EXPECT_THAT(problems(level_of({"o./.\\?", "..-../"})),
+              ElementsAre("E slope-half-missing (2, 0) 3: tile 3 at (2, 0) is an up-slope, but the tile to "
+                          "its right is empty: half "
+                          "of the slope is not drawn",
+                          "E slope-half-missing (4, 0) 4: tile 4 at (4, 0) is a down-slope, but the tile to "
+                          "its right is empty: half "
+                          "of the slope is not drawn",
+                          "E slope-half-missing (5, 1) 3: tile 3 at (5, 1) is an up-slope, but the map ends "
+                          "at its right: the rest "
+                          "of the slope is cut off"));
+}
+
+TEST(Lint, ASlopeOverlapsItsNeighbour) {
+  EXPECT_THAT(problems(level_of({"o./#", "//-."})),
+              ElementsAre("E slope-overlap (2, 0) 3: tile 3 at (2, 0) is an up-slope, but the tile to its "
+                          "right is solid: it stands "
+                          "inside the slope's box",
+                          "E slope-overlap (0, 1) 3: tile 3 at (0, 1) is an up-slope, but the tile to its "
+                          "right has a slope's flag "
+                          "too: a slope is flagged on its left tile alone"));
+}
+
+TEST(Lint, ALongerSlopeNeedsMoreTiles) {
+  Level level = level_of({"o./--", "../-."});
+  level.tuning.article.slope_width = 24;
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre(
+          "E slope-half-missing (2, 1) 3: tile 3 at (2, 1) is an up-slope, but the tile 2 to its right is "
+          "empty: half of the slope is not drawn"));
+  level.tuning.article.slope_width = 8;
+  EXPECT_THAT(problems(level), IsEmpty());
+}
+
+TEST(Lint, ContradictingFlagsAreReportedOnceForATile) {
+  EXPECT_THAT(
+      problems(level_of({"o.!.", "!!!!"})),
+      ElementsAre(
+          "E flags-conflict (2, 0) 6: tile 6 has the flags of solid and up-slope; only the first, solid, "
+          "counts"));
+}
+
+TEST(Lint, AFlagWithTwoRoles) {
+  Level level = level_of({"o#"});
+  level.roles.up_slope = 0;
+  EXPECT_THAT(problems(level), ElementsAre("E shared-flag: flag 0 stands for both solid and up-slope"));
+  level.roles.up_slope = level.roles.down_slope = FlagRoles::kUnused;
+  EXPECT_THAT(problems(level), IsEmpty());
+}
+
+TEST(Lint, ABallInTheOtherHalfOfASlope) {
+  EXPECT_THAT(
+      problems(level_of({"/o.\\o"})),
+      ElementsAre(
+          "E spawn-in-slope (1, 0) 2: the ball at (1, 0) starts 6 px inside the up-slope at (0, 0)",
+          "E spawn-in-slope (4, 0) 2: the ball at (4, 0) starts 2 px inside the down-slope at (3, 0)"));
+}
+
+TEST(Lint, ASpawnInASolid) {
+  Level level = level_of({"....", ".##.", "...."});
+  level.spawns.push_back({"", {0, 0}, {}, ""});          // touches the solid tiles at its corner
+  level.spawns.push_back({"hero", {0.5, 0.5}, {}, ""});  // overlaps it
+  level.spawns.push_back({"", {16, 15.5}, {}, ""});
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre(
+          "E spawn-in-solid (0, 0): spawn \"hero\" at 0.5, 0.5 px starts inside the solid tile at (1, 1)",
+          "E spawn-in-solid (2, 1): spawn 2 at 16, 15.5 px starts inside the solid tile at (2, 1)"));
+}
+
+TEST(Lint, ASpawnInASlope) {
+  Level level = level_of({"....", "./-.", "####"});
+  level.spawns.push_back({"", {12, 2}, {}, ""});  // its centre is half way up: the floor is at 4
+  level.spawns.push_back({"", {12, 4}, {}, ""});
+  level.spawns.push_back({"", {12, 4.25}, {}, ""});
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre(
+          "E spawn-in-slope (1, 0): spawn 2 at 12, 4.25 px starts 0.25 px inside the up-slope at (1, 1)"));
+}
+
+TEST(Lint, ASpawnOutsideTheMap) {
+  Level level = level_of({"#.", ".."});
+  level.spawns.push_back({"", {9, 0}, {}, ""});
+  level.spawns.push_back({"", {-4, 2}, {}, ""});
+  level.spawns.push_back({"", {-1e6, 1e6}, {}, ""});
+  EXPECT_THAT(problems(level),
+              ElementsAre("E spawn-in-solid: spawn 1 at -4, 2 px starts inside the solid tile at (0, 0)",
+                          "W spawn-outside: spawn 1 at -4, 2 px is not wholly on the map",
+                          "W spawn-outside: spawn 2 at -1000000, 1000000 px is not wholly on the map",
+                          "W spawn-outside (1, 0): spawn 0 at 9, 0 px is not wholly on the map"));
+}
+
+TEST(Lint, TheScenesOfTheArticleAreGood) {
+  for (const std::string name : {"drag", "one", "s4", "s26", "s60", "six"}) {
+    EXPECT_THAT(problems(load_level(TALUS_SOURCE_DIR "/tests/golden/article/" + name + ".lua")->level),
+                IsEmpty())
+        << name;
+  }
+}
+
+TEST(Lint, ForeignCartsGetFewProblems) {
+  const auto count = [](const std::string& name) {
+    return problems(load_level(TALUS_SOURCE_DIR "/tests/golden/carts/" + name + "-data.tic")->level).size();
+  };
+  EXPECT_EQ(count("car"), 1u);  // no balls
+  EXPECT_EQ(count("tetris"), 1u);
+  EXPECT_EQ(count("quest"), 2u);  // and its tile 0 has every flag
+}
+
+}  // namespace
+}  // namespace talus
