@@ -1,0 +1,72 @@
+// The arithmetic of zooming and scrolling.
+#include "camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "level/tileset.h"
+
+namespace talus {
+namespace {
+
+constexpr std::array<float, 12> kZooms = {0.25f, 0.5f, 1, 2, 3, 4, 5, 6, 8, 10, 12, 16};
+constexpr double kKeptInSight = 48;  // px of the screen
+
+}  // namespace
+
+Cell CanvasView::to_cell(ImVec2 p) const {
+  const Vec2 at = to_level(p);
+  return {static_cast<int>(std::floor(at.x / kTileSize)), static_cast<int>(std::floor(at.y / kTileSize))};
+}
+
+Rect CanvasView::visible() const {
+  const Vec2 from = to_level(min), to = to_level(max);
+  return {from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
+float Camera::zoom() const { return kZooms[static_cast<std::size_t>(step_)]; }
+
+void Camera::zoom_at(ImVec2 at, int steps) {
+  const double before = zoom();
+  step_ = std::clamp(step_ + steps, 0, static_cast<int>(kZooms.size()) - 1);
+  const double ratio = zoom() / before;
+  offset_ = {std::round(at.x - (at.x - offset_.x) * ratio), std::round(at.y - (at.y - offset_.y) * ratio)};
+}
+
+void Camera::centre(Vec2 point, ImVec2 canvas) {
+  offset_ = {std::round(canvas.x / 2 - point.x * zoom()), std::round(canvas.y / 2 - point.y * zoom())};
+}
+
+void Camera::fit(Vec2 level, ImVec2 canvas) {
+  step_ = 0;
+  for (std::size_t i = 0; i < kZooms.size(); ++i)
+    if (level.x * kZooms[i] <= canvas.x && level.y * kZooms[i] <= canvas.y) step_ = static_cast<int>(i);
+  centre(level * 0.5, canvas);
+}
+
+void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {
+  if (before_) {
+    step_ = before_->step;
+    offset_ = before_->offset;
+    before_.reset();
+  } else {
+    before_ = Place{step_, offset_};
+    fit(map, canvas);
+  }
+}
+
+void Camera::clamp(Vec2 map, ImVec2 canvas) {
+  offset_.x = std::clamp(offset_.x, kKeptInSight - map.x * zoom(), canvas.x - kKeptInSight);
+  offset_.y = std::clamp(offset_.y, kKeptInSight - map.y * zoom(), canvas.y - kKeptInSight);
+}
+
+CanvasView Camera::view(ImVec2 min, ImVec2 size) const {
+  return {
+      min,
+      {min.x + size.x, min.y + size.y},
+      {min.x + std::round(static_cast<float>(offset_.x)), min.y + std::round(static_cast<float>(offset_.y))},
+      zoom()};
+}
+
+}  // namespace talus

@@ -1,0 +1,52 @@
+// Camera: which part of the level a canvas shows. Zoom is in whole steps and the level's origin on a whole
+// pixel, so pixel art stays sharp.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+
+#include "collision/geometry.h"
+
+namespace talus {
+
+// A canvas on the screen: from level px to screen px and back.
+struct CanvasView {
+  ImVec2 min, max;  // px of the screen
+  ImVec2 origin;    // where the level's (0,0) lies
+  float zoom = 1;   // screen px per level px
+
+  ImVec2 to_screen(Vec2 p) const {
+    return {origin.x + static_cast<float>(p.x * zoom), origin.y + static_cast<float>(p.y * zoom)};
+  }
+  Vec2 to_level(ImVec2 p) const { return {(p.x - origin.x) / zoom, (p.y - origin.y) / zoom}; }
+  Cell to_cell(ImVec2 p) const;
+  Rect visible() const;  // level px
+};
+
+class Camera {
+ public:
+  float zoom() const;
+  // Zooms by `steps` (> 0: in), keeping what lies at `at` in place; px from the canvas's corner.
+  void zoom_at(ImVec2 at, int steps);
+  void scroll(Vec2 pixels) { offset_ = offset_ - pixels; }  // px of the screen
+  void centre(Vec2 point, ImVec2 canvas);
+  // The largest zoom at which a level of this size, in px, fits; puts it in the middle.
+  void fit(Vec2 level, ImVec2 canvas);
+  // The whole map, or what was shown before that.
+  void toggle_whole(Vec2 map, ImVec2 canvas);
+  // Keeps part of the map in sight.
+  void clamp(Vec2 map, ImVec2 canvas);
+  CanvasView view(ImVec2 min, ImVec2 size) const;
+
+ private:
+  struct Place {
+    int step;
+    Vec2 offset;
+  };
+  int step_ = 3;
+  Vec2 offset_;                  // px of the screen, from the canvas's corner to the level's
+  std::optional<Place> before_;  // where to go back to from the whole map
+};
+
+}  // namespace talus

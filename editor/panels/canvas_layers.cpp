@@ -1,0 +1,190 @@
+// Drawing of the layers of a canvas.
+#include "canvas_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "overlay_painter.h"
+
+namespace talus {
+namespace {
+
+// The corner and the opposite corner of an image on its sheet's texture.
+struct SheetUv {
+  ImVec2 from, to;
+};
+SheetUv uv_of(int tile) {
+  const float side = 1.0f / kSheetColumns;
+  const ImVec2 from{static_cast<float>(tile % kSheetColumns) * side,
+                    static_cast<float>(tile / kSheetColumns) * side};
+  return {from, {from.x + side, from.y + side}};
+}
+
+// The cells of the map that can be seen.
+struct CellSpan {
+  int x0, y0, x1, y1;  // half open
+};
+CellSpan visible_cells(const TileMap& map, const CanvasView& view) {
+  const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
+  return {std::clamp(from.x, 0, map.width()), std::clamp(from.y, 0, map.height()),
+          std::clamp(to.x + 1, 0, map.width()), std::clamp(to.y + 1, 0, map.height())};
+}
+
+ImVec2 cell_corner(const CanvasView& view, int x, int y) {
+  return view.to_screen({static_cast<double>(x) * kTileSize, static_cast<double>(y) * kTileSize});
+}
+
+bool is_one_color(const TileImage& image) {
+  return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
+}
+
+// The image that a body is drawn with: its own tile, or the first ball tile; -1 when there is none.
+int image_of(const Level& level, const Body& body) {
+  if (body.origin.spawn < 0 && level.map.contains(body.origin.cell) &&
+      level.role_at(body.origin.cell) == TileRole::ball)
+    return level.map.at(body.origin.cell);
+  for (int tile = 0; tile < kTileCount; ++tile)
+    if (role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) == TileRole::ball)
+      return tile;
+  return -1;
+}
+
+void draw_body(ImDrawList& list, const Level& level, const Body& body, const CanvasView& view, const Ui& ui,
+               int alpha) {
+  const ImVec2 from = view.to_screen({body.box.x, body.box.y});
+  const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
+  const int tile = image_of(level, body);
+  if (tile >= 0) {
+    const SheetUv uv = uv_of(tile);
+    list.AddImage(ui.balls, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+  } else {
+    list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
+                         theme::color(theme::kText, alpha));
+  }
+}
+
+}  // namespace
+
+void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls) {
+  list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
+  const CellSpan cells = visible_cells(level.map, view);
+  if (cells.x0 >= cells.x1 || cells.y0 >= cells.y1) return;
+  // Most cells of most maps hold tile 0 in one colour: one rectangle below all, instead of a square each.
+  const TileImage& empty = level.sheet(SheetId::tiles).images[0];
+  const bool skip_empty = is_one_color(empty);
+  const Rgb background = level.palette[skip_empty ? empty[0] : 0];
+  list.AddRectFilled(cell_corner(view, cells.x0, cells.y0), cell_corner(view, cells.x1, cells.y1),
+                     theme::color(background));
+  std::array<bool, kTileCount> hidden{};
+  hidden[0] = skip_empty;
+  for (int tile = 0; hide_balls && tile < kTileCount; ++tile)
+    hidden[tile] |= role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) == TileRole::ball;
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      const int tile = level.map.at({x, y});
+      if (hidden[tile]) continue;
+      const SheetUv uv = uv_of(tile);
+      list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, x, y), cell_corner(view, x + 1, y + 1),
+                    uv.from, uv.to);
+    }
+  }
+}
+
+ImU32 flag_color(int flag, int alpha) {
+  constexpr std::array<std::uint32_t, kFlagCount> kColors = {0xff6188, 0xffd866, 0x78dce8, 0xab9df2,
+                                                             0xa9dc76, 0xfc9867, 0x66d9c0, 0xd0d0d0};
+  return theme::color(kColors[static_cast<std::size_t>(flag)], alpha);
+}
+
+void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, int flag) {
+  const CellSpan cells = visible_cells(level.map, view);
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      if (!((level.tile_flags(level.map.at({x, y})) >> flag) & 1)) continue;
+      const ImVec2 from = cell_corner(view, x, y), to = cell_corner(view, x + 1, y + 1);
+      list.AddRectFilled(from, to, flag_color(flag, 110));
+      if (view.zoom >= 2) list.AddRect(from, to, flag_color(flag, 220));
+    }
+  }
+}
+
+void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view) {
+  if (view.zoom < 2) return;  // lines would be all that is seen
+  const CellSpan cells = visible_cells(map, view);
+  const ImU32 color = theme::color(theme::kText, 26);
+  const ImVec2 from = cell_corner(view, cells.x0, cells.y0), to = cell_corner(view, cells.x1, cells.y1);
+  for (int x = cells.x0; x <= cells.x1; ++x) {
+    const float sx = cell_corner(view, x, 0).x;
+    list.AddRectFilled({sx, from.y}, {sx + 1, to.y}, color);
+  }
+  for (int y = cells.y0; y <= cells.y1; ++y) {
+    const float sy = cell_corner(view, 0, y).y;
+    list.AddRectFilled({from.x, sy}, {to.x, sy + 1}, color);
+  }
+}
+
+void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale) {
+  const float width = std::max(1.0f, std::round(scale));
+  const ImU32 color = theme::color(theme::kAccent, 150);
+  const ImVec2 from = cell_corner(view, 0, 0), to = cell_corner(view, map.width(), map.height());
+  const auto line = [&](ImVec2 a, ImVec2 b) { list.AddRectFilled(a, b, color); };
+  for (int x = 0; x < map.width() + kScreenColumns; x += kScreenColumns) {
+    const float sx = cell_corner(view, std::min(x, map.width()), 0).x;
+    if (sx >= view.min.x - width && sx <= view.max.x) line({sx, from.y}, {sx + width, to.y});
+  }
+  for (int y = 0; y < map.height() + kScreenRows; y += kScreenRows) {
+    const float sy = cell_corner(view, 0, std::min(y, map.height())).y;
+    if (sy >= view.min.y - width && sy <= view.max.y) line({from.x, sy}, {to.x, sy + width});
+  }
+}
+
+void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha) {
+  const Rect visible = view.visible();
+  for (const Body& body : session.state().bodies) {
+    const bool outside = body.box.right() < visible.x || body.box.x > visible.right() ||
+                         body.box.bottom() < visible.y || body.box.y > visible.bottom();
+    if (!outside) draw_body(list, session.level(), body, view, ui, alpha);
+  }
+  if (const Body* chosen = session.state().find(session.choices().body)) {
+    const float gap = ui.px(2);
+    ImVec2 from = view.to_screen({chosen->box.x, chosen->box.y});
+    ImVec2 to = view.to_screen({chosen->box.right(), chosen->box.bottom()});
+    from = {from.x - gap, from.y - gap};
+    to = {to.x + gap, to.y + gap};
+    list.AddRect(from, to, theme::color(theme::kDark, 200), 0, 0, ui.px(1) + 2);
+    list.AddRect(from, to, theme::color(theme::kAccent), 0, 0, ui.px(1));
+  }
+}
+
+void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
+                   float scale) {
+  if (overlays.empty()) return;
+  std::vector<Rect> bodies;
+  for (const Body& body : session.state().bodies) bodies.push_back(body.box);
+  const OverlayDrawing drawing = make_overlays(session.scene(), session.state(), session.record(), overlays,
+                                               view.visible(), session.choices().body);
+  paint_overlays(list, drawing, bodies, view, scale);
+}
+
+void draw_stamp_ghost(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view,
+                      const Ui& ui) {
+  const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
+  for (int y = std::max(cells.y, from.y); y <= std::min(cells.y + cells.h - 1, to.y); ++y) {
+    for (int x = std::max(cells.x, from.x); x <= std::min(cells.x + cells.w - 1, to.x); ++x) {
+      const SheetUv uv = uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
+      list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, x, y), cell_corner(view, x + 1, y + 1),
+                    uv.from, uv.to, IM_COL32(255, 255, 255, 150));
+    }
+  }
+}
+
+void draw_cell_frame(ImDrawList& list, CellRect cells, const CanvasView& view, ImU32 color, float width) {
+  const ImVec2 from = cell_corner(view, cells.x, cells.y);
+  const ImVec2 to = cell_corner(view, cells.x + cells.w, cells.y + cells.h);
+  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark, 200), 0, 0,
+               width + 2);
+  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, width);
+}
+
+}  // namespace talus

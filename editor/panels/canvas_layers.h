@@ -1,0 +1,28 @@
+// The layers of a canvas, from the bottom up. The editor's canvases and `talus shot` draw the same ones.
+#pragma once
+
+#include "camera.h"
+#include "session/session.h"
+#include "ui.h"
+
+namespace talus {
+
+// The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as play does.
+void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
+// Tints the cells whose tile has the flag.
+void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, int flag);
+ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the flags panel
+void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);
+void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale);
+// The bodies where they are now; the chosen one is framed. `alpha`: 0 to 255.
+void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha);
+// The overlays of the last step.
+void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
+                   float scale);
+// The stamp, half clear, with its top-left cell at `at`; `repeat`: the cells to fill with it.
+void draw_stamp_ghost(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view,
+                      const Ui& ui);
+// A frame around cells, dark below so that it shows on any art.
+void draw_cell_frame(ImDrawList& list, CellRect cells, const CanvasView& view, ImU32 color, float width);
+
+}  // namespace talus

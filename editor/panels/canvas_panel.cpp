@@ -1,0 +1,111 @@
+// The toolbar and the split of the canvases.
+#include "canvas_panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "commands.h"
+#include "splitter.h"
+
+namespace talus {
+namespace {
+
+struct ToolButton {
+  std::string_view command;
+  Icon icon;
+};
+
+void draw_mode(std::string_view widget, std::string_view label, std::string_view id, const Session& session,
+               Actions& actions, Ui& ui) {
+  const Command& command = find_command(id);
+  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command)))
+    command.run(session, actions, ui);
+}
+
+// "flag 2  up-slope": its own name, else its role.
+std::string flag_text(const Level& level, int flag) {
+  std::string name = level.flag_names[static_cast<std::size_t>(flag)];
+  for (const FlagRoleInfo& info : flag_role_infos())
+    if (name.empty() && level.roles.*info.flag == flag) name = info.label;
+  return "flag " + std::to_string(flag) + (name.empty() ? "" : "  " + name);
+}
+
+}  // namespace
+
+void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_toolbar(session, actions, ui);
+  switch (ui.view.canvas) {
+    case CanvasMode::map:
+      map_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
+      break;
+    case CanvasMode::play:
+      play_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
+      break;
+    case CanvasMode::both:
+      draw_both(session, actions, ui);
+      break;
+  }
+}
+
+void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float bar = ui.px(kSplitterWidth), least = ui.px(80);
+  float upper = static_cast<float>(ui.view.layout.canvas_split) * room.y;
+  upper = std::clamp(upper, std::min(least, room.y / 2), std::max(room.y - least - bar, room.y / 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  map_.draw(session, actions, ui, {room.x, upper});
+  const float moved = splitter("canvas/split", {room.x, bar}, SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.layout.canvas_split = (upper + moved) / room.y;
+  play_.draw(session, actions, ui, {room.x, room.y - upper - bar});
+  ImGui::PopStyleVar();
+}
+
+void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
+  draw_mode("canvas/map", "Map", "canvas/map", session, actions, ui);
+  ImGui::SameLine();
+  draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
+  ImGui::SameLine();
+  draw_mode("canvas/both", "Map + Play", "canvas/both", session, actions, ui);
+  constexpr ToolButton kTools[] = {{"map/stamp", Icon::stamp},         {"map/pan", Icon::pan},
+                                   {"map/rectangle", Icon::rectangle}, {"map/fill", Icon::fill},
+                                   {"map/erase", Icon::erase},         {"map/pick", Icon::pick}};
+  const float button = ui.px(theme::kButton);
+  ui.same_line_if_fits(6 * (button + ui.px(4)) + ui.px(8));
+  ImGui::Dummy({ui.px(4), 0});
+  for (const ToolButton& tool : kTools) {
+    ui.same_line_if_fits(button);
+    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
+  }
+  ui.same_line_if_fits(ui.px(4) + button);
+  ImGui::Dummy({ui.px(4), 0});
+  constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
+                                  {"canvas/zoom_in", Icon::zoom_in},
+                                  {"map/fit", Icon::fit},
+                                  {"canvas/grid", Icon::grid},
+                                  {"canvas/borders", Icon::borders},
+                                  {"canvas/paint_in_play", Icon::pencil}};
+  for (const ToolButton& tool : kView) {
+    if (tool.command == "canvas/paint_in_play" && ui.view.canvas == CanvasMode::map) continue;
+    ui.same_line_if_fits(button);
+    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
+  }
+  ui.same_line_if_fits(ui.px(120));
+  draw_flag_tint_choice(session, actions, ui);
+}
+
+void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
+  const auto flag = session.choices().flag_overlay;
+  const std::string now = flag ? flag_text(session.level(), *flag) : "no tint";
+  ImGui::SetNextItemWidth(ui.px(120));
+  const bool open = ImGui::BeginCombo("##tint", now.c_str());
+  const Command& command = find_command("canvas/flag_tint");
+  ui.item("canvas/flag_tint", "Tints the cells whose tile has a flag, in both views.", keys_of(command));
+  if (!open) return;
+  if (ImGui::Selectable("no tint", !flag)) actions.push_back(action::SetFlagOverlay{});
+  for (int i = 0; i < kFlagCount; ++i)
+    if (ImGui::Selectable(flag_text(session.level(), i).c_str(), flag == i))
+      actions.push_back(action::SetFlagOverlay{i});
+  ImGui::EndCombo();
+}
+
+}  // namespace talus

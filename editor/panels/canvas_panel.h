@@ -1,0 +1,24 @@
+// The middle of the window: the map, the play view, or both, below a toolbar.
+#pragma once
+
+#include "level_canvas.h"
+#include "panel.h"
+
+namespace talus {
+
+class CanvasPanel : public Panel {
+ public:
+  std::string_view id() const override { return "canvas"; }
+  std::string_view title() const override { return "Level"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_toolbar(const Session& session, Actions& actions, Ui& ui);
+  void draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui);
+  void draw_both(const Session& session, Actions& actions, Ui& ui);
+
+  LevelCanvas map_{LevelCanvas::Kind::map};
+  LevelCanvas play_{LevelCanvas::Kind::play};
+};
+
+}  // namespace talus

@@ -1,0 +1,47 @@
+// Commands: everything that has a key, in one table. The shortcuts, the menus, the tooltips, the help window
+// and the command palette are all made from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "keys.h"
+#include "session/session.h"
+#include "ui.h"
+
+namespace talus {
+
+// Where a command's keys work.
+enum class Scope { everywhere, sprites, map };
+
+struct Command {
+  std::string_view id;     // "play/step", also the name of its widgets
+  std::string_view label;  // in menus and the help: "Step one frame"
+  std::string_view help;   // one sentence for the tooltip
+  Scope scope = Scope::everywhere;
+  KeyChord key, other_key;  // other_key: a second one, as other programs have it
+  bool repeats = false;     // held down, it runs again and again
+  void (*run)(const Session&, Actions&, Ui&) = nullptr;
+  bool (*enabled)(const Session&, const Ui&) = nullptr;  // null: always
+  bool (*checked)(const Session&, const Ui&) = nullptr;  // null: no switch
+
+  bool is_enabled(const Session& session, const Ui& ui) const { return !enabled || enabled(session, ui); }
+  bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }
+};
+
+std::span<const Command> commands();
+// The command must exist (asserted).
+const Command& find_command(std::string_view id);
+// "F5", or "Ctrl+Y, Ctrl+Shift+Z".
+std::string keys_of(const Command& command);
+std::string_view scope_label(Scope scope);
+
+// Runs the command of a key, if there is one where the focus is. True when there was.
+bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui);
+
+// A button that runs a command and shows its state, help and keys.
+void command_button(std::string_view widget, std::string_view command, Icon icon, const Session& session,
+                    Actions& actions, Ui& ui);
+
+}  // namespace talus

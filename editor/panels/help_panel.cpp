@@ -1,0 +1,85 @@
+// The window of keys, from the table of commands.
+#include "help_panel.h"
+
+#include "commands.h"
+
+namespace talus {
+namespace {
+
+struct MouseHelp {
+  const char* what;
+  const char* how;
+};
+constexpr MouseHelp kMouse[] = {
+    {"left button on the map", "the chosen tool"},
+    {"right or middle button, or Space and left", "drags the view"},
+    {"wheel on the map or play view", "zooms at the mouse"},
+    {"left button on a ball in the play view", "chooses it and holds it"},
+    {"left and right button on the pixels", "draw with their two colours"},
+    {"middle button on the pixels", "picks the colour"},
+    {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
+    {"a file dropped on the window", "is opened"},
+};
+
+bool begin_help_table(const char* id, Ui& ui, float first) {
+  if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg)) return false;
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ui.px(first));
+  ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, ui.px(170));
+  ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+  return true;
+}
+
+void draw_scope(Scope scope, Ui& ui) {
+  ImGui::Spacing();
+  ui.heading(scope_label(scope));
+  if (!begin_help_table(scope_label(scope).data(), ui, 150)) return;
+  for (const Command& command : commands()) {
+    if (command.scope != scope) continue;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
+    ImGui::TextUnformatted(keys_of(command).c_str());
+    ImGui::PopStyleColor();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(command.label.data(), command.label.data() + command.label.size());
+    ImGui::TableNextColumn();
+    ui.hint(command.help);
+  }
+  ImGui::EndTable();
+}
+
+void draw_mouse(Ui& ui) {
+  ui.heading("The mouse");
+  if (!ImGui::BeginTable("mouse", 2, ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ui.px(324));
+  ImGui::TableSetupColumn("how", ImGuiTableColumnFlags_WidthStretch);
+  for (const MouseHelp& row : kMouse) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.what);
+    ImGui::TableNextColumn();
+    ui.hint(row.how);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
+  if (!ui.view.help_open) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(ui.px(880), window.x - ui.px(64)), window.y - ui.px(96)},
+                           ImGuiCond_Appearing);
+  if (ImGui::Begin("Keys and mouse", &ui.view.help_open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    draw_mouse(ui);
+    for (Scope scope : {Scope::everywhere, Scope::map, Scope::sprites}) draw_scope(scope, ui);
+    ui.place("help/window", ImGui::GetWindowPos(),
+             {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+              ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+  }
+  ImGui::End();
+}
+
+}  // namespace talus

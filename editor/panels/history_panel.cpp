@@ -1,0 +1,30 @@
+// The undo list.
+#include "history_panel.h"
+
+#include <string>
+
+namespace talus {
+
+void HistoryPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  const UndoStack& history = session.history();
+  const auto& edits = history.edits();
+  if (edits.empty()) {
+    ui.hint("Nothing changed yet: what you paint is listed here, and a click goes back to it.");
+    return;
+  }
+  std::size_t wanted = history.position();
+  ImGui::BeginChild("list");
+  for (std::size_t i = 0; i <= edits.size(); ++i) {
+    const std::string label = i == 0 ? "as opened" : edits[i - 1].label;
+    const bool undone = i > history.position();
+    if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+    if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), i == history.position())) wanted = i;
+    if (undone) ImGui::PopStyleColor();
+    ui.item("history/entry" + std::to_string(i), "Undoes or redoes up to here.");
+  }
+  ImGui::EndChild();
+  for (std::size_t i = history.position(); i > wanted; --i) actions.push_back(action::Undo{});
+  for (std::size_t i = history.position(); i < wanted; ++i) actions.push_back(action::Redo{});
+}
+
+}  // namespace talus

@@ -1,0 +1,36 @@
+// Small vector icons, drawn so that no font has to have them.
+#pragma once
+
+#include <imgui.h>
+
+namespace talus {
+
+enum class Icon {
+  none,
+  reset,
+  play,
+  pause,
+  step,
+  stamp,
+  pan,
+  rectangle,
+  fill,
+  erase,
+  pick,
+  pencil,
+  flip_horizontal,
+  flip_vertical,
+  rotate,
+  clear,
+  grid,
+  borders,
+  zoom_in,
+  zoom_out,
+  fit,
+  close,
+};
+
+// Fills the square from `at` of side `size` px.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
+
+}  // namespace talus

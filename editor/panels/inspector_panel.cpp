@@ -1,0 +1,184 @@
+// The body's numbers and the table of contacts.
+#include "inspector_panel.h"
+
+#include <array>
+#include <string>
+
+namespace talus {
+namespace {
+
+constexpr std::array<const char*, 5> kResponseNames = {"ignore", "touch", "cross", "slide", "bounce"};
+
+std::string_view response_label(Response response) {
+  const auto i = static_cast<std::size_t>(response);
+  return i < kResponseNames.size() ? kResponseNames[i] : "own";
+}
+
+std::string_view role_label(TileRole role) {
+  if (role == TileRole::solid) return "solid";
+  for (const FlagRoleInfo& info : flag_role_infos())
+    if (info.role == role) return info.label;
+  return "none";
+}
+
+std::string obstacle_text(const Obstacle& other) {
+  if (other.body != 0) return "body " + std::to_string(other.body);
+  return std::string(role_label(other.role)) + " " + std::to_string(other.cell.x) + "," +
+         std::to_string(other.cell.y);
+}
+
+// A number with two decimals, at the right edge; all its digits in the tooltip, and copied by a click.
+void draw_number(const char* id, double value, Ui& ui) {
+  ImGui::PushID(id);
+  const std::string text = two_decimals(value), digits = all_digits(value);
+  const float width = ImGui::CalcTextSize(text.c_str()).x, room = ImGui::GetContentRegionAvail().x;
+  if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+  ImGui::TextUnformatted(text.c_str());
+  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(digits.c_str());
+  ui.tooltip(digits, "click to copy");
+  ImGui::PopID();
+}
+
+void draw_text_cell(std::string_view text, Ui& ui) {
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ui.tooltip(text);
+}
+
+void draw_body_row(const char* label, const char* unit, Vec2 v, Ui& ui) {
+  ImGui::PushID(label);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ui.heading(label);
+  ImGui::TableNextColumn();
+  draw_number("x", v.x, ui);
+  ImGui::TableNextColumn();
+  draw_number("y", v.y, ui);
+  ImGui::TableNextColumn();
+  ui.heading(unit);
+  ImGui::PopID();
+}
+
+void draw_body(const Body& body, Ui& ui) {
+  if (!ImGui::BeginTable("body", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("");
+  ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
+  ImGui::TableSetupColumn("y", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
+  ImGui::TableSetupColumn("");
+  ImGui::TableNextRow();
+  ImGui::TableSetColumnIndex(1);
+  ui.right_aligned("x", theme::color(theme::kMuted));
+  ImGui::TableSetColumnIndex(2);
+  ui.right_aligned("y", theme::color(theme::kMuted));
+  draw_body_row("position", "px", body.box.position(), ui);
+  draw_body_row("velocity", "px/frame", body.velocity, ui);
+  draw_body_row("size", "px", {body.box.w, body.box.h}, ui);
+  ImGui::EndTable();
+}
+
+void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
+  ImGui::TableNextColumn();
+  ui.right_aligned(std::to_string(contact.order + 1));
+  ImGui::TableNextColumn();
+  draw_text_cell(obstacle_text(contact.other), ui);
+  ImGui::TableNextColumn();
+  draw_text_cell(response_label(contact.response), ui);
+  ImGui::TableNextColumn();
+  draw_number("t", contact.ti, ui);
+  ImGui::TableNextColumn();
+  ui.right_aligned(std::to_string(static_cast<int>(contact.normal.x)) + "," +
+                   std::to_string(static_cast<int>(contact.normal.y)));
+  ImGui::TableNextColumn();
+  if (contact.slope) draw_number("delta", contact.slope->delta, ui);
+  ImGui::TableNextColumn();
+  if (contact.slope) draw_number("floor", contact.slope->floor_y, ui);
+  ImGui::TableNextColumn();
+  draw_text_cell(contact.handled ? "yes" : "no", ui);
+}
+
+struct Column {
+  const char* title;
+  float width;  // px at scale 1; 0 takes what is left
+  const char* help;
+};
+constexpr std::array<Column, 8> kColumns = {{
+    {"#", 14, "The order in which the step met them."},
+    {"other", 0, "The tile and its cell, or the other body."},
+    {"resp.", 40, "How the body reacted."},
+    {"t", 38,
+     "Time of impact, a fraction of the move; minus the overlap area, px\xc2\xb2, if the boxes overlapped."},
+    {"n", 30, "The normal out of the other."},
+    {"delta", 34, "How far along the slope the centre is, from 0 to 1."},
+    {"floor", 48, "The computed floor height, px, before rounding."},
+    {"done", 32, "Whether it was handled; a slope correction skips the contacts after it."},
+}};
+
+void draw_contact_header(Ui& ui) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const Column& column : kColumns) {
+    ImGui::TableNextColumn();
+    ui.heading(column.title);
+    ui.tooltip(column.help);
+  }
+}
+
+void draw_contacts(const StepRecord& record, int body, Ui& ui) {
+  constexpr ImGuiTableFlags kFlags =
+      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(3), ui.px(2)));
+  if (ImGui::BeginTable("contacts", static_cast<int>(kColumns.size()), kFlags,
+                        ImGui::GetContentRegionAvail())) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (const Column& column : kColumns)
+      ImGui::TableSetupColumn(
+          column.title,
+          column.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+          ui.px(column.width));
+    draw_contact_header(ui);
+    for (const ContactRecord& contact : record.contacts) {
+      if (contact.body != body) continue;
+      ImGui::TableNextRow();
+      ImGui::PushID(contact.order);
+      if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+      draw_contact_cells(contact, ui);
+      if (!contact.handled) ImGui::PopStyleColor();
+      ImGui::PopID();
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
+int count_contacts(const StepRecord& record, int body) {
+  int count = 0;
+  for (const ContactRecord& contact : record.contacts) count += contact.body == body;
+  return count;
+}
+
+}  // namespace
+
+void InspectorPanel::draw(const Session& session, Actions&, Ui& ui) {
+  const Body* body = session.state().find(session.choices().body);
+  if (body == nullptr) {
+    ui.hint(session.state().bodies.empty()
+                ? "No body in this level: paint a tile that has the ball flag on the map."
+                : "No body chosen: click one in the play view.");
+    return;
+  }
+  std::string name = "Body " + std::to_string(body->id);
+  name += body->origin.spawn >= 0 ? "  (spawn " + std::to_string(body->origin.spawn + 1) + ")"
+                                  : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
+                                        std::to_string(body->origin.cell.y) + ")";
+  if (session.state().grabbed == body->id) name += ", held";
+  ImGui::TextUnformatted(name.c_str());
+  draw_body(*body, ui);
+  ImGui::Spacing();
+  if (session.state().frame == 0) {
+    ui.hint("No step yet: F10 makes one, and its contacts are listed here.");
+    return;
+  }
+  const int contacts = count_contacts(session.record(), body->id);
+  ui.heading(contacts == 0 ? "No contact in the last step." : "Contacts of the last step, in order");
+  if (contacts > 0) draw_contacts(session.record(), body->id, ui);
+}
+
+}  // namespace talus

@@ -1,0 +1,45 @@
+// Names of keys.
+#include "keys.h"
+
+namespace talus {
+namespace {
+
+std::string key_name(int key) {
+  switch (key) {
+    case kNoKey:
+      return "";
+    case kKeyTab:
+      return "Tab";
+    case kKeyDelete:
+      return "Del";
+    case kKeyHome:
+      return "Home";
+    case kKeyEnd:
+      return "End";
+    case kKeyLeft:
+      return "Left";
+    case kKeyRight:
+      return "Right";
+    case kKeyUp:
+      return "Up";
+    case kKeyDown:
+      return "Down";
+    case ' ':
+      return "Space";
+    default:
+      break;
+  }
+  if (key >= kKeyF1 && key <= kKeyF12) return "F" + std::to_string(key - kKeyF1 + 1);
+  if (key >= 'a' && key <= 'z') key += 'A' - 'a';
+  return std::string(1, static_cast<char>(key));
+}
+
+}  // namespace
+
+std::string to_string(KeyChord chord) {
+  if (!chord) return "";
+  return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") + (chord.shift ? "Shift+" : "") +
+         key_name(chord.key);
+}
+
+}  // namespace talus

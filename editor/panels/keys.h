@@ -1,0 +1,41 @@
+// Keys and their names, without any windowing library.
+#pragma once
+
+#include <string>
+
+namespace talus {
+
+// A key: a printable one is its character in lower case ('a', '[', '`'); the others have values from 256 on.
+enum Key : int {
+  kNoKey = 0,
+  kKeyTab = 256,
+  kKeyDelete,
+  kKeyHome,
+  kKeyEnd,
+  kKeyLeft,
+  kKeyRight,
+  kKeyUp,
+  kKeyDown,
+  kKeyF1,
+  kKeyF2,
+  kKeyF3,
+  kKeyF5 = kKeyF1 + 4,
+  kKeyF10 = kKeyF1 + 9,
+  kKeyF12 = kKeyF1 + 11,
+};
+
+struct KeyChord {
+  int key = kNoKey;
+  bool ctrl = false, shift = false, alt = false;
+  explicit operator bool() const { return key != kNoKey; }
+  friend bool operator==(const KeyChord&, const KeyChord&) = default;
+};
+
+constexpr KeyChord ctrl(int key) { return {key, true, false, false}; }
+constexpr KeyChord shift(int key) { return {key, false, true, false}; }
+constexpr KeyChord ctrl_shift(int key) { return {key, true, true, false}; }
+constexpr KeyChord alt(int key) { return {key, false, false, true}; }
+
+std::string to_string(KeyChord chord);  // "Ctrl+Shift+S"; empty for no key
+
+}  // namespace talus

@@ -1,0 +1,181 @@
+// The canvas: camera, mouse and the order of the layers.
+#include "level_canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "canvas_layers.h"
+#include "overlay_painter.h"
+
+namespace talus {
+namespace {
+
+Vec2 size_in_pixels(const TileMap& map) {
+  return {static_cast<double>(map.width()) * kTileSize, static_cast<double>(map.height()) * kTileSize};
+}
+
+// The topmost body at a point, with some tolerance for the hand; 0 when there is none.
+int body_at(const State& state, Vec2 p, double tolerance) {
+  int found = 0;
+  for (const Body& body : state.bodies) {
+    const Rect& b = body.box;
+    if (p.x >= b.x - tolerance && p.x <= b.right() + tolerance && p.y >= b.y - tolerance &&
+        p.y <= b.bottom() + tolerance)
+      found = body.id;
+  }
+  return found;
+}
+
+// A text on a dark plate, so that it can be read over any art. Returns its width.
+float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 pad{ui.px(6), ui.px(2)};
+  list.AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
+                     theme::color(theme::kDark, 205), ui.px(3));
+  list.AddText({at.x + pad.x, at.y + pad.y}, color, text.c_str());
+  return size.x + 2 * pad.x;
+}
+
+std::string zoom_text(float zoom) {
+  if (zoom >= 1) return std::to_string(static_cast<int>(zoom)) + "x";
+  return "1/" + std::to_string(static_cast<int>(1 / zoom)) + "x";
+}
+
+}  // namespace
+
+void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
+  size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
+  start_afresh(session, ui, size);
+  take_requests(session, ui, size);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton(is_play() ? "play" : "map", size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  ui.item(is_play() ? "play/canvas" : "map/canvas");
+  handle_mouse(session, actions, ui, camera_.view(min, size));
+  camera_.clamp(size_in_pixels(session.level().map), size);
+
+  const CanvasView view = camera_.view(min, size);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(view.min, view.max, true);
+  draw_layers(session, view, ui);
+  if (ui.view.marked_cell)
+    draw_cell_frame(list, {ui.view.marked_cell->x, ui.view.marked_cell->y, 1, 1}, view,
+                    theme::color(theme::kWarning), ui.px(2));
+  const bool paints = !is_play() || ui.view.paint_in_play;
+  if (paints && !panning_ && (ImGui::IsItemHovered() || gesture_.active()))
+    gesture_.draw_preview(list, session, view, ui, view.to_cell(ImGui::GetIO().MousePos));
+  draw_captions(session, view, ui);
+  list.PopClipRect();
+}
+
+void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size) {
+  if (level_number_ == ui.view.level_number) return;
+  level_number_ = ui.view.level_number;
+  const Vec2 map = size_in_pixels(session.level().map);
+  camera_.fit(
+      {std::min<double>(map.x, kScreenColumns * kTileSize), std::min<double>(map.y, kScreenRows * kTileSize)},
+      size);
+}
+
+void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
+  View& v = ui.view;
+  const bool mine = v.canvas == CanvasMode::both ? v.play_active == is_play() : true;
+  const Vec2 map = size_in_pixels(session.level().map);
+  if (v.centre_on && (!is_play() || v.canvas == CanvasMode::play)) {
+    camera_.centre({(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize}, size);
+    v.centre_on.reset();
+  }
+  if (!mine) return;
+  if (v.zoom_by != 0) camera_.zoom_at({size.x / 2, size.y / 2}, v.zoom_by);
+  camera_.scroll(v.scroll_by);
+  if (v.fit_map) camera_.toggle_whole(map, size);
+  v.zoom_by = 0;
+  v.scroll_by = {};
+  v.fit_map = false;
+}
+
+void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const Cell cell = view.to_cell(io.MousePos);
+  if (hovered) {
+    ui.view.hover.pixel = view.to_level(io.MousePos);
+    if (session.level().map.contains(cell)) ui.view.hover.cell = cell;
+    if (io.MouseWheel != 0)
+      camera_.zoom_at({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y}, io.MouseWheel > 0 ? 1 : -1);
+    if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||
+        io.MouseWheel != 0)
+      ui.view.play_active = is_play();
+  }
+  if (handle_panning(session, hovered)) return;
+  if (is_play() && !ui.view.paint_in_play) {
+    handle_play_mouse(session, actions, view, hovered);
+  } else {
+    gesture_.update(session, actions, cell, hovered && ImGui::IsMouseClicked(0), io.MouseDown[0]);
+  }
+}
+
+bool LevelCanvas::handle_panning(const Session& session, bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hand = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) ||
+                    (session.choices().map_tool == MapTool::pan && !is_play());
+  if (hovered && (ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) || (hand && ImGui::IsMouseClicked(0))))
+    panning_ = true;
+  if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
+  if (panning_) camera_.scroll({-io.MouseDelta.x, -io.MouseDelta.y});
+  if (panning_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  return panning_;
+}
+
+void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view,
+                                    bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 at = view.to_level(io.MousePos);
+  if (hovered && ImGui::IsMouseClicked(0)) {
+    holding_ = true;
+    actions.push_back(action::SelectBody{body_at(session.state(), at, 2.0 / view.zoom)});
+  }
+  if (holding_ && !io.MouseDown[0]) {
+    holding_ = false;
+    actions.push_back(action::HoldMouse{at, false});
+  }
+  if (holding_) actions.push_back(action::HoldMouse{at, true});
+}
+
+void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Level& level = session.level();
+  const Choices& choices = session.choices();
+  draw_tiles(list, level, view, ui, is_play());
+  if (choices.flag_overlay) draw_flag_tint(list, level, view, *choices.flag_overlay);
+  if (choices.grid && !is_play()) draw_grid(list, level.map, view);
+  if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
+  if (!is_play() && session.state().frame == 0) return;  // the ball tiles are where the bodies are
+  draw_bodies(list, session, view, ui, is_play() ? 255 : 130);
+  if (is_play()) draw_overlays(list, session, choices.overlays, view, ui.scale);
+}
+
+void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float gap = ui.px(4);
+  draw_plate(list, {view.min.x + gap, view.min.y + gap},
+             std::string(is_play() ? "Play" : "Map") + "  " + zoom_text(view.zoom),
+             theme::color(theme::kMuted), ui);
+  if (const auto flag = session.choices().flag_overlay) {
+    const std::string& name = session.level().flag_names[static_cast<std::size_t>(*flag)];
+    const std::string text = "tinted: flag " + std::to_string(*flag) + (name.empty() ? "" : "  " + name);
+    const float height = ImGui::GetTextLineHeight() + ui.px(4);
+    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(*flag, 255), ui);
+  }
+  if (is_play() && session.state().bodies.empty()) {
+    const std::string text = "No body yet: paint a tile that has the ball flag";
+    const float width = ImGui::CalcTextSize(text.c_str()).x + ui.px(12);
+    draw_plate(list,
+               {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},
+               text, theme::color(theme::kText), ui);
+  }
+}
+
+}  // namespace talus

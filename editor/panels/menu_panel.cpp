@@ -1,0 +1,109 @@
+// The menus and, at their right, what is open.
+#include "menu_panel.h"
+
+#include <filesystem>
+#include <initializer_list>
+
+#include "commands.h"
+
+namespace talus {
+namespace {
+
+void draw_command(std::string_view id, const Session& session, Actions& actions, Ui& ui) {
+  const Command& command = find_command(id);
+  const std::string label(command.label), keys = to_string(command.key);
+  const bool enabled = command.is_enabled(session, ui);
+  if (ImGui::MenuItem(label.c_str(), keys.c_str(), command.is_checked(session, ui), enabled))
+    command.run(session, actions, ui);
+  ui.item("menu/" + std::string(id), command.help, {}, enabled);
+}
+
+// An empty id draws a line between the commands.
+void draw_commands(std::initializer_list<std::string_view> ids, const Session& session, Actions& actions,
+                   Ui& ui) {
+  for (std::string_view id : ids) {
+    if (id.empty())
+      ImGui::Separator();
+    else
+      draw_command(id, session, actions, ui);
+  }
+}
+
+bool begin_menu(const char* label, Ui& ui) {
+  const bool open = ImGui::BeginMenu(label);
+  ui.item(std::string("menu/") + label);
+  return open;
+}
+
+}  // namespace
+
+void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (!ImGui::BeginMenuBar()) return;
+  if (begin_menu("File", ui)) {
+    draw_commands({"file/new", "file/open"}, session, actions, ui);
+    draw_recent_files(actions, ui);
+    draw_commands({"", "file/save", "file/save_as", "", "file/quit"}, session, actions, ui);
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Edit", ui)) {
+    draw_commands(
+        {"edit/undo", "edit/redo", "", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/clear"},
+        session, actions, ui);
+    ImGui::EndMenu();
+  }
+  if (begin_menu("View", ui)) {
+    draw_commands(
+        {"view/sprites", "view/map", "", "canvas/map", "canvas/play", "canvas/both", "", "canvas/zoom_in",
+         "canvas/zoom_out", "map/fit", "", "canvas/grid", "canvas/borders", "canvas/flag_tint", ""},
+        session, actions, ui);
+    draw_scale_choice(ui);
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Play", ui)) {
+    draw_commands({"play/toggle", "play/step", "play/run", "play/reset", "", "play/slower", "play/faster", "",
+                   "canvas/paint_in_play", "play/no_body", "", "overlay/boxes", "overlay/normals",
+                   "overlay/touch_points", "overlay/velocity", "overlay/slope_delta", "overlay/floor_height",
+                   "overlay/tested_tiles"},
+                  session, actions, ui);
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Help", ui)) {
+    draw_commands({"help/keys", "help/commands"}, session, actions, ui);
+    ImGui::EndMenu();
+  }
+  const std::string title = session.file_name() + (session.modified() ? " *" : "");
+  const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
+  ImGui::SameLine(ui.px(270));
+  ImGui::TextUnformatted(title.c_str());
+  ui.tooltip(session.path().empty() ? "Not in a file yet." : session.path());
+  ui.right_aligned(solver, theme::color(theme::kMuted));
+  ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
+  ImGui::EndMenuBar();
+}
+
+void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {
+  const auto& files = ui.view.recent_files;
+  const bool open = ImGui::BeginMenu("Recent files", !files.empty());
+  ui.item("menu/recent", "The files that were open before.");
+  if (!open) return;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string name = std::filesystem::path(files[i]).filename().string();
+    if (ImGui::MenuItem((name + "##" + std::to_string(i)).c_str()))
+      actions.push_back(action::OpenFile{files[i]});
+    ui.item("menu/recent" + std::to_string(i), files[i]);
+  }
+  ImGui::EndMenu();
+}
+
+void MenuPanel::draw_scale_choice(Ui& ui) {
+  const bool open = ImGui::BeginMenu("Size of text");
+  ui.item("menu/scale", "How large text and controls are; automatic follows the window's height.");
+  if (!open) return;
+  for (double scale : {0.0, 1.0, 1.25, 1.5, 2.0, 3.0}) {
+    const std::string label = scale == 0 ? "automatic" : std::to_string(static_cast<int>(scale * 100)) + " %";
+    if (ImGui::MenuItem(label.c_str(), nullptr, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+  }
+  ImGui::EndMenu();
+}
+
+}  // namespace talus

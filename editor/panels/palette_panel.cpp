@@ -1,0 +1,101 @@
+// The swatches and the sliders.
+#include "palette_panel.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace talus {
+namespace {
+
+constexpr int kColumns = 4;
+
+// Black or white, whichever is read better on the colour.
+ImU32 readable_on(Rgb c) {
+  return theme::color(c.r * 3 + c.g * 6 + c.b > 1300 ? theme::kDark : theme::kText);
+}
+
+void draw_swatch(ImDrawList& list, const Choices& choices, int color, Rgb rgb, ImVec2 at, float side,
+                 const Ui& ui) {
+  const ImVec2 to{at.x + side, at.y + side};
+  list.AddRectFilled(at, to, theme::color(rgb));
+  list.AddRect(at, to, theme::color(theme::kLine));
+  const bool left = color == choices.color, right = color == choices.secondary_color;
+  if (left || right) {
+    list.AddRect({at.x + 1, at.y + 1}, {to.x - 1, to.y - 1}, readable_on(rgb), 0, 0, ui.px(1));
+    const float y = at.y + (side - ImGui::GetTextLineHeight()) / 2;
+    if (left) list.AddText({at.x + ui.px(4), y}, readable_on(rgb), "L");
+    if (right) list.AddText({to.x - ui.px(4) - ImGui::CalcTextSize("R").x, y}, readable_on(rgb), "R");
+  }
+  if (color == ui.view.palette_color)
+    list.AddRectFilled({at.x, to.y - ui.px(3)}, to, theme::color(theme::kAccent));
+}
+
+}  // namespace
+
+void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_swatches(session, actions, ui);
+  draw_editor(session, actions, ui);
+}
+
+void PalettePanel::draw_swatches(const Session& session, Actions& actions, Ui& ui) {
+  const float side = std::floor(ImGui::GetContentRegionAvail().x / kColumns);
+  const float height = std::min(side, ui.px(24));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  for (int color = 0; color < kColorCount; ++color) {
+    const std::string number = std::to_string(color);
+    if (color % kColumns != 0) ImGui::SameLine();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(number.c_str(), {height, height},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const bool right = ImGui::IsItemHovered() && ImGui::IsMouseClicked(1);
+    if (right || (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0))) {
+      actions.push_back(action::SetColor{color, right});
+      ui.view.palette_color = color;
+    }
+    ui.item("palette/color" + number,
+            "Colour " + number + ": click for the left button, right click for the right one.",
+            "[ ]  Shift+[ ]");
+    draw_swatch(*ImGui::GetWindowDrawList(), session.choices(), color,
+                session.level().palette[static_cast<std::size_t>(color)], at, height, ui);
+  }
+  ImGui::PopStyleVar();
+}
+
+void PalettePanel::draw_editor(const Session& session, Actions& actions, Ui& ui) {
+  const int color = ui.view.palette_color;
+  const Rgb now = session.level().palette[static_cast<std::size_t>(color)];
+  std::array<int, 3> rgb = {now.r, now.g, now.b};
+  bool changed = false, stroke_begins = false;
+  ImGui::PushItemWidth(-1);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(4), ui.px(1)));
+  constexpr std::array<const char*, 3> kFormats = {"R %d", "G %d", "B %d"};
+  constexpr std::array<const char*, 3> kNames = {"palette/red", "palette/green", "palette/blue"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    changed |= ImGui::SliderInt(kNames[i] + 7, &rgb[i], 0, 255, kFormats[i], ImGuiSliderFlags_AlwaysClamp);
+    stroke_begins |= ImGui::IsItemActivated();
+    ui.item(kNames[i], "Drag, or Ctrl+click to type; undoable.");
+  }
+  std::array<char, 8> hex{};
+  std::snprintf(hex.data(), hex.size(), "%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
+  unsigned typed = 0;
+  if (ImGui::InputText("##hex", hex.data(), hex.size(),
+                       ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue) &&
+      std::sscanf(hex.data(), "%6x", &typed) == 1) {
+    rgb = {static_cast<int>(typed >> 16) & 255, static_cast<int>(typed >> 8) & 255,
+           static_cast<int>(typed) & 255};
+    changed = stroke_begins = true;
+  }
+  ui.item("palette/hex", "The colour as RRGGBB; Enter sets it.");
+  ImGui::PopStyleVar();
+  ImGui::PopItemWidth();
+  if (stroke_begins) stroke_ = session.next_stroke();
+  if (changed) {
+    const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
+    actions.push_back(action::EditLevel{
+        set_color(session.level(), color, {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}), stroke_});
+  }
+}
+
+}  // namespace talus

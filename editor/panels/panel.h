@@ -1,0 +1,20 @@
+// Panel: a part of the window. It shows the session and answers with actions; it knows no other panel.
+#pragma once
+
+#include <string_view>
+
+#include "session/session.h"
+#include "ui.h"
+
+namespace talus {
+
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual std::string_view id() const = 0;     // of its widgets' names: "flags"
+  virtual std::string_view title() const = 0;  // of its tab or heading
+  // Draws into the current ImGui window, in the room that is left there.
+  virtual void draw(const Session& session, Actions& actions, Ui& ui) = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,52 @@
+// Every panel and its region.
+#include "panel_list.h"
+
+#include "canvas_panel.h"
+#include "command_palette_panel.h"
+#include "flags_panel.h"
+#include "help_panel.h"
+#include "history_panel.h"
+#include "inspector_panel.h"
+#include "menu_panel.h"
+#include "message_panel.h"
+#include "palette_panel.h"
+#include "pixel_panel.h"
+#include "problems_panel.h"
+#include "question_panel.h"
+#include "sheet_panel.h"
+#include "status_panel.h"
+#include "transport_panel.h"
+#include "tuning_panel.h"
+
+namespace talus {
+namespace {
+
+template <class P>
+PanelPlace place(Region region) {
+  return {std::make_unique<P>(), region};
+}
+
+}  // namespace
+
+std::vector<PanelPlace> make_panels() {
+  std::vector<PanelPlace> panels;
+  panels.push_back(place<MenuPanel>(Region::menu));
+  panels.push_back(place<SheetPanel>(Region::sheet));
+  panels.push_back(place<PixelPanel>(Region::pixels));
+  panels.push_back(place<PalettePanel>(Region::palette));
+  panels.push_back(place<FlagsPanel>(Region::flags));
+  panels.push_back(place<CanvasPanel>(Region::canvas));
+  panels.push_back(place<InspectorPanel>(Region::right_top));
+  panels.push_back(place<TuningPanel>(Region::right_top));
+  panels.push_back(place<ProblemsPanel>(Region::right_bottom));
+  panels.push_back(place<HistoryPanel>(Region::right_bottom));
+  panels.push_back(place<TransportPanel>(Region::transport));
+  panels.push_back(place<StatusPanel>(Region::status));
+  panels.push_back(place<HelpPanel>(Region::floating));
+  panels.push_back(place<CommandPalettePanel>(Region::floating));
+  panels.push_back(place<QuestionPanel>(Region::floating));
+  panels.push_back(place<MessagePanel>(Region::floating));
+  return panels;
+}
+
+}  // namespace talus

@@ -1,0 +1,83 @@
+// The sheet, at the largest whole zoom that fits.
+#include "sheet_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "commands.h"
+
+namespace talus {
+namespace {
+
+constexpr float kSheetSide = kSheetColumns * kTileSize;  // px
+
+void draw_selection(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, const Ui& ui) {
+  const ImVec2 from{at.x + static_cast<float>(tiles.x) * cell, at.y + static_cast<float>(tiles.y) * cell};
+  const ImVec2 to{from.x + static_cast<float>(tiles.w) * cell, from.y + static_cast<float>(tiles.h) * cell};
+  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark), 0, 0,
+               ui.px(1) + 2);
+  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kText), 0, 0, ui.px(1));
+}
+
+std::string selection_text(const SpriteArea& area) {
+  const std::string first = "#" + std::to_string(area.tile_at(0, 0));
+  if (area.tiles.w == 1 && area.tiles.h == 1) return first;
+  return first + "  " + std::to_string(area.tiles.w) + "x" + std::to_string(area.tiles.h);
+}
+
+}  // namespace
+
+void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_header(session, actions, ui);
+  const SpriteArea& area = session.choices().area;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float zoom = std::max(1.0f, std::floor(std::min(room.x, room.y) / kSheetSide));
+  const float side = zoom * kSheetSide, cell = zoom * kTileSize;
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.x = std::floor(at.x + std::max(0.0f, (room.x - side) / 2));
+  ImGui::SetCursorScreenPos(at);
+  ImGui::InvisibleButton("sheet", {side, side});
+  ui.item(area.sheet == SheetId::tiles ? "sheet/tiles" : "sheet/sprites");
+  handle_mouse(area.sheet, actions, ui, at, cell);
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddImage(ui.sheet(area.sheet), at, {at.x + side, at.y + side});
+  if (session.choices().grid) {
+    for (int i = 0; i <= kSheetColumns; ++i) {
+      const float d = static_cast<float>(i) * cell;
+      list.AddRectFilled({at.x + d, at.y}, {at.x + d + 1, at.y + side}, theme::color(theme::kText, 22));
+      list.AddRectFilled({at.x, at.y + d}, {at.x + side, at.y + d + 1}, theme::color(theme::kText, 22));
+    }
+  }
+  draw_selection(list, area.tiles, at, cell, ui);
+}
+
+void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  const Command& change = find_command("sheet/switch");
+  for (SheetId sheet : {SheetId::tiles, SheetId::sprites}) {
+    const bool tiles = sheet == SheetId::tiles;
+    if (ui.text_button(tiles ? "sheet/show_tiles" : "sheet/show_sprites", tiles ? "Tiles" : "Sprites",
+                       area.sheet == sheet,
+                       tiles ? "The images that the map is made of." : "Images that the map does not use.",
+                       keys_of(change))) {
+      actions.push_back(action::SelectTiles{{sheet, area.tiles}});
+    }
+    ImGui::SameLine();
+  }
+  ui.right_aligned(selection_text(area), theme::color(theme::kMuted));
+  ui.tooltip("The selected tile, and how many tiles wide and high the selection is.");
+}
+
+void SheetPanel::handle_mouse(SheetId sheet, Actions& actions, Ui& ui, ImVec2 at, float cell) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Cell tile{std::clamp(static_cast<int>((mouse.x - at.x) / cell), 0, kSheetColumns - 1),
+                  std::clamp(static_cast<int>((mouse.y - at.y) / cell), 0, kSheetColumns - 1)};
+  if (ImGui::IsItemHovered()) ui.view.hover.tile = tile.y * kSheetColumns + tile.x;
+  if (ImGui::IsItemActivated()) drag_from_ = tile;
+  if (drag_from_) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});
+  if (!ImGui::IsItemActive()) drag_from_.reset();
+}
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on.
+#pragma once
+
+#include <optional>
+
+#include "panel.h"
+
+namespace talus {
+
+class SheetPanel : public Panel {
+ public:
+  std::string_view id() const override { return "sheet"; }
+  std::string_view title() const override { return "Sheet"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_header(const Session& session, Actions& actions, Ui& ui);
+  void handle_mouse(SheetId sheet, Actions& actions, Ui& ui, ImVec2 at, float cell);
+  std::optional<Cell> drag_from_;  // tile where the button went down
+};
+
+}  // namespace talus

@@ -1,0 +1,54 @@
+// One line at the bottom of the window.
+#include "status_panel.h"
+
+#include <string>
+
+namespace talus {
+namespace {
+
+std::string hover_text(const Session& session, const Hover& hover) {
+  if (hover.sprite)
+    return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
+           std::to_string(
+               pixel_at(session.level(), session.choices().area, hover.sprite->x, hover.sprite->y));
+  if (hover.tile) return "tile " + std::to_string(*hover.tile);
+  if (!hover.pixel) return "";
+  std::string text;
+  if (hover.cell)
+    text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
+           std::to_string(session.level().map.at(*hover.cell)) + "   ";
+  else
+    text = "outside the map   ";
+  return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
+}
+
+void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, std::string_view help) {
+  ImGui::SameLine(ui.px(x));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(color));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ui.tooltip(help);
+}
+
+}  // namespace
+
+void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
+  const Stamp& stamp = session.choices().stamp;
+  const std::string hover = hover_text(session, ui.view.hover);
+  ImGui::TextUnformatted(hover.empty() ? "Point at the map, the sheet or the pixels" : hover.c_str());
+  draw_part(ui, 360, "stamp " + std::to_string(stamp.w) + "x" + std::to_string(stamp.h), theme::kMuted,
+            "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
+  draw_part(ui, 460, std::to_string(session.state().bodies.size()) + " bodies", theme::kMuted,
+            "Bodies of the simulation.");
+  const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
+  draw_part(ui, 560, file, session.modified() ? theme::kWarning : theme::kMuted,
+            session.path().empty() ? "Not in a file yet." : session.path());
+  const std::size_t problems = session.problems().size();
+  const std::string text =
+      problems == 0 ? "no problems" : std::to_string(problems) + (problems == 1 ? " problem" : " problems");
+  ImGui::SameLine();
+  ui.right_aligned(text, theme::color(problems == 0 ? theme::kMuted : theme::kWarning));
+  ui.tooltip("See the Problems tab.");
+}
+
+}  // namespace talus

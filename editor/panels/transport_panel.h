@@ -1,0 +1,15 @@
+// The transport bar: running and stepping, the speed, and the overlays' switches, which are their legend too.
+#pragma once
+
+#include "panel.h"
+
+namespace talus {
+
+class TransportPanel : public Panel {
+ public:
+  std::string_view id() const override { return "transport"; }
+  std::string_view title() const override { return "Play"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+};
+
+}  // namespace talus

@@ -1,0 +1,138 @@
+// The shared controls, with their registration and tooltips.
+#include "ui.h"
+
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace talus {
+namespace {
+
+constexpr double kTooltipDelay = 0.45;  // s
+
+const char* begin(std::string_view text) { return text.data(); }
+const char* end(std::string_view text) { return text.data() + text.size(); }
+
+// The invisible part of a label: "##name".
+std::string hidden(std::string_view name) { return "##" + std::string(name); }
+
+}  // namespace
+
+void Ui::place(std::string_view name, ImVec2 min, ImVec2 max, bool enabled) {
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  widgets.add({std::string(name), min, max, window->ClipRect.Min, window->ClipRect.Max,
+               window->ScrollMax.y > 0, enabled});
+}
+
+void Ui::item(std::string_view name, std::string_view help, std::string_view key, bool enabled) {
+  if (!ImGui::IsItemVisible()) return;
+  place(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled);
+  if (!help.empty()) show_tooltip_when_rested(ImHashStr(name.data(), name.size()), help, key);
+}
+
+void Ui::tooltip(std::string_view help, std::string_view key) {
+  show_tooltip_when_rested(ImHashStr(help.data(), help.size()), help, key);
+}
+
+void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+  if (rested_on_ != id) {
+    rested_on_ = id;
+    rested_since_ = time;
+  }
+  seen_ = true;
+  tooltip_pending_ = time - rested_since_ < kTooltipDelay;
+  if (tooltip_pending_) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(320));
+  ImGui::TextUnformatted(begin(help), end(help));
+  if (!key.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
+    ImGui::TextUnformatted(begin(key), end(key));
+    ImGui::PopStyleColor();
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_view help, std::string_view key,
+                     bool enabled) {
+  const float side = px(theme::kButton);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::BeginDisabled(!enabled);
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::color(theme::kAccent, 150));
+  const bool pressed = ImGui::Button(hidden(name).c_str(), {side, side});
+  if (lit) ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  const float inset = px(4);
+  draw_icon(*ImGui::GetWindowDrawList(), icon, {at.x + inset, at.y + inset}, side - 2 * inset,
+            theme::color(enabled ? theme::kText : theme::kMuted, enabled ? 255 : 110));
+  item(name, help, key, enabled);
+  return pressed;
+}
+
+bool Ui::text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
+                     std::string_view key, bool enabled, float width) {
+  ImGui::BeginDisabled(!enabled);
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::color(theme::kAccent, 150));
+  const bool pressed =
+      ImGui::Button((std::string(label) + "##" + std::string(name)).c_str(), {width, px(theme::kButton)});
+  if (lit) ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  item(name, help, key, enabled);
+  return pressed;
+}
+
+void Ui::heading(std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+  ImGui::TextUnformatted(begin(text), end(text));
+  ImGui::PopStyleColor();
+}
+
+void Ui::hint(std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(begin(text), end(text));
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void Ui::right_aligned(std::string_view text, ImU32 color) {
+  const float width = ImGui::CalcTextSize(begin(text), end(text)).x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(begin(text), end(text));
+  ImGui::PopStyleColor();
+}
+
+void Ui::same_line_if_fits(float width) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
+}
+
+UiFrame::UiFrame(Ui& ui) : ui_(ui) {
+  ui_.widgets.begin_frame();
+  ui_.seen_ = false;
+  ui_.tooltip_pending_ = false;
+  ui_.view.hover = {};
+}
+
+UiFrame::~UiFrame() {
+  if (!ui_.seen_) ui_.rested_on_ = 0;
+}
+
+std::string two_decimals(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return std::string_view(text) == "-0.00" ? text + 1 : text;
+}
+
+std::string all_digits(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+}  // namespace talus

@@ -1,0 +1,82 @@
+// Ui: what the panels draw with: textures, scale, view, the registry of widgets, and the few controls that
+// all of them share.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "icons.h"
+#include "level/tileset.h"
+#include "theme.h"
+#include "view.h"
+#include "widget_registry.h"
+
+namespace talus {
+
+class Ui {
+ public:
+  View view;
+  WidgetRegistry widgets;
+  std::array<ImTextureID, 2> sheets{};  // 128x128 px, by SheetId
+  ImTextureID balls{};                  // the sheet of tiles with colour 0 clear, for bodies
+  float scale = 1;                      // of text and controls
+  double time = 0;                      // s, of this frame
+
+  ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
+  // A length of the design, in px at scale 1, on the screen.
+  float px(float length) const { return static_cast<float>(static_cast<int>(length * scale + 0.5f)); }
+
+  // Registers ImGui's last item under this name and, when the mouse rests on it, shows the help and the key.
+  void item(std::string_view name, std::string_view help = {}, std::string_view key = {},
+            bool enabled = true);
+  // The same for a place that is no item of ImGui's.
+  void place(std::string_view name, ImVec2 min, ImVec2 max, bool enabled = true);
+  // Help for ImGui's last item, which has no name of its own.
+  void tooltip(std::string_view help, std::string_view key = {});
+  bool wants_frames() const { return tooltip_pending_; }  // a tooltip is due soon
+
+  // A square button with an icon; `lit` shows it as switched on.
+  bool icon_button(std::string_view name, Icon icon, bool lit, std::string_view help, std::string_view key,
+                   bool enabled = true);
+  // A button with text; width 0 fits the text.
+  bool text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
+                   std::string_view key = {}, bool enabled = true, float width = 0);
+  // A small heading in the muted colour.
+  void heading(std::string_view text);
+  // An empty state: a wrapped sentence that says what to do next.
+  void hint(std::string_view text);
+  // Text of a number that ends at the right edge of the current column.
+  void right_aligned(std::string_view text, ImU32 color = theme::color(theme::kText));
+  // Keeps the next item of this width on the line if it fits there.
+  void same_line_if_fits(float width);
+
+ private:
+  void show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key);
+  ImGuiID rested_on_ = 0;
+  double rested_since_ = 0;
+  bool tooltip_pending_ = false;
+  bool seen_ = false;  // the mouse rests on something with help in this frame
+
+  friend class UiFrame;
+};
+
+// Brackets a frame: empties the registry at the start and forgets the mouse's resting place when it left.
+class UiFrame {
+ public:
+  explicit UiFrame(Ui& ui);
+  ~UiFrame();
+  UiFrame(const UiFrame&) = delete;
+  UiFrame& operator=(const UiFrame&) = delete;
+
+ private:
+  Ui& ui_;
+};
+
+// A number with two decimals, and one with all the 17 digits that a double may need.
+std::string two_decimals(double value);
+std::string all_digits(double value);
+
+}  // namespace talus

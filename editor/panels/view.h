@@ -1,0 +1,63 @@
+// View: what the window shows that is not the session's business: layout, focus, dialogs, hover. Part of it
+// is remembered between starts (platform/settings.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/geometry.h"
+
+namespace talus {
+
+// Which part of the window the keys go to.
+enum class Focus { sprites, map };
+
+// What the middle of the window shows.
+enum class CanvasMode { map, play, both };
+
+// Which file dialog is asked for.
+enum class FileDialog { none, open, save_as };
+
+// Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
+// does not fit is clamped to the regions' smallest sizes.
+struct Layout {
+  double left = 0.215;         // width of the left column
+  double right = 0.295;        // width of the right column
+  double sheet = 0.5;          // height of the sheet, of the left column
+  double right_split = 0.68;   // height of the inspector, of the right column
+  double canvas_split = 0.46;  // height of the map, of the middle, when map and play are both shown
+  friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+// Where the mouse is over a canvas, for the status bar.
+struct Hover {
+  std::optional<Cell> cell;    // on the map
+  std::optional<Vec2> pixel;   // px, in the level
+  std::optional<Cell> sprite;  // px, in the pixel canvas
+  std::optional<int> tile;     // on the sheet, 0..255
+};
+
+struct View {
+  Layout layout;
+  CanvasMode canvas = CanvasMode::both;
+  Focus focus = Focus::map;
+  bool paint_in_play = false;  // the left button paints in the play view, instead of holding balls
+  double ui_scale = 0;         // 0: by the window's height; else 1 to 4
+  FileDialog dialog = FileDialog::none;
+  bool help_open = false;
+  bool command_palette_open = false;
+  std::vector<std::string> recent_files;  // absolute paths, the latest first
+  int palette_color = 12;                 // 0..15, which the sliders edit
+
+  std::optional<Cell> centre_on;    // asks the canvases to show this cell; taken by the next frame
+  std::optional<Cell> marked_cell;  // outlined on the map: the last problem that was clicked
+  bool play_active = false;  // of the two canvases, the play view was used last: it gets these requests,
+  Vec2 scroll_by;            // each taken by the next frame: scroll, px of the screen
+  int zoom_by = 0;           // zoom in (> 0) or out
+  bool fit_map = false;      // show the whole map, or go back
+  int level_number = 0;      // grows when another file is opened: the canvases start afresh
+  Hover hover;               // of this frame
+};
+
+}  // namespace talus

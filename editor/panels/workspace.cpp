@@ -1,0 +1,149 @@
+// The geometry of the window.
+#include "workspace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "splitter.h"
+
+namespace talus {
+namespace {
+
+// Smallest and fixed sizes, px at scale 1.
+constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
+constexpr float kTransport = 32, kStatus = 24;
+constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 150;
+constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
+
+// A part of `whole`, with `least` kept for itself and `rest` for the others where there is room for both.
+float part(double fraction, float whole, float least, float rest) {
+  const float wanted = std::floor(static_cast<float>(fraction) * whole);
+  return std::clamp(wanted, std::min(least, whole / 2), std::max(whole - rest, whole / 2));
+}
+
+bool has_heading(Region region) {
+  return region == Region::pixels || region == Region::palette || region == Region::flags;
+}
+
+bool is_sprite_region(Region region) {
+  return region == Region::sheet || region == Region::pixels || region == Region::palette ||
+         region == Region::flags;
+}
+
+// The side that the keys go to has an accent at its top.
+void show_focus(Region region, Ui& ui) {
+  const bool sprites = is_sprite_region(region);
+  if (!sprites && region != Region::canvas) return;
+  const Focus focus = sprites ? Focus::sprites : Focus::map;
+  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                             ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+      (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2)))
+    ui.view.focus = focus;
+  if (ui.view.focus != focus || (sprites && region != Region::sheet)) return;
+  const ImVec2 at = ImGui::GetWindowPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(2)},
+                                            theme::color(theme::kAccent));
+}
+
+}  // namespace
+
+void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
+  Frame frame{session, actions, ui};
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(window);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin("workspace", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_MenuBar |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  for (PanelPlace& place : panels_)
+    if (place.region == Region::menu) place.panel->draw(session, actions, ui);
+
+  const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
+  const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport);
+  const float height = bottom - top;
+  Layout& layout = ui.view.layout;
+  const float right = part(layout.right, window.x, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
+  const float left = part(layout.left, window.x, ui.px(kLeftLeast), right + ui.px(kMiddleLeast));
+  draw_left(frame, {0, top}, {left, height});
+  ImGui::SetCursorScreenPos({left, top});
+  const float moved_left = splitter("layout/left", {bar, height}, SplitterAxis::horizontal, ui);
+  if (moved_left != 0) layout.left = (left + moved_left) / window.x;
+  draw_region(frame, Region::canvas, {left + bar, top}, {window.x - left - right - 2 * bar, height});
+  ImGui::SetCursorScreenPos({window.x - right - bar, top});
+  const float moved_right = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
+  if (moved_right != 0) layout.right = (right - moved_right) / window.x;
+  draw_right(frame, {window.x - right, top}, {right, height});
+  draw_region(frame, Region::transport, {0, bottom}, {window.x, ui.px(kTransport)});
+  draw_region(frame, Region::status, {0, bottom + ui.px(kTransport)}, {window.x, ui.px(kStatus)});
+  ImGui::End();
+  for (PanelPlace& place : panels_)
+    if (place.region == Region::floating) place.panel->draw(session, actions, ui);
+}
+
+void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
+  Ui& ui = frame.ui;
+  const float bar = ui.px(kSplitterWidth), flags = ui.px(kFlags), palette = ui.px(kPalette);
+  const float sheet =
+      part(ui.view.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar);
+  const float pixels = size.y - sheet - flags - bar;
+  draw_region(frame, Region::sheet, at, {size.x, sheet});
+  ImGui::SetCursorScreenPos({at.x, at.y + sheet});
+  const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.layout.sheet = (sheet + moved) / size.y;
+  const float y = at.y + sheet + bar;
+  draw_region(frame, Region::pixels, {at.x, y}, {size.x - palette, pixels});
+  draw_region(frame, Region::palette, {at.x + size.x - palette, y}, {palette, pixels});
+  draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
+}
+
+void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
+  Ui& ui = frame.ui;
+  const float bar = ui.px(kSplitterWidth);
+  const float upper =
+      part(ui.view.layout.right_split, size.y, ui.px(kRightTopLeast), ui.px(kRightBottomLeast) + bar);
+  draw_region(frame, Region::right_top, at, {size.x, upper});
+  ImGui::SetCursorScreenPos({at.x, at.y + upper});
+  const float moved = splitter("layout/right_split", {size.x, bar}, SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.layout.right_split = (upper + moved) / size.y;
+  draw_region(frame, Region::right_bottom, {at.x, at.y + upper + bar}, {size.x, size.y - upper - bar});
+}
+
+void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size) {
+  Ui& ui = frame.ui;
+  const bool bar = region == Region::transport || region == Region::status;
+  ImGui::SetCursorScreenPos(at);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(bar ? 4 : 6)));
+  ImGui::BeginChild(static_cast<ImGuiID>(region) + 1, size, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
+                        ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  show_focus(region, ui);
+  draw_tabs(frame, region);
+  ImGui::EndChild();
+}
+
+void Workspace::draw_tabs(Frame& frame, Region region) {
+  std::vector<Panel*> here;
+  for (PanelPlace& place : panels_)
+    if (place.region == region) here.push_back(place.panel.get());
+  if (here.size() == 1) {
+    if (has_heading(region)) frame.ui.heading(here[0]->title());
+    here[0]->draw(frame.session, frame.actions, frame.ui);
+    return;
+  }
+  if (!ImGui::BeginTabBar("tabs")) return;
+  for (Panel* panel : here) {
+    const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str());
+    frame.ui.item("tabs/" + std::string(panel->id()));
+    if (!open) continue;
+    panel->draw(frame.session, frame.actions, frame.ui);
+    ImGui::EndTabItem();
+  }
+  ImGui::EndTabBar();
+}
+
+}  // namespace talus

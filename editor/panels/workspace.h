@@ -1,0 +1,29 @@
+// Workspace: lays the panels out in fixed regions with splitters between them.
+#pragma once
+
+#include "panel_list.h"
+
+namespace talus {
+
+class Workspace {
+ public:
+  Workspace() : panels_(make_panels()) {}
+  // Draws the whole window.
+  void draw(const Session& session, Actions& actions, Ui& ui);
+
+ private:
+  struct Frame {
+    const Session& session;
+    Actions& actions;
+    Ui& ui;
+  };
+  void draw_left(Frame& frame, ImVec2 at, ImVec2 size);
+  void draw_right(Frame& frame, ImVec2 at, ImVec2 size);
+  // One region: its panel, or tabs of its panels.
+  void draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size);
+  void draw_tabs(Frame& frame, Region region);
+
+  std::vector<PanelPlace> panels_;
+};
+
+}  // namespace talus

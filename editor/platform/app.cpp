@@ -1,0 +1,287 @@
+// The editor's loop.
+#include "app.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "asset_path.h"
+#include "panels/commands.h"
+#include "picture.h"
+#include "sdl_keys.h"
+
+namespace talus {
+namespace {
+
+constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and what an action leads to
+constexpr int kFrameBudget = 8;  // ms: the least time of a frame where the driver does not wait itself
+constexpr int kIdleWait = 500;   // ms
+constexpr double kNoteTime = 6;  // s
+
+double machine_time() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
+float automatic_scale(float window_height) {
+  return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
+}
+
+std::string absolute_path(const std::string& path) {
+  std::error_code error;
+  const auto absolute = std::filesystem::absolute(path, error);
+  return error ? path : absolute.lexically_normal().string();
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
+  std::unique_ptr<App> app(new App(std::move(options)));
+  if (!app->options_.clock) app->options_.clock = machine_time;
+  Settings settings = default_settings();
+  std::string problem;
+  if (app->options_.remember) {
+    if (auto loaded = load_settings(settings_path()))
+      settings = std::move(*loaded);
+    else
+      problem = loaded.error();
+  }
+  const std::string error = app->open_window(settings);
+  if (!error.empty()) return tl::unexpected(error);
+  app->last_time_ = app->last_event_ = app->options_.clock();
+  app->open_first_level();
+  app->take_settings(settings);
+  if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
+  app->note_changes();
+  return app;
+}
+
+std::string App::open_window(Settings& settings) {
+  WindowOptions window;
+  if (options_.width > 0) settings.width = options_.width;
+  if (options_.height > 0) settings.height = options_.height;
+  window.width = settings.width;
+  window.height = settings.height;
+  window.offscreen = options_.offscreen;
+  auto opened = GlWindow::open(window);
+  if (!opened) return opened.error();
+  window_ = std::move(*opened);
+  textures_ = std::make_unique<SheetTextures>();
+  SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
+  return {};
+}
+
+void App::open_first_level() {
+  if (!options_.file.empty()) {
+    session_ = std::make_unique<Session>();
+    session_->apply(action::OpenFile{absolute_path(options_.file)});
+    return;
+  }
+  auto demo = load_level(asset_path("demo.talus.json"));
+  session_ = std::make_unique<Session>(demo ? std::move(demo->level) : Level());
+  if (demo)
+    session_->apply(action::Play{});
+  else
+    session_->apply(action::ShowMessage{"The demo level is missing: " + demo.error().message, true});
+}
+
+void App::take_settings(const Settings& settings) {
+  ui_.view.layout = settings.layout;
+  ui_.view.canvas = settings.canvas;
+  ui_.view.ui_scale = settings.ui_scale;
+  ui_.view.recent_files = settings.recent_files;
+  session_->apply(action::SetGrid{settings.grid});
+  session_->apply(action::SetScreenBorders{settings.screen_borders});
+  for (const OverlayInfo& info : overlay_infos())
+    session_->apply(action::SetOverlay{info.id, settings.overlays.has(info.id)});
+}
+
+Settings App::current_settings() const {
+  Settings settings;
+  const ImVec2 size = window_->size();
+  settings.width = static_cast<int>(size.x);
+  settings.height = static_cast<int>(size.y);
+  settings.layout = ui_.view.layout;
+  settings.canvas = ui_.view.canvas;
+  settings.ui_scale = ui_.view.ui_scale;
+  settings.grid = session_->choices().grid;
+  settings.screen_borders = session_->choices().screen_borders;
+  settings.overlays = session_->choices().overlays;
+  settings.recent_files = ui_.view.recent_files;
+  return settings;
+}
+
+void App::remember() const {
+  if (!options_.remember) return;
+  if (const auto saved = save_settings(current_settings(), settings_path()); !saved)
+    std::cerr << "talus: warning: " << saved.error() << '\n';
+}
+
+App::~App() {
+  if (session_) remember();
+}
+
+void App::run() {
+  while (!session_->wants_quit()) {
+    wait();
+    frame();
+  }
+}
+
+void App::wait() {
+  const bool busy = session_->playback().running || ui_.wants_frames() || has_waiting_events() ||
+                    last_time_ - last_event_ < kLivelyAfterEvent;
+  if (busy) {
+    const double spent = (options_.clock() - last_time_) * 1000;
+    if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
+  } else {
+    SDL_WaitEventTimeout(nullptr, kIdleWait);
+  }
+}
+
+void App::frame() {
+  handle_events();
+  const double now = options_.clock();
+  session_->advance(now - last_time_);
+  last_time_ = ui_.time = now;
+  dismiss_old_note();
+  ui_.scale =
+      ui_.view.ui_scale > 0 ? static_cast<float>(ui_.view.ui_scale) : automatic_scale(window_->size().y);
+  window_->set_scale(ui_.scale);
+  textures_->update(session_->level(), session_->revision(), ui_);
+  Actions actions;
+  window_->begin_frame(events_);
+  draw(actions);
+  window_->end_frame();
+  session_->apply(actions);
+  note_dialog_result();
+  note_changes();
+}
+
+void App::draw(Actions& actions) {
+  UiFrame frame(ui_);
+  workspace_.draw(*session_, actions, ui_);
+  draw_file_dialog(actions);
+}
+
+void App::handle_events() {
+  events_.begin_frame();
+  SDL_Event event;
+  while (events_.next(event)) {
+    Actions actions;
+    window_->process_event(event);
+    last_event_ = options_.clock();
+    if (event.type == SDL_QUIT) {
+      actions.push_back(action::Quit{});
+    } else if (event.type == SDL_KEYDOWN) {
+      handle_key(event.key, actions);
+    } else if (event.type == SDL_DROPFILE && event.drop.file != nullptr) {
+      actions.push_back(action::OpenFile{event.drop.file});
+      SDL_free(event.drop.file);
+    }
+    session_->apply(actions);
+  }
+}
+
+void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
+  if (key.keysym.sym == SDLK_ESCAPE && ui_.view.help_open) ui_.view.help_open = false;
+  const KeyChord chord = chord_of(key.keysym);
+  if (chord && !keys_are_taken(chord)) run_key(chord, key.repeat != 0, *session_, actions, ui_);
+}
+
+// While a dialog is open or a text is typed, keys belong there.
+bool App::keys_are_taken(KeyChord chord) const {
+  if (ImGui::GetTopMostPopupModal() != nullptr) return true;
+  const bool types = ImGui::GetIO().WantTextInput;
+  const bool edits_text =
+      !chord.ctrl || std::string_view("acvxyz").find(static_cast<char>(chord.key)) != std::string_view::npos;
+  return types && chord.key < kKeyF1 && edits_text;
+}
+
+void App::draw_file_dialog(Actions& actions) {
+  std::optional<FileBrowser::Purpose> purpose;
+  if (ui_.view.dialog == FileDialog::open) purpose = FileBrowser::Purpose::open;
+  if (ui_.view.dialog == FileDialog::save_as || session_->wants_save_as())
+    purpose = FileBrowser::Purpose::save;
+  std::string near = session_->path();
+  if (near.empty() && purpose == FileBrowser::Purpose::open && !ui_.view.recent_files.empty())
+    near = ui_.view.recent_files.front();
+  const auto answer = browser_.draw(purpose, near, ui_);
+  if (!answer) return;
+  if (answer->cancelled) {
+    ui_.view.dialog = FileDialog::none;
+    if (session_->wants_save_as()) actions.push_back(action::CancelSaveAs{});
+    return;
+  }
+  dialog_answered_ = true;
+  actions.push_back(action::DismissMessage{});
+  if (purpose == FileBrowser::Purpose::open)
+    actions.push_back(action::OpenFile{answer->path});
+  else
+    actions.push_back(action::SaveFileAs{answer->path});
+}
+
+// An error of the dialog's own action is shown in the dialog, which stays open.
+void App::note_dialog_result() {
+  if (!std::exchange(dialog_answered_, false)) return;
+  if (session_->message() && session_->message()->is_error) {
+    browser_.show_error(session_->message()->text);
+    session_->apply(action::DismissMessage{});
+  } else {
+    ui_.view.dialog = FileDialog::none;
+  }
+}
+
+void App::note_changes() {
+  const std::string title = session_->file_name() + (session_->modified() ? " * - Talus" : " - Talus");
+  if (title != title_) window_->set_title(title_ = title);
+  // Only another level comes with a new revision and no history.
+  if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&
+      session_->history().edits().empty()) {
+    ++ui_.view.level_number;
+    ui_.view.marked_cell.reset();
+  }
+  if (session_->path() == noted_path_) return;
+  noted_path_ = session_->path();
+  if (noted_path_.empty()) return;
+  auto& recent = ui_.view.recent_files;
+  const std::string path = absolute_path(noted_path_);
+  std::erase(recent, path);
+  recent.insert(recent.begin(), path);
+  if (recent.size() > kMaxRecentFiles) recent.resize(kMaxRecentFiles);
+  remember();
+}
+
+// Good news goes by itself; errors stay.
+void App::dismiss_old_note() {
+  const auto& message = session_->message();
+  const std::string text = message && !message->is_error ? message->text : "";
+  if (text != note_) {
+    note_ = text;
+    note_since_ = last_time_;
+  } else if (!note_.empty() && last_time_ - note_since_ > kNoteTime) {
+    session_->apply(action::DismissMessage{});
+  }
+}
+
+tl::expected<void, std::string> App::screenshot(const std::string& path) const {
+  const auto picture = draw_picture();
+  if (!picture) return tl::unexpected(picture.error());
+  return write_png(*picture, path);
+}
+
+int run_editor(const std::string& file) {
+  auto app = App::start({file, 0, 0, false, true, nullptr});
+  if (!app) {
+    std::cerr << "talus: error: " << app.error() << '\n';
+    return 1;
+  }
+  (*app)->run();
+  return 0;
+}
+
+}  // namespace talus

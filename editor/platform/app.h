@@ -1,0 +1,83 @@
+// App: the editor. Owns the window, the session and the workspace, and runs them frame by frame.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "event_queue.h"
+#include "file_browser.h"
+#include "gl_window.h"
+#include "panels/keys.h"
+#include "panels/workspace.h"
+#include "session/session.h"
+#include "settings.h"
+#include "sheet_textures.h"
+
+namespace talus {
+
+struct AppOptions {
+  std::string file;               // to open; empty: the demo level, playing
+  int width = 0, height = 0;      // px, of the window; 0: as the settings have it
+  bool offscreen = false;         // without a display
+  bool remember = true;           // reads and writes the settings
+  std::function<double()> clock;  // s, never running backwards; none: the machine's
+};
+
+class App {
+ public:
+  static tl::expected<std::unique_ptr<App>, std::string> start(AppOptions options);
+  ~App();  // remembers the settings
+
+  void run();  // until the user quits
+  // One frame: the events that wait, the time that passed, the window drawn.
+  void frame();
+  // Draws the last frame once more, into a PNG.
+  tl::expected<void, std::string> screenshot(const std::string& path) const;
+
+  Session& session() { return *session_; }
+  Ui& ui() { return ui_; }
+  bool has_waiting_events() const { return !events_.empty(); }
+
+ private:
+  explicit App(AppOptions options) : options_(std::move(options)) {}
+  std::string open_window(Settings& settings);  // the error, or nothing
+  void take_settings(const Settings& settings);
+  Settings current_settings() const;
+  void remember() const;
+  void open_first_level();
+
+  void handle_events();
+  void handle_key(const SDL_KeyboardEvent& key, Actions& actions);
+  bool keys_are_taken(KeyChord chord) const;
+  void draw(Actions& actions);
+  void draw_file_dialog(Actions& actions);
+  void note_dialog_result();
+  void note_changes();
+  void dismiss_old_note();
+  void wait();
+
+  AppOptions options_;
+  std::unique_ptr<GlWindow> window_;
+  std::unique_ptr<SheetTextures> textures_;
+  std::unique_ptr<Session> session_;
+  Workspace workspace_;
+  FileBrowser browser_;
+  EventQueue events_;
+  Ui ui_;
+
+  double last_time_ = 0;    // s, of the last frame
+  double last_event_ = 0;   // s
+  std::string noted_path_;  // of the session, when last looked at
+  std::uint64_t noted_revision_ = 0;
+  std::string title_;
+  bool dialog_answered_ = false;
+  std::string note_;       // the message that is timed
+  double note_since_ = 0;  // s
+};
+
+// The editor on a file; empty: the demo level. Returns the exit status.
+int run_editor(const std::string& file);
+
+}  // namespace talus

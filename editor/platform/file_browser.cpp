@@ -1,0 +1,190 @@
+// A list of folders and of the files whose ending some format has, and a field for the name.
+#include "file_browser.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "formats/format.h"
+#include "panels/dialog.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTitle = "Files";
+constexpr std::string_view kDefaultEnding = ".talus.json";
+
+bool comes_before(const std::string& a, const std::string& b) {
+  return std::lexicographical_compare(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](unsigned char x, unsigned char y) { return std::tolower(x) < std::tolower(y); });
+}
+
+std::string known_endings() {
+  std::string text;
+  for (const Format& format : formats())
+    for (std::string_view extension : format.extensions)
+      text += (text.empty() ? "." : "  .") + std::string(extension);
+  return text;
+}
+
+}  // namespace
+
+std::optional<FileBrowser::Answer> FileBrowser::draw(std::optional<Purpose> purpose, const std::string& near,
+                                                     Ui& ui) {
+  if (purpose && (!shown_ || *purpose != purpose_)) start(*purpose, near);
+  shown_ = purpose.has_value();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(ui.px(640), window.x - ui.px(64)), std::min(ui.px(460), window.y - ui.px(64))};
+  if (!begin_dialog(kTitle, shown_, size, ui)) return std::nullopt;
+  draw_place(ui);
+  const float below = 2 * ui.px(theme::kButton) + 2 * ImGui::GetTextLineHeightWithSpacing() + ui.px(16);
+  std::optional<Answer> answer = draw_list(ui, -below);
+  if (auto named = draw_name(ui)) answer = named;
+  ImGui::EndPopup();
+  return answer;
+}
+
+void FileBrowser::start(Purpose purpose, const std::string& near) {
+  purpose_ = purpose;
+  std::error_code error;
+  const fs::path beside = fs::path(near).parent_path();
+  if (!near.empty() && fs::is_directory(beside, error)) folder_ = beside.string();
+  if (folder_.empty() || !fs::is_directory(folder_, error)) folder_ = fs::current_path(error).string();
+  name_ = purpose == Purpose::save ? fs::path(near).filename().string() : "";
+  if (purpose == Purpose::save && name_.empty()) name_ = "level" + std::string(kDefaultEnding);
+  const std::string name = name_;
+  enter(folder_);
+  name_ = name;
+}
+
+void FileBrowser::enter(const std::string& folder) {
+  std::error_code error;
+  std::vector<Entry> entries;
+  fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
+  if (error) {
+    error_ = "Cannot open the folder " + folder + ": " + error.message() + ".";
+    return;
+  }
+  for (; it != fs::directory_iterator(); it.increment(error)) {
+    std::error_code ignored;
+    Entry entry{it->path().filename().string(), it->is_directory(ignored)};
+    const bool hidden = entry.name.starts_with('.');
+    if (!hidden && (entry.is_folder || format_for_file(entry.name) != nullptr))
+      entries.push_back(std::move(entry));
+    if (error) break;
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.is_folder != b.is_folder ? a.is_folder : comes_before(a.name, b.name);
+  });
+  folder_ = fs::weakly_canonical(folder, error).string();
+  entries_ = std::move(entries);
+  if (fs::path(folder_).has_relative_path()) entries_.insert(entries_.begin(), {"..", true});
+  chosen_ = -1;
+  error_.clear();
+  overwrite_.clear();
+  name_.clear();
+}
+
+void FileBrowser::draw_place(Ui& ui) {
+  ui.heading(purpose_ == Purpose::open ? "Open a level or cart" : "Save the level as");
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(folder_.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) {
+  std::optional<Answer> answer;
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
+  ImGui::BeginChild("entries", {0, height}, true);
+  std::string entered;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& entry = entries_[i];
+    const std::string label = entry.name + (entry.is_folder ? "/" : "");
+    const bool chosen = static_cast<int>(i) == chosen_;
+    if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), chosen,
+                          ImGuiSelectableFlags_AllowDoubleClick)) {
+      chosen_ = static_cast<int>(i);
+      error_.clear();
+      if (entry.is_folder)
+        entered = entry.name;
+      else
+        name_ = entry.name;
+      if (!entry.is_folder && ImGui::IsMouseDoubleClicked(0)) answer = confirm();
+    }
+    ui.item("files/entry/" + entry.name);
+    if (chosen && scroll_to_choice_) ImGui::SetScrollHereY();
+  }
+  scroll_to_choice_ = false;
+  if (entries_.size() <= 1) ui.hint("No folder and no level here. Known endings: " + known_endings());
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  if (!entered.empty()) {
+    const std::string kept = purpose_ == Purpose::save ? name_ : "";
+    enter((fs::path(folder_) / entered).string());
+    name_ = kept;
+  }
+  return answer;
+}
+
+std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
+  std::optional<Answer> answer;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_)) overwrite_.clear();
+  ui.item("files/name", "The file's name; a folder's name enters the folder.");
+  if (key_pressed(ImGuiKey_DownArrow)) move_choice(1);
+  if (key_pressed(ImGuiKey_UpArrow)) move_choice(-1);
+  const bool save = purpose_ == Purpose::save;
+  const float width = ui.px(112);
+  const char* label = !overwrite_.empty() ? "Replace it" : save ? "Save" : "Open";
+  if (ui.text_button("files/confirm", label, true, save ? "Saves under this name." : "Opens this file.",
+                     "Enter", !name_.empty(), width) ||
+      (key_pressed(ImGuiKey_Enter) && !name_.empty()))
+    answer = confirm();
+  ImGui::SameLine();
+  if (ui.text_button("files/cancel", "Cancel", false, "Goes back to the level.", "Esc", true, width) ||
+      key_pressed(ImGuiKey_Escape))
+    answer = Answer{true, {}};
+  const bool warns = !error_.empty() || !overwrite_.empty();
+  const std::string text = !error_.empty() ? error_
+                           : !overwrite_.empty()
+                               ? fs::path(overwrite_).filename().string() + " exists already."
+                               : "Endings: " + known_endings();
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(warns ? theme::kWarning : theme::kMuted));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  return answer;
+}
+
+void FileBrowser::move_choice(int step) {
+  if (entries_.empty()) return;
+  chosen_ = std::clamp(chosen_ + step, 0, static_cast<int>(entries_.size()) - 1);
+  name_ = entries_[static_cast<std::size_t>(chosen_)].name;
+  scroll_to_choice_ = true;
+}
+
+std::optional<FileBrowser::Answer> FileBrowser::confirm() {
+  error_.clear();
+  std::error_code ignored;
+  fs::path path = fs::path(folder_) / name_;
+  if (fs::is_directory(path, ignored)) {
+    enter(path.string());
+    return std::nullopt;
+  }
+  if (purpose_ == Purpose::open) return Answer{false, path.string()};
+  if (!path.has_extension()) path += std::string(kDefaultEnding);
+  if (fs::exists(path, ignored) && overwrite_ != path.string()) {
+    overwrite_ = path.string();
+    return std::nullopt;
+  }
+  return Answer{false, path.string()};
+}
+
+}  // namespace talus

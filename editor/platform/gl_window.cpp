@@ -1,0 +1,148 @@
+// The window, with the Dear ImGui backends that the system's library has.
+#include "gl_window.h"
+
+#if __has_include(<backends/imgui_impl_sdl2.h>)
+#include <backends/imgui_impl_sdl2.h>
+#else
+#include <backends/imgui_impl_sdl.h>
+#endif
+#include <SDL_opengl.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <cfloat>
+#include <cmath>
+#include <filesystem>
+
+#include "panels/theme.h"
+
+namespace talus {
+namespace {
+
+constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr float kFontSize = 14;         // px at scale 1
+constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp at whole multiples of this only
+
+void set_gl_attributes() {
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
+  SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+}
+
+void load_fonts(float scale, float pixel_ratio) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
+  ImFontConfig config;
+  std::error_code error;
+  if (std::filesystem::exists(kFontFile, error)) {
+    config.OversampleH = 2;
+    io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontSize * scale * pixel_ratio), &config);
+  } else {
+    config.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(scale * pixel_ratio));
+    io.Fonts->AddFontDefault(&config);
+  }
+  io.FontGlobalScale = 1 / pixel_ratio;
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<GlWindow>, std::string> GlWindow::open(const WindowOptions& options) {
+  std::unique_ptr<GlWindow> window(new GlWindow());
+  const std::string error = window->start(options);
+  if (!error.empty()) return tl::unexpected(error);
+  return window;
+}
+
+std::string GlWindow::start(const WindowOptions& options) {
+  if (options.offscreen) SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
+  has_video_ = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
+  if (options.offscreen) SDL_ResetHint(SDL_HINT_VIDEODRIVER);
+  if (!has_video_) return std::string("No screen to open a window on: ") + SDL_GetError() + ".";
+  set_gl_attributes();
+  window_ =
+      SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, options.width,
+                       options.height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  if (window_ == nullptr) return std::string("Cannot open a window with OpenGL: ") + SDL_GetError() + ".";
+  SDL_SetWindowMinimumSize(window_, 960, 600);
+  gl_ = SDL_GL_CreateContext(window_);
+  if (gl_ == nullptr) return std::string("OpenGL 3.3 is missing: ") + SDL_GetError() + ".";
+  SDL_GL_SetSwapInterval(1);
+
+  IMGUI_CHECKVERSION();
+  imgui_ = ImGui::CreateContext();
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::GetIO().IniFilename = nullptr;  // the layout is ours
+  ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+  if (!ImGui_ImplSDL2_InitForOpenGL(window_, gl_)) return "Dear ImGui cannot use the window.";
+  has_backend_ = true;
+  if (!ImGui_ImplOpenGL3_Init("#version 330")) return "Dear ImGui cannot use OpenGL.";
+  return {};
+}
+
+GlWindow::~GlWindow() {
+  if (imgui_ != nullptr) {
+    ImGui::SetCurrentContext(imgui_);
+    if (ImGui::GetIO().BackendRendererUserData != nullptr) ImGui_ImplOpenGL3_Shutdown();
+    if (has_backend_) ImGui_ImplSDL2_Shutdown();
+    ImGui::DestroyContext(imgui_);
+  }
+  if (gl_ != nullptr) SDL_GL_DeleteContext(gl_);
+  if (window_ != nullptr) SDL_DestroyWindow(window_);
+  if (has_video_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
+}
+
+ImVec2 GlWindow::size() const {
+  int w = 0, h = 0;
+  SDL_GetWindowSize(window_, &w, &h);
+  return {static_cast<float>(w), static_cast<float>(h)};
+}
+
+float GlWindow::pixel_ratio() const {
+  int drawable = 0, width = 0;
+  SDL_GL_GetDrawableSize(window_, &drawable, nullptr);
+  SDL_GetWindowSize(window_, &width, nullptr);
+  return width > 0 && drawable > 0 ? static_cast<float>(drawable) / static_cast<float>(width) : 1;
+}
+
+void GlWindow::set_scale(float scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  theme::apply(scale);
+  load_fonts(scale, pixel_ratio());
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
+
+void GlWindow::begin_frame(const EventQueue& events) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplSDL2_NewFrame();
+#if IMGUI_VERSION_NUM < 18700
+  // This version asks SDL where the mouse is; events that a test has pushed would not count.
+  ImGuiIO& io = ImGui::GetIO();
+  const MouseState& mouse = events.mouse();
+  io.MousePos = mouse.inside ? ImVec2(mouse.x, mouse.y) : ImVec2(-FLT_MAX, -FLT_MAX);
+  for (std::size_t i = 0; i < mouse.down.size(); ++i) io.MouseDown[i] = mouse.down[i];
+  io.KeyCtrl = (events.modifiers() & KMOD_CTRL) != 0;
+  io.KeyShift = (events.modifiers() & KMOD_SHIFT) != 0;
+  io.KeyAlt = (events.modifiers() & KMOD_ALT) != 0;
+#else
+  static_cast<void>(events);
+#endif
+  ImGui::NewFrame();
+}
+
+void GlWindow::end_frame() {
+  ImGui::Render();
+  const ImDrawData* data = ImGui::GetDrawData();
+  glViewport(0, 0, static_cast<int>(data->DisplaySize.x * data->FramebufferScale.x),
+             static_cast<int>(data->DisplaySize.y * data->FramebufferScale.y));
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  SDL_GL_SwapWindow(window_);
+}
+
+}  // namespace talus

@@ -1,0 +1,52 @@
+// GlWindow: an SDL window with an OpenGL context and a Dear ImGui context in it.
+#pragma once
+
+#include <SDL.h>
+#include <imgui.h>
+
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "event_queue.h"
+
+namespace talus {
+
+struct WindowOptions {
+  std::string title = "Talus";
+  int width = 1280, height = 720;  // px of the screen
+  bool offscreen = false;          // without any display, by SDL's driver of that name
+};
+
+class GlWindow {
+ public:
+  // The error says what is missing, in one sentence.
+  static tl::expected<std::unique_ptr<GlWindow>, std::string> open(const WindowOptions& options);
+  ~GlWindow();
+  GlWindow(const GlWindow&) = delete;
+  GlWindow& operator=(const GlWindow&) = delete;
+
+  void set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
+  ImVec2 size() const;        // px of the window
+  float pixel_ratio() const;  // pixels of the framebuffer for one of the window
+  bool is_minimized() const { return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0; }
+
+  // Fonts and style for a scale of the interface; cheap when it is the one already set.
+  void set_scale(float scale);
+  void process_event(const SDL_Event& event);
+  void begin_frame(const EventQueue& events);
+  void end_frame();  // draws what was put into Dear ImGui since begin_frame() and shows it
+
+ private:
+  GlWindow() = default;
+  std::string start(const WindowOptions& options);  // the error, or nothing
+
+  SDL_Window* window_ = nullptr;
+  SDL_GLContext gl_ = nullptr;
+  ImGuiContext* imgui_ = nullptr;
+  bool has_video_ = false;
+  bool has_backend_ = false;
+  float scale_ = 0;  // of the fonts
+};
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+// Picture: draws Dear ImGui's current draw data into memory and writes it as a PNG.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace talus {
+
+struct Picture {
+  int width = 0, height = 0;       // px
+  std::vector<std::uint8_t> rgba;  // from the top left, row by row
+};
+
+// Draws what was last rendered, at the size of the current display; ImGui::Render() must have been called. An
+// error when the graphics driver cannot draw a picture of that size.
+tl::expected<Picture, std::string> draw_picture();
+
+tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path);
+
+}  // namespace talus

@@ -1,0 +1,13 @@
+// SDL's keys as ours, and back.
+#pragma once
+
+#include <SDL_events.h>
+
+#include "panels/keys.h"
+
+namespace talus {
+
+KeyChord chord_of(const SDL_Keysym& sym);  // an empty chord for keys that we have no name for
+SDL_Keysym keysym_of(const KeyChord& chord);
+
+}  // namespace talus

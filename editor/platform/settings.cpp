@@ -1,0 +1,134 @@
+// The settings as JSON. A value out of range gets its default; a file that is no JSON object is an error.
+#include "settings.h"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kCanvasNames = {"map", "play", "both"};  // by CanvasMode
+
+struct LayoutField {
+  const char* key;
+  double Layout::*value;
+};
+constexpr std::array<LayoutField, 5> kLayoutFields = {{{"left", &Layout::left},
+                                                       {"right", &Layout::right},
+                                                       {"sheet", &Layout::sheet},
+                                                       {"right_split", &Layout::right_split},
+                                                       {"canvas_split", &Layout::canvas_split}}};
+
+// Sets `value` if the object has a number of that name in the range.
+template <class T>
+void read_number(const json& object, const char* key, double min, double max, T& value) {
+  const auto it = object.find(key);
+  if (it == object.end() || !it->is_number()) return;
+  const double number = it->get<double>();
+  if (number >= min && number <= max) value = static_cast<T>(number);
+}
+
+void read_bool(const json& object, const char* key, bool& value) {
+  const auto it = object.find(key);
+  if (it != object.end() && it->is_boolean()) value = it->get<bool>();
+}
+
+// The strings of an array; nothing for anything else.
+std::vector<std::string> read_strings(const json& object, const char* key) {
+  std::vector<std::string> strings;
+  const auto it = object.find(key);
+  if (it == object.end() || !it->is_array()) return strings;
+  for (const json& item : *it)
+    if (item.is_string()) strings.push_back(item.get<std::string>());
+  return strings;
+}
+
+Settings from_json(const json& root) {
+  Settings s = default_settings();
+  read_number(root, "width", 320, 16384, s.width);
+  read_number(root, "height", 320, 16384, s.height);
+  if (const auto it = root.find("layout"); it != root.end() && it->is_object())
+    for (const LayoutField& field : kLayoutFields)
+      read_number(*it, field.key, 0.05, 0.95, s.layout.*field.value);
+  for (std::size_t i = 0; i < kCanvasNames.size(); ++i)
+    if (root.contains("canvas") && root["canvas"] == kCanvasNames[i]) s.canvas = static_cast<CanvasMode>(i);
+  read_number(root, "ui_scale", 1, 4, s.ui_scale);
+  read_bool(root, "grid", s.grid);
+  read_bool(root, "screen_borders", s.screen_borders);
+  if (root.contains("overlays")) {
+    s.overlays = {};
+    for (const std::string& key : read_strings(root, "overlays"))
+      if (const auto id = find_overlay(key)) s.overlays.set(*id, true);
+  }
+  s.recent_files = read_strings(root, "recent_files");
+  if (s.recent_files.size() > kMaxRecentFiles) s.recent_files.resize(kMaxRecentFiles);
+  return s;
+}
+
+json to_json(const Settings& s) {
+  json layout = json::object(), overlays = json::array();
+  for (const LayoutField& field : kLayoutFields) layout[field.key] = s.layout.*field.value;
+  for (const OverlayInfo& info : overlay_infos())
+    if (s.overlays.has(info.id)) overlays.push_back(info.key);
+  return {{"width", s.width},
+          {"height", s.height},
+          {"layout", layout},
+          {"canvas", kCanvasNames[static_cast<std::size_t>(s.canvas)]},
+          {"ui_scale", s.ui_scale},
+          {"grid", s.grid},
+          {"screen_borders", s.screen_borders},
+          {"overlays", overlays},
+          {"recent_files", s.recent_files}};
+}
+
+fs::path config_dir() {
+  const auto from = [](const char* name) {
+    const char* value = std::getenv(name);
+    return fs::path(value ? value : "");
+  };
+  if (const fs::path own = from("TALUS_CONFIG_DIR"); !own.empty()) return own;
+  if (const fs::path xdg = from("XDG_CONFIG_HOME"); xdg.is_absolute()) return xdg / "talus";
+  return from("HOME") / ".config/talus";
+}
+
+}  // namespace
+
+Settings default_settings() {
+  Settings settings;
+  for (OverlayId id :
+       {OverlayId::normals, OverlayId::velocity, OverlayId::slope_delta, OverlayId::floor_height})
+    settings.overlays.set(id, true);
+  return settings;
+}
+
+std::string settings_path() { return (config_dir() / "settings.json").string(); }
+
+tl::expected<Settings, std::string> load_settings(const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return default_settings();
+  const auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected("The settings are ignored: " + to_string(bytes.error(), path));
+  const json root = json::parse(*bytes, nullptr, false);
+  if (!root.is_object())
+    return tl::unexpected("The settings in " + path + " are ignored: the file is damaged.");
+  return from_json(root);
+}
+
+tl::expected<void, std::string> save_settings(const Settings& settings, const std::string& path) {
+  std::error_code error;
+  fs::create_directories(fs::path(path).parent_path(), error);
+  // A file name need not be UTF-8; what is not is replaced rather than thrown over.
+  const std::string text = to_json(settings).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  if (const auto written = write_file_atomic(path, text); !written)
+    return tl::unexpected("The settings cannot be saved: " + to_string(written.error(), path));
+  return {};
+}
+
+}  // namespace talus

@@ -1,0 +1,35 @@
+// Settings: what the program remembers between starts.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "overlay/overlay_id.h"
+#include "panels/view.h"
+
+namespace talus {
+
+struct Settings {
+  int width = 1280, height = 720;  // px, of the window; 320 to 16384, else the default
+  Layout layout;                   // each 0.05 to 0.95, else the default
+  CanvasMode canvas = CanvasMode::both;
+  double ui_scale = 0;  // 0: automatic; else 1 to 4
+  bool grid = true;
+  bool screen_borders = true;
+  OverlaySet overlays;                    // unknown names are left out
+  std::vector<std::string> recent_files;  // at most kMaxRecentFiles
+};
+inline constexpr std::size_t kMaxRecentFiles = 10;
+
+// What a first start shows.
+Settings default_settings();
+
+// $TALUS_CONFIG_DIR, else $XDG_CONFIG_HOME/talus, else ~/.config/talus; then "settings.json".
+std::string settings_path();
+
+// The defaults when there is no such file; an error in one sentence when it cannot be read.
+tl::expected<Settings, std::string> load_settings(const std::string& path);
+tl::expected<void, std::string> save_settings(const Settings& settings, const std::string& path);
+
+}  // namespace talus

@@ -1,0 +1,62 @@
+// Uploading of sheets.
+#include "sheet_textures.h"
+
+#include <SDL_opengl.h>
+
+#include <vector>
+
+namespace talus {
+namespace {
+
+constexpr int kSide = kSheetColumns * kTileSize;  // px
+
+std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bool clear_zero) {
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(kSide) * kSide * 4);
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const int tile = y / kTileSize * kSheetColumns + x / kTileSize;
+      const int pixel = y % kTileSize * kTileSize + x % kTileSize;
+      const std::uint8_t index =
+          sheet.images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(pixel)];
+      const Rgb color = palette[index];
+      std::uint8_t* out = &rgba[(static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)) * 4];
+      out[0] = color.r;
+      out[1] = color.g;
+      out[2] = color.b;
+      out[3] = clear_zero && index == 0 ? 0 : 255;
+    }
+  }
+  return rgba;
+}
+
+}  // namespace
+
+SheetTextures::SheetTextures() {
+  glGenTextures(static_cast<GLsizei>(names_.size()), names_.data());
+  for (unsigned name : names_) {
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+}
+
+SheetTextures::~SheetTextures() { glDeleteTextures(static_cast<GLsizei>(names_.size()), names_.data()); }
+
+void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
+  const auto id = [&](std::size_t i) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[i]));
+  };
+  ui.sheets = {id(0), id(1)};
+  ui.balls = id(2);
+  if (revision_ == revision) return;
+  revision_ = revision;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const auto rgba = to_rgba(level.sheets[i % 2], level.palette, i == 2);
+    glBindTexture(GL_TEXTURE_2D, names_[i]);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSide, kSide, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  }
+}
+
+}  // namespace talus

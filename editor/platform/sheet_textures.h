@@ -1,0 +1,31 @@
+// The sheets of a level as textures, uploaded again when the level changes.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "level/level.h"
+#include "panels/ui.h"
+
+namespace talus {
+
+// Needs a current OpenGL context all its life.
+class SheetTextures {
+ public:
+  SheetTextures();
+  ~SheetTextures();
+  SheetTextures(const SheetTextures&) = delete;
+  SheetTextures& operator=(const SheetTextures&) = delete;
+
+  // revision: of the level, as Session counts it.
+  void update(const Level& level, std::uint64_t revision, Ui& ui);
+
+ private:
+  std::array<unsigned, 3> names_{};  // tiles, sprites, and the tiles with colour 0 clear
+  std::optional<std::uint64_t> revision_;
+};
+
+}  // namespace talus

@@ -1,0 +1,76 @@
+// Offscreen drawing with the editor's own canvas.
+#include "shot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app.h"
+#include "panels/canvas_layers.h"
+#include "picture.h"
+
+namespace talus {
+namespace {
+
+Rect first_screen(const TileMap& map) {
+  return {0, 0, static_cast<double>(std::min(map.width(), kScreenColumns) * kTileSize),
+          static_cast<double>(std::min(map.height(), kScreenRows) * kTileSize)};
+}
+
+}  // namespace
+
+tl::expected<void, std::string> write_shot(const Session& session, const ShotOptions& options,
+                                           const std::string& png_path) {
+  const Rect area = options.area.value_or(first_screen(session.level().map));
+  const auto zoom = static_cast<float>(options.zoom);
+  const ImVec2 size{std::max(1.0f, std::round(static_cast<float>(area.w) * zoom)),
+                    std::max(1.0f, std::round(static_cast<float>(area.h) * zoom))};
+  WindowOptions hidden;
+  hidden.offscreen = true;
+  auto window = GlWindow::open(hidden);
+  if (!window) return tl::unexpected(window.error());
+  SheetTextures textures;
+  Ui ui;
+  ui.scale = std::clamp(zoom / 3, 1.0f, 3.0f);  // overlays stay in proportion to the art
+  (*window)->set_scale(ui.scale);
+  textures.update(session.level(), session.revision(), ui);
+  ImGui::GetIO().DisplaySize = size;
+  ImGui::GetIO().DisplayFramebufferScale = {1, 1};
+  ImGui::NewFrame();
+  const CanvasView view{
+      {0, 0},
+      size,
+      {std::round(static_cast<float>(-area.x) * zoom), std::round(static_cast<float>(-area.y) * zoom)},
+      zoom};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  draw_tiles(list, session.level(), view, ui, true);
+  draw_bodies(list, session, view, ui, 255);
+  draw_overlays(list, session, options.overlays, view, ui.scale);
+  ImGui::Render();
+  const auto picture = draw_picture();
+  if (!picture) return tl::unexpected(picture.error());
+  return write_png(*picture, png_path);
+}
+
+tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
+                                                  const std::string& png_path) {
+  double now = 0;
+  AppOptions start;
+  start.file = options.file;
+  start.width = options.width;
+  start.height = options.height;
+  start.offscreen = true;
+  start.remember = false;
+  start.clock = [&now] { return now; };
+  auto app = App::start(std::move(start));
+  if (!app) return tl::unexpected(app.error());
+  Session& session = (*app)->session();
+  session.apply(action::Pause{});
+  for (const OverlayInfo& info : overlay_infos())
+    session.apply(action::SetOverlay{info.id, options.overlays.has(info.id)});
+  for (int i = 0; i < options.frames; ++i) session.apply(action::StepFrame{});
+  session.apply(action::SelectBody{options.body});
+  for (int i = 0; i < 3; ++i) (*app)->frame();  // text and tables need more than one to find their sizes
+  return (*app)->screenshot(png_path);
+}
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+// Pictures of the level and of the window, without a display.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "overlay/overlay_id.h"
+#include "session/session.h"
+
+namespace talus {
+
+struct ShotOptions {
+  OverlaySet overlays;
+  std::optional<Rect> area;  // level px to show; nothing: the first screen, 240x136 px, or the map if smaller
+  int zoom = 4;              // px of the picture for one of the level, 1 to 16
+  int body = 0;              // id of the body whose details are always labelled; 0: none
+};
+
+// Draws the play view as the editor would. The error is one sentence without the path.
+tl::expected<void, std::string> write_shot(const Session& session, const ShotOptions& options,
+                                           const std::string& png_path);
+
+struct WindowShotOptions {
+  std::string file;  // empty: the demo level
+  int width = 1280;  // px of the window
+  int height = 720;
+  int frames = 0;  // steps to run before the picture is taken
+  OverlaySet overlays;
+  int body = 0;  // id of the chosen body; 0: none
+};
+
+// Draws the editor's whole window, with the default settings.
+tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
+                                                  const std::string& png_path);
+
+}  // namespace talus
