@@ -233,8 +233,10 @@ void put_cart(const Level& level, Json& cart) {
   const bool is_tic = origin.kind == CartOrigin::Kind::tic;
   cart["kind"] = is_tic ? "tic" : "text";
   const auto edited = is_tic ? edited_tic(origin.bytes, level) : edited_text(origin, level);
-  // A text project whose code does not let the edits in stays as it was; the level itself holds them.
-  const std::string& bytes = edited ? *edited : origin.bytes;
+  // A cartridge that the edits empty, or a text project whose code does not let them in, stays as it was; the
+  // level itself holds the edits.
+  const bool usable = edited && !(is_tic && edited->empty());
+  const std::string& bytes = usable ? *edited : origin.bytes;
   if (!is_tic) return put_text(level, bytes, origin.comment, cart);
   Json chunks = Json::array();
   for (const TicChunk& chunk : parse_tic(bytes).value_or(std::vector<TicChunk>())) {

@@ -154,6 +154,21 @@ std::string render_tic(const CartContent& cart) {
   return join(chunks);
 }
 
+// The bytes of a cartridge with the level in it; adds to `dropped` what only a text project held.
+FormatResult<std::string> tic_of(const Level& level, std::vector<std::string>& dropped) {
+  if (level.cart && level.cart->kind == CartOrigin::Kind::tic) return edited_tic(level.cart->bytes, level);
+  auto cart = level.cart ? text_content(level.cart->bytes, level.cart->comment) : new_cart();
+  if (!cart) return tl::unexpected(cart.error());
+  if (cart->code.size() > kCodeLimit) {
+    return tl::unexpected(FormatError{
+        "", "the code has " + std::to_string(cart->code.size()) + " bytes, and TIC-80 has room for 524287"});
+  }
+  dropped.insert(dropped.end(), cart->rest.begin(), cart->rest.end());
+  if (cart->lang != 0) dropped.emplace_back("the LANG section (TIC-80 never writes it to a cartridge)");
+  cart->banks[0] = edited_bank(level, cart->banks[0]);
+  return render_tic(*cart);
+}
+
 }  // namespace
 
 std::string_view tic_chunk_name(int type) {
@@ -273,21 +288,13 @@ FormatResult<Level> read_tic(std::string_view bytes, const FormatContext&) {
 FormatResult<WrittenLevel> write_tic(const Level& level, const FormatContext&) {
   auto dropped = dropped_by_carts(level);
   if (!dropped) return tl::unexpected(dropped.error());
-  if (level.cart && level.cart->kind == CartOrigin::Kind::tic) {
-    auto bytes = edited_tic(level.cart->bytes, level);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return WrittenLevel{*std::move(bytes), *std::move(dropped)};
+  auto bytes = tic_of(level, *dropped);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (bytes->empty()) {
+    return tl::unexpected(
+        FormatError{"", "has neither drawings nor code, and TIC-80 loads no empty cartridge"});
   }
-  auto cart = level.cart ? text_content(level.cart->bytes, level.cart->comment) : new_cart();
-  if (!cart) return tl::unexpected(cart.error());
-  if (cart->code.size() > kCodeLimit) {
-    return tl::unexpected(FormatError{
-        "", "the code has " + std::to_string(cart->code.size()) + " bytes, and TIC-80 has room for 524287"});
-  }
-  dropped->insert(dropped->end(), cart->rest.begin(), cart->rest.end());
-  if (cart->lang != 0) dropped->emplace_back("the LANG section (TIC-80 never writes it to a cartridge)");
-  cart->banks[0] = edited_bank(level, cart->banks[0]);
-  return WrittenLevel{render_tic(*cart), *std::move(dropped)};
+  return WrittenLevel{*std::move(bytes), *std::move(dropped)};
 }
 
 }  // namespace talus

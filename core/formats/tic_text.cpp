@@ -137,11 +137,11 @@ FormatResult<std::string> read_rows(std::string_view bytes, std::string_view com
   return data;
 }
 
-// A whole section with the empty line behind it; nothing for one of zeros.
+// A whole section with the empty line behind it; for one of zeros nothing, unless its tags are wanted.
 std::string render_section(const SectionInfo& info, int bank, std::string_view data, std::string_view comment,
-                           std::string_view newline) {
+                           std::string_view newline, bool keep_tags = false) {
   const std::string rows = text_rows(info, data, comment, newline);
-  if (rows.empty()) return {};
+  if (rows.empty() && !keep_tags) return {};
   const std::string tag = std::string(info.tag) + (bank == 0 ? "" : std::to_string(bank)) + ">";
   const std::string prefix(comment), end(newline);
   return prefix + " <" + tag + end + rows + prefix + " </" + tag + end + end;
@@ -320,13 +320,15 @@ FormatResult<std::string> edited_text(const CartOrigin& origin, const Level& lev
   const Bank before = cart->banks[0];
   cart->banks[0] = edited_bank(level, before);
   const std::string_view newline = bytes.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
+  // The first section ends the code: without its tags, stray lines behind it would become part of the code.
+  const bool keep_tags = project->strays > 0;
   std::vector<Edit> edits;
   for (const Section id : kLevelSections) {
     const std::string& data = at(cart->banks[0], id);
     if (data == at(before, id)) continue;
     const SectionInfo& info = section_info(id);
-    edits.push_back(
-        edit_of(*project, bytes.size(), info, render_section(info, 0, data, origin.comment, newline)));
+    std::string text = render_section(info, 0, data, origin.comment, newline, keep_tags);
+    edits.push_back(edit_of(*project, bytes.size(), info, std::move(text)));
   }
   if (edits.empty()) return std::string(bytes);
   const bool code_only = project->sections.empty() && project->strays == 0;

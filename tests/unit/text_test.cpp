@@ -125,6 +125,12 @@ TEST(Text, TheFirstSectionLeavesTheCodeAsItWas) {
   }
 }
 
+TEST(Text, StrayLinesDoNotBecomeCode) {
+  Level level = read("code\n" + kMapSection + "stray\n");
+  level.map = TileMap();
+  EXPECT_EQ(write(level), "code\n-- <MAP>\n-- </MAP>\n\nstray\n");
+}
+
 TEST(Text, ABlankProjectIsALevel) {
   Level level = read("");
   EXPECT_EQ(write(level), "");

@@ -96,6 +96,13 @@ TEST(Tic, AnEmptiedSectionIsLeftOut) {
   EXPECT_EQ(write(level), chunk(kTiles, "t") + chunk(kCode, "c"));
 }
 
+TEST(Tic, ACartWithNothingInItIsNotWritten) {
+  Level level = read(chunk(kMap, "m"));
+  level.map.set({0, 0}, 0);
+  EXPECT_EQ(write_tic(level, {}).error().message,
+            "has neither drawings nor code, and TIC-80 loads no empty cartridge");
+}
+
 TEST(Tic, AnEditedPaletteKeepsTheSecondOne) {
   const std::string second(48, 's');
   Level level = read(chunk(kPalette, kSomePalette + second) + chunk(kCode, "c"));
