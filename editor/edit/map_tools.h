@@ -1,5 +1,5 @@
-// Tools of the map: each makes an Edit from a level and a gesture, and changes nothing itself. Cells outside the
-// map are left out.
+// Tools of the map: each makes an Edit from a level and a gesture, and changes nothing itself. Cells outside
+// the map are left out.
 #pragma once
 
 #include <vector>
@@ -29,8 +29,8 @@ Stamp stamp_of_map(const Level& level, CellRect cells);  // the picker; cut like
 
 // One stamp with its top-left cell at `at`.
 Edit paint_stamp(const Level& level, Cell at, const Stamp& stamp);
-// Stamps along the straight line between two cells, both included, aligned to `anchor` in steps of the stamp's
-// size, so that a drag tiles it.
+// Stamps along the straight line between two cells, both included, aligned to `anchor` in steps of the
+// stamp's size, so that a drag tiles it.
 Edit paint_stroke(const Level& level, Cell anchor, Cell from, Cell to, const Stamp& stamp);
 // The rectangle filled with the stamp, repeated from its top-left corner.
 Edit fill_rect(const Level& level, CellRect cells, const Stamp& stamp);

@@ -10,8 +10,8 @@ namespace talus {
 struct SpriteArea {
   SheetId sheet = SheetId::tiles;
   CellRect tiles;  // in tiles of the sheet (16x16); must lie inside it (asserted)
-  int width() const { return tiles.w * kTileSize; }    // px
-  int height() const { return tiles.h * kTileSize; }   // px
+  int width() const { return tiles.w * kTileSize; }                                        // px
+  int height() const { return tiles.h * kTileSize; }                                       // px
   int tile_at(int x, int y) const { return (tiles.y + y) * kSheetColumns + tiles.x + x; }  // by tile
 };
 
@@ -25,7 +25,7 @@ Edit replace_color(const Level& level, const SpriteArea& area, std::uint8_t from
 Edit flip_horizontal(const Level& level, const SpriteArea& area);
 Edit flip_vertical(const Level& level, const SpriteArea& area);
 Edit rotate_clockwise(const Level& level, const SpriteArea& area);  // the area must be square (asserted)
-// Fills the area with a colour and, as TIC-80 does when it erases a whole sprite, clears the flags of its tiles.
+// Fills the area with a colour and clears its flags, as TIC-80 does when it erases a whole sprite.
 Edit clear_area(const Level& level, const SpriteArea& area, std::uint8_t color);
 
 // Whether a flag is set in none, some or all of the area's tiles.

@@ -33,8 +33,8 @@ class UndoStack {
   std::vector<Edit> edits_;
   std::size_t next_ = 0;
   std::ptrdiff_t saved_ = 0;  // -1: the saved state can no longer be reached
-  int open_stroke_ = 0;      // the stroke that the last entry still takes edits of; 0: none
-  EditMerger merger_;        // of the last entry, while its stroke is open
+  int open_stroke_ = 0;       // the stroke that the last entry still takes edits of; 0: none
+  EditMerger merger_;         // of the last entry, while its stroke is open
 };
 
 }  // namespace talus

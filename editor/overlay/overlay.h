@@ -32,7 +32,7 @@ struct OverlayBar {  // a gauge from 0 to 1 above a box
 };
 struct OverlayLabel {
   OverlayId overlay;
-  Vec2 at;           // the point that it belongs to; the canvas keeps the text beside, not over it
+  Vec2 at;  // the point that it belongs to; the canvas keeps the text beside, not over it
   std::string text;
   bool important = true;  // false: left out at low zoom
 };

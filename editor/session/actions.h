@@ -34,7 +34,7 @@ struct NewLevel {};
 struct OpenFile {
   std::string path;
 };
-struct SaveFile {};  // to its own path and format; asks for a name when it has none (Session::wants_save_as())
+struct SaveFile {};  // to its own path and format; without a name: see Session::wants_save_as()
 struct SaveFileAs {
   std::string path;  // the format by its extension; with an unknown one nothing is saved
 };

@@ -36,7 +36,10 @@ void Player::set_speed(double factor) {
   playback_.speed = factor >= kMinSpeed ? std::min(factor, kMaxSpeed) : kMinSpeed;
 }
 
-void Player::step() { solver_->step(state_, playback_.input, &record_); }
+void Player::step() {
+  if (solver_ == nullptr) solver_ = make_solver(scene_);
+  solver_->step(state_, playback_.input, &record_);
+}
 
 void Player::advance(double seconds) {
   assert(seconds >= 0);
@@ -47,7 +50,7 @@ void Player::advance(double seconds) {
 
 void Player::compile(Scene scene) {
   scene_ = std::make_shared<const Scene>(std::move(scene));
-  solver_ = make_solver(scene_);
+  solver_.reset();
 }
 
 }  // namespace talus

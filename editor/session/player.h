@@ -31,7 +31,7 @@ class Player {
   void compile(Scene scene);
 
   std::shared_ptr<const Scene> scene_;
-  std::unique_ptr<Solver> solver_;
+  std::unique_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it
   State state_;
   StepRecord record_;
   Playback playback_;

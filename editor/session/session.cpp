@@ -43,8 +43,8 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
   Edit edit = a.edit;
   rebase_edit(level, edit);
   if (edit.empty()) return;
-  history.push(level, edit, a.stroke);
   note_change(edit);
+  history.push(level, std::move(edit), a.stroke);
 }
 
 void Session::Impl::carry_out(const action::Undo&) {

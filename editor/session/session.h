@@ -22,12 +22,12 @@ inline constexpr double kStepsPerSecond = 60;  // at speed 1; TIC-80's rate
 struct Choices {
   MapTool map_tool = MapTool::stamp;
   SpriteTool sprite_tool = SpriteTool::pencil;
-  SpriteArea area;            // shown in the canvas and the flags panel
-  Stamp stamp;                // painted on the map
-  int color = 12;             // left button, 0..15
-  int secondary_color = 0;    // right button, 0..15
-  int body = 0;               // id of the chosen body; 0: none
-  OverlaySet overlays;        // shown in the play view
+  SpriteArea area;          // shown in the canvas and the flags panel
+  Stamp stamp;              // painted on the map
+  int color = 12;           // left button, 0..15
+  int secondary_color = 0;  // right button, 0..15
+  int body = 0;             // id of the chosen body; 0: none
+  OverlaySet overlays;      // shown in the play view
   std::optional<int> flag_overlay;
   bool grid = true;
   bool screen_borders = true;
@@ -54,28 +54,28 @@ struct Question {
 
 class Session {
  public:
-  // path: the file that the level was read from, in the format of its extension; empty for a level without one.
+  // path: the file that the level was read from, in the format of its extension; empty: none.
   explicit Session(Level level = Level(), std::string path = {});
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // Carries actions out, in order. An edit is fitted to the level as it is by then (see rebase_edit). What the
-  // simulation sees of an edit is in the next step: bodies go on from where they are, except that at frame 0 they
-  // start anew from the edited level.
+  // Carries actions out, in order. An edit is fitted to the level as it is by then (see rebase_edit). What
+  // the simulation sees of an edit is in the next step: bodies go on from where they are, except that at
+  // frame 0 they start anew from the edited level.
   void apply(const Action& action);
   void apply(const Actions& actions);
-  // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a longer
-  // pause the rest is dropped.
+  // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a
+  // longer pause the rest is dropped.
   void advance(double seconds);
   static constexpr int kMaxCatchUpSteps = 64;
 
   const Level& level() const;
   std::uint64_t revision() const;  // grows with every change of the level, undo and opening included
   const UndoStack& history() const;
-  const std::string& path() const;  // empty when it has none
-  std::string file_name() const;    // for titles: "demo.talus.json", or "untitled"
-  bool modified() const;            // differs from the file
+  const std::string& path() const;               // empty when it has none
+  std::string file_name() const;                 // for titles: "demo.talus.json", or "untitled"
+  bool modified() const;                         // differs from the file
   const std::vector<Problem>& problems() const;  // lint of the level as it is
 
   const Scene& scene() const;        // of the level as it is
@@ -89,8 +89,8 @@ class Session {
   bool wants_save_as() const;                       // waits for SaveFileAs or CancelSaveAs
   bool wants_quit() const;                          // the program should end
 
-  // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and give the
-  // same number to each of its edits.
+  // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and
+  // give the same number to each of its edits.
   int next_stroke() const;
 
  private:

@@ -48,7 +48,7 @@ struct Session::Impl {
   void carry_out(const action::SetGrid& a) { choices.grid = a.on; }
   void carry_out(const action::SetScreenBorders& a) { choices.screen_borders = a.on; }
 
-  void note_change(const Edit& edit);  // to be called after each edit, undo and redo
+  void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
   void refresh_scene();                // brings the simulation up to the level, if it is behind
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
 
