@@ -1,0 +1,100 @@
+// Scenarios: what is answered, what is refused, and what is not a scenario at all.
+#include "formats/replay.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> replay(const std::string& ops) {
+  const auto answers = replay_scenario("{\"cell_size\":8,\"ops\":[" + ops + "]}");
+  if (!answers) return {answers.error().place + ": " + answers.error().message};
+  return *answers;
+}
+
+const std::string kBall = R"({"op":"add","item":1,"rect":[0,0,8,8]},)";
+const std::string kWall = R"({"op":"add","item":7,"rect":[12,0,8,8]},)";
+const std::string kOk = R"({"ok":true})";
+
+TEST(Replay, AnswersEveryOperationWithALine) {
+  EXPECT_THAT(replay(kBall + kWall + R"({"op":"move","item":1,"goal":[20,0.5],"filter":{"7":"slide"}},
+                                {"op":"getRect","item":1},{"op":"toCell","point":[-1,9]},
+                                {"op":"queryRect","rect":[0,0,40,40]},{"op":"queryPoint","point":[13,1]},
+                                {"op":"querySegment","from":[0,2],"to":[40,2]},
+                                {"op":"querySegmentWithCoords","from":[10,2],"to":[26,2]},
+                                {"op":"update","item":1,"rect":[1,2]},{"op":"getRect","item":1},
+                                {"op":"remove","item":1},{"op":"queryRect","rect":[0,0,40,40]})"),
+              ElementsAre(kOk, kOk,
+                          R"({"x":4,"y":0.5,"cols":[{"other":7,"type":"slide","overlaps":false,"ti":0.2,)"
+                          R"("move":[20,0.5],"normal":[-1,0],"touch":[4,0.1],"slide":[4,0.5]}]})",
+                          R"({"rect":[4,0.5,8,8]})", R"({"cell":[0,2]})", R"({"items":[1,7]})",
+                          R"({"items":[7]})", R"({"items":[1,7]})",
+                          R"({"items":[{"item":1,"ti1":0,"ti2":0.125,"x1":10,"y1":2,"x2":12,"y2":2},)"
+                          R"({"item":7,"ti1":0.125,"ti2":0.625,"x1":12,"y1":2,"x2":20,"y2":2}]})",
+                          kOk, R"({"rect":[1,2,8,8]})", kOk, R"({"items":[7]})"));
+}
+
+TEST(Replay, AnswersWhatTheWorldRefusesInItsWords) {
+  EXPECT_THAT(replay(kBall + kBall + R"({"op":"add","item":2,"rect":[0,0,0,5]},
+                       {"op":"add","item":2,"rect":[null,0,4,5]},{"op":"add","item":2,"rect":[0,"a",4,5]},
+                       {"op":"add","item":2,"rect":[0,0,4]},{"op":"add","item":2,"rect":[0,0,true,4]},
+                       {"op":"getRect","item":2})"),
+              ElementsAre(kOk, R"j({"error":"Item 1 added to the world twice."})j",
+                          R"j({"error":"w must be a positive integer, but was 0(number)"})j",
+                          R"j({"error":"x must be a number, but was nil(a nil)"})j",
+                          R"j({"error":"y must be a number, but was a(a string)"})j",
+                          R"j({"error":"h must be a positive integer, but was nil(nil)"})j",
+                          R"j({"error":"w must be a positive integer, but was true(boolean)"})j",
+                          R"j({"error":"Item 2 must be added to the world before getting its rect. )j"
+                          R"j(Use world:add(item, x,y,w,h) to add it first."})j"));
+}
+
+TEST(Replay, ComplainsOfAnUnknownResponseOnlyWhenItIsReached) {
+  EXPECT_THAT(replay(kBall + kWall + R"({"op":"move","item":1,"goal":[1,0],"filter":{"default":"foo"}},
+                       {"op":"move","item":1,"goal":[20,0],"filter":{"default":"foo"}},{"op":"getRect","item":1},
+                       {"op":"move","item":1,"goal":[20,0],"filter":{"default":"foo","7":null}})"),
+              ElementsAre(kOk, kOk, R"({"x":1,"y":0,"cols":[]})",
+                          R"j({"error":"Unknown collision type: foo (string)"})j", R"({"rect":[1,0,8,8]})",
+                          R"({"x":20,"y":0,"cols":[]})"));
+}
+
+// A missing goal stands for the old place; only a response that sets it can save the move.
+TEST(Replay, TakesAGoalThatIsMissing) {
+  EXPECT_THAT(
+      replay(kBall + R"({"op":"check","item":1,"goal":[null,3]},{"op":"move","item":1,"goal":[null,3]},
+                       {"op":"getRect","item":1},{"op":"add","item":2,"rect":[0,10,8,8]},
+                       {"op":"move","item":1,"goal":[null,3]})"),
+      ElementsAre(kOk, R"({"x":null,"y":3,"cols":[]})",
+                  R"j({"error":"x must be a number, but was nil(a nil)"})j", R"({"rect":[0,0,8,8]})", kOk,
+                  R"({"x":0,"y":2,"cols":[{"other":2,"type":"slide","overlaps":false,)"
+                  R"("ti":0.6666666666666666,"move":[0,3],"normal":[0,-1],"touch":[0,2],"slide":[0,2]}]})"));
+}
+
+TEST(Replay, TellsWhereAScenarioIsMalformed) {
+  const auto error = [](std::string_view text) {
+    const auto answers = replay_scenario(text);
+    return answers ? "none" : answers.error().place + ": " + answers.error().message;
+  };
+  EXPECT_EQ(error("{\"ops\":["), "byte 9: This is not valid JSON.");
+  EXPECT_EQ(error("[]"), ": A scenario must be an object.");
+  EXPECT_EQ(error("{}"), ": \"ops\" is missing.");
+  EXPECT_EQ(error(R"({"ops":4})"), ": \"ops\" must be an array.");
+  EXPECT_EQ(error(R"({"ops":[],"cell_size":0})"), ": cellSize must be a positive integer, but was 0(number)");
+  EXPECT_EQ(error(R"({"ops":[],"cell_size":"8"})"), ": \"cell_size\" must be a number.");
+  EXPECT_EQ(error(R"({"ops":[{"op":"toCell","point":[1,2]},5]})"), "op 2: An operation must be an object.");
+  EXPECT_EQ(error(R"({"ops":[{"op":"fly"}]})"), "op 1: There is no operation \"fly\".");
+  EXPECT_EQ(error(R"({"ops":[{"op":"add","item":1}]})"), "op 1: \"rect\" is missing.");
+  EXPECT_EQ(error(R"({"ops":[{"op":"getRect"}]})"), "op 1: \"item\" is missing.");
+  EXPECT_EQ(error(R"({"ops":[{"op":"getRect","item":"a"}]})"), "op 1: \"item\" must be an integer.");
+  EXPECT_EQ(error(R"({"ops":[{"op":"toCell","point":[1]}]})"),
+            "op 1: \"point\" must be an array of 2 numbers.");
+  EXPECT_EQ(error(R"({"ops":[{"op":"queryRect","rect":[1,2,3,4,5]}]})"),
+            "op 1: \"rect\" must be an array of 4 numbers.");
+  EXPECT_EQ(error(R"({"ops":[]})"), "none");
+}
+
+}  // namespace
+}  // namespace talus
