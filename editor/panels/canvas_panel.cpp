@@ -70,14 +70,11 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
                                    {"map/rectangle", Icon::rectangle}, {"map/fill", Icon::fill},
                                    {"map/erase", Icon::erase},         {"map/pick", Icon::pick}};
   const float button = ui.px(theme::kButton);
-  ui.same_line_if_fits(6 * (button + ui.px(4)) + ui.px(8));
-  ImGui::Dummy({ui.px(4), 0});
+  ui.same_line_if_fits(6 * (button + ui.px(4)), ui.px(8));
   for (const ToolButton& tool : kTools) {
-    ui.same_line_if_fits(button);
+    if (&tool != kTools) ui.same_line_if_fits(button);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
   }
-  ui.same_line_if_fits(ui.px(4) + button);
-  ImGui::Dummy({ui.px(4), 0});
   constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
                                   {"canvas/zoom_in", Icon::zoom_in},
                                   {"map/fit", Icon::fit},
@@ -86,17 +83,17 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
                                   {"canvas/paint_in_play", Icon::pencil}};
   for (const ToolButton& tool : kView) {
     if (tool.command == "canvas/paint_in_play" && ui.view.canvas == CanvasMode::map) continue;
-    ui.same_line_if_fits(button);
+    ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
   }
-  ui.same_line_if_fits(ui.px(120));
+  ui.same_line_if_fits(ui.px(88));
   draw_flag_tint_choice(session, actions, ui);
 }
 
 void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
   const auto flag = session.choices().flag_overlay;
   const std::string now = flag ? flag_text(session.level(), *flag) : "no tint";
-  ImGui::SetNextItemWidth(ui.px(120));
+  ImGui::SetNextItemWidth(ui.px(88));
   const bool open = ImGui::BeginCombo("##tint", now.c_str());
   const Command& command = find_command("canvas/flag_tint");
   ui.item("canvas/flag_tint", "Tints the cells whose tile has a flag, in both views.", keys_of(command));

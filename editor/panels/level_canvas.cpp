@@ -103,24 +103,32 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   if (hovered) {
     ui.view.hover.pixel = view.to_level(io.MousePos);
     if (session.level().map.contains(cell)) ui.view.hover.cell = cell;
-    if (io.MouseWheel != 0)
-      camera_.zoom_at({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y}, io.MouseWheel > 0 ? 1 : -1);
+    zoom_by_wheel({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
     if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||
         io.MouseWheel != 0)
       ui.view.play_active = is_play();
   }
-  if (handle_panning(session, hovered)) return;
-  if (is_play() && !ui.view.paint_in_play) {
+  const bool paints = !is_play() || ui.view.paint_in_play;
+  if (handle_panning(session, paints, hovered)) return;
+  if (!paints) {
     handle_play_mouse(session, actions, view, hovered);
   } else {
     gesture_.update(session, actions, cell, hovered && ImGui::IsMouseClicked(0), io.MouseDown[0]);
   }
 }
 
-bool LevelCanvas::handle_panning(const Session& session, bool hovered) {
+// Touch pads turn the wheel by fractions, which add up.
+void LevelCanvas::zoom_by_wheel(ImVec2 at) {
+  wheel_ += ImGui::GetIO().MouseWheel;
+  const int steps = static_cast<int>(wheel_);
+  wheel_ -= static_cast<float>(steps);
+  if (steps != 0) camera_.zoom_at(at, steps);
+}
+
+bool LevelCanvas::handle_panning(const Session& session, bool paints, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hand = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) ||
-                    (session.choices().map_tool == MapTool::pan && !is_play());
+                    (session.choices().map_tool == MapTool::pan && paints);
   if (hovered && (ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) || (hand && ImGui::IsMouseClicked(0))))
     panning_ = true;
   if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;

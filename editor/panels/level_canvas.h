@@ -24,7 +24,8 @@ class LevelCanvas {
   void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
-  bool handle_panning(const Session& session, bool hovered);
+  void zoom_by_wheel(ImVec2 at);
+  bool handle_panning(const Session& session, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const;
   void draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const;
@@ -33,6 +34,7 @@ class LevelCanvas {
   Camera camera_;
   MapGesture gesture_;
   int level_number_ = -1;  // of the level that the camera was set for
+  float wheel_ = 0;        // clicks of the wheel that made no whole step yet
   bool panning_ = false;
   bool holding_ = false;  // the left button went down on the play view
 };

@@ -76,7 +76,8 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine(ui.px(270));
   ImGui::TextUnformatted(title.c_str());
   ui.tooltip(session.path().empty() ? "Not in a file yet." : session.path());
-  ui.right_aligned(solver, theme::color(theme::kMuted));
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(solver.c_str()).x - ui.px(8));
+  ui.heading(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
   ImGui::EndMenuBar();
 }

@@ -71,9 +71,10 @@ void PalettePanel::draw_editor(const Session& session, Actions& actions, Ui& ui)
   ImGui::PushItemWidth(-1);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(4), ui.px(1)));
   constexpr std::array<const char*, 3> kFormats = {"R %d", "G %d", "B %d"};
+  constexpr std::array<const char*, 3> kLabels = {"##red", "##green", "##blue"};
   constexpr std::array<const char*, 3> kNames = {"palette/red", "palette/green", "palette/blue"};
   for (std::size_t i = 0; i < 3; ++i) {
-    changed |= ImGui::SliderInt(kNames[i] + 7, &rgb[i], 0, 255, kFormats[i], ImGuiSliderFlags_AlwaysClamp);
+    changed |= ImGui::SliderInt(kLabels[i], &rgb[i], 0, 255, kFormats[i], ImGuiSliderFlags_AlwaysClamp);
     stroke_begins |= ImGui::IsItemActivated();
     ui.item(kNames[i], "Drag, or Ctrl+click to type; undoable.");
   }

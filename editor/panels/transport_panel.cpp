@@ -36,7 +36,7 @@ void draw_overlay_switch(const OverlayInfo& info, const Session& session, Action
   const float height = ui.px(theme::kButton), icon = ui.px(14);
   const ImVec2 text = ImGui::CalcTextSize(label.c_str());
   const float width = text.x + icon + ui.px(16);
-  ui.same_line_if_fits(width);
+  ui.same_line_if_fits(width, info.id == OverlayId::boxes ? ui.px(8) : 0);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, theme::color(on ? theme::kControlHot : theme::kPanel));
   if (ImGui::Button(("##" + id).c_str(), {width, height})) command.run(session, actions, ui);
@@ -65,8 +65,6 @@ void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ui.tooltip("Steps made since frame 0.");
   ImGui::SameLine();
   draw_speed(session, actions, ui);
-  ui.same_line_if_fits(ui.px(8));
-  ImGui::Dummy({ui.px(4), 0});
   for (const OverlayInfo& info : overlay_infos()) draw_overlay_switch(info, session, actions, ui);
 }
 

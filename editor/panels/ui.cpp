@@ -107,9 +107,10 @@ void Ui::right_aligned(std::string_view text, ImU32 color) {
   ImGui::PopStyleColor();
 }
 
-void Ui::same_line_if_fits(float width) {
+void Ui::same_line_if_fits(float width, float gap) {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
+  const float space = ImGui::GetStyle().ItemSpacing.x + gap;
+  if (ImGui::GetItemRectMax().x + space + width <= right) ImGui::SameLine(0, space);
 }
 
 UiFrame::UiFrame(Ui& ui) : ui_(ui) {

@@ -50,8 +50,8 @@ class Ui {
   void hint(std::string_view text);
   // Text of a number that ends at the right edge of the current column.
   void right_aligned(std::string_view text, ImU32 color = theme::color(theme::kText));
-  // Keeps the next item of this width on the line if it fits there.
-  void same_line_if_fits(float width);
+  // Keeps the next item of this width on the line if it fits there, `gap` px further than usual.
+  void same_line_if_fits(float width, float gap = 0);
 
  private:
   void show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key);

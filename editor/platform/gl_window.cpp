@@ -55,6 +55,7 @@ tl::expected<std::unique_ptr<GlWindow>, std::string> GlWindow::open(const Window
 }
 
 std::string GlWindow::start(const WindowOptions& options) {
+  offscreen_ = options.offscreen;
   if (options.offscreen) SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
   has_video_ = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
   if (options.offscreen) SDL_ResetHint(SDL_HINT_VIDEODRIVER);
@@ -136,6 +137,7 @@ void GlWindow::begin_frame(const EventQueue& events) {
 
 void GlWindow::end_frame() {
   ImGui::Render();
+  if (offscreen_) return;
   const ImDrawData* data = ImGui::GetDrawData();
   glViewport(0, 0, static_cast<int>(data->DisplaySize.x * data->FramebufferScale.x),
              static_cast<int>(data->DisplaySize.y * data->FramebufferScale.y));

@@ -35,7 +35,9 @@ class GlWindow {
   void set_scale(float scale);
   void process_event(const SDL_Event& event);
   void begin_frame(const EventQueue& events);
-  void end_frame();  // draws what was put into Dear ImGui since begin_frame() and shows it
+  // Draws what was put into Dear ImGui since begin_frame() and shows it. Offscreen nobody would see it: there
+  // draw_picture() draws, when a picture is wanted.
+  void end_frame();
 
  private:
   GlWindow() = default;
@@ -44,6 +46,7 @@ class GlWindow {
   SDL_Window* window_ = nullptr;
   SDL_GLContext gl_ = nullptr;
   ImGuiContext* imgui_ = nullptr;
+  bool offscreen_ = false;
   bool has_video_ = false;
   bool has_backend_ = false;
   float scale_ = 0;  // of the fonts

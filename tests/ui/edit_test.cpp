@@ -1,0 +1,231 @@
+// Painting, pixels, flags, palette, tuning, and taking it all back.
+#include "harness.h"
+
+namespace talus {
+namespace {
+
+class UiEdit : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  std::uint8_t pixel(int tile, int x, int y) {
+    return level()
+        .sheet(SheetId::tiles)
+        .images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(y * 8 + x)];
+  }
+  std::uint8_t flags(int tile) { return level().sheet(SheetId::tiles).flags[static_cast<std::size_t>(tile)]; }
+};
+
+TEST_F(UiEdit, ClickPaintsTheSelectedTile) {
+  click(on_sheet(3));
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<std::uint8_t>{3});
+  click(on_map({12, 9}));
+  EXPECT_EQ(tile_at({12, 9}), 3);
+  EXPECT_EQ(tile_at({13, 9}), 0);
+  EXPECT_TRUE(session().modified());
+}
+
+TEST_F(UiEdit, StrokeIsOneUndo) {
+  click(on_sheet(1));
+  drag(on_map({3, 4}), on_map({11, 4}));
+  for (int x = 3; x <= 11; ++x) EXPECT_EQ(tile_at({x, 4}), 1) << x;
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  key(ctrl('z'));
+  for (int x = 3; x <= 11; ++x) EXPECT_EQ(tile_at({x, 4}), 0) << x;
+  EXPECT_FALSE(session().modified());
+  key(ctrl('y'));
+  EXPECT_EQ(tile_at({11, 4}), 1);
+  drag(on_map({3, 6}), on_map({5, 6}));
+  EXPECT_EQ(session().history().edits().size(), 2u);
+}
+
+TEST_F(UiEdit, StampOfSeveralTiles) {
+  drag(on_sheet(3), on_sheet(6));
+  EXPECT_EQ(session().choices().stamp.w, 4);
+  click(on_map({10, 8}));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(tile_at({10 + i, 8}), 3 + i);
+}
+
+TEST_F(UiEdit, MapToolsByTheirKeys) {
+  click(on_sheet(1));
+  key(kKeyF3);
+  key('3');
+  drag(on_map({2, 2}), on_map({4, 3}));
+  for (int y = 2; y <= 3; ++y)
+    for (int x = 2; x <= 4; ++x) EXPECT_EQ(tile_at({x, y}), 1);
+  key('5');
+  click(on_map({3, 2}));
+  EXPECT_EQ(tile_at({3, 2}), 0);
+  key('6');
+  drag(on_map({2, 2}), on_map({3, 2}));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<std::uint8_t>{1, 0}));
+  EXPECT_EQ(session().choices().map_tool, MapTool::stamp);
+  key('4');
+  click(on_sheet(6));
+  click(on_map({20, 2}));
+  EXPECT_EQ(tile_at({20, 2}), 6);
+  EXPECT_EQ(tile_at({29, 15}), 6);
+  EXPECT_EQ(tile_at({2, 2}), 1);
+  move(on_map({4, 3}));
+  key(kKeyDelete);
+  EXPECT_EQ(tile_at({4, 3}), 0);
+}
+
+TEST_F(UiEdit, PencilDrawsWithBothButtons) {
+  click(on_sheet(1));
+  click("palette/color5");
+  click("palette/color9", kRight);
+  drag(on_pixels(0, 0), on_pixels(7, 0));
+  click(on_pixels(3, 5), kRight);
+  for (int x = 0; x < 8; ++x) EXPECT_EQ(pixel(1, x, 0), 5) << x;
+  EXPECT_EQ(pixel(1, 3, 5), 9);
+  EXPECT_EQ(pixel(1, 0, 1), 13);
+  key(ctrl('z'));
+  EXPECT_EQ(pixel(1, 3, 5), 13);
+  key(ctrl('z'));
+  EXPECT_EQ(pixel(1, 0, 0), 13);
+  EXPECT_EQ(pixel(1, 7, 0), 13);
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiEdit, SpriteToolsByTheirKeys) {
+  click(on_sheet(2));
+  key('4');
+  click("palette/color7");
+  click(on_pixels(0, 0));
+  EXPECT_EQ(pixel(2, 7, 7), 7);
+  EXPECT_EQ(pixel(2, 3, 3), 3);
+  key('1');
+  click("palette/color1");
+  click(on_pixels(0, 0));
+  key('5');
+  EXPECT_EQ(pixel(2, 7, 0), 1);
+  EXPECT_EQ(pixel(2, 0, 0), 7);
+  key('6');
+  EXPECT_EQ(pixel(2, 7, 7), 1);
+  key('7');
+  EXPECT_EQ(pixel(2, 0, 7), 1);
+  key('2');
+  click(on_pixels(3, 3));
+  EXPECT_EQ(session().choices().color, 3);
+  click(on_pixels(0, 0), kMiddle);
+  EXPECT_EQ(session().choices().color, 7);
+  key(']');
+  EXPECT_EQ(session().choices().color, 8);
+  key('8');
+  EXPECT_EQ(pixel(2, 3, 3), 0);
+  key(kKeyRight);
+  EXPECT_EQ(session().choices().area.tiles, (CellRect{3, 0, 1, 1}));
+  key(kKeyTab);
+  EXPECT_EQ(session().choices().area.sheet, SheetId::sprites);
+}
+
+TEST_F(UiEdit, LampTogglesTheFlagOfOneTile) {
+  click(on_sheet(7));
+  click("flags/lamp3");
+  EXPECT_EQ(flags(7), 8);
+  click("flags/lamp0");
+  EXPECT_EQ(flags(7), 9);
+  click("flags/lamp3");
+  EXPECT_EQ(flags(7), 1);
+  key(ctrl('z'));
+  key(ctrl('z'));
+  key(ctrl('z'));
+  EXPECT_EQ(flags(7), 0);
+  key(ctrl('y'));
+  EXPECT_EQ(flags(7), 8);
+}
+
+TEST_F(UiEdit, LampOverASelectionClearsWhatAnyHas) {
+  drag(on_sheet(1), on_sheet(3));
+  EXPECT_EQ(flag_lamp(level(), session().choices().area, 0), FlagLamp::some);
+  click("flags/lamp0");
+  EXPECT_EQ(flags(1), 0);
+  click("flags/lamp0");
+  EXPECT_EQ(flags(1), 1);
+  EXPECT_EQ(flags(2), 3);
+  EXPECT_EQ(flags(3), 5);
+  EXPECT_EQ(flags(4), 0);
+}
+
+TEST_F(UiEdit, FlagIsNamedAndGivenARole) {
+  click("flags/menu5");
+  type("ladder");
+  key(KeyChord{'\r'});
+  EXPECT_EQ(level().flag_names[5], "ladder");
+  click("flags/menu5");
+  click("flags/role_solid");
+  EXPECT_EQ(level().roles.solid, 5);
+  click("map/canvas");  // closes the menu, and does nothing else
+  EXPECT_EQ(session().history().edits().size(), 2u);
+  key(ctrl('z'));
+  EXPECT_EQ(level().roles.solid, 0);
+  EXPECT_EQ(level().flag_names[5], "ladder");
+}
+
+TEST_F(UiEdit, ColourIsEditedInOneUndo) {
+  click("palette/color12");
+  const Widget* red = find("palette/red");
+  ASSERT_NE(red, nullptr);
+  drag(red->centre(), {red->min.x + 1, red->centre().y});
+  EXPECT_EQ(level().palette[12].r, 0);
+  EXPECT_EQ(level().palette[12].g, default_palette()[12].g);
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  key(ctrl('z'));
+  EXPECT_EQ(level().palette[12], default_palette()[12]);
+  key(ctrl('y'));
+  EXPECT_EQ(level().palette[12].r, 0);
+  click("palette/hex");
+  key(ctrl('a'));
+  type("102030");
+  key(KeyChord{'\r'});
+  EXPECT_EQ(level().palette[12], (Rgb{0x10, 0x20, 0x30}));
+}
+
+TEST_F(UiEdit, TuningIsDraggedInOneUndoAndReset) {
+  click("tabs/tuning");
+  frames(2);
+  const ImVec2 at = centre("tuning/fall_speed");
+  drag(at, {at.x + 40, at.y});
+  EXPECT_GT(level().tuning.article.fall_speed, 5);
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  frames(2);
+  click("tuning/reset_fall_speed");
+  EXPECT_EQ(level().tuning.article.fall_speed, 5);
+  key(ctrl('z'));
+  EXPECT_GT(level().tuning.article.fall_speed, 5);
+  key(ctrl('z'));
+  EXPECT_EQ(level().tuning.article.fall_speed, 5);
+}
+
+TEST_F(UiEdit, HistoryGoesBackByAClick) {
+  click(on_sheet(1));
+  for (int x = 1; x <= 3; ++x) click(on_map({x, 2}));
+  click("tabs/history");
+  frames(2);
+  click("history/entry1");
+  EXPECT_EQ(tile_at({1, 2}), 1);
+  EXPECT_EQ(tile_at({2, 2}), 0);
+  click("history/entry3");
+  EXPECT_EQ(tile_at({3, 2}), 1);
+}
+
+TEST_F(UiEdit, ProblemIsShownOnTheMap) {
+  click(on_sheet(1));
+  click(on_map({5, 10}));  // paints over the only ball
+  ASSERT_FALSE(session().problems().empty());
+  click(on_sheet(3));
+  click(on_map({20, 4}));  // an up-slope without its other half
+  frames(2);
+  const auto& problems = session().problems();
+  std::size_t row = 0;
+  while (row < problems.size() && problems[row].cell != Cell{20, 4}) ++row;
+  ASSERT_LT(row, problems.size());
+  click("problems/row" + std::to_string(row));
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 4}));
+}
+
+}  // namespace
+}  // namespace talus

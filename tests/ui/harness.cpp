@@ -1,0 +1,228 @@
+// The hand and the eyes of the tests.
+#include "harness.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "formats/format.h"
+#include "platform/sdl_keys.h"
+
+namespace talus {
+
+namespace fs = std::filesystem;
+
+void UiTest::SetUp() {
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = fs::path(::testing::TempDir()) / ("talus-ui-" + std::to_string(::getpid())) / info->name();
+  fs::remove_all(folder_);
+  fs::create_directories(folder_);
+  ::setenv("TALUS_CONFIG_DIR", path("config").c_str(), 1);
+}
+
+void UiTest::TearDown() {
+  if (HasFailure() && app_) {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    const fs::path picture = fs::path(TALUS_FAILURE_DIR) / (std::string(info->name()) + ".png");
+    fs::create_directories(picture.parent_path());
+    const auto taken = app_->screenshot(picture.string());
+    std::cout << (taken ? "See " + picture.string() : "No picture: " + taken.error()) << '\n';
+  }
+  stop();
+  fs::remove_all(folder_);
+}
+
+void UiTest::start(const std::string& file, int width, int height) {
+  stop();
+  AppOptions options;
+  options.file = file;
+  options.width = width;
+  options.height = height;
+  options.offscreen = true;
+  options.clock = [this] { return clock_; };
+  auto app = App::start(std::move(options));
+  ASSERT_TRUE(app) << app.error();
+  app_ = std::move(*app);
+  frames(3);
+}
+
+Level UiTest::test_level() {
+  Level level;
+  level.map = TileMap(30, 17);
+  for (int x = 0; x < 30; ++x) level.map.set({x, 16}, 1);
+  level.map.set({5, 10}, 2);
+  Sheet& tiles = level.sheet(SheetId::tiles);
+  tiles.flags[1] = 1;
+  tiles.flags[2] = 2;
+  tiles.flags[3] = 4;
+  tiles.flags[5] = 8;
+  tiles.images[1].fill(13);
+  for (int y = 1; y < 7; ++y)
+    for (int x = 1; x < 7; ++x) tiles.images[2][static_cast<std::size_t>(y * 8 + x)] = 3;
+  for (int tile = 3; tile <= 6; ++tile) tiles.images[static_cast<std::size_t>(tile)].fill(14);
+  return level;
+}
+
+std::string UiTest::save_test_level(const std::string& name) {
+  const std::string file = path(name);
+  const auto saved = save_level(test_level(), *format_for_file(file), file);
+  EXPECT_TRUE(saved);
+  return file;
+}
+
+std::string UiTest::bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
+void UiTest::frames(int count) {
+  for (int i = 0; i < count || app_->has_waiting_events(); ++i) {
+    clock_ += 1.0 / 60;
+    app_->frame();
+  }
+}
+
+ImVec2 UiTest::centre(std::string_view name) {
+  const Widget* widget = find(name);
+  EXPECT_NE(widget, nullptr) << "no widget " << name;
+  return widget ? widget->centre() : ImVec2(0, 0);
+}
+
+ImVec2 UiTest::on_canvas(const std::string& canvas, Vec2 at) {
+  const ImVec2 from = centre(canvas + "/canvas"), to{from.x + 32, from.y};
+  move(from);
+  const auto first = app_->ui().view.hover.pixel;
+  move(to);
+  const auto second = app_->ui().view.hover.pixel;
+  if (!first || !second) {
+    ADD_FAILURE() << "the mouse is not over " << canvas;
+    return {0, 0};
+  }
+  const double zoom = 32 / (second->x - first->x);
+  return {static_cast<float>(from.x + (at.x - first->x) * zoom),
+          static_cast<float>(from.y + (at.y - first->y) * zoom)};
+}
+
+ImVec2 UiTest::on_pixels(int x, int y) {
+  const Widget* canvas = find("pixels/canvas");
+  const SpriteArea& area = session().choices().area;
+  if (!canvas) return {0, 0};
+  return {canvas->min.x + (canvas->max.x - canvas->min.x) * (static_cast<float>(x) + 0.5f) /
+                              static_cast<float>(area.width()),
+          canvas->min.y + (canvas->max.y - canvas->min.y) * (static_cast<float>(y) + 0.5f) /
+                              static_cast<float>(area.height())};
+}
+
+ImVec2 UiTest::on_sheet(int tile) {
+  const Widget* sheet = find("sheet/tiles") ? find("sheet/tiles") : find("sheet/sprites");
+  if (!sheet) return {0, 0};
+  const float cell = (sheet->max.x - sheet->min.x) / 16;
+  return {sheet->min.x + cell * (static_cast<float>(tile % 16) + 0.5f),
+          sheet->min.y + cell * (static_cast<float>(tile / 16) + 0.5f)};
+}
+
+void UiTest::push(SDL_Event event) { ASSERT_EQ(SDL_PushEvent(&event), 1) << SDL_GetError(); }
+
+void UiTest::move(ImVec2 to) {
+  mouse_ = {std::floor(to.x), std::floor(to.y)};
+  SDL_Event event{};
+  event.type = SDL_MOUSEMOTION;
+  event.motion.x = static_cast<int>(mouse_.x);
+  event.motion.y = static_cast<int>(mouse_.y);
+  push(event);
+  frames();
+}
+
+void UiTest::press(int button) {
+  SDL_Event event{};
+  event.type = SDL_MOUSEBUTTONDOWN;
+  event.button.button = static_cast<Uint8>(button);
+  event.button.state = SDL_PRESSED;
+  event.button.clicks = 1;
+  event.button.x = static_cast<int>(mouse_.x);
+  event.button.y = static_cast<int>(mouse_.y);
+  push(event);
+  frames();
+}
+
+void UiTest::release(int button) {
+  SDL_Event event{};
+  event.type = SDL_MOUSEBUTTONUP;
+  event.button.button = static_cast<Uint8>(button);
+  event.button.state = SDL_RELEASED;
+  event.button.x = static_cast<int>(mouse_.x);
+  event.button.y = static_cast<int>(mouse_.y);
+  push(event);
+  frames();
+}
+
+void UiTest::click(ImVec2 at, int button) {
+  move(at);
+  press(button);
+  release(button);
+  frames();
+}
+
+void UiTest::drag(ImVec2 from, ImVec2 to, int button) {
+  move(from);
+  press(button);
+  for (int i = 1; i <= 4; ++i)
+    move({from.x + (to.x - from.x) * static_cast<float>(i) / 4,
+          from.y + (to.y - from.y) * static_cast<float>(i) / 4});
+  release(button);
+  frames();
+}
+
+void UiTest::wheel(int clicks) {
+  SDL_Event event{};
+  event.type = SDL_MOUSEWHEEL;
+  event.wheel.y = clicks > 0 ? 1 : -1;
+#if SDL_VERSION_ATLEAST(2, 0, 18)
+  event.wheel.preciseY = static_cast<float>(event.wheel.y);
+#endif
+  for (int i = 0; i < std::abs(clicks); ++i) push(event);
+  frames();
+}
+
+void UiTest::push_key(SDL_Keysym sym, bool down) {
+  SDL_Event event{};
+  event.type = down ? SDL_KEYDOWN : SDL_KEYUP;
+  event.key.state = down ? SDL_PRESSED : SDL_RELEASED;
+  event.key.keysym = sym;
+  push(event);
+}
+
+void UiTest::key(KeyChord chord) {
+  SDL_Keysym sym = keysym_of(chord);
+  push_key(sym, true);
+  frames();
+  sym.mod = KMOD_NONE;
+  push_key(sym, false);
+  frames();
+}
+
+void UiTest::type(const std::string& text) {
+  for (char c : text) {
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = c;
+    push(event);
+  }
+  frames(2);
+}
+
+void UiTest::drop(const std::string& file) {
+  SDL_Event event{};
+  event.type = SDL_DROPFILE;
+  event.drop.file = SDL_strdup(file.c_str());
+  push(event);
+  frames(2);
+}
+
+}  // namespace talus

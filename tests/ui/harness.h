@@ -1,0 +1,76 @@
+// UiTest: runs the real editor without a display, feeds it SDL events as a user's hand would, and finds its
+// widgets by name. A failed test leaves a picture of the window in the build directory's ui-failures/.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "panels/keys.h"
+#include "platform/app.h"
+
+namespace talus {
+
+class UiTest : public ::testing::Test {
+ protected:
+  static constexpr int kLeft = SDL_BUTTON_LEFT, kRight = SDL_BUTTON_RIGHT, kMiddle = SDL_BUTTON_MIDDLE;
+
+  void SetUp() override;
+  void TearDown() override;
+
+  // Starts the editor on a file; ends the one that ran.
+  void start(const std::string& file, int width = 1280, int height = 720);
+  // The same on test_level().
+  void start() { start(save_test_level("level.talus.json")); }
+  void stop() { app_.reset(); }
+
+  // 30x17 cells with a floor in row 16. Tiles: 1 solid, 2 ball, 3 and 4 up-slope, 5 and 6 down-slope. A ball
+  // lies in cell (5,10).
+  static Level test_level();
+  std::string save_test_level(const std::string& name);
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  static std::string bytes_of(const std::string& file);
+
+  App& app() { return *app_; }
+  Session& session() { return app_->session(); }
+  const Level& level() { return session().level(); }
+  std::uint8_t tile_at(Cell cell) { return level().map.at(cell); }
+  const Body& ball() { return session().state().bodies.at(0); }
+
+  // Lets frames of 1/60 s pass, at least until no event waits.
+  void frames(int count = 1);
+
+  const Widget* find(std::string_view name) { return app_->ui().widgets.find(name); }
+  ImVec2 centre(std::string_view name);  // fails the test when there is no such widget
+  // A place on the "map" or "play" canvas, from level px to the window's.
+  ImVec2 on_canvas(const std::string& canvas, Vec2 level);
+  ImVec2 on_map(Cell cell) { return on_canvas("map", {cell.x * 8 + 4.0, cell.y * 8 + 4.0}); }
+  ImVec2 on_pixels(int x, int y);  // of the pixel canvas
+  ImVec2 on_sheet(int tile);
+
+  void move(ImVec2 to);
+  void press(int button = kLeft);
+  void release(int button = kLeft);
+  void click(ImVec2 at, int button = kLeft);
+  void click(std::string_view name, int button = kLeft) { click(centre(name), button); }
+  void drag(ImVec2 from, ImVec2 to, int button = kLeft);
+  void wheel(int clicks);
+  void key(KeyChord chord);
+  void key(int key_code) { key(KeyChord{key_code}); }
+  void type(const std::string& text);
+  void drop(const std::string& file);
+
+ private:
+  void push(SDL_Event event);
+  void push_key(SDL_Keysym sym, bool down);
+
+  std::filesystem::path folder_;  // of the test's own files
+  double clock_ = 100;            // s
+  ImVec2 mouse_{0, 0};
+  std::unique_ptr<App> app_;
+};
+
+}  // namespace talus

@@ -1,0 +1,173 @@
+// Nothing cut off, nothing overlapping, every key at work.
+#include <algorithm>
+#include <set>
+
+#include "harness.h"
+#include "panels/commands.h"
+#include "platform/picture.h"
+#include "platform/sdl_keys.h"
+
+namespace talus {
+namespace {
+
+struct WindowSize {
+  int width, height;
+};
+
+class UiLayout : public UiTest, public ::testing::WithParamInterface<WindowSize> {
+ protected:
+  void check_all(const std::string& what) {
+    const auto& all = app().ui().widgets.all();
+    ASSERT_GT(all.size(), 50u) << what;
+    for (const Widget& w : all) check_inside(w, what);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j) check_apart(all[i], all[j], what);
+  }
+
+ private:
+  void check_inside(const Widget& w, const std::string& what) {
+    const auto size = GetParam();
+    EXPECT_GE(w.min.x, 0) << what << ": " << w.name;
+    EXPECT_LE(w.max.x, static_cast<float>(size.width)) << what << ": " << w.name;
+    EXPECT_GE(w.min.x, w.clip_min.x - 1) << what << ": " << w.name << " is cut off at the left";
+    EXPECT_LE(w.max.x, w.clip_max.x + 1) << what << ": " << w.name << " is cut off at the right";
+    if (w.scrolls) return;
+    EXPECT_GE(w.min.y, w.clip_min.y - 1) << what << ": " << w.name << " is cut off at the top";
+    EXPECT_LE(w.max.y, w.clip_max.y + 1) << what << ": " << w.name << " is cut off at the bottom";
+    EXPECT_LE(w.max.y, static_cast<float>(size.height)) << what << ": " << w.name;
+  }
+  static void check_apart(const Widget& a, const Widget& b, const std::string& what) {
+    const bool meet = a.min.x < b.max.x - 0.5f && b.min.x < a.max.x - 0.5f && a.min.y < b.max.y - 0.5f &&
+                      b.min.y < a.max.y - 0.5f;
+    EXPECT_FALSE(meet) << what << ": " << a.name << " and " << b.name << " overlap";
+    EXPECT_NE(a.name, b.name) << what;
+  }
+};
+
+TEST_P(UiLayout, EveryWidgetIsWholeAndApartInEveryLayout) {
+  start(save_test_level("level.talus.json"), GetParam().width, GetParam().height);
+  session().apply(action::SelectBody{1});
+  for (CanvasMode mode : {CanvasMode::map, CanvasMode::play, CanvasMode::both}) {
+    app().ui().view.canvas = mode;
+    frames(3);
+    check_all("canvas " + std::to_string(static_cast<int>(mode)));
+  }
+  click("tabs/tuning");
+  click("tabs/history");
+  frames(3);
+  check_all("other tabs");
+}
+
+TEST_P(UiLayout, PictureShowsTheLevel) {
+  start(save_test_level("level.talus.json"), GetParam().width, GetParam().height);
+  const auto picture = draw_picture();
+  ASSERT_TRUE(picture) << picture.error();
+  EXPECT_EQ(picture->width, GetParam().width);
+  EXPECT_EQ(picture->height, GetParam().height);
+  const auto color_at = [&](ImVec2 at) {
+    const auto* p =
+        &picture->rgba[(static_cast<std::size_t>(at.y) * static_cast<std::size_t>(picture->width) +
+                        static_cast<std::size_t>(at.x)) *
+                       4];
+    return Rgb{p[0], p[1], p[2]};
+  };
+  const Rgb solid = level().palette[13], ball = level().palette[3];
+  EXPECT_EQ(color_at(on_canvas("play", {100, 132})), solid);
+  EXPECT_EQ(color_at(on_canvas("play", {44, 82})), ball);
+  EXPECT_EQ(color_at(on_sheet(1)), solid);
+}
+
+TEST_P(UiLayout, ArtIsAtAWholeZoom) {
+  start(save_test_level("level.talus.json"), GetParam().width, GetParam().height);
+  for (std::string_view name : {"sheet/tiles", "pixels/canvas"}) {
+    const Widget* widget = find(name);
+    ASSERT_NE(widget, nullptr);
+    const float unit = name == "sheet/tiles" ? 128 : 8;
+    const float zoom = (widget->max.x - widget->min.x) / unit;
+    EXPECT_EQ(zoom, std::floor(zoom)) << name;
+    EXPECT_EQ(widget->min.x, std::floor(widget->min.x)) << name;
+    EXPECT_GE(zoom, 2) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, UiLayout, ::testing::Values(WindowSize{1280, 720}, WindowSize{2560, 1440}),
+                         [](const auto& size) { return std::to_string(size.param.width); });
+
+using UiKeys = UiTest;
+
+TEST_F(UiKeys, EachMeansOneThingWhereverItWorks) {
+  const auto all = commands();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      const bool meet = all[i].scope == Scope::everywhere || all[j].scope == Scope::everywhere ||
+                        all[i].scope == all[j].scope;
+      if (!meet) continue;
+      for (KeyChord a : {all[i].key, all[i].other_key})
+        for (KeyChord b : {all[j].key, all[j].other_key})
+          EXPECT_FALSE(a && a == b) << to_string(a) << ": " << all[i].id << " and " << all[j].id;
+    }
+  }
+}
+
+TEST_F(UiKeys, EachReachesItsCommand) {
+  start();
+  for (const Command& command : commands()) {
+    ASSERT_TRUE(command.key) << command.id << " has no key";
+    for (KeyChord chord : {command.key, command.other_key}) {
+      if (!chord) continue;
+      // What SDL would send for the key comes back as the same chord, and leads to this command alone.
+      EXPECT_EQ(chord_of(keysym_of(chord)), chord) << command.id;
+      Ui& ui = app().ui();
+      ui.view.focus = command.scope == Scope::sprites ? Focus::sprites : Focus::map;
+      Session probe(test_level());
+      Ui view;
+      view.view.focus = ui.view.focus;
+      view.view.hover.cell = Cell{5, 10};
+      probe.apply(action::EditLevel{erase_cells(probe.level(), {5, 10, 1, 1})});
+      probe.apply(action::EditLevel{erase_cells(probe.level(), {0, 16, 1, 1})});
+      probe.apply(action::Undo{});
+      probe.apply(action::SelectTiles{{SheetId::tiles, {2, 2, 1, 1}}});
+      Actions actions;
+      EXPECT_TRUE(run_key(chord, false, probe, actions, view)) << command.id;
+    }
+  }
+}
+
+TEST_F(UiKeys, HelpListsThemAndClosesWithEscape) {
+  start();
+  key(kKeyF1);
+  frames(2);
+  EXPECT_NE(find("help/window"), nullptr);
+  key(KeyChord{27});
+  frames(2);
+  EXPECT_EQ(find("help/window"), nullptr);
+}
+
+TEST_F(UiKeys, CommandPaletteRunsWhatIsTyped) {
+  start();
+  key(ctrl('p'));
+  frames(2);
+  type("step one");
+  key(KeyChord{'\r'});
+  frames(2);
+  EXPECT_EQ(session().state().frame, 1);
+  EXPECT_EQ(find("command_palette/text"), nullptr);
+}
+
+TEST_F(UiKeys, TypedTextIsNoShortcut) {
+  start();
+  click("palette/hex");
+  key('b');
+  EXPECT_TRUE(session().choices().screen_borders);
+}
+
+TEST_F(UiKeys, TooltipTellsTheKey) {
+  start();
+  move(centre("transport/step"));
+  EXPECT_TRUE(app().ui().wants_frames());
+  frames(40);
+  EXPECT_FALSE(app().ui().wants_frames());
+}
+
+}  // namespace
+}  // namespace talus

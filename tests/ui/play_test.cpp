@@ -1,0 +1,164 @@
+// Running, stepping, painting while it runs, holding balls, and the overlays.
+#include "harness.h"
+
+namespace talus {
+namespace {
+
+class UiPlay : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  ImVec2 on_ball() {
+    const Rect& box = ball().box;
+    return on_canvas("play", {box.x + box.w / 2, box.y + box.h / 2});
+  }
+};
+
+TEST_F(UiPlay, PlayMovesTheBallAndPauseStopsIt) {
+  const Rect before = ball().box;
+  click("transport/play");
+  EXPECT_TRUE(session().playback().running);
+  frames(20);
+  EXPECT_GT(ball().box.y, before.y + 5);
+  key(kKeyF5);
+  EXPECT_FALSE(session().playback().running);
+  const State paused = session().state();
+  frames(10);
+  EXPECT_EQ(session().state(), paused);
+}
+
+TEST_F(UiPlay, StepMakesExactlyOneFrame) {
+  State expected = session().state();
+  expected = step(session().scene(), expected, Input{});
+  key(kKeyF10);
+  EXPECT_EQ(session().state(), expected);
+  click("transport/step");
+  EXPECT_EQ(session().state().frame, 2);
+  key(kKeyF5);
+  frames(5);
+  const auto frame = session().state().frame;
+  EXPECT_GT(frame, 2);
+  key(kKeyF10);
+  EXPECT_FALSE(session().playback().running);
+  frames(10);
+  EXPECT_LE(session().state().frame, frame + 2);  // the frame of the key itself still ran
+}
+
+TEST_F(UiPlay, ResetAndRunFromTheStart) {
+  const Rect home = ball().box;
+  for (int i = 0; i < 5; ++i) key(kKeyF10);
+  click("transport/reset");
+  EXPECT_EQ(session().state().frame, 0);
+  EXPECT_EQ(ball().box, home);
+  for (int i = 0; i < 5; ++i) key(kKeyF10);
+  key(ctrl('r'));
+  EXPECT_TRUE(session().playback().running);
+  EXPECT_LE(session().state().frame, 3);
+}
+
+TEST_F(UiPlay, SpeedFollowsTheKeys) {
+  key(',');
+  EXPECT_EQ(session().playback().speed, 0.5);
+  key('.');
+  key('.');
+  EXPECT_EQ(session().playback().speed, 2);
+  key(kKeyF5);
+  const auto before = session().state().frame;
+  frames(10);
+  EXPECT_EQ(session().state().frame, before + 20);
+}
+
+TEST_F(UiPlay, PaintedTileCountsInTheNextStep) {
+  for (int i = 0; i < 5; ++i) key(kKeyF10);
+  click(on_sheet(1));
+  const Cell below{5, static_cast<int>(ball().box.bottom()) / 8};
+  for (int x = 4; x <= 6; ++x) click(on_map({x, below.y}));
+  ASSERT_LE(ball().box.bottom(), below.y * 8.0 + 8);
+  for (int i = 0; i < 20; ++i) key(kKeyF10);
+  EXPECT_LE(ball().box.bottom(), below.y * 8.0 + 0.01);
+}
+
+TEST_F(UiPlay, PaintingInTheRunningPlayView) {
+  key('p');
+  key(kKeyF5);
+  click(on_sheet(1));
+  click(on_canvas("play", {84, 44}));
+  EXPECT_EQ(tile_at({10, 5}), 1);
+  EXPECT_TRUE(session().playback().running);
+}
+
+TEST_F(UiPlay, MouseDragsTheBall) {
+  const ImVec2 from = on_ball(), to = on_canvas("play", {164, 40});
+  key(kKeyF5);
+  move(from);
+  press();
+  EXPECT_EQ(session().choices().body, 1);
+  frames(2);
+  EXPECT_EQ(session().state().grabbed, 1);
+  move(to);
+  frames(60);
+  EXPECT_NEAR(ball().box.x + 4, 164, 1);
+  EXPECT_NEAR(ball().box.y + 4, 40, 1);
+  release();
+  frames(2);
+  EXPECT_EQ(session().state().grabbed, 0);
+  EXPECT_GT(ball().velocity.y, 0);
+}
+
+TEST_F(UiPlay, ClickChoosesABodyAndBesideItNone) {
+  click(on_ball());
+  EXPECT_EQ(session().choices().body, 1);
+  click(on_canvas("play", {180, 20}));
+  EXPECT_EQ(session().choices().body, 0);
+}
+
+TEST_F(UiPlay, OverlaysAreSwitched) {
+  for (const OverlayInfo& info : overlay_infos()) {
+    const bool before = session().choices().overlays.has(info.id);
+    click("overlay/" + std::string(info.key));
+    EXPECT_NE(session().choices().overlays.has(info.id), before) << info.key;
+    key(alt('1' + static_cast<int>(info.id)));
+    EXPECT_EQ(session().choices().overlays.has(info.id), before) << info.key;
+  }
+}
+
+TEST_F(UiPlay, WheelZoomsAtTheMouse) {
+  const ImVec2 at = on_map({20, 5});
+  move(at);
+  const Vec2 before = *app().ui().view.hover.pixel;
+  wheel(2);
+  frames();
+  const Vec2 after = *app().ui().view.hover.pixel;
+  EXPECT_NEAR(after.x, before.x, 0.5);
+  EXPECT_NEAR(after.y, before.y, 0.5);
+  move({at.x + 32, at.y});
+  EXPECT_NEAR(app().ui().view.hover.pixel->x - after.x, 8, 1e-4);  // 2x became 4x
+}
+
+TEST_F(UiPlay, MiddleAndRightDragMoveTheView) {
+  for (int button : {kMiddle, kRight}) {
+    const ImVec2 from = on_map({8, 8}), to{from.x + 40, from.y + 24};
+    drag(from, to, button);
+    move(to);
+    EXPECT_EQ(app().ui().view.hover.cell, (Cell{8, 8}));
+  }
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiPlay, ArrowsScrollAndTabShowsTheWholeMap) {
+  key(kKeyF3);
+  const ImVec2 before = on_map({8, 8});
+  key(kKeyRight);
+  EXPECT_EQ(on_map({8, 8}).x, before.x - 64);
+  key(kKeyLeft);
+  key('=');
+  key(kKeyTab);
+  key(kKeyTab);
+  key('-');
+  EXPECT_EQ(on_map({8, 8}).x, before.x);
+}
+
+}  // namespace
+}  // namespace talus

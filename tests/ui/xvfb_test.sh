@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Runs the built editor as a real window under Xvfb and drives it with xdotool: paints, saves and quits, and
+# checks that the file has changed. Argument: the program.
+set -euo pipefail
+
+program=$1
+folder=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$folder"' EXIT
+cat >"$folder/before.lua" <<'CART'
+-- script: lua
+-- <TILES>
+-- 001:dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd
+-- </TILES>
+CART
+"$program" import "$folder/before.lua" -o "$folder/before.talus.json"
+cp "$folder/before.talus.json" "$folder/level.talus.json"
+export TALUS_CONFIG_DIR=$folder/config
+unset SDL_VIDEODRIVER WAYLAND_DISPLAY
+
+fail() {
+  echo "failed: $1" >&2
+  exit 1
+}
+
+# Xvfb picks a free display and writes its number.
+Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+for _ in $(seq 100); do
+  [ -s "$folder/display" ] && break
+  sleep 0.1
+done
+[ -s "$folder/display" ] || fail "Xvfb does not start"
+export DISPLAY=:$(cat "$folder/display")
+
+"$program" "$folder/level.talus.json" &
+editor=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --name 'Talus' | head -n 1) || fail "no window appears"
+xdotool windowfocus "$window" || true
+sleep 1
+
+# A tile of the sheet's first row, then a stroke on the map, which lies in the upper half of the window's middle.
+xdotool mousemove --window "$window" 36 62 click 1
+sleep 0.3
+xdotool mousemove --window "$window" 520 200 mousedown 1
+xdotool mousemove --window "$window" 600 200
+sleep 0.3
+xdotool mouseup 1
+sleep 0.3
+xdotool key --window 0 ctrl+s
+for _ in $(seq 50); do
+  cmp -s "$folder/before.talus.json" "$folder/level.talus.json" || break
+  sleep 0.1
+done
+cmp -s "$folder/before.talus.json" "$folder/level.talus.json" && fail "the stroke is not in the file"
+
+xdotool key --window 0 ctrl+q
+for _ in $(seq 50); do
+  kill -0 "$editor" 2>/dev/null || break
+  sleep 0.1
+done
+kill -0 "$editor" 2>/dev/null && fail "Ctrl+Q does not end the program"
+wait "$editor" || fail "the program ends with status $?"
+[ -s "$folder/config/settings.json" ] || fail "no settings are remembered"
+echo "painted, saved and quit in a real window"
