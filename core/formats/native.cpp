@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "hex.h"
 #include "json_text.h"
@@ -326,25 +327,27 @@ void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
   }
 }
 
+std::string map_row(std::span<const std::uint8_t> cells) {
+  while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
+  std::string row;
+  row.reserve(2 * cells.size());
+  for (const std::uint8_t tile : cells) {
+    row += tile == 0 ? '.' : kHexDigits[tile >> 4];
+    row += tile == 0 ? '.' : kHexDigits[tile & 15];
+  }
+  return row;
+}
+
 void put_map(const TileMap& map, Json& json) {
   json["width"] = map.width();
   json["height"] = map.height();
-  std::vector<std::string> rows;
-  std::size_t used = 0;  // up to the last row that is not empty
-  for (int y = 0; y < map.height(); ++y) {
-    std::string& row = rows.emplace_back();
-    std::size_t end = 0;
-    for (int x = 0; x < map.width(); ++x) {
-      const std::uint8_t tile = map.at({x, y});
-      row += tile == 0 ? '.' : kHexDigits[tile >> 4];
-      row += tile == 0 ? '.' : kHexDigits[tile & 15];
-      if (tile != 0) end = row.size();
-    }
-    row.resize(end);
-    if (end > 0) used = rows.size();
+  Json& rows = json["rows"] = Json::array();
+  std::span<const std::uint8_t> cells = map.cells();
+  while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
+  const auto width = static_cast<std::size_t>(map.width());
+  for (; !cells.empty(); cells = cells.subspan(std::min(width, cells.size()))) {
+    rows.push_back(map_row(cells.first(std::min(width, cells.size()))));
   }
-  rows.resize(used);
-  json["rows"] = rows;
 }
 
 FormatResult<void> put_tuning(const Tuning& tuning, Json& json) {
