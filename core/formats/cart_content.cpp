@@ -160,7 +160,7 @@ std::string section_bytes(const Level& level, Section id) {
       bytes = bytes_of(level.palette);
       break;
     default:
-      assert(!"a level has no such section");
+      assert(false && "a level has no such section");
   }
   trim_zeros(bytes);
   return bytes;
