@@ -135,6 +135,13 @@ void GlWindow::begin_frame(const EventQueue& events) {
   ImGui::NewFrame();
 }
 
+void GlWindow::begin_picture(ImVec2 size) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::GetIO().DisplaySize = size;
+  ImGui::GetIO().DisplayFramebufferScale = {1, 1};
+  ImGui::NewFrame();
+}
+
 void GlWindow::end_frame() {
   ImGui::Render();
   if (offscreen_) return;

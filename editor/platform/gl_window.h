@@ -35,6 +35,7 @@ class GlWindow {
   void set_scale(float scale);
   void process_event(const SDL_Event& event);
   void begin_frame(const EventQueue& events);
+  void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
   // Draws what was put into Dear ImGui since begin_frame() and shows it. Offscreen nobody would see it: there
   // draw_picture() draws, when a picture is wanted.
   void end_frame();

@@ -33,9 +33,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   ui.scale = std::clamp(zoom / 3, 1.0f, 3.0f);  // overlays stay in proportion to the art
   (*window)->set_scale(ui.scale);
   textures.update(session.level(), session.revision(), ui);
-  ImGui::GetIO().DisplaySize = size;
-  ImGui::GetIO().DisplayFramebufferScale = {1, 1};
-  ImGui::NewFrame();
+  (*window)->begin_picture(size);
   const CanvasView view{
       {0, 0},
       size,
