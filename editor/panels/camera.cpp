@@ -28,13 +28,21 @@ Rect CanvasView::visible() const {
 float Camera::zoom() const { return kZooms[static_cast<std::size_t>(step_)]; }
 
 void Camera::zoom_at(ImVec2 at, int steps) {
+  untouched_ = false;
   const double before = zoom();
   step_ = std::clamp(step_ + steps, 0, static_cast<int>(kZooms.size()) - 1);
   const double ratio = zoom() / before;
   offset_ = {std::round(at.x - (at.x - offset_.x) * ratio), std::round(at.y - (at.y - offset_.y) * ratio)};
 }
 
+void Camera::scroll(Vec2 pixels) {
+  if (pixels == Vec2{}) return;
+  untouched_ = false;
+  offset_ = offset_ - pixels;
+}
+
 void Camera::centre(Vec2 point, ImVec2 canvas) {
+  untouched_ = false;
   offset_ = {std::round(canvas.x / 2 - point.x * zoom()), std::round(canvas.y / 2 - point.y * zoom())};
 }
 
@@ -43,6 +51,7 @@ void Camera::fit(Vec2 level, ImVec2 canvas) {
   for (std::size_t i = 0; i < kZooms.size(); ++i)
     if (level.x * kZooms[i] <= canvas.x && level.y * kZooms[i] <= canvas.y) step_ = static_cast<int>(i);
   centre(level * 0.5, canvas);
+  untouched_ = true;
 }
 
 void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {
@@ -53,6 +62,7 @@ void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {
   } else {
     before_ = Place{step_, offset_};
     fit(map, canvas);
+    untouched_ = false;
   }
 }
 

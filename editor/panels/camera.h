@@ -27,9 +27,10 @@ struct CanvasView {
 class Camera {
  public:
   float zoom() const;
+  bool is_untouched() const { return untouched_; }  // still as fit() left it
   // Zooms by `steps` (> 0: in), keeping what lies at `at` in place; px from the canvas's corner.
   void zoom_at(ImVec2 at, int steps);
-  void scroll(Vec2 pixels) { offset_ = offset_ - pixels; }  // px of the screen
+  void scroll(Vec2 pixels);  // px of the screen
   void centre(Vec2 point, ImVec2 canvas);
   // The largest zoom at which a level of this size, in px, fits; puts it in the middle.
   void fit(Vec2 level, ImVec2 canvas);
@@ -45,7 +46,8 @@ class Camera {
     Vec2 offset;
   };
   int step_ = 3;
-  Vec2 offset_;                  // px of the screen, from the canvas's corner to the level's
+  Vec2 offset_;  // px of the screen, from the canvas's corner to the level's
+  bool untouched_ = true;
   std::optional<Place> before_;  // where to go back to from the whole map
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands.h"
+#include "flag_label.h"
 #include "splitter.h"
 
 namespace talus {
@@ -20,14 +21,6 @@ void draw_mode(std::string_view widget, std::string_view label, std::string_view
   const Command& command = find_command(id);
   if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command)))
     command.run(session, actions, ui);
-}
-
-// "flag 2  up-slope": its own name, else its role.
-std::string flag_text(const Level& level, int flag) {
-  std::string name = level.flag_names[static_cast<std::size_t>(flag)];
-  for (const FlagRoleInfo& info : flag_role_infos())
-    if (name.empty() && level.roles.*info.flag == flag) name = info.label;
-  return "flag " + std::to_string(flag) + (name.empty() ? "" : "  " + name);
 }
 
 }  // namespace
@@ -77,7 +70,6 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   }
   constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
                                   {"canvas/zoom_in", Icon::zoom_in},
-                                  {"map/fit", Icon::fit},
                                   {"canvas/grid", Icon::grid},
                                   {"canvas/borders", Icon::borders},
                                   {"canvas/paint_in_play", Icon::pencil}};
@@ -86,21 +78,21 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
     ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
   }
-  ui.same_line_if_fits(ui.px(88));
+  ui.same_line_if_fits(ui.px(84));
   draw_flag_tint_choice(session, actions, ui);
 }
 
 void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
   const auto flag = session.choices().flag_overlay;
-  const std::string now = flag ? flag_text(session.level(), *flag) : "no tint";
-  ImGui::SetNextItemWidth(ui.px(88));
+  const std::string now = flag ? "flag " + std::to_string(*flag) : "no tint";
+  ImGui::SetNextItemWidth(ui.px(84));
   const bool open = ImGui::BeginCombo("##tint", now.c_str());
   const Command& command = find_command("canvas/flag_tint");
   ui.item("canvas/flag_tint", "Tints the cells whose tile has a flag, in both views.", keys_of(command));
   if (!open) return;
   if (ImGui::Selectable("no tint", !flag)) actions.push_back(action::SetFlagOverlay{});
   for (int i = 0; i < kFlagCount; ++i)
-    if (ImGui::Selectable(flag_text(session.level(), i).c_str(), flag == i))
+    if (ImGui::Selectable(flag_label(session.level(), i).c_str(), flag == i))
       actions.push_back(action::SetFlagOverlay{i});
   ImGui::EndCombo();
 }

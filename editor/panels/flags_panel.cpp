@@ -5,15 +5,10 @@
 
 #include "canvas_layers.h"
 #include "commands.h"
+#include "flag_label.h"
 
 namespace talus {
 namespace {
-
-const FlagRoleInfo* role_of_flag(const FlagRoles& roles, int flag) {
-  for (const FlagRoleInfo& info : flag_role_infos())
-    if (roles.*info.flag == flag) return &info;
-  return nullptr;
-}
 
 void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lamp, int flag) {
   list.AddCircleFilled(centre, radius, theme::color(theme::kDark), 20);
@@ -71,8 +66,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_lamp_light(list, {at.x + ui.px(11), at.y + height / 2}, ui.px(6), lamp, flag);
-  const std::string& own = level.flag_names[static_cast<std::size_t>(flag)];
-  const std::string label = number + " " + (!own.empty() ? own : role ? std::string(role->label) : "");
+  const std::string label = number + " " + flag_name(level, flag);
   const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
   list.PushClipRect(at, {at.x + width - menu, at.y + height}, true);
   list.AddText({at.x + ui.px(22), y}, theme::color(role ? theme::kText : theme::kMuted), label.c_str());

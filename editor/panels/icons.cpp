@@ -140,12 +140,6 @@ void draw_view_icon(const Pen& pen, Icon icon) {
     case Icon::zoom_out:
       pen.stroke({{.2f, .5f}, {.8f, .5f}});
       break;
-    case Icon::fit:
-      pen.stroke({{.15f, .38f}, {.15f, .15f}, {.38f, .15f}});
-      pen.stroke({{.62f, .15f}, {.85f, .15f}, {.85f, .38f}});
-      pen.stroke({{.85f, .62f}, {.85f, .85f}, {.62f, .85f}});
-      pen.stroke({{.38f, .85f}, {.15f, .85f}, {.15f, .62f}});
-      break;
     default:  // close
       pen.stroke({{.25f, .25f}, {.75f, .75f}});
       pen.stroke({{.25f, .75f}, {.75f, .25f}});

@@ -26,7 +26,6 @@ enum class Icon {
   borders,
   zoom_in,
   zoom_out,
-  fit,
   close,
 };
 

@@ -14,16 +14,23 @@ std::string_view response_label(Response response) {
   return i < kResponseNames.size() ? kResponseNames[i] : "own";
 }
 
-std::string_view role_label(TileRole role) {
-  if (role == TileRole::solid) return "solid";
-  for (const FlagRoleInfo& info : flag_role_infos())
-    if (info.role == role) return info.label;
-  return "none";
+// Short, for the table: "up 12,9".
+std::string_view short_role(TileRole role) {
+  switch (role) {
+    case TileRole::up_slope:
+      return "up";
+    case TileRole::down_slope:
+      return "down";
+    case TileRole::ball:
+      return "ball";
+    default:
+      return "solid";
+  }
 }
 
 std::string obstacle_text(const Obstacle& other) {
   if (other.body != 0) return "body " + std::to_string(other.body);
-  return std::string(role_label(other.role)) + " " + std::to_string(other.cell.x) + "," +
+  return std::string(short_role(other.role)) + " " + std::to_string(other.cell.x) + "," +
          std::to_string(other.cell.y);
 }
 
@@ -97,26 +104,30 @@ void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
 
 struct Column {
   const char* title;
-  float width;  // px at scale 1; 0 takes what is left
+  float width;   // px at scale 1; 0 takes what is left
+  bool numbers;  // they and their title end at the right edge
   const char* help;
 };
 constexpr std::array<Column, 8> kColumns = {{
-    {"#", 14, "The order in which the step met them."},
-    {"other", 0, "The tile and its cell, or the other body."},
-    {"resp.", 40, "How the body reacted."},
-    {"t", 38,
+    {"#", 14, true, "The order in which the step met them."},
+    {"other", 0, false, "A solid tile, an up- or down-slope with its cell, or another body."},
+    {"resp.", 44, false, "How the body reacted."},
+    {"t", 44, true,
      "Time of impact, a fraction of the move; minus the overlap area, px\xc2\xb2, if the boxes overlapped."},
-    {"n", 30, "The normal out of the other."},
-    {"delta", 34, "How far along the slope the centre is, from 0 to 1."},
-    {"floor", 48, "The computed floor height, px, before rounding."},
-    {"done", 32, "Whether it was handled; a slope correction skips the contacts after it."},
+    {"n", 30, true, "The normal out of the other."},
+    {"delta", 34, true, "How far along the slope the centre is, from 0 to 1."},
+    {"floor", 48, true, "The computed floor height, px, before rounding."},
+    {"done", 32, false, "Whether it was handled; a slope correction skips the contacts after it."},
 }};
 
 void draw_contact_header(Ui& ui) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (const Column& column : kColumns) {
     ImGui::TableNextColumn();
-    ui.heading(column.title);
+    if (column.numbers)
+      ui.right_aligned(column.title, theme::color(theme::kMuted));
+    else
+      ui.heading(column.title);
     ui.tooltip(column.help);
   }
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "canvas_layers.h"
+#include "flag_label.h"
 #include "overlay_painter.h"
 
 namespace talus {
@@ -70,9 +71,14 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   list.PopClipRect();
 }
 
+// Shows the first screen of another level, and shows it as large as a changed window allows until the user
+// has chosen a view.
 void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size) {
-  if (level_number_ == ui.view.level_number) return;
+  const bool another = level_number_ != ui.view.level_number;
+  const bool resized = size.x != size_.x || size.y != size_.y;
   level_number_ = ui.view.level_number;
+  size_ = size;
+  if (!another && !(resized && camera_.is_untouched())) return;
   const Vec2 map = size_in_pixels(session.level().map);
   camera_.fit(
       {std::min<double>(map.x, kScreenColumns * kTileSize), std::min<double>(map.y, kScreenRows * kTileSize)},
@@ -172,8 +178,7 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
              std::string(is_play() ? "Play" : "Map") + "  " + zoom_text(view.zoom),
              theme::color(theme::kMuted), ui);
   if (const auto flag = session.choices().flag_overlay) {
-    const std::string& name = session.level().flag_names[static_cast<std::size_t>(*flag)];
-    const std::string text = "tinted: flag " + std::to_string(*flag) + (name.empty() ? "" : "  " + name);
+    const std::string text = "tinted: " + flag_label(session.level(), *flag);
     const float height = ImGui::GetTextLineHeight() + ui.px(4);
     draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(*flag, 255), ui);
   }

@@ -35,6 +35,7 @@ class LevelCanvas {
   MapGesture gesture_;
   int level_number_ = -1;  // of the level that the camera was set for
   float wheel_ = 0;        // clicks of the wheel that made no whole step yet
+  ImVec2 size_;            // px, of the canvas in the last frame
   bool panning_ = false;
   bool holding_ = false;  // the left button went down on the play view
 };

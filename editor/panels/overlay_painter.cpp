@@ -11,7 +11,8 @@
 namespace talus {
 namespace {
 
-constexpr float kLowZoom = 2;  // below, labels that are not important are left out
+constexpr float kShortLine = 96;  // px at scale 1: the box around a longer line is mostly empty
+constexpr float kLowZoom = 2;     // below, labels that are not important are left out
 
 ImU32 color_of(OverlayId id, int alpha = 255) {
   return theme::color(overlay_infos()[static_cast<std::size_t>(id)].color, alpha);
@@ -96,6 +97,13 @@ class Painter {
   // What a label is about must stay visible.
   void keep_clear_of(const OverlayDrawing& drawing) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
+    for (const OverlayLine& line : drawing.lines) {
+      const ImVec2 a = view_.to_screen(line.from), b = view_.to_screen(line.to);
+      const Box box{{std::min(a.x, b.x) - width_, std::min(a.y, b.y) - width_},
+                    {std::max(a.x, b.x) + width_, std::max(a.y, b.y) + width_}};
+      if (box.max.x - box.min.x < kShortLine * scale_ && box.max.y - box.min.y < kShortLine * scale_)
+        taken_.push_back(box);
+    }
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
       const float arm = 4 * scale_;

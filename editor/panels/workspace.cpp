@@ -1,10 +1,13 @@
 // The geometry of the window.
 #include "workspace.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "dialog.h"
 #include "splitter.h"
 
 namespace talus {
@@ -33,6 +36,13 @@ bool is_sprite_region(Region region) {
          region == Region::flags;
 }
 
+// As in other programs; Dear ImGui leaves it to us.
+void close_popup_on_escape() {
+  const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
+  if (open.empty() || ImGui::GetTopMostPopupModal() != nullptr || !key_pressed(ImGuiKey_Escape)) return;
+  ImGui::ClosePopupToLevel(open.Size - 1, true);
+}
+
 // The side that the keys go to has an accent at its top.
 void show_focus(Region region, Ui& ui) {
   const bool sprites = is_sprite_region(region);
@@ -51,6 +61,7 @@ void show_focus(Region region, Ui& ui) {
 }  // namespace
 
 void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
+  close_popup_on_escape();
   Frame frame{session, actions, ui};
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});

@@ -158,7 +158,9 @@ TEST_F(UiEdit, FlagIsNamedAndGivenARole) {
   click("flags/menu5");
   click("flags/role_solid");
   EXPECT_EQ(level().roles.solid, 5);
-  click("map/canvas");  // closes the menu, and does nothing else
+  key(KeyChord{27});
+  frames(2);
+  EXPECT_EQ(find("flags/role_solid"), nullptr) << "Escape closes the menu";
   EXPECT_EQ(session().history().edits().size(), 2u);
   key(ctrl('z'));
   EXPECT_EQ(level().roles.solid, 0);
