@@ -85,10 +85,9 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
 void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
   const auto flag = session.choices().flag_overlay;
   const std::string now = flag ? "flag " + std::to_string(*flag) : "no tint";
-  ImGui::SetNextItemWidth(ui.px(84));
-  const bool open = ImGui::BeginCombo("##tint", now.c_str());
   const Command& command = find_command("canvas/flag_tint");
-  ui.item("canvas/flag_tint", "Tints the cells whose tile has a flag, in both views.", keys_of(command));
+  const bool open = ui.begin_combo("canvas/flag_tint", now, ui.px(84),
+                                   "Tints the cells whose tile has a flag, in both views.", keys_of(command));
   if (!open) return;
   if (ImGui::Selectable("no tint", !flag)) actions.push_back(action::SetFlagOverlay{});
   for (int i = 0; i < kFlagCount; ++i)

@@ -44,7 +44,7 @@ class Painter {
     for (const OverlayLabel& label : drawing.labels)
       if (label.important) paint_label(label);
     for (const OverlayLabel& label : drawing.labels)
-      if (!label.important && view_.zoom >= kLowZoom) paint_label(label);
+      if (!label.important && view_.zoom >= kLowZoom * scale_) paint_label(label);
   }
 
  private:

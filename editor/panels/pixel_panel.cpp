@@ -82,10 +82,9 @@ void PixelPanel::draw_size_choice(const Session& session, Actions& actions, Ui& 
   const SpriteArea& area = session.choices().area;
   const std::string now = std::to_string(area.width()) +
                           (area.width() == area.height() ? "" : "x" + std::to_string(area.height()));
-  ImGui::SetNextItemWidth(ui.px(60));
-  const bool open = ImGui::BeginCombo("##size", now.c_str());
-  ui.item("pixels/size",
-          "How many pixels wide and high the canvas is; a drag on the sheet chooses any size.");
+  const bool open =
+      ui.begin_combo("pixels/size", now, ui.px(60),
+                     "How many pixels wide and high the canvas is; a drag on the sheet chooses any size.");
   if (!open) return;
   for (int tiles : {1, 2, 4, 8}) {
     if (!ImGui::Selectable((std::to_string(tiles * kTileSize) + " px").c_str(), area.tiles.w == tiles))

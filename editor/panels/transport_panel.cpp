@@ -18,10 +18,9 @@ std::string speed_text(double speed) {
 
 void draw_speed(const Session& session, Actions& actions, Ui& ui) {
   const std::string now = speed_text(session.playback().speed);
-  ImGui::SetNextItemWidth(ui.px(68));
-  const bool open = ImGui::BeginCombo("##speed", now.c_str());
-  ui.item("transport/speed", "How fast the simulation runs; x1 is 60 frames a second.",
-          keys_of(find_command("play/slower")) + "  " + keys_of(find_command("play/faster")));
+  const bool open = ui.begin_combo(
+      "transport/speed", now, ui.px(68), "How fast the simulation runs; x1 is 60 frames a second.",
+      keys_of(find_command("play/slower")) + "  " + keys_of(find_command("play/faster")));
   if (!open) return;
   for (double speed : {0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
     if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.playback().speed))
@@ -60,10 +59,11 @@ void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine();
   std::array<char, 32> frame{};
   std::snprintf(frame.data(), frame.size(), "frame %05lld", static_cast<long long>(session.state().frame));
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(frame.data());
+  const float row = ImGui::GetCursorPosY();
+  ui.label(frame.data());
   ui.tooltip("Steps made since frame 0.");
   ImGui::SameLine();
+  ImGui::SetCursorPosY(row);
   draw_speed(session, actions, ui);
   for (const OverlayInfo& info : overlay_infos()) draw_overlay_switch(info, session, actions, ui);
 }

@@ -84,6 +84,28 @@ bool Ui::text_button(std::string_view name, std::string_view label, bool lit, st
   return pressed;
 }
 
+bool Ui::begin_combo(std::string_view name, const std::string& preview, float width, std::string_view help,
+                     std::string_view key) {
+  const float height = px(theme::kButton), padding = (height - ImGui::GetFontSize()) / 2;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetNextItemWidth(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), padding));
+  const bool open = ImGui::BeginCombo(hidden(name).c_str(), preview.c_str());
+  ImGui::PopStyleVar();
+  if (open)  // the last item is the list's now
+    place(name, at, {at.x + width, at.y + height});
+  else
+    item(name, help, key);
+  return open;
+}
+
+void Ui::label(std::string_view text) {
+  // Dear ImGui lowers text after a button by the padding of its own, lower, buttons.
+  const float lowered = ImGui::GetStyle().FramePadding.y;
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (px(theme::kButton) - ImGui::GetFontSize()) / 2 - lowered);
+  ImGui::TextUnformatted(begin(text), end(text));
+}
+
 void Ui::heading(std::string_view text) {
   ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
   ImGui::TextUnformatted(begin(text), end(text));

@@ -44,6 +44,11 @@ class Ui {
   // A button with text; width 0 fits the text.
   bool text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
                    std::string_view key = {}, bool enabled = true, float width = 0);
+  // A choice as high as a button; ImGui::EndCombo() must follow when it returns true.
+  bool begin_combo(std::string_view name, const std::string& preview, float width, std::string_view help,
+                   std::string_view key = {});
+  // Text in a row of buttons.
+  void label(std::string_view text);
   // A small heading in the muted colour.
   void heading(std::string_view text);
   // An empty state: a wrapped sentence that says what to do next.
