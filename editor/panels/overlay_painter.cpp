@@ -12,7 +12,7 @@ namespace talus {
 namespace {
 
 constexpr float kShortLine = 96;  // px at scale 1: the box around a longer line is mostly empty
-constexpr float kLowZoom = 2;     // below, labels that are not important are left out
+constexpr float kLowZoom = 3;     // at scale 1; below, labels that are not important are left out
 
 ImU32 color_of(OverlayId id, int alpha = 255) {
   return theme::color(overlay_infos()[static_cast<std::size_t>(id)].color, alpha);

@@ -18,9 +18,10 @@ namespace talus {
 namespace {
 
 constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and what an action leads to
-constexpr int kFrameBudget = 8;  // ms: the least time of a frame where the driver does not wait itself
-constexpr int kIdleWait = 500;   // ms
-constexpr double kNoteTime = 6;  // s
+constexpr int kFrameBudget = 8;    // ms: the least time of a frame where the driver does not wait itself
+constexpr int kIdleWait = 10'000;  // ms
+constexpr int kBlinkWait = 250;    // ms: while something changes slowly, such as a text cursor
+constexpr double kNoteTime = 6;    // s
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -139,7 +140,8 @@ void App::wait() {
     const double spent = (options_.clock() - last_time_) * 1000;
     if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
   } else {
-    SDL_WaitEventTimeout(nullptr, kIdleWait);
+    const bool blinks = ImGui::GetIO().WantTextInput || !note_.empty();
+    SDL_WaitEventTimeout(nullptr, blinks ? kBlinkWait : kIdleWait);
   }
 }
 
