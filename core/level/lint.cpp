@@ -9,7 +9,13 @@ namespace {
 
 constexpr double kBallSize = 8;  // px, both sides
 
-std::string text_of(Cell cell) { return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")"; }
+std::string text_of(Cell cell) {
+  return std::string("(")
+      .append(std::to_string(cell.x))
+      .append(", ")
+      .append(std::to_string(cell.y))
+      .append(")");
+}
 
 // A length or position in px, without the zeros of a whole number.
 std::string text_of(double px) {

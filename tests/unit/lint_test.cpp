@@ -39,8 +39,10 @@ std::vector<std::string> problems(const Level& level) {
   for (const Problem& p : lint(level)) {
     std::string text = p.severity == Severity::error ? "E " : "W ";
     text += p.code;
-    if (p.cell) text += " (" + std::to_string(p.cell->x) + ", " + std::to_string(p.cell->y) + ")";
-    if (p.tile >= 0) text += " " + std::to_string(p.tile);
+    if (p.cell)
+      text.append(" (").append(std::to_string(p.cell->x)).append(", ").append(std::to_string(p.cell->y)) +=
+          ")";
+    if (p.tile >= 0) text.append(" ").append(std::to_string(p.tile));
     list.push_back(text + ": " + p.message);
   }
   return list;
