@@ -13,22 +13,22 @@ constexpr std::size_t kSmallest = 64;
 
 }  // namespace
 
-void CellGrid::insert(std::uint32_t slot, std::uint32_t generation, const CellRange& range) {
+void CellGrid::insert(ItemId item, const CellRange& range) {
   for (std::int32_t y = range.top; y <= range.bottom; ++y) {
     for (std::int32_t x = range.left; x <= range.right; ++x) {
       const std::uint32_t first =
           (x == range.left ? CellEntry::kFirstColumn : 0) | (y == range.top ? CellEntry::kFirstRow : 0);
-      list(x, y).push_back({slot, generation & kMaxGeneration, first & 3});
+      list(x, y).push_back({item.index, item.generation | first});
     }
   }
 }
 
-void CellGrid::remove(std::uint32_t slot, const CellRange& range) {
+void CellGrid::remove(ItemId item, const CellRange& range) {
   for (std::int32_t y = range.top; y <= range.bottom; ++y) {
     for (std::int32_t x = range.left; x <= range.right; ++x) {
       List& entries = list(x, y);
       const auto at = std::find_if(entries.begin(), entries.end(),
-                                   [slot](const CellEntry& entry) { return entry.slot == slot; });
+                                   [item](const CellEntry& entry) { return entry.index == item.index; });
       assert(at != entries.end());
       *at = entries.back();
       entries.pop_back();

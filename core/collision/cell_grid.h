@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry.h"
+#include "world.h"
 
 namespace talus {
 
@@ -35,13 +35,13 @@ inline constexpr std::uint32_t kMaxGeneration = (1u << 30) - 1;
 // An item in the list of a cell. Holds all that a filter needs, so that an ignored candidate costs no other
 // memory.
 struct CellEntry {
-  static constexpr std::uint32_t kFirstColumn = 1;
-  static constexpr std::uint32_t kFirstRow = 2;
+  static constexpr std::uint32_t kFirstColumn = 1u << 30;
+  static constexpr std::uint32_t kFirstRow = 1u << 31;
 
-  std::uint32_t slot;
-  std::uint32_t generation : 30;
-  std::uint32_t
-      first : 2;  // kFirstColumn, kFirstRow: this cell is in the first column or row of the item's cells
+  std::uint32_t index;  // of the item's handle
+  std::uint32_t bits;   // generation, and whether this cell is in the first column or row of the item's cells
+
+  ItemId id() const { return {index, bits & kMaxGeneration}; }
 };
 
 // Open addressing with linear probing over packed coordinates. A cell keeps its list, and the list its
@@ -57,8 +57,8 @@ class CellGrid {
     return slot.key == kNoKey ? nullptr : &slot.entries;
   }
 
-  void insert(std::uint32_t slot, std::uint32_t generation, const CellRange& range);
-  void remove(std::uint32_t slot, const CellRange& range);
+  void insert(ItemId item, const CellRange& range);
+  void remove(ItemId item, const CellRange& range);
 
   std::size_t cell_count() const noexcept { return used_; }
   void drop_empty_cells();

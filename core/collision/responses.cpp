@@ -56,6 +56,16 @@ class World::Checker {
   Vec2 run(Vec2 goal) { return impl_.mode == Mode::robust ? robust(goal) : faithful(goal); }
 
  private:
+  // The filter, but for the items that this check has met. Copies what it needs, so that the loop over the
+  // candidates finds it in registers.
+  auto reaction() const {
+    return [this, bits = seen_bits_, item = item_, filter = filter_](ItemId other) {
+      return (bits & bit(other.index)) && seen(other) ? Response::ignore : filter(item, other);
+    };
+  }
+  bool seen(ItemId item) const { return impl_.items[item.index - 1].visited == impl_.depth; }
+  static std::uint64_t bit(std::uint32_t index) { return std::uint64_t{1} << (index & 63); }
+
   // bump's loop: the first contact alone counts, and each item once.
   Vec2 faithful(Vec2 goal) {
     bool more = append_first(start_.position(), goal);
@@ -113,16 +123,15 @@ class World::Checker {
       const double db = square_distance(sweep.box, impl_.rects[b]);
       return da != db ? da < db : impl_.items[a].serial < impl_.items[b].serial;
     };
-    impl_.for_contacts(
-        sweep, self_, [this](std::uint32_t slot, ItemId other) { return reaction(slot, other); },
-        [&](std::uint32_t slot, Response response, const Contact& contact) {
-          if (first == Impl::kNoSlot || contact.ti < first_contact.ti ||
-              (contact.ti == first_contact.ti && before(slot, first))) {
-            first = slot;
-            first_response = response;
-            first_contact = contact;
-          }
-        });
+    impl_.for_contacts(sweep, self_, reaction(),
+                       [&](std::uint32_t slot, Response response, const Contact& contact) {
+                         if (first == Impl::kNoSlot || contact.ti < first_contact.ti ||
+                             (contact.ti == first_contact.ti && before(slot, first))) {
+                           first = slot;
+                           first_response = response;
+                           first_contact = contact;
+                         }
+                       });
     if (first == Impl::kNoSlot) return false;
     append(impl_.collision(sweep, item_, first, first_response, first_contact));
     return true;
@@ -132,11 +141,10 @@ class World::Checker {
   bool append_leg(Vec2 from, Vec2 goal) {
     ScratchPool<Collision>::Lease contacts(impl_.collisions);
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
-    impl_.for_contacts(
-        sweep, self_, [this](std::uint32_t slot, ItemId other) { return reaction(slot, other); },
-        [&](std::uint32_t slot, Response response, const Contact& contact) {
-          contacts->push_back(impl_.collision(sweep, item_, slot, response, contact));
-        });
+    impl_.for_contacts(sweep, self_, reaction(),
+                       [&](std::uint32_t slot, Response response, const Contact& contact) {
+                         contacts->push_back(impl_.collision(sweep, item_, slot, response, contact));
+                       });
     impl_.sort_contacts(*contacts);
     for (const Collision& contact : *contacts) {
       append(contact);
@@ -162,7 +170,7 @@ class World::Checker {
 
   Vec2 respond(Collision& hit, Vec2 goal, std::vector<Collision>& next) const {
     const auto unseen = [this](ItemId mover, ItemId other) {
-      return impl_.has(other) && seen(other.index - 1) ? Response::ignore : filter_(mover, other);
+      return impl_.has(other) && seen(other) ? Response::ignore : filter_(mover, other);
     };
     const auto& function = impl_.responses[static_cast<std::size_t>(hit.response)].function;
     return function(world_, hit, start_, goal, unseen, next);
@@ -174,19 +182,12 @@ class World::Checker {
     return static_cast<bool>(impl_.responses[index].function);
   }
 
-  Response reaction(std::uint32_t slot, ItemId other) const {
-    return seen(slot) ? Response::ignore : filter_(item_, other);
-  }
-  bool seen(std::uint32_t slot) const {
-    return (seen_bits_ & bit(slot)) && impl_.items[slot].visited == impl_.depth;
-  }
-  static std::uint64_t bit(std::uint32_t slot) { return std::uint64_t{1} << (slot & 63); }
   void mark(ItemId item) {
-    const std::uint32_t slot = impl_.slot_of(item);
-    if (slot == Impl::kNoSlot || seen(slot)) return;
-    impl_.visits.push_back({slot, impl_.items[slot].visited});
-    impl_.items[slot].visited = impl_.depth;
-    seen_bits_ |= bit(slot);
+    if (!impl_.has(item) || seen(item)) return;
+    std::uint32_t& visited = impl_.items[item.index - 1].visited;
+    impl_.visits.push_back({item.index - 1, visited});
+    visited = impl_.depth;
+    seen_bits_ |= bit(item.index);
   }
 
   const World& world_;
@@ -198,7 +199,7 @@ class World::Checker {
   std::vector<Collision>& hits_;
   std::size_t first_visit_;
   std::uint64_t seen_bits_ =
-      0;  // a bit set for each met item's slot, modulo 64: spares most looks at the item
+      0;  // a bit for each met item, by its index modulo 64: spares most looks at the item
 };
 
 Vec2 World::check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const {

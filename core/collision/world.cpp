@@ -85,34 +85,45 @@ CellRange World::Impl::cells_of(const Rect& rect) const {
   const double top = rect.y / cell_size;
   const double right = (rect.x + rect.w) / cell_size;
   const double bottom = (rect.y + rect.h) / cell_size;
-  if (!(is_cell(left) && is_cell(top) && is_cell(right) && is_cell(bottom))) {
+  // No size is negative, so these four comparisons bound all.
+  if (!(left > -kMaxCell && top > -kMaxCell && right < kMaxCell && bottom < kMaxCell)) {
     if (std::isnan(left) || std::isnan(top) || std::isnan(right) || std::isnan(bottom)) return {};
     throw_too_far();
   }
   return {floor_int(left) + 1, floor_int(top) + 1, ceil_int(right), ceil_int(bottom)};
 }
 
-// Throws before it changes anything.
+// Throws before it changes anything. Equal values stay as they were: 0 is not replaced by -0.
 void World::Impl::place(std::uint32_t slot, const Rect& rect) {
   assert(depth == 0 && "a filter or response must not change the world");
+  if (rects[slot] == rect) return;
   const CellRange cells = cells_of(rect);
   if (cells.count() > kMaxCellsOfItem) {
     throw WorldError("The item covers more than " + std::to_string(kMaxCellsOfItem) + " cells of the grid.");
   }
   Item& item = items[slot];
   if (!(cells == item.cells)) {
-    grid.remove(slot, item.cells);
-    grid.insert(slot, item.generation, cells);
+    grid.remove(id_of(slot), item.cells);
+    grid.insert(id_of(slot), cells);
     item.cells = cells;
   }
-  // Equal values stay as they were: 0 is not replaced by -0.
-  if (!(rects[slot] == rect)) rects[slot] = rect;
+  rects[slot] = rect;
 }
 
 Collision World::Impl::collision(const Sweep& sweep, ItemId item, std::uint32_t slot, Response response,
                                  const Contact& contact) const {
-  return {item,           id_of(slot),   response,  contact.overlaps, contact.ti, sweep.d,
-          contact.normal, contact.touch, sweep.box, rects[slot],      {}};
+  Collision hit;
+  hit.item = item;
+  hit.other = id_of(slot);
+  hit.response = response;
+  hit.overlaps = contact.overlaps;
+  hit.ti = contact.ti;
+  hit.move = sweep.d;
+  hit.normal = contact.normal;
+  hit.touch = contact.touch;
+  hit.item_rect = sweep.box;
+  hit.other_rect = rects[slot];
+  return hit;
 }
 
 World::World(double cell_size, Mode mode) : impl_(std::make_unique<Impl>(cell_size, mode)) {}
@@ -151,7 +162,7 @@ void World::remove(ItemId id) {
   const std::uint32_t slot = w.checked_slot(id);
   Impl::Item& item = w.items[slot];
   w.free_slots.push_back(slot);
-  w.grid.remove(slot, item.cells);
+  w.grid.remove(id, item.cells);
   const std::uint32_t generation = item.generation == kMaxGeneration ? 1 : item.generation + 1;
   item = {};
   item.generation = generation;
@@ -176,7 +187,7 @@ void World::project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vecto
   hits.clear();
   const Sweep sweep(rect, goal);
   w.for_contacts(
-      sweep, w.slot_of(item), [&](std::uint32_t, ItemId other) { return filter(item, other); },
+      sweep, w.slot_of(item), [&](ItemId other) { return filter(item, other); },
       [&](std::uint32_t slot, Response response, const Contact& contact) {
         hits.push_back(w.collision(sweep, item, slot, response, contact));
       });
@@ -197,8 +208,10 @@ void World::query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) c
   const Impl& w = *impl_;
   w.check_rect(rect);
   out.clear();
-  w.for_candidates(w.cells_of(rect), [&](std::uint32_t slot, ItemId item) {
-    if (filter(item) && intersect(rect, w.rects[slot])) out.push_back(item);
+  w.for_candidates(w.cells_of(rect), Impl::kNoSlot, [&](std::span<const CellEntry> candidates) {
+    for (const CellEntry& entry : candidates) {
+      if (filter(entry.id()) && intersect(rect, w.rects[entry.index - 1])) out.push_back(entry.id());
+    }
   });
   w.sort_by_age(out);
 }
@@ -210,8 +223,12 @@ void World::query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out)
   const double y = point.y / w.cell_size;
   if (!is_cell(x) || !is_cell(y)) return;
   const Cell cell{floor_int(x) + 1, floor_int(y) + 1};
-  w.for_candidates({cell.x, cell.y, cell.x, cell.y}, [&](std::uint32_t slot, ItemId item) {
-    if (filter(item) && contains(sides_of(w.rects[slot]), point)) out.push_back(item);
+  const CellRange range{cell.x, cell.y, cell.x, cell.y};
+  w.for_candidates(range, Impl::kNoSlot, [&](std::span<const CellEntry> candidates) {
+    for (const CellEntry& entry : candidates) {
+      if (filter(entry.id()) && contains(sides_of(w.rects[entry.index - 1]), point))
+        out.push_back(entry.id());
+    }
   });
   w.sort_by_age(out);
 }
@@ -278,7 +295,9 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
 
   ScratchPool<std::uint32_t>::Lease slots(w.slots);
   const auto gather = [&](const CellRange& range) {
-    w.for_candidates(range, [&](std::uint32_t slot, ItemId) { slots->push_back(slot); });
+    w.for_candidates(range, Impl::kNoSlot, [&](std::span<const CellEntry> candidates) {
+      for (const CellEntry& entry : candidates) slots->push_back(entry.index - 1);
+    });
   };
   const bool walked = walk_segment(w.cell_size, from, to, first, last, [&](std::int32_t x, std::int32_t y) {
     gather({x, y, x, y});

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <limits>
+#include <span>
 
 #include "cell_grid.h"
 #include "sweep.h"
@@ -90,12 +92,14 @@ struct World::Impl {
   CellRange cells_of(const Rect& rect) const;   // throws when it reaches beyond kMaxCell
   void place(std::uint32_t slot, const Rect& rect);
 
-  // Calls visit(slot, id) once for every item with a cell in the range.
+  // Calls visit(entries) with all items that have a cell in the range, each once and `except` left out, in
+  // batches of at most kBatch.
+  static constexpr std::size_t kBatch = 64;
   template <class Callback>
-  void for_candidates(const CellRange& range, Callback visit) const;
+  void for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const;
 
-  // Calls found(slot, response, contact) for every contact of the sweep, in no particular order. `self` is
-  // left out.
+  // Calls found(slot, response, contact) for every contact of the sweep with an item but `self` to which
+  // reaction(id) is not to ignore it, in no particular order.
   template <class Reaction, class Found>
   void for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const;
 
@@ -124,27 +128,38 @@ struct World::Impl {
                       const Contact& contact) const;
 };
 
+// Candidates are picked without branches, by writing each and counting it or not: which ones count is as good
+// as random, and a mispredicted branch costs as much as several candidates.
 template <class Callback>
-void World::Impl::for_candidates(const CellRange& range, Callback visit) const {
+void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const {
+  std::array<CellEntry, kBatch> batch;
+  std::size_t count = 0;
+  const std::uint32_t except_index = except + 1;
+  const auto take = [&](std::size_t at, CellEntry entry, bool wanted) {
+    batch[at] = entry;
+    at += wanted & (entry.index != except_index);
+    if (at < kBatch) return at;
+    visit(std::span<const CellEntry>(batch));
+    return std::size_t{0};
+  };
   // A long move may sweep more cells than there are items.
   if (range.count() > static_cast<std::int64_t>(64 + 4 * items.size())) {
     for (std::uint32_t slot = 0; slot < items.size(); ++slot) {
-      if (items[slot].cells.meets(range)) visit(slot, id_of(slot));
+      count = take(count, {slot + 1, items[slot].generation}, items[slot].cells.meets(range));
     }
-    return;
-  }
-  for (std::int32_t y = range.top; y <= range.bottom; ++y) {
-    for (std::int32_t x = range.left; x <= range.right; ++x) {
-      const CellGrid::List* list = grid.find(x, y);
-      if (!list) continue;
-      // An item of several cells counts in the first that it shares with the range.
-      const std::uint32_t needed =
-          (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
-      for (const CellEntry& entry : *list) {
-        if ((entry.first & needed) == needed) visit(entry.slot, ItemId{entry.slot + 1, entry.generation});
+  } else {
+    for (std::int32_t y = range.top; y <= range.bottom; ++y) {
+      for (std::int32_t x = range.left; x <= range.right; ++x) {
+        const CellGrid::List* list = grid.find(x, y);
+        if (!list) continue;
+        // An item of several cells counts in the first that it shares with the range.
+        const std::uint32_t needed =
+            (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
+        for (const CellEntry entry : *list) count = take(count, entry, (~entry.bits & needed) == 0);
       }
     }
   }
+  if (count > 0) visit(std::span<const CellEntry>(batch.data(), count));
 }
 
 template <class Reaction, class Found>
@@ -154,19 +169,29 @@ void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction 
   const double top = std::min(sweep.goal.y, box.y);
   const double right = std::max(sweep.goal.x + box.w, box.x + box.w);
   const double bottom = std::max(sweep.goal.y + box.h, box.y + box.h);
-  for_candidates(cells_of({left, top, right - left, bottom - top}), [&](std::uint32_t slot, ItemId other_id) {
-    if (slot == self) return;
-    const Response response = reaction(slot, other_id);
-    if (response == Response::ignore) return;
-    const Rect& other = rects[slot];
-    Contact contact;
-    if (mode == Mode::robust) {
-      if (detect_robust(sweep, other, contact)) found(slot, response, contact);
-      return;
+  const CellRange range = cells_of({left, top, right - left, bottom - top});
+  for_candidates(range, self, [&](std::span<const CellEntry> candidates) {
+    struct Tested {
+      std::uint32_t slot;
+      Response response;
+    };
+    std::array<Tested, kBatch> tested;
+    std::size_t count = 0;
+    for (const CellEntry entry : candidates) {
+      tested[count] = {entry.index - 1, reaction(entry.id())};
+      count += tested[count].response != Response::ignore;
     }
-    const Sides difference = minkowski_difference(box, other);
-    if (misses(difference, sweep.d)) return;
-    if (detect_faithful(sweep, difference, contact)) found(slot, response, contact);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [slot, response] = tested[i];
+      Contact contact;
+      if (mode == Mode::robust) {
+        if (detect_robust(sweep, rects[slot], contact)) found(slot, response, contact);
+        continue;
+      }
+      const Sides difference = minkowski_difference(box, rects[slot]);
+      if (misses(difference, sweep.d)) continue;
+      if (detect_faithful(sweep, difference, contact)) found(slot, response, contact);
+    }
   });
 }
 

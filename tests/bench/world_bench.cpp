@@ -14,7 +14,7 @@ constexpr int kTiles = 5'670;
 
 struct Scene {
   World world;
-  std::vector<bool> is_ball = std::vector<bool>(1 + kTiles + kBalls);  // by the item's index
+  std::vector<char> is_ball = std::vector<char>(1 + kTiles + kBalls);  // by the item's index
   std::vector<ItemId> balls;
   std::vector<Vec2> velocities;
 
