@@ -62,7 +62,7 @@ TEST_P(ArticleGolden, EveryFrameHasTheReferencesBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Carts, ArticleGolden, testing::Values("one", "six", "s4", "s26", "s60", "drag"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& cart) { return std::string(cart.param); });
 
 }  // namespace
 }  // namespace talus
