@@ -108,6 +108,7 @@ struct Column {
   bool numbers;  // they and their title end at the right edge
   const char* help;
 };
+constexpr float kLeastTableWidth = 364;  // px at scale 1; a narrower panel scrolls
 constexpr std::array<Column, 8> kColumns = {{
     {"#", 14, true, "The order in which the step met them."},
     {"other", 0, false, "A solid tile, an up- or down-slope with its cell, or another body."},
@@ -133,11 +134,14 @@ void draw_contact_header(Ui& ui) {
 }
 
 void draw_contacts(const StepRecord& record, int body, Ui& ui) {
-  constexpr ImGuiTableFlags kFlags =
-      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float least = ui.px(kLeastTableWidth);
+  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                ImGuiTableFlags_BordersOuterH |
+                                (room.x < least ? ImGuiTableFlags_ScrollX : 0);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(3), ui.px(2)));
-  if (ImGui::BeginTable("contacts", static_cast<int>(kColumns.size()), kFlags,
-                        ImGui::GetContentRegionAvail())) {
+  if (ImGui::BeginTable("contacts", static_cast<int>(kColumns.size()), flags, room,
+                        room.x < least ? least : 0)) {
     ImGui::TableSetupScrollFreeze(0, 1);
     for (const Column& column : kColumns)
       ImGui::TableSetupColumn(

@@ -47,7 +47,7 @@ void draw_problem(std::size_t row, const Problem& problem, const Session& sessio
 }  // namespace
 
 void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  const auto& problems = session.problems();
+  const auto& problems = *ui.problems;
   if (problems.empty()) {
     ui.hint("No problem found in this level.");
     return;

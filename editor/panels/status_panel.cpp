@@ -43,7 +43,7 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
   draw_part(ui, 560, file, session.modified() ? theme::kWarning : theme::kMuted,
             session.path().empty() ? "Not in a file yet." : session.path());
-  const std::size_t problems = session.problems().size();
+  const std::size_t problems = ui.problems->size();
   const std::string text =
       problems == 0 ? "no problems" : std::to_string(problems) + (problems == 1 ? " problem" : " problems");
   ImGui::SameLine();

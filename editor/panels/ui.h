@@ -7,9 +7,10 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "icons.h"
-#include "level/tileset.h"
+#include "level/lint.h"
 #include "theme.h"
 #include "view.h"
 #include "widget_registry.h"
@@ -22,8 +23,11 @@ class Ui {
   WidgetRegistry widgets;
   std::array<ImTextureID, 2> sheets{};  // 128x128 px, by SheetId
   ImTextureID balls{};                  // the sheet of tiles with colour 0 clear, for bodies
-  float scale = 1;                      // of text and controls
-  double time = 0;                      // s, of this frame
+  // Of the level; never null in a frame. Not renewed while a button is held, so that a stroke on a huge map
+  // need not wait for the lint of each of its frames.
+  const std::vector<Problem>* problems = nullptr;
+  float scale = 1;  // of text and controls
+  double time = 0;  // s, of this frame
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
   // A length of the design, in px at scale 1, on the screen.

@@ -24,7 +24,7 @@ enum class FileDialog { none, open, save_as };
 struct Layout {
   double left = 0.215;        // width of the left column
   double right = 0.305;       // width of the right column
-  double sheet = 0.463;       // height of the sheet, of the left column
+  double sheet = 0.485;       // height of the sheet, of the left column
   double right_split = 0.68;  // height of the inspector, of the right column
   double canvas_split = 0.5;  // height of the map, of the middle, when map and play are both shown
   friend bool operator==(const Layout&, const Layout&) = default;

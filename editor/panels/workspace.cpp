@@ -16,7 +16,7 @@ namespace {
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTransport = 32, kStatus = 24;
-constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 150;
+constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 198;
 constexpr float kSheetHeader = 40;
 constexpr float kSheetSide = kSheetColumns * kTileSize;  // px of the art
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;

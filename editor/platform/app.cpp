@@ -166,6 +166,7 @@ void App::frame() {
 
 void App::draw(Actions& actions) {
   UiFrame frame(ui_);
+  if (ui_.problems == nullptr || !ImGui::IsAnyMouseDown()) ui_.problems = &session_->problems();
   workspace_.draw(*session_, actions, ui_);
   draw_file_dialog(actions);
 }

@@ -18,6 +18,7 @@
 namespace talus {
 namespace {
 
+constexpr int kLeastWidth = 1152, kLeastHeight = 700;  // px: below, panels are cut off
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kFontSize = 14;         // px at scale 1
 constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp at whole multiples of this only
@@ -65,7 +66,7 @@ std::string GlWindow::start(const WindowOptions& options) {
       SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, options.width,
                        options.height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
   if (window_ == nullptr) return std::string("Cannot open a window with OpenGL: ") + SDL_GetError() + ".";
-  SDL_SetWindowMinimumSize(window_, 960, 600);
+  SDL_SetWindowMinimumSize(window_, kLeastWidth, kLeastHeight);
   gl_ = SDL_GL_CreateContext(window_);
   if (gl_ == nullptr) return std::string("OpenGL 3.3 is missing: ") + SDL_GetError() + ".";
   SDL_GL_SetSwapInterval(1);

@@ -90,7 +90,9 @@ TEST_P(UiLayout, ArtIsAtAWholeZoom) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, UiLayout, ::testing::Values(WindowSize{1280, 720}, WindowSize{2560, 1440}),
+INSTANTIATE_TEST_SUITE_P(Sizes, UiLayout,
+                         ::testing::Values(WindowSize{1152, 700}, WindowSize{1280, 720},
+                                           WindowSize{2560, 1440}),
                          [](const auto& size) { return std::to_string(size.param.width); });
 
 using UiKeys = UiTest;
