@@ -1,4 +1,4 @@
-// talus bench FILE --bodies N --frames N [--solver S] [--set KEY=VALUE] [--threads N] [--seed N]
+// talus bench FILE --bodies N --frames N [--pairs] [--solver S] [--set KEY=VALUE] [--threads N] [--seed N]
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +19,7 @@ struct BenchOptions {
   int frames = 0;
   int threads = 1;
   std::uint64_t seed = 1;
+  bool pairs = false;
   PhysicsOptions physics;
 };
 
@@ -76,7 +77,9 @@ double nanoseconds(Function function) {
 
 void bench(CommandContext& context, const BenchOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
-  if (!level || !apply_physics(context, options.physics, level->tuning)) return;
+  if (!level) return;
+  level->tuning.article.balls_block = options.pairs ? 1 : 0;
+  if (!apply_physics(context, options.physics, level->tuning)) return;
   if (!spawn_balls(*level, options.bodies, options.seed)) {
     return fail(context, options.file, "",
                 "the map has too few free cells for " + std::to_string(options.bodies) + " bodies");
@@ -102,7 +105,8 @@ void bench(CommandContext& context, const BenchOptions& options) {
   line["solver"] = solver_name(scene->tuning.solver);
   line["bodies"] = state.bodies.size();
   line["frames"] = options.frames;
-  line["threads"] = 1;  // balls block one another in the order of their ids: there is nothing to share out
+  line["pairs"] = level->tuning.article.balls_block != 0;
+  line["threads"] = 1;  // the article's balls move in the order of their ids, on one world
   line["seed"] = options.seed;
   line["ns_per_body_step"] = median(solver_ns);
   line["mean_ns_per_body_step"] = total_ns / options.frames / bodies;
@@ -126,6 +130,8 @@ void add_bench_command(CLI::App& program, CommandContext& context) {
   command->add_option("--frames", options->frames, "Steps to time")
       ->required()
       ->check(CLI::Range(1, 10'000'000));
+  command->add_flag("--pairs", options->pairs,
+                    "Balls block one another; without it they pass, so that the cost of a body is its own");
   add_physics_options(*command, options->physics);
   command
       ->add_option("--threads", options->threads,

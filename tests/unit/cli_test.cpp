@@ -167,6 +167,16 @@ TEST(CliBench, PrintsOneJsonLineAndTheSameHashForTheSameSeed) {
   EXPECT_NE(nlohmann::json::parse(run(other_seed).out)["hash"], json["hash"]);
 }
 
+TEST(CliBench, BallsBlockOneAnotherOnlyWithPairs) {
+  std::vector<std::string> arguments = {"bench", kSix, "--bodies", "50", "--frames", "60"};
+  const auto without = nlohmann::json::parse(run(arguments).out);
+  arguments.push_back("--pairs");
+  const auto with = nlohmann::json::parse(run(arguments).out);
+  EXPECT_EQ(without["pairs"], false);
+  EXPECT_EQ(with["pairs"], true);
+  EXPECT_NE(without["hash"], with["hash"]);
+}
+
 TEST(CliBench, TooManyBodiesAreRefused) {
   const Answer answer = run({"bench", kSix, "--bodies", "1000000", "--frames", "1"});
   EXPECT_EQ(answer.status, kExitBad);
