@@ -1,6 +1,5 @@
-// How a moving box meets a resting one: the sweep of a point against their
-// Minkowski difference, clipped side by side after Liang and Barsky. All
-// functions are pure; the order of every operation is part of the result.
+// How a moving box meets a resting one: the sweep of a point against their Minkowski difference, clipped side
+// by side after Liang and Barsky. All functions are pure; the order of every operation is part of the result.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +9,8 @@
 
 namespace talus {
 
-// Below this a faithful contact counts as none: px where boxes are compared,
-// fraction of the move where times are.
+// Below this a faithful contact counts as none: px where boxes are compared, fraction of the move where times
+// are.
 inline constexpr double kDelta = 1e-10;
 
 // The four sides of a box, px.
@@ -22,35 +21,30 @@ struct Sides {
   double bottom;
 };
 
-inline Sides sides_of(const Rect &rect) {
-  return {rect.x, rect.y, rect.x + rect.w, rect.y + rect.h};
-}
+inline Sides sides_of(const Rect& rect) { return {rect.x, rect.y, rect.x + rect.w, rect.y + rect.h}; }
 
-// The part of a line inside a box: it enters at ti1 through the side with
-// normal `normal` and leaves at ti2. The values before the call bound the line.
+// The part of a line inside a box: it enters at ti1 through the side with normal `normal` and leaves at ti2.
+// The values before the call bound the line.
 struct Clip {
   double ti1;
   double ti2;
   Vec2 normal;
 };
 
-// Clips the line from + t * d; false when nothing of it is left. On a corner
-// the vertical side wins.
-bool clip_line(const Sides &box, Vec2 from, Vec2 d, Clip &clip);
+// Clips the line from + t * d; false when nothing of it is left. On a corner the vertical side wins.
+bool clip_line(const Sides& box, Vec2 from, Vec2 d, Clip& clip);
 
 // What a box on its way to `goal` meets.
 struct Sweep {
   Rect box;
   Vec2 goal;
   Vec2 d;
-  Sweep(const Rect &start, Vec2 end)
-      : box(start), goal(end), d{end.x - start.x, end.y - start.y} {}
+  Sweep(const Rect& start, Vec2 end) : box(start), goal(end), d{end.x - start.x, end.y - start.y} {}
 };
 
-// The box around the whole way, with the size as a difference that is added
-// again later, as bump has it.
-inline Rect swept_bounds(const Sweep &sweep) {
-  const Rect &box = sweep.box;
+// The box around the whole way, with the size as a difference that is added again later, as bump has it.
+inline Rect swept_bounds(const Sweep& sweep) {
+  const Rect& box = sweep.box;
   const double left = std::min(sweep.goal.x, box.x);
   const double top = std::min(sweep.goal.y, box.y);
   const double right = std::max(sweep.goal.x + box.w, box.x + box.w);
@@ -65,58 +59,50 @@ struct Contact {
   Vec2 touch;
 };
 
-// The boxes overlap exactly where this box contains the origin; the mover's way
-// becomes a ray from there.
-inline Sides minkowski_difference(const Rect &mover, const Rect &other) {
+// The boxes overlap exactly where this box contains the origin; the mover's way becomes a ray from there.
+inline Sides minkowski_difference(const Rect& mover, const Rect& other) {
   const double x = other.x - mover.x - mover.w;
   const double y = other.y - mover.y - mover.h;
   return {x, y, x + (mover.w + other.w), y + (mover.h + other.h)};
 }
 
-// True only when the exact tests below cannot find a contact, told without a
-// division: a contact begins before t = 1 and does not end before t = -kDelta.
-// Correctly rounded division is monotonic, so from = lo / d
-// >= 1 follows from lo >= d; the factor 2 leaves room for the rounding of the
-// product. NaN is never a miss.
+// True only when the exact tests below cannot find a contact, told without a division: a contact begins
+// before t = 1 and does not end before t = -kDelta. Correctly rounded division is monotonic, so from = lo / d
+// >= 1 follows from lo >= d; the factor 2 leaves room for the rounding of the product. NaN is never a miss.
 inline bool misses_axis(double lo, double hi, double d) {
-  // Bitwise, since a branch that is hard to predict costs more than both
-  // comparisons.
-  if (d >= 0)
-    return (lo >= d) | (hi < -2 * kDelta * d);
+  // Bitwise, since a branch that is hard to predict costs more than both comparisons.
+  if (d >= 0) return (lo >= d) | (hi < -2 * kDelta * d);
   return (hi <= d) | (lo > -2 * kDelta * d);
 }
 
-inline bool misses(const Sides &difference, Vec2 d) {
+inline bool misses(const Sides& difference, Vec2 d) {
   const bool on_x = misses_axis(difference.left, difference.right, d.x);
   const bool on_y = misses_axis(difference.top, difference.bottom, d.y);
   return on_x | on_y;
 }
 
-// bump's contact of a sweep whose Minkowski difference did not miss; false when
-// there is none.
-bool detect_faithful(const Sweep &sweep, const Sides &difference,
-                     Contact &contact);
+// bump's contact of a sweep whose Minkowski difference did not miss; false when there is none.
+bool detect_faithful(const Sweep& sweep, const Sides& difference, Contact& contact);
 
-// The contact with exact touch coordinates: flush boxes stay flush and an
-// overlap is left by its shortest way.
-bool detect_robust(const Sweep &sweep, const Rect &other, Contact &contact);
+// The contact with exact touch coordinates: flush boxes stay flush and an overlap is left by its shortest
+// way.
+bool detect_robust(const Sweep& sweep, const Rect& other, Contact& contact);
 
 // Squared distance of the centres, px².
-inline double square_distance(const Rect &a, const Rect &b) {
+inline double square_distance(const Rect& a, const Rect& b) {
   const double dx = a.x - b.x + (a.w - b.w) / 2;
   const double dy = a.y - b.y + (a.h - b.h) / 2;
   return dx * dx + dy * dy;
 }
 
-inline bool intersect(const Rect &a, const Rect &b) {
-  return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h &&
-         b.y < a.y + a.h;
+inline bool intersect(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
 }
 
 // Whether the point lies inside by more than kDelta.
-inline bool contains(const Sides &box, Vec2 point) {
-  return point.x - box.left > kDelta && point.y - box.top > kDelta &&
-         box.right - point.x > kDelta && box.bottom - point.y > kDelta;
+inline bool contains(const Sides& box, Vec2 point) {
+  return point.x - box.left > kDelta && point.y - box.top > kDelta && box.right - point.x > kDelta &&
+         box.bottom - point.y > kDelta;
 }
 
-} // namespace talus
+}  // namespace talus

@@ -8,9 +8,8 @@
 //   Vec2 at = world.move(ball, {5, 3}, hits);           // slides along the
 //   wall; at == {5, 0}
 //
-// Programmer errors (a stale handle, a size of zero) throw WorldError with
-// bump's own sentence and change nothing. Within one call, results are ordered
-// as documented; ties go to the item that was added first.
+// Programmer errors (a stale handle, a size of zero) throw WorldError with bump's own sentence and change
+// nothing. Within one call, results are ordered as documented; ties go to the item that was added first.
 #pragma once
 
 #include <array>
@@ -29,186 +28,157 @@
 
 namespace talus {
 
-// Names an item of one World. A value: copy it freely. {0,0} names nothing.
-// Once its item is removed the handle is stale for good, since a later item in
-// the same slot has another generation.
+// Names an item of one World. A value: copy it freely. {0,0} names nothing. Once its item is removed the
+// handle is stale for good, since a later item in the same slot has another generation.
 struct ItemId {
-  std::uint32_t index =
-      0; // slot, from 1; dense, so it can index a caller's own array
-  std::uint32_t generation = 0; // from 1; 0 only in the null handle
+  std::uint32_t index = 0;       // slot, from 1; dense, so it can index a caller's own array
+  std::uint32_t generation = 0;  // from 1; 0 only in the null handle
   explicit operator bool() const { return generation != 0; }
-  friend bool operator==(const ItemId &, const ItemId &) = default;
+  friend bool operator==(const ItemId&, const ItemId&) = default;
 };
 
-// What a filter answers about a pair of items, and so how the mover reacts.
-// Values from `first_user` on are handed out by World::add_response.
+// What a filter answers about a pair of items, and so how the mover reacts. Values from `first_user` on are
+// handed out by World::add_response.
 enum class Response : std::uint16_t {
-  ignore, // not a candidate: passes through, nothing reported
-  touch,  // stops at the touch point
-  cross,  // passes through, reported
-  slide,  // goes on along the surface
-  bounce, // goes on mirrored at the surface
+  ignore,  // not a candidate: passes through, nothing reported
+  touch,   // stops at the touch point
+  cross,   // passes through, reported
+  slide,   // goes on along the surface
+  bounce,  // goes on mirrored at the surface
   first_user,
 };
 
 // One contact of a move, in the order in which the move met them.
 struct Collision {
-  ItemId item;  // the mover; null when project() was called without one
-  ItemId other; // what it met
+  ItemId item;   // the mover; null when project() was called without one
+  ItemId other;  // what it met
   Response response = Response::touch;
-  bool overlaps = false; // the boxes already overlapped before the move
-  double ti = 0;  // time of impact, fraction of `move`; minus the overlap area
-                  // if overlaps
-  Vec2 move;      // px, what the mover wanted when this contact was found
-  Vec2 normal;    // unit axis vector out of `other`; {0,0} has no direction
-  Vec2 touch;     // px, the mover's top-left corner at the contact
-  Rect item_rect; // the mover before the move
+  bool overlaps = false;  // the boxes already overlapped before the move
+  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area
+                          // if overlaps
+  Vec2 move;              // px, what the mover wanted when this contact was found
+  Vec2 normal;            // unit axis vector out of `other`; {0,0} has no direction
+  Vec2 touch;             // px, the mover's top-left corner at the contact
+  Rect item_rect;         // the mover before the move
   Rect other_rect;
-  std::optional<Vec2>
-      aim; // slide and bounce: the goal they redirected the mover to
+  std::optional<Vec2> aim;  // slide and bounce: the goal they redirected the mover to
 };
 
-// A box met by a segment. ti1 and ti2 are the fractions of the segment where it
-// enters and leaves the box.
+// A box met by a segment. ti1 and ti2 are the fractions of the segment where it enters and leaves the box.
 struct SegmentHit {
   ItemId item;
   double ti1 = 0;
   double ti2 = 0;
-  Vec2 enter; // px, point at ti1
-  Vec2 leave; // px, point at ti2
+  Vec2 enter;  // px, point at ti1
+  Vec2 leave;  // px, point at ti2
 };
 
 class WorldError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Sentences of the errors, for callers that keep items under names of their
-// own.
+// Sentences of the errors, for callers that keep items under names of their own.
 std::string item_not_added_message(std::string_view item);
 std::string item_added_twice_message(std::string_view item);
 std::string unknown_response_message(std::string_view name);
 
-// Used by one thread at a time: even the const functions share scratch memory.
-// A filter or response may call the const ones, never change the world. Filters
-// are called once a projection for every item whose cells the swept box covers,
-// before any geometry, in an order that depends only on the calls made so far.
+// Used by one thread at a time: even the const functions share scratch memory. A filter or response may call
+// the const ones, never change the world. Filters are called once a projection for every item whose cells the
+// swept box covers, before any geometry, in an order that depends only on the calls made so far.
 class World {
-public:
-  using Filter = FunctionRef<Response(
-      ItemId item, ItemId other)>; // how `item` reacts to `other`
-  using ItemFilter =
-      FunctionRef<bool(ItemId item)>; // true keeps the item in a query's answer
+ public:
+  using Filter = FunctionRef<Response(ItemId item, ItemId other)>;  // how `item` reacts to `other`
+  using ItemFilter = FunctionRef<bool(ItemId item)>;                // true keeps the item in a query's answer
 
-  // A filter as a table: the response to an item by its group. The same results
-  // as a function that looks the group up, in less than half the time: nothing
-  // is called, and what is far from the move is looked at once.
+  // A filter as a table: the response to an item by its group. The same results as a function that looks the
+  // group up, in less than half the time: nothing is called, and what is far from the move is looked at once.
   static constexpr int kGroupCount = 8;
   using GroupResponses = std::array<Response, kGroupCount>;
 
   enum class Mode {
-    faithful, // bump's results to the last bit, quirks included
-    // Places the mover exactly on the side it hit: no ghosts, no sticking at
-    // seams, no teleports. An overlap is left by its shortest way first.
-    // Crossed items are reported on the way actually travelled and do not bend
-    // it. Solid items may be met again after a bounce; after 64 contacts the
-    // mover stays at the last. Coordinates must be finite.
+    faithful,  // bump's results to the last bit, quirks included
+    // Places the mover exactly on the side it hit: no ghosts, no sticking at seams, no teleports. An overlap
+    // is left by its shortest way first. Crossed items are reported on the way actually travelled and do not
+    // bend it. Solid items may be met again after a bounce; after 64 contacts the mover stays at the last.
+    // Coordinates must be finite.
     robust,
   };
 
-  // Where bump would hang or run out of memory, WorldError is thrown and
-  // nothing changes: for a coordinate that is infinite or kMaxCell cells or
-  // more from the origin, and for an item that covers more than 2^22 cells.
+  // Where bump would hang or run out of memory, WorldError is thrown and nothing changes: for a coordinate
+  // that is infinite or kMaxCell cells or more from the origin, and for an item that covers more than 2^22
+  // cells.
   static constexpr int kMaxCell = 1 << 30;
-  static constexpr double kMaxCellSize =
-      1e100; // px; keeps squares of coordinates finite
+  static constexpr double kMaxCellSize = 1e100;  // px; keeps squares of coordinates finite
 
-  // cell_size: px, side of a grid cell; > 0 and at most kMaxCellSize, or
-  // WorldError. A few times a typical item is a good value.
+  // cell_size: px, side of a grid cell; > 0 and at most kMaxCellSize, or WorldError. A few times a typical
+  // item is a good value.
   explicit World(double cell_size = 64, Mode mode = Mode::faithful);
   ~World();
-  World(World &&) noexcept;
-  World &operator=(World &&) noexcept;
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
 
-  // w and h must be > 0, as for bump; NaN passes, as for bump, and puts the
-  // item in no cell. `group`, for GroupResponses: 0 to kGroupCount - 1
-  // (asserted).
+  // w and h must be > 0, as for bump; NaN passes, as for bump, and puts the item in no cell. `group`, for
+  // GroupResponses: 0 to kGroupCount - 1 (asserted).
   ItemId add(Rect rect, int group = 0);
   void remove(ItemId item);
-  void update(ItemId item, Rect rect); // places it without looking for contacts
-  void update(ItemId item, Vec2 position); // the same, keeping its size
+  void update(ItemId item, Rect rect);      // places it without looking for contacts
+  void update(ItemId item, Vec2 position);  // the same, keeping its size
 
-  // Moves towards the goal under the filter's responses; returns where it
-  // ended. `hits` is cleared first.
-  Vec2 move(ItemId item, Vec2 goal, Filter filter,
-            std::vector<Collision> &hits);
-  Vec2 move(ItemId item, Vec2 goal, const GroupResponses &responses,
-            std::vector<Collision> &hits);
+  // Moves towards the goal under the filter's responses; returns where it ended. `hits` is cleared first.
+  Vec2 move(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits);
+  Vec2 move(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits);
   Vec2 move(ItemId item, Vec2 goal,
-            std::vector<Collision> &hits); // slide against everything
+            std::vector<Collision>& hits);  // slide against everything
   // As move, but only says where it would end.
-  Vec2 check(ItemId item, Vec2 goal, Filter filter,
-             std::vector<Collision> &hits) const;
-  Vec2 check(ItemId item, Vec2 goal, const GroupResponses &responses,
-             std::vector<Collision> &hits) const;
-  // The same for a box that is no item of this world; the filter's `item` is
-  // null.
-  Vec2 check(Rect start, Vec2 goal, Filter filter,
-             std::vector<Collision> &hits) const;
-  Vec2 check(Rect start, Vec2 goal, const GroupResponses &responses,
-             std::vector<Collision> &hits) const;
-  // Every contact on the straight way of a box from `rect` to `goal`, by time,
-  // then distance, then age; no response is run. `item` is left out of the
-  // candidates and may be null.
-  void project(ItemId item, Rect rect, Vec2 goal, Filter filter,
-               std::vector<Collision> &hits) const;
+  Vec2 check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
+  Vec2 check(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
+  // The same for a box that is no item of this world; the filter's `item` is null.
+  Vec2 check(Rect start, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
+  Vec2 check(Rect start, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
+  // Every contact on the straight way of a box from `rect` to `goal`, by time, then distance, then age; no
+  // response is run. `item` is left out of the candidates and may be null.
+  void project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
 
-  // Items strictly overlapping the rectangle, holding the point inside, or cut
-  // by the segment. The first two answer in the order of adding, segments from
-  // `from` to `to`. The answer is cleared first.
-  void query_rect(Rect rect, std::vector<ItemId> &out) const;
-  void query_rect(Rect rect, ItemFilter filter, std::vector<ItemId> &out) const;
-  void query_point(Vec2 point, std::vector<ItemId> &out) const;
-  void query_point(Vec2 point, ItemFilter filter,
-                   std::vector<ItemId> &out) const;
-  void query_segment(Vec2 from, Vec2 to, std::vector<SegmentHit> &out) const;
-  void query_segment(Vec2 from, Vec2 to, ItemFilter filter,
-                     std::vector<SegmentHit> &out) const;
+  // Items strictly overlapping the rectangle, holding the point inside, or cut by the segment. The first two
+  // answer in the order of adding, segments from `from` to `to`. The answer is cleared first.
+  void query_rect(Rect rect, std::vector<ItemId>& out) const;
+  void query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) const;
+  void query_point(Vec2 point, std::vector<ItemId>& out) const;
+  void query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out) const;
+  void query_segment(Vec2 from, Vec2 to, std::vector<SegmentHit>& out) const;
+  void query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<SegmentHit>& out) const;
 
   bool has(ItemId item) const noexcept;
   Rect rect(ItemId item) const;
-  void items(std::vector<ItemId> &out) const; // in the order of adding
+  void items(std::vector<ItemId>& out) const;  // in the order of adding
   std::size_t item_count() const noexcept;
-  // Cells that hold or ever held an item, as bump counts them until its garbage
-  // is collected. Collected by collect_empty_cells(), or when the grid must
-  // grow and most of them are empty.
+  // Cells that hold or ever held an item, as bump counts them until its garbage is collected. Collected by
+  // collect_empty_cells(), or when the grid must grow and most of them are empty.
   std::size_t cell_count() const noexcept;
   void collect_empty_cells();
 
   double cell_size() const noexcept;
-  Cell
-  to_cell(Vec2 point) const; // 1-based, as bump's: the cell of {0,0} is {1,1}
-  Vec2 to_world(Cell cell) const; // its top-left corner
+  Cell to_cell(Vec2 point) const;  // 1-based, as bump's: the cell of {0,0} is {1,1}
+  Vec2 to_world(Cell cell) const;  // its top-left corner
 
-  // A response of the user's own: given the contact, the mover's box at the
-  // start of the move and its goal, it appends further contacts to `next`
-  // (usually by world.project with the same filter) and returns the new goal.
-  using ResponseFunction = std::function<Vec2(
-      const World &world, Collision &hit, Rect start, Vec2 goal, Filter filter,
-      std::vector<Collision> &next)>;
-  Response
-  add_response(std::string name,
-               ResponseFunction function); // replaces one of the same name
+  // A response of the user's own: given the contact, the mover's box at the start of the move and its goal,
+  // it appends further contacts to `next` (usually by world.project with the same filter) and returns the new
+  // goal.
+  using ResponseFunction = std::function<Vec2(const World& world, Collision& hit, Rect start, Vec2 goal,
+                                              Filter filter, std::vector<Collision>& next)>;
+  Response add_response(std::string name,
+                        ResponseFunction function);  // replaces one of the same name
   // The response of that name, built in or added; nothing when there is none.
   std::optional<Response> find_response(std::string_view name) const;
   std::string_view response_name(Response response) const;
 
-private:
+ private:
   struct Impl;
-  template <class Choice> class Checker;
   template <class Choice>
-  Vec2 run_check(ItemId item, Rect start, Vec2 goal, Choice choice,
-                 std::vector<Collision> &hits) const;
+  class Checker;
+  template <class Choice>
+  Vec2 run_check(ItemId item, Rect start, Vec2 goal, Choice choice, std::vector<Collision>& hits) const;
   std::unique_ptr<Impl> impl_;
 };
 
-} // namespace talus
+}  // namespace talus

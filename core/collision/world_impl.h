@@ -13,31 +13,30 @@
 
 namespace talus {
 
-// Lends vectors that keep their memory. A callback may call back into the
-// world, hence more than one.
-template <class T> class ScratchPool {
-public:
+// Lends vectors that keep their memory. A callback may call back into the world, hence more than one.
+template <class T>
+class ScratchPool {
+ public:
   class Lease {
-  public:
-    explicit Lease(ScratchPool &pool) : pool_(pool) {
-      if (pool_.lent_ == pool_.vectors_.size())
-        pool_.vectors_.emplace_back();
+   public:
+    explicit Lease(ScratchPool& pool) : pool_(pool) {
+      if (pool_.lent_ == pool_.vectors_.size()) pool_.vectors_.emplace_back();
       vector_ = &pool_.vectors_[pool_.lent_++];
       vector_->clear();
     }
     ~Lease() { --pool_.lent_; }
-    Lease(const Lease &) = delete;
-    Lease &operator=(const Lease &) = delete;
-    std::vector<T> &operator*() { return *vector_; }
-    std::vector<T> *operator->() { return vector_; }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    std::vector<T>& operator*() { return *vector_; }
+    std::vector<T>* operator->() { return vector_; }
 
-  private:
-    ScratchPool &pool_;
-    std::vector<T> *vector_;
+   private:
+    ScratchPool& pool_;
+    std::vector<T>* vector_;
   };
 
-private:
-  std::deque<std::vector<T>> vectors_; // a deque, since a lease points into it
+ private:
+  std::deque<std::vector<T>> vectors_;  // a deque, since a lease points into it
   std::size_t lent_ = 0;
 };
 
@@ -45,14 +44,14 @@ struct World::Impl {
   // What is known of an item besides its box.
   struct Item {
     CellRange cells;
-    std::uint64_t serial = 0; // order of adding, from 1; 0 in a free slot
+    std::uint64_t serial = 0;  // order of adding, from 1; 0 in a free slot
     std::uint32_t generation = 1;
-    std::uint32_t visited = 0; // depth of the check that has met it, 0 for none
+    std::uint32_t visited = 0;  // depth of the check that has met it, 0 for none
     int group = 0;
   };
   struct NamedResponse {
     std::string name;
-    ResponseFunction function; // empty for the built-in ones
+    ResponseFunction function;  // empty for the built-in ones
   };
   struct Visit {
     std::uint32_t slot;
@@ -69,21 +68,20 @@ struct World::Impl {
     std::uint32_t slot;
     Response response;
   };
-  static constexpr std::uint32_t kNoSlot =
-      std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
 
   double cell_size;
   Mode mode;
   std::vector<Item> items;
-  std::vector<Rect> rects; // beside the items, since a candidate costs little
-                           // more than fetching its box
+  std::vector<Rect> rects;  // beside the items, since a candidate costs little
+                            // more than fetching its box
   std::vector<std::uint32_t> free_slots;
   std::size_t live = 0;
   std::uint64_t next_serial = 1;
   CellGrid grid;
   std::vector<NamedResponse> responses;
 
-  std::uint32_t depth = 0; // of nested checks
+  std::uint32_t depth = 0;  // of nested checks
   std::vector<Visit> visits;
   ScratchPool<Collision> collisions;
   ScratchPool<Near> nears;
@@ -92,143 +90,112 @@ struct World::Impl {
 
   Impl(double cell_size, Mode mode);
 
-  ItemId id_of(std::uint32_t slot) const {
-    return {slot + 1, items[slot].generation};
-  }
+  ItemId id_of(std::uint32_t slot) const { return {slot + 1, items[slot].generation}; }
   bool has(ItemId id) const {
-    return id.index - 1 < items.size() &&
-           items[id.index - 1].generation == id.generation &&
+    return id.index - 1 < items.size() && items[id.index - 1].generation == id.generation &&
            items[id.index - 1].serial != 0;
   }
-  std::uint32_t slot_of(ItemId id) const {
-    return has(id) ? id.index - 1 : kNoSlot;
-  }
-  std::uint32_t
-  checked_slot(ItemId id) const;           // throws when there is no such item
-  void check_rect(const Rect &rect) const; // throws when it is none
-  CellRange
-  cells_of(const Rect &rect) const; // throws when it reaches beyond kMaxCell
-  void place(std::uint32_t slot, const Rect &rect);
+  std::uint32_t slot_of(ItemId id) const { return has(id) ? id.index - 1 : kNoSlot; }
+  std::uint32_t checked_slot(ItemId id) const;  // throws when there is no such item
+  void check_rect(const Rect& rect) const;      // throws when it is none
+  CellRange cells_of(const Rect& rect) const;   // throws when it reaches beyond kMaxCell
+  void place(std::uint32_t slot, const Rect& rect);
 
-  // Calls visit(entries) with all items that have a cell in the range, each
-  // once and `except` left out, in batches of at most kBatch.
+  // Calls visit(entries) with all items that have a cell in the range, each once and `except` left out, in
+  // batches of at most kBatch.
   static constexpr std::size_t kBatch = 64;
   template <class Callback>
-  void for_candidates(const CellRange &range, std::uint32_t except,
-                      Callback visit) const;
+  void for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const;
 
-  // Calls found(slot, response, contact) for every contact of the sweep with an
-  // item but `self` to which reaction(entry) is not to ignore it, in no
-  // particular order.
+  // Calls found(slot, response, contact) for every contact of the sweep with an item but `self` to which
+  // reaction(entry) is not to ignore it, in no particular order.
   template <class Reaction, class Found>
-  void for_contacts(const Sweep &sweep, std::uint32_t self, Reaction reaction,
-                    Found found) const;
+  void for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const;
 
-  // The order of contacts: time, then distance from the mover's start, then
-  // age.
+  // The order of contacts: time, then distance from the mover's start, then age.
   struct Rank {
     double ti;
     double distance;
     std::uint64_t serial;
-    bool operator<(const Rank &o) const {
-      if (ti != o.ti)
-        return ti < o.ti;
+    bool operator<(const Rank& o) const {
+      if (ti != o.ti) return ti < o.ti;
       return distance != o.distance ? distance < o.distance : serial < o.serial;
     }
   };
-  Rank rank(const Collision &hit) const {
-    return {hit.ti, square_distance(hit.item_rect, hit.other_rect),
-            items[hit.other.index - 1].serial};
+  Rank rank(const Collision& hit) const {
+    return {hit.ti, square_distance(hit.item_rect, hit.other_rect), items[hit.other.index - 1].serial};
   }
-  void sort_contacts(std::vector<Collision> &hits) const {
+  void sort_contacts(std::vector<Collision>& hits) const {
     std::sort(hits.begin(), hits.end(),
-              [this](const Collision &a, const Collision &b) {
-                return rank(a) < rank(b);
-              });
+              [this](const Collision& a, const Collision& b) { return rank(a) < rank(b); });
   }
-  void sort_by_age(std::vector<ItemId> &ids) const {
-    std::sort(ids.begin(), ids.end(), [this](ItemId a, ItemId b) {
-      return items[a.index - 1].serial < items[b.index - 1].serial;
-    });
+  void sort_by_age(std::vector<ItemId>& ids) const {
+    std::sort(ids.begin(), ids.end(),
+              [this](ItemId a, ItemId b) { return items[a.index - 1].serial < items[b.index - 1].serial; });
   }
-  Collision collision(const Sweep &sweep, ItemId item, std::uint32_t slot,
-                      Response response, const Contact &contact) const;
+  Collision collision(const Sweep& sweep, ItemId item, std::uint32_t slot, Response response,
+                      const Contact& contact) const;
 };
 
-// Candidates are picked without branches, by writing each and counting it or
-// not: which ones count is as good as random, and a mispredicted branch costs
-// as much as several candidates.
+// Candidates are picked without branches, by writing each and counting it or not: which ones count is as good
+// as random, and a mispredicted branch costs as much as several candidates.
 template <class Callback>
-void World::Impl::for_candidates(const CellRange &range, std::uint32_t except,
-                                 Callback visit) const {
+void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const {
   std::array<CellEntry, kBatch> batch;
   std::size_t count = 0;
   const std::uint32_t except_index = except + 1;
   const auto take = [&](std::size_t at, CellEntry entry, bool wanted) {
     batch[at] = entry;
     at += wanted & (entry.index != except_index);
-    if (at < kBatch)
-      return at;
+    if (at < kBatch) return at;
     visit(std::span<const CellEntry>(batch));
     return std::size_t{0};
   };
   // A long move may sweep more cells than there are items.
   if (range.count() > static_cast<std::int64_t>(64 + 4 * items.size())) {
     for (std::uint32_t slot = 0; slot < items.size(); ++slot) {
-      count = take(count, CellEntry::of(id_of(slot), items[slot].group),
-                   items[slot].cells.meets(range));
+      count = take(count, CellEntry::of(id_of(slot), items[slot].group), items[slot].cells.meets(range));
     }
   } else {
     for (std::int32_t y = range.top; y <= range.bottom; ++y) {
       for (std::int32_t x = range.left; x <= range.right; ++x) {
-        const CellGrid::List *list = grid.find(x, y);
-        if (!list)
-          continue;
-        // An item of several cells counts in the first that it shares with the
-        // range.
+        const CellGrid::List* list = grid.find(x, y);
+        if (!list) continue;
+        // An item of several cells counts in the first that it shares with the range.
         const std::uint32_t needed =
-            (x == range.left ? 0 : CellEntry::kFirstColumn) |
-            (y == range.top ? 0 : CellEntry::kFirstRow);
-        for (const CellEntry entry : *list)
-          count = take(count, entry, (~entry.bits & needed) == 0);
+            (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
+        for (const CellEntry entry : *list) count = take(count, entry, (~entry.bits & needed) == 0);
       }
     }
   }
-  if (count > 0)
-    visit(std::span<const CellEntry>(batch.data(), count));
+  if (count > 0) visit(std::span<const CellEntry>(batch.data(), count));
 }
 
 template <class Reaction, class Found>
-void World::Impl::for_contacts(const Sweep &sweep, std::uint32_t self,
-                               Reaction reaction, Found found) const {
-  for_candidates(cells_of(swept_bounds(sweep)), self,
-                 [&](std::span<const CellEntry> candidates) {
-                   struct Tested {
-                     std::uint32_t slot;
-                     Response response;
-                   };
-                   std::array<Tested, kBatch> tested;
-                   std::size_t count = 0;
-                   for (const CellEntry entry : candidates) {
-                     tested[count] = {entry.index - 1, reaction(entry)};
-                     count += tested[count].response != Response::ignore;
-                   }
-                   for (std::size_t i = 0; i < count; ++i) {
-                     const auto [slot, response] = tested[i];
-                     Contact contact;
-                     if (mode == Mode::robust) {
-                       if (detect_robust(sweep, rects[slot], contact))
-                         found(slot, response, contact);
-                       continue;
-                     }
-                     const Sides difference =
-                         minkowski_difference(sweep.box, rects[slot]);
-                     if (misses(difference, sweep.d))
-                       continue;
-                     if (detect_faithful(sweep, difference, contact))
-                       found(slot, response, contact);
-                   }
-                 });
+void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const {
+  for_candidates(cells_of(swept_bounds(sweep)), self, [&](std::span<const CellEntry> candidates) {
+    struct Tested {
+      std::uint32_t slot;
+      Response response;
+    };
+    std::array<Tested, kBatch> tested;
+    std::size_t count = 0;
+    for (const CellEntry entry : candidates) {
+      tested[count] = {entry.index - 1, reaction(entry)};
+      count += tested[count].response != Response::ignore;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [slot, response] = tested[i];
+      Contact contact;
+      if (mode == Mode::robust) {
+        if (detect_robust(sweep, rects[slot], contact)) found(slot, response, contact);
+        continue;
+      }
+      const Sides difference = minkowski_difference(sweep.box, rects[slot]);
+      if (misses(difference, sweep.d)) continue;
+      if (detect_faithful(sweep, difference, contact)) found(slot, response, contact);
+    }
+  });
 }
 
-} // namespace talus
+}  // namespace talus
