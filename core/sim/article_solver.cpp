@@ -8,12 +8,10 @@
 namespace talus {
 namespace {
 
-// The article's lerp, in its own order of operations: other forms differ in the
-// last bit.
+// The article's lerp, in its own order of operations: other forms differ in the last bit.
 double lerp(double a, double b, double t) { return ((1 - t) * a) + (t * b); }
 
-// The article leaves slope_normal() out; this is the unit normal pointing up
-// and out of the slope.
+// The article leaves slope_normal() out; this is the unit normal pointing up and out of the slope.
 Vec2 slope_normal(const Rect& box, double direction) {
   const double length = std::sqrt(box.w * box.w + box.h * box.h);
   return {-direction * box.h / length, -box.w / length};
@@ -40,8 +38,8 @@ ArticleSolver::ArticleSolver(std::shared_ptr<const Scene> scene)
   rebuild(initial_state(*scene_));
 }
 
-// Adds everything in map order, so that ties are the article's: the bodies that
-// the scene starts take their place among the tiles.
+// Adds everything in map order, so that ties are the article's: the bodies that the scene starts take their
+// place among the tiles.
 void ArticleSolver::rebuild(const State& state) {
   world_ = World(scene_->tuning.article.cell_size);
   entries_.assign(1, {});
@@ -79,8 +77,8 @@ void ArticleSolver::rebuild(const State& state) {
   tested_marks_.assign(entries_.size(), 0);
 }
 
-// The world is only a cache of the state: whatever differs is brought up to
-// date, so that a step depends on nothing but its arguments.
+// The world is only a cache of the state: whatever differs is brought up to date, so that a step depends on
+// nothing but its arguments.
 void ArticleSolver::synchronise(const State& state) {
   const bool same_bodies =
       std::equal(state.bodies.begin(), state.bodies.end(), placed_.begin(), placed_.end(),
@@ -109,8 +107,7 @@ void ArticleSolver::step(State& state, const Input& input, StepRecord* record) {
   ++state.frame;
 }
 
-// A pressed button takes the ball under it; a released one throws it with the
-// speed of its last frame.
+// A pressed button takes the ball under it; a released one throws it with the speed of its last frame.
 void ArticleSolver::take_mouse(State& state, const Input& input) {
   if (input.mouse_down) {
     if (state.grabbed == 0) state.grabbed = body_at(state, input.mouse);
@@ -123,8 +120,7 @@ void ArticleSolver::take_mouse(State& state, const Input& input) {
   state.grabbed = 0;
 }
 
-// The first ball, in scene order, that has the point inside; 0 when there is
-// none.
+// The first ball, in scene order, that has the point inside; 0 when there is none.
 int ArticleSolver::body_at(const State& state, Vec2 point) {
   if (!balls_block_) {
     const auto found = std::find_if(state.bodies.begin(), state.bodies.end(),
@@ -182,8 +178,7 @@ void ArticleSolver::move(Body& body, Placed& placed, Vec2 goal) {
   if (record_ != nullptr) note_contacts(body.id);
 }
 
-// The table and the function say the same; the function also notes what is
-// tested.
+// The table and the function say the same; the function also notes what is tested.
 Vec2 ArticleSolver::run(const Body& body, const Placed& placed, Vec2 goal) {
   const auto noting = [&](ItemId, ItemId other) {
     note_test(body.id, other);
@@ -202,8 +197,8 @@ void ArticleSolver::place(Placed& placed, const Rect& box) {
   if (placed.item) world_.update(placed.item, box);
 }
 
-// The article's slope(obj): looks straight down by `speed` for the first slope
-// that is not met from below, and interpolates its floor at the body's centre.
+// The article's slope(obj): looks straight down by `speed` for the first slope that is not met from below,
+// and interpolates its floor at the body's centre.
 std::optional<SlopeProbe> ArticleSolver::probe_slope(const Body& body, const Placed& placed, double speed) {
   if (!(speed >= 0)) return std::nullopt;
   const Vec2 below{body.box.x, body.box.y + speed};
@@ -251,8 +246,7 @@ Obstacle ArticleSolver::obstacle(ItemId item) const {
   return what;
 }
 
-// A body's way is tested again after each response; its candidates are noted
-// once.
+// A body's way is tested again after each response; its candidates are noted once.
 void ArticleSolver::note_test(int body, ItemId other) {
   std::uint64_t& mark = tested_marks_[other.index];
   if (mark == test_mark_) return;

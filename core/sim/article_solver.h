@@ -1,6 +1,5 @@
-// The solver of the article "Slopes in AABB collision systems" (A. Listopadov,
-// 2026), to the last bit, defects included: blocks snag at seams, the slope's
-// floor is rounded, and only the body's centre is on it.
+// The solver of the article "Slopes in AABB collision systems" (A. Listopadov, 2026), to the last bit,
+// defects included: blocks snag at seams, the slope's floor is rounded, and only the body's centre is on it.
 #pragma once
 
 #include <memory>
@@ -24,8 +23,8 @@ class ArticleSolver final : public Solver {
     double direction = 0;  // of a slope: +1 rises to the right, -1 to the left
     bool is_slope() const { return direction != 0; }
   };
-  // Where the world believes that a body is. Balls that pass through each other
-  // are no items of the world, and then `item` is null: nobody can meet them.
+  // Where the world believes that a body is. Balls that pass through each other are no items of the world,
+  // and then `item` is null: nobody can meet them.
   struct Placed {
     int id;
     ItemId item;

@@ -1,9 +1,10 @@
-// Loads a level with the installed package and lets it run: game FILE FRAMES prints the hash of the last state.
+// Loads a level with the installed package and lets it run: game FILE FRAMES prints the hash of the last
+// state.
 
-#include <cstdlib>
 #include <formats/format.h>
-#include <iostream>
 #include <sim/solver.h>
+#include <cstdlib>
+#include <iostream>
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
