@@ -220,6 +220,51 @@ RC_GTEST_PROP(WorldProperty, RobustForgetsTheOrderOfAdding, (std::uint64_t seed)
   check_permutation<World::Mode::robust>(seed);
 }
 
+// A table of responses and a function that looks the table up: the same ends and the same contacts, also
+// where boxes are flush or far from the origin.
+template <World::Mode mode>
+void check_groups(std::uint64_t seed) {
+  Random random(seed);
+  const double offset = random.up_to(1) ? 0 : random.in(-1e9, 1e9);
+  World world(random.in(4, 60), mode);
+  std::vector<ItemId> items;
+  std::vector<int> groups(1);
+  World::GroupResponses table;
+  for (Response& response : table) response = static_cast<Response>(random.up_to(4));
+  for (int i = 0; i < 50; ++i) {
+    Rect rect = random.rect(60);
+    if (i % 2 == 0) rect = {8.0 * random.up_to(12), 8.0 * random.up_to(12), 8, 8};
+    groups.push_back(random.up_to(World::kGroupCount - 1));
+    items.push_back(world.add({offset + rect.x, rect.y - offset, rect.w, rect.h}, groups.back()));
+  }
+  const auto filter = [&](ItemId, ItemId other) {
+    return table[static_cast<std::size_t>(groups[other.index])];
+  };
+  std::vector<Collision> hits;
+  std::vector<Collision> table_hits;
+  for (int round = 0; round < 4; ++round) {
+    for (const ItemId item : items) {
+      const double reach = random.up_to(3) ? 20 : 300;
+      const Vec2 goal =
+          world.rect(item).position() + Vec2{random.in(-reach, reach), random.in(-reach, reach)};
+      const Vec2 end = world.check(item, goal, filter, hits);
+      RC_ASSERT(world.move(item, goal, table, table_hits) == end);
+      RC_ASSERT(std::equal(hits.begin(), hits.end(), table_hits.begin(), table_hits.end(),
+                           [](const Collision& a, const Collision& b) {
+                             return same(a, b) && a.item == b.item && a.other == b.other &&
+                                    a.response == b.response && a.item_rect == b.item_rect;
+                           }));
+    }
+  }
+}
+
+RC_GTEST_PROP(WorldProperty, FaithfulGroupsAnswerLikeAFilter, (std::uint64_t seed)) {
+  check_groups<World::Mode::faithful>(seed);
+}
+RC_GTEST_PROP(WorldProperty, RobustGroupsAnswerLikeAFilter, (std::uint64_t seed)) {
+  check_groups<World::Mode::robust>(seed);
+}
+
 // The grid after a long random history answers as a fresh one with the same items.
 RC_GTEST_PROP(WorldProperty, HistoryLeavesNoTrace, (std::uint64_t seed)) {
   Random random(seed);
