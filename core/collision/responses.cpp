@@ -1,5 +1,6 @@
 // How a mover goes on after a contact: check() and move(), the built-in responses and the user's own.
 #include <cassert>
+#include <cmath>
 
 #include "world.h"
 #include "world_impl.h"
@@ -184,7 +185,7 @@ class World::Checker {
   // Keeps what a leg within `bounds` and its cells can hit. The margins are far more than a leg can gain by
   // rounding, or a contact by bump's tolerance.
   void gather(const Rect& bounds, const CellRange& range) {
-    const double gain = 1e-4 + 1e-9 * (bounds.w + bounds.h);
+    const double gain = 1e-4 + 1e-9 * (std::abs(bounds.x) + std::abs(bounds.y) + bounds.w + bounds.h);
     near_area_ = {bounds.x - gain, bounds.y - gain, bounds.w + 2 * gain, bounds.h + 2 * gain};
     near_cells_ = range;
     near_->clear();

@@ -1,12 +1,10 @@
-// World: boxes in a hashed grid, and how a moving box meets them. Reproduces
-// bump.lua 3.1.7 bit for bit.
+// World: boxes in a hashed grid, and how a moving box meets them. Reproduces bump.lua 3.1.7 bit for bit.
 //
 //   World world(24);
 //   ItemId wall = world.add({0, 8, 64, 8});
 //   ItemId ball = world.add({0, 0, 8, 8});
 //   std::vector<Collision> hits;
-//   Vec2 at = world.move(ball, {5, 3}, hits);           // slides along the
-//   wall; at == {5, 0}
+//   Vec2 at = world.move(ball, {5, 3}, hits);           // slides along the wall; at == {5, 0}
 //
 // Programmer errors (a stale handle, a size of zero) throw WorldError with bump's own sentence and change
 // nothing. Within one call, results are ordered as documented; ties go to the item that was added first.
@@ -54,8 +52,7 @@ struct Collision {
   ItemId other;  // what it met
   Response response = Response::touch;
   bool overlaps = false;  // the boxes already overlapped before the move
-  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area
-                          // if overlaps
+  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
   Vec2 move;              // px, what the mover wanted when this contact was found
   Vec2 normal;            // unit axis vector out of `other`; {0,0} has no direction
   Vec2 touch;             // px, the mover's top-left corner at the contact
@@ -127,8 +124,7 @@ class World {
   // Moves towards the goal under the filter's responses; returns where it ended. `hits` is cleared first.
   Vec2 move(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits);
   Vec2 move(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits);
-  Vec2 move(ItemId item, Vec2 goal,
-            std::vector<Collision>& hits);  // slide against everything
+  Vec2 move(ItemId item, Vec2 goal, std::vector<Collision>& hits);  // slide against everything
   // As move, but only says where it would end.
   Vec2 check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
   Vec2 check(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
@@ -166,8 +162,7 @@ class World {
   // goal.
   using ResponseFunction = std::function<Vec2(const World& world, Collision& hit, Rect start, Vec2 goal,
                                               Filter filter, std::vector<Collision>& next)>;
-  Response add_response(std::string name,
-                        ResponseFunction function);  // replaces one of the same name
+  Response add_response(std::string name, ResponseFunction function);  // replaces one of the same name
   // The response of that name, built in or added; nothing when there is none.
   std::optional<Response> find_response(std::string_view name) const;
   std::string_view response_name(Response response) const;

@@ -73,8 +73,7 @@ struct World::Impl {
   double cell_size;
   Mode mode;
   std::vector<Item> items;
-  std::vector<Rect> rects;  // beside the items, since a candidate costs little
-                            // more than fetching its box
+  std::vector<Rect> rects;  // beside the items, since a candidate costs little more than fetching its box
   std::vector<std::uint32_t> free_slots;
   std::size_t live = 0;
   std::uint64_t next_serial = 1;

@@ -251,6 +251,35 @@ TEST(UserResponses, ThatReportWithoutEndAreStopped) {
   EXPECT_EQ(world.rect(ball), (Rect{0, 0, 8, 8}));
 }
 
+TEST(Groups, ChooseTheResponse) {
+  World world;
+  const ItemId ball = world.add({0, 0, 8, 8});
+  const ItemId zone = world.add({12, 0, 8, 8}, 3);
+  const ItemId wall = world.add({30, 0, 8, 8}, 7);
+  World::GroupResponses responses{};
+  responses[3] = Response::cross;
+  responses[7] = Response::touch;
+  std::vector<Collision> hits;
+  EXPECT_EQ(world.move(ball, {60, 0}, responses, hits), (Vec2{22, 0}));
+  EXPECT_THAT(others(hits), ElementsAre(zone, wall));
+  responses[7] = Response::ignore;
+  EXPECT_EQ(world.move(ball, {60, 0}, responses, hits), (Vec2{60, 0}));
+  EXPECT_TRUE(hits.empty());
+}
+
+TEST(Checks, MayStartFromABoxThatIsNoItem) {
+  World world;
+  const ItemId wall = world.add({12, 0, 8, 8}, 1);
+  std::vector<Collision> hits;
+  EXPECT_EQ(world.check({0, 0, 8, 8}, {20, 4}, Always{Response::slide}, hits), (Vec2{4, 4}));
+  EXPECT_THAT(others(hits), ElementsAre(wall));
+  EXPECT_EQ(hits[0].item, ItemId{});
+  World::GroupResponses responses{};
+  responses[1] = Response::touch;
+  EXPECT_EQ(world.check({0, 0, 8, 8}, {20, 0}, responses, hits), (Vec2{4, 0}));
+  EXPECT_THROW(world.check({0, 0, 0, 8}, {20, 0}, responses, hits), WorldError);
+}
+
 TEST(Filters, ThatThrowLeaveTheWorldUsable) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
