@@ -1,4 +1,7 @@
-// talus shot FILE [--frame N] [--overlay a,b] -o PNG
+// talus shot FILE [--frame N] [--overlay a,b] [--body ID] [--zoom N | --window WxH] -o PNG
+
+#include <charconv>
+#include <tuple>
 
 #include "command.h"
 #include "platform/shot.h"
@@ -10,14 +13,43 @@ struct ShotCommandOptions {
   std::string file, output;
   std::int64_t frame = 0;
   std::vector<std::string> overlays;
+  std::string window;  // "1280x720"; empty: the play view alone
   PhysicsOptions physics;
   ShotOptions shot;
 };
+
+// The size in "1280x720", or nothing.
+std::optional<std::pair<int, int>> size_of(const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  if (width < 960 || height < 600 || width > 8192 || height > 8192) return std::nullopt;
+  return std::make_pair(width, height);
+}
+
+std::string check_size(const std::string& text) {
+  return size_of(text) ? "" : "must be WIDTHxHEIGHT, from 960x600 to 8192x8192";
+}
+
+void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
+  WindowShotOptions shot;
+  shot.file = options.file;
+  std::tie(shot.width, shot.height) = *size_of(options.window);
+  shot.frames = static_cast<int>(options.frame);
+  shot.overlays = options.shot.overlays;
+  shot.body = options.shot.body;
+  const auto written = write_window_shot(shot, options.output);
+  if (!written) fail(context, options.output, "", written.error());
+}
 
 void shoot(CommandContext& context, ShotCommandOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level || !apply_physics(context, options.physics, level->tuning)) return;
   for (const std::string& key : options.overlays) options.shot.overlays.set(*find_overlay(key), true);
+  if (!options.window.empty()) return shoot_window(context, options);
   Session session(std::move(*level), options.file);
   for (std::int64_t i = 0; i < options.frame; ++i) session.apply(action::StepFrame{});
   const auto written = write_shot(session, options.shot, options.output);
@@ -44,6 +76,11 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->check(CLI::IsMember(overlay_keys()));
   command->add_option("--zoom", options->shot.zoom, "Pixels of the picture for one of the level")
       ->check(CLI::Range(1, 16));
+  command->add_option("--body", options->shot.body, "Body whose details are labelled, by its id");
+  command->add_option("--window", options->window, "Draw the editor's whole window in this size")
+      ->type_name("WxH")
+      ->check(check_size)
+      ->excludes(std::string("--set"), std::string("--solver"), std::string("--zoom"));
   command->add_option("-o,--output", options->output, "PNG to write")->required();
   command->callback([&context, options] { shoot(context, *options); });
 }
