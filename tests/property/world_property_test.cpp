@@ -225,7 +225,7 @@ RC_GTEST_PROP(WorldProperty, RobustForgetsTheOrderOfAdding, (std::uint64_t seed)
 template <World::Mode mode>
 void check_groups(std::uint64_t seed) {
   Random random(seed);
-  const double offset = random.up_to(1) ? 0 : random.in(-1e9, 1e9);
+  const double offset = std::pow(10, random.in(3, 9.5)) * random.in(-1, 1);
   World world(random.in(4, 60), mode);
   std::vector<ItemId> items;
   std::vector<int> groups(1);
@@ -258,10 +258,10 @@ void check_groups(std::uint64_t seed) {
   }
 }
 
-RC_GTEST_PROP(WorldProperty, FaithfulGroupsAnswerLikeAFilter, (std::uint64_t seed)) {
+RC_GTEST_PROP(WorldProperty, FaithfulGroupsAnswerLikeAFilterFarOut, (std::uint64_t seed)) {
   check_groups<World::Mode::faithful>(seed);
 }
-RC_GTEST_PROP(WorldProperty, RobustGroupsAnswerLikeAFilter, (std::uint64_t seed)) {
+RC_GTEST_PROP(WorldProperty, RobustGroupsAnswerLikeAFilterFarOut, (std::uint64_t seed)) {
   check_groups<World::Mode::robust>(seed);
 }
 
