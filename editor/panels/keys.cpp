@@ -14,7 +14,6 @@ std::string key_name(int key) {
       return "Del";
     case kKeyHome:
       return "Home";
-    case kKeyEnd:
       return "End";
     case kKeyLeft:
       return "Left";

@@ -11,7 +11,6 @@ enum Key : int {
   kKeyTab = 256,
   kKeyDelete,
   kKeyHome,
-  kKeyEnd,
   kKeyLeft,
   kKeyRight,
   kKeyUp,

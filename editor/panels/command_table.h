@@ -1,0 +1,41 @@
+// The rows of the table of commands, and the few words that they are written with.
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+#include "commands.h"
+
+namespace talus {
+
+std::vector<Command> general_commands();  // work everywhere
+std::vector<Command> tool_commands();     // work in the sprites or in the map
+
+inline Command command(std::string_view id, KeyChord key, std::string_view label, std::string_view help,
+                       decltype(Command::run) run, decltype(Command::enabled) enabled = nullptr) {
+  return {id, label, help, Scope::everywhere, key, {}, false, run, enabled, nullptr};
+}
+// One that is on or off, or one of several of which one is on.
+inline Command toggle(std::string_view id, KeyChord key, std::string_view label, std::string_view help,
+                      decltype(Command::run) run, decltype(Command::checked) checked) {
+  return {id, label, help, Scope::everywhere, key, {}, false, run, nullptr, checked};
+}
+inline Command also_on(KeyChord other_key, Command command) {
+  command.other_key = other_key;
+  return command;
+}
+inline Command repeating(Command command) {
+  command.repeats = true;
+  return command;
+}
+inline std::vector<Command> in_scope(Scope scope, std::vector<Command> commands) {
+  for (Command& command : commands) command.scope = scope;
+  return commands;
+}
+inline std::vector<Command> joined(std::initializer_list<std::vector<Command>> parts) {
+  std::vector<Command> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace talus

@@ -1,0 +1,174 @@
+// The commands that work everywhere.
+#include "command_table.h"
+
+namespace talus {
+namespace {
+
+using S = const Session&;
+using A = Actions&;
+using U = Ui&;
+
+template <class T>
+void emit(S, A actions, U) {
+  actions.push_back(T{});
+}
+
+template <CanvasMode mode>
+void show_canvas(S, A, U ui) {
+  ui.view.canvas = mode;
+}
+
+template <CanvasMode mode>
+bool shows_canvas(S, const Ui& ui) {
+  return ui.view.canvas == mode;
+}
+
+template <OverlayId id>
+void toggle_overlay(S session, A actions, U) {
+  actions.push_back(action::SetOverlay{id, !session.choices().overlays.has(id)});
+}
+
+template <OverlayId id>
+bool has_overlay(S session, const Ui&) {
+  return session.choices().overlays.has(id);
+}
+
+void cycle_flag_overlay(S session, A actions, U) {
+  const int next = session.choices().flag_overlay.value_or(-1) + 1;
+  actions.push_back(
+      action::SetFlagOverlay{next < kFlagCount ? std::optional<int>(next) : std::optional<int>()});
+}
+
+template <int direction>
+void change_speed(S session, A actions, U) {
+  const double now = session.playback().speed;
+  actions.push_back(action::SetSpeed{direction > 0 ? now * 2 : now / 2});
+}
+
+void run_from_start(S, A actions, U) {
+  actions.push_back(action::ResetPlay{});
+  actions.push_back(action::Play{});
+}
+
+std::vector<Command> file_commands() {
+  return {
+      command("file/new", ctrl('n'), "New level", "Starts an empty level.", emit<action::NewLevel>),
+      command("file/open", ctrl('o'), "Open...", "Opens a level or a TIC-80 cart.",
+              [](S, A, U ui) { ui.view.dialog = FileDialog::open; }),
+      command("file/save", ctrl('s'), "Save", "Saves to the level's own file, in its own format.",
+              emit<action::SaveFile>),
+      command("file/save_as", ctrl_shift('s'), "Save as...",
+              "Saves under another name; the ending chooses the format.",
+              [](S, A, U ui) { ui.view.dialog = FileDialog::save_as; }),
+      command("file/quit", ctrl('q'), "Quit", "Ends the program; unsaved changes are asked about.",
+              emit<action::Quit>),
+      repeating(command("edit/undo", ctrl('z'), "Undo", "Takes back the last change; a stroke is one.",
+                        emit<action::Undo>, [](S s, const Ui&) { return s.history().can_undo(); })),
+      repeating(also_on(ctrl_shift('z'),
+                        command("edit/redo", ctrl('y'), "Redo", "Makes again what Undo took back.",
+                                emit<action::Redo>, [](S s, const Ui&) { return s.history().can_redo(); }))),
+  };
+}
+
+std::vector<Command> view_commands() {
+  return {
+      toggle(
+          "view/sprites", KeyChord{kKeyF2}, "Sprites", "Gives the keys to the sheet and the pixels.",
+          [](S, A, U ui) { ui.view.focus = Focus::sprites; },
+          [](S, const Ui& ui) { return ui.view.focus == Focus::sprites; }),
+      toggle(
+          "view/map", KeyChord{kKeyF3}, "Map", "Gives the keys to the map, and shows it.",
+          [](S, A, U ui) {
+            ui.view.focus = Focus::map;
+            if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::map;
+          },
+          [](S, const Ui& ui) { return ui.view.focus == Focus::map; }),
+      command("help/commands", ctrl('p'), "Find a command...", "Lists every command; type to find one.",
+              [](S, A, U ui) { ui.view.command_palette_open = true; }),
+      toggle(
+          "help/keys", KeyChord{kKeyF1}, "Keys and mouse", "Shows every key.",
+          [](S, A, U ui) { ui.view.help_open = !ui.view.help_open; },
+          [](S, const Ui& ui) { return ui.view.help_open; }),
+  };
+}
+
+std::vector<Command> canvas_commands() {
+  return {
+      toggle("canvas/map", ctrl('1'), "Show the map", "Shows the map alone.", show_canvas<CanvasMode::map>,
+             shows_canvas<CanvasMode::map>),
+      toggle("canvas/play", ctrl('2'), "Show the play view", "Shows the play view alone.",
+             show_canvas<CanvasMode::play>, shows_canvas<CanvasMode::play>),
+      toggle("canvas/both", ctrl('3'), "Show map and play view", "Shows the map above the play view.",
+             show_canvas<CanvasMode::both>, shows_canvas<CanvasMode::both>),
+      repeating(also_on(shift('='), command("canvas/zoom_in", KeyChord{'='}, "Zoom in",
+                                            "Zooms in; the wheel does it at the mouse.",
+                                            [](S, A, U ui) { ++ui.view.zoom_by; }))),
+      repeating(command("canvas/zoom_out", KeyChord{'-'}, "Zoom out",
+                        "Zooms out; the wheel does it at the mouse.", [](S, A, U ui) { --ui.view.zoom_by; })),
+      toggle(
+          "canvas/grid", KeyChord{'`'}, "Grid", "Shows the borders of the cells.",
+          [](S s, A actions, U) { actions.push_back(action::SetGrid{!s.choices().grid}); },
+          [](S s, const Ui&) { return s.choices().grid; }),
+      toggle(
+          "canvas/borders", KeyChord{'b'}, "Screen borders",
+          "Shows the borders of the screens, every 30 by 17 cells.",
+          [](S s, A actions, U) { actions.push_back(action::SetScreenBorders{!s.choices().screen_borders}); },
+          [](S s, const Ui&) { return s.choices().screen_borders; }),
+      repeating(toggle("canvas/flag_tint", KeyChord{'f'}, "Next flag tint",
+                       "Tints the cells whose tile has a flag: the next flag, or none.", cycle_flag_overlay,
+                       [](S s, const Ui&) { return s.choices().flag_overlay.has_value(); })),
+      toggle(
+          "canvas/paint_in_play", KeyChord{'p'}, "Paint in the play view",
+          "The left button paints in the play view, instead of holding balls.",
+          [](S, A, U ui) { ui.view.paint_in_play = !ui.view.paint_in_play; },
+          [](S, const Ui& ui) { return ui.view.paint_in_play; }),
+  };
+}
+
+std::vector<Command> play_commands() {
+  return {
+      toggle("play/toggle", KeyChord{kKeyF5}, "Play or pause",
+             "Runs the simulation, or stops it where it is.", emit<action::TogglePlay>,
+             [](S s, const Ui&) { return s.playback().running; }),
+      repeating(command("play/step", KeyChord{kKeyF10}, "Step one frame",
+                        "Pauses and makes exactly one step.", emit<action::StepFrame>)),
+      command("play/run", ctrl('r'), "Run from the start", "Goes back to frame 0 and runs.", run_from_start),
+      command("play/reset", KeyChord{kKeyHome}, "Back to frame 0",
+              "Puts every body back where the level has it.", emit<action::ResetPlay>),
+      repeating(command("play/slower", KeyChord{','}, "Slower", "Halves the speed, down to 1/8.",
+                        change_speed<-1>, [](S s, const Ui&) { return s.playback().speed > 0.125; })),
+      repeating(command("play/faster", KeyChord{'.'}, "Faster", "Doubles the speed, up to 8.",
+                        change_speed<1>, [](S s, const Ui&) { return s.playback().speed < 8; })),
+      command(
+          "play/no_body", ctrl('d'), "Choose no body", "Empties the inspector.",
+          [](S, A actions, U) { actions.push_back(action::SelectBody{0}); },
+          [](S s, const Ui&) { return s.choices().body != 0; }),
+  };
+}
+
+template <OverlayId id>
+Command overlay_command(std::string_view command_id) {
+  const OverlayInfo& info = overlay_infos()[static_cast<std::size_t>(id)];
+  const int digit = '1' + static_cast<int>(id);
+  return toggle(command_id, alt(digit), info.label, info.help, toggle_overlay<id>, has_overlay<id>);
+}
+
+std::vector<Command> overlay_commands() {
+  return {
+      overlay_command<OverlayId::boxes>("overlay/boxes"),
+      overlay_command<OverlayId::normals>("overlay/normals"),
+      overlay_command<OverlayId::touch_points>("overlay/touch_points"),
+      overlay_command<OverlayId::velocity>("overlay/velocity"),
+      overlay_command<OverlayId::slope_delta>("overlay/slope_delta"),
+      overlay_command<OverlayId::floor_height>("overlay/floor_height"),
+      overlay_command<OverlayId::tested_tiles>("overlay/tested_tiles"),
+  };
+}
+
+}  // namespace
+
+std::vector<Command> general_commands() {
+  return joined({file_commands(), view_commands(), canvas_commands(), play_commands(), overlay_commands()});
+}
+
+}  // namespace talus
