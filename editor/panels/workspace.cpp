@@ -17,7 +17,7 @@ namespace {
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTransport = 32, kStatus = 24;
 constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 198;
-constexpr float kSheetHeader = 40;
+constexpr float kSheetHeader = 40;                       // px at scale 1, of its buttons and margins
 constexpr float kSheetSide = kSheetColumns * kTileSize;  // px of the art
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 
@@ -100,8 +100,11 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
 void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const float bar = ui.px(kSplitterWidth), flags = ui.px(kFlags), palette = ui.px(kPalette);
+  // No higher than the sheet is at the zoom that its width allows.
+  const float zoom = std::floor((size.x - ui.px(16)) / kSheetSide);
   const float sheet =
-      part(ui.view.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar);
+      std::min(part(ui.view.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar),
+               zoom * kSheetSide + ui.px(kSheetHeader));
   const float pixels = size.y - sheet - flags - bar;
   draw_region(frame, Region::sheet, at, {size.x, sheet});
   ImGui::SetCursorScreenPos({at.x, at.y + sheet});
