@@ -47,7 +47,7 @@ std::span<const Format> formats() {
   static const std::array<Format, 3> list = {{
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
       {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic},
-      {"text", "TIC-80 text project", text_extensions(), accepts_text, read_text, write_text},
+      {"tic-text", "TIC-80 text project", text_extensions(), accepts_text, read_text, write_text},
   }};
   return list;
 }

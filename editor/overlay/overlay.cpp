@@ -2,11 +2,11 @@
 #include "overlay.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <set>
 #include <tuple>
 #include <utility>
+
+#include "number_label.h"
 
 namespace talus {
 namespace {
@@ -16,13 +16,6 @@ constexpr double kPixelsPerVelocity = 4;  // px of arrow for each px/frame
 constexpr double kBarHeight = 2;          // px
 constexpr double kBarGap = 2;             // px between the bar and the body below it
 constexpr double kFloorMargin = 4;        // px by which the floor line sticks out on both sides of the body
-
-template <class... Numbers>
-std::string formatted(const char* format, Numbers... numbers) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), format, numbers...);
-  return text.data();
-}
 
 Vec2 center(const Rect& r) { return {r.x + r.w / 2, r.y + r.h / 2}; }
 
@@ -114,7 +107,8 @@ class Drawer {
     if (body.velocity == Vec2{}) return;
     const Vec2 from = center(body.box), to = from + body.velocity * kPixelsPerVelocity;
     line(OverlayId::velocity, from, to, true);
-    label(OverlayId::velocity, to, formatted("%.2f, %.2f", body.velocity.x, body.velocity.y), body.id);
+    label(OverlayId::velocity, to, two_decimals(body.velocity.x) + ", " + two_decimals(body.velocity.y),
+          body.id);
   }
 
   void draw_contact(const ContactRecord& contact, const Body& body) {
@@ -124,7 +118,7 @@ class Drawer {
     }
     if (overlays_.has(OverlayId::touch_points)) {
       if (sees({point.x, point.y, 0, 0})) out_.marks.push_back({OverlayId::touch_points, point});
-      label(OverlayId::touch_points, point, formatted("t %.2f", contact.ti), contact.body);
+      label(OverlayId::touch_points, point, "t " + two_decimals(contact.ti), contact.body);
     }
   }
 
@@ -150,15 +144,15 @@ class Drawer {
     if (overlays_.has(OverlayId::slope_delta)) {
       const Rect bar{b.x, b.y - kBarGap - kBarHeight, b.w, kBarHeight};
       if (sees(bar)) out_.bars.push_back({OverlayId::slope_delta, bar, probe.delta});
-      label(OverlayId::slope_delta, {x, bar.y}, formatted("delta %.2f", probe.delta), body.id);
+      label(OverlayId::slope_delta, {x, bar.y}, "delta " + two_decimals(probe.delta), body.id);
     }
     if (overlays_.has(OverlayId::floor_height)) {
       const auto [left, right] = slope_surface(probe.slope);
       const Vec2 end{b.right() + kFloorMargin, probe.floor_y};
       line(OverlayId::floor_height, left, right);
       line(OverlayId::floor_height, {b.x - kFloorMargin, probe.floor_y}, end);
-      label(OverlayId::floor_height, end, formatted("floor %.2f -> %g", probe.floor_y, probe.placed_y + b.h),
-            body.id);
+      label(OverlayId::floor_height, end,
+            "floor " + two_decimals(probe.floor_y) + " -> " + no_decimals(probe.placed_y + b.h), body.id);
     }
   }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "overlay/number_label.h"
+
 namespace talus {
 namespace {
 

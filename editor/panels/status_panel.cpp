@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "overlay/number_label.h"
+
 namespace talus {
 namespace {
 

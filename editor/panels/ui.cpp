@@ -146,16 +146,4 @@ UiFrame::~UiFrame() {
   if (!ui_.seen_) ui_.rested_on_ = 0;
 }
 
-std::string two_decimals(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return std::string_view(text) == "-0.00" ? text + 1 : text;
-}
-
-std::string all_digits(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
 }  // namespace talus

@@ -84,8 +84,4 @@ class UiFrame {
   Ui& ui_;
 };
 
-// A number with two decimals, and one with all the 17 digits that a double may need.
-std::string two_decimals(double value);
-std::string all_digits(double value);
-
 }  // namespace talus

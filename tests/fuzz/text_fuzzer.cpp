@@ -8,6 +8,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   constexpr std::array<const char*, 5> kExtensions = {"lua", "js", "fnl", "py", ""};
   const talus::FormatContext context = {kExtensions[data[0] % kExtensions.size()]};
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-  talus::require_cart_round_trip(*talus::find_format("text"), bytes, context);
+  talus::require_cart_round_trip(*talus::find_format("tic-text"), bytes, context);
   return 0;
 }

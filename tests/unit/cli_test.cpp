@@ -168,7 +168,7 @@ TEST(CliBench, PrintsOneJsonLineAndTheSameHashForTheSameSeed) {
 }
 
 TEST(CliBench, BallsBlockOneAnotherOnlyWithPairs) {
-  std::vector<std::string> arguments = {"bench", kSix, "--bodies", "50", "--frames", "60"};
+  std::vector<std::string> arguments = {"bench", kSix, "--bodies", "5000", "--frames", "20"};
   const auto without = nlohmann::json::parse(run(arguments).out);
   arguments.push_back("--pairs");
   const auto with = nlohmann::json::parse(run(arguments).out);

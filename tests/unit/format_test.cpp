@@ -17,7 +17,7 @@ TEST(Formats, ErrorsNameTheFileAndThePlace) {
 
 TEST(Formats, AreFoundByIdAndByName) {
   EXPECT_EQ(find_format("tic")->id, "tic");
-  EXPECT_EQ(find_format("text")->id, "text");
+  EXPECT_EQ(find_format("tic-text")->id, "tic-text");
   EXPECT_EQ(find_format("native")->id, "native");
   EXPECT_EQ(find_format("png"), nullptr);
   EXPECT_EQ(format_for_file("dir.tic/a.LUA")->id, "text");

@@ -1,0 +1,26 @@
+#include "number_label.h"
+
+#include <cstdio>
+
+namespace talus {
+
+namespace {
+
+std::string formatted(const char* format, double value) {
+  char text[384];  // the largest double has 309 digits before the point
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+std::string no_decimals(double value) { return formatted("%.0f", value); }
+
+std::string two_decimals(double value) {
+  const std::string text = formatted("%.2f", value);
+  return text == "-0.00" ? "0.00" : text;
+}
+
+std::string all_digits(double value) { return formatted("%.17g", value); }
+
+}  // namespace talus

@@ -1,0 +1,12 @@
+// Numbers as the overlays and panels show them.
+#pragma once
+
+#include <string>
+
+namespace talus {
+
+std::string two_decimals(double value);  // "0.84"; never "-0.00"
+std::string no_decimals(double value);   // "92"
+std::string all_digits(double value);    // the 17 digits that a double may need
+
+}  // namespace talus
