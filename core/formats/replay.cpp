@@ -4,16 +4,15 @@
 #include <array>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "../collision/world.h"
+#include "json_text.h"
 #include "number_text.h"
 
 namespace talus {
 namespace {
 
-using Json = nlohmann::json;
 using Name = std::int64_t;
 
 // An operation that is not written as the header says; never leaves this file.
@@ -114,7 +113,8 @@ class Replay {
          {"querySegmentWithCoords", &Replay::query_segment_with_coords},
          {"toCell", &Replay::to_cell}}};
     const auto row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) { return kind == r.kind; });
-    if (row == kRows.end()) throw Malformed{"There is no operation " + kind.dump() + "."};
+    if (row == kRows.end())
+      throw Malformed{"There is no operation " + (kind.is_string() ? kind.dump() : "of that kind") + "."};
     try {
       return (this->*row->run)(op);
     } catch (const WorldError& error) {
@@ -335,7 +335,9 @@ class Replay {
 tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_view json) {
   std::string place;
   try {
-    const Json scenario = Json::parse(json);
+    const FormatResult<Json> parsed = parse_json(json);
+    if (!parsed) return tl::unexpected(parsed.error());
+    const Json& scenario = *parsed;
     if (!scenario.is_object()) throw Malformed{"A scenario must be an object."};
     const Json cell_size = scenario.value("cell_size", Json(64));
     if (!cell_size.is_number()) throw Malformed{"\"cell_size\" must be a number."};
@@ -353,8 +355,6 @@ tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_
     return tl::unexpected(FormatError{place, malformed.message});
   } catch (const WorldError& error) {
     return tl::unexpected(FormatError{place, error.what()});
-  } catch (const Json::parse_error& error) {
-    return tl::unexpected(FormatError{"byte " + std::to_string(error.byte), "This is not valid JSON."});
   } catch (const Json::exception&) {
     return tl::unexpected(FormatError{place, "A number is too large, or a text is not UTF-8."});
   }

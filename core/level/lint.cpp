@@ -59,6 +59,10 @@ class Linter {
       add(Severity::warning, "no-balls",
           "no ball is on the map and none is placed by hand, so nothing will move");
     }
+    if (left_out_ > 0) {
+      problems_.push_back(
+          {worst_left_out_, "more", std::to_string(left_out_) + " more problems are not listed", {}, -1});
+    }
     std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
       const Cell none = {-1, -1};
       const Cell p = a.cell.value_or(none), q = b.cell.value_or(none);
@@ -71,6 +75,11 @@ class Linter {
  private:
   void add(Severity severity, std::string code, std::string message, std::optional<Cell> cell = {},
            int tile = -1) {
+    if (problems_.size() == kMaxProblems) {
+      ++left_out_;
+      worst_left_out_ = std::max(worst_left_out_, severity);
+      return;
+    }
     problems_.push_back({severity, std::move(code), std::move(message), cell, tile});
   }
 
@@ -229,6 +238,8 @@ class Linter {
   std::array<TileRole, kTileCount> roles_{};
   std::array<bool, kTileCount> seen_{};
   int balls_ = 0;
+  std::size_t left_out_ = 0;  // problems over kMaxProblems
+  Severity worst_left_out_ = Severity::warning;
   std::vector<Problem> problems_;
 };
 

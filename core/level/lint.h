@@ -19,7 +19,10 @@ struct Problem {
   int tile = -1;             // which tile, 0..255, if it is about one; else -1
 };
 
-// Every problem, by row, then column, then rule; those without a cell first.
+// A level wrong in more places than this gets one more problem, without a place, that says how many are left.
+inline constexpr std::size_t kMaxProblems = 1000;
+
+// The problems, by row, then column, then rule; those without a cell first.
 std::vector<Problem> lint(const Level& level);
 
 }  // namespace talus

@@ -23,6 +23,15 @@ enum Group { kSolids, kSlopes, kBalls };
 constexpr World::GroupResponses kMoving = {Response::slide, Response::cross, Response::slide};
 constexpr World::GroupResponses kProbing = {Response::ignore, Response::cross, Response::ignore};
 
+// A goal within the solver's limits. What is within them is left as it is, to the last bit.
+Vec2 within_limits(Vec2 from, Vec2 goal) {
+  const auto limit = [](double at, double to) {
+    const double reachable = std::clamp(to, at - kMaxBodySpeed, at + kMaxBodySpeed);
+    return std::clamp(reachable, -kMaxBodyDistance, kMaxBodyDistance);
+  };
+  return {limit(from.x, goal.x), limit(from.y, goal.y)};
+}
+
 double direction_of(TileRole role) {
   if (role == TileRole::up_slope) return 1;
   if (role == TileRole::down_slope) return -1;
@@ -154,6 +163,8 @@ void ArticleSolver::fall(Body& body, Placed& placed) {
     }
     if (hits_[i].normal.x != 0) body.velocity.x = -(body.velocity.x * t.wall_bounce);
   }
+  body.velocity.x = std::clamp(body.velocity.x, -kMaxBodySpeed, kMaxBodySpeed);
+  body.velocity.y = std::clamp(body.velocity.y, -kMaxBodySpeed, kMaxBodySpeed);
 }
 
 void ArticleSolver::drag(Body& body, Placed& placed, const Input& input) {
@@ -168,9 +179,12 @@ void ArticleSolver::drag(Body& body, Placed& placed, const Input& input) {
   }
 }
 
-void ArticleSolver::move(Body& body, Placed& placed, Vec2 goal) {
-  if (record_ != nullptr)
-    record_->paths.push_back({.body = body.id, .from = body.box, .goal = goal, .to = {}});
+void ArticleSolver::move(Body& body, Placed& placed, Vec2 wanted) {
+  const Vec2 goal = within_limits(body.box.position(), wanted);
+  if (record_ != nullptr) {
+    const bool limited = goal != wanted;
+    record_->paths.push_back({.body = body.id, .from = body.box, .goal = goal, .to = {}, .limited = limited});
+  }
   const Vec2 at = run(body, placed, goal);
   body.box.x = at.x;
   body.box.y = at.y;

@@ -37,7 +37,7 @@ class ArticleSolver final : public Solver {
   void fall(Body& body, Placed& placed);
   void drag(Body& body, Placed& placed, const Input& input);
   int body_at(const State& state, Vec2 point);
-  void move(Body& body, Placed& placed, Vec2 goal);
+  void move(Body& body, Placed& placed, Vec2 wanted);
   Vec2 run(const Body& body, const Placed& placed, Vec2 goal);
   void place(Placed& placed, const Rect& box);
   std::optional<SlopeProbe> probe_slope(const Body& body, const Placed& placed, double speed);

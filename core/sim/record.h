@@ -50,9 +50,10 @@ struct TestedBox {
 // How a body went in this step.
 struct BodyPath {
   int body = 0;
-  Rect from;  // px, its box before the step
-  Vec2 goal;  // px, where it wanted its top-left corner
-  Rect to;    // px, its box after the step
+  Rect from;             // px, its box before the step
+  Vec2 goal;             // px, where it wanted its top-left corner
+  Rect to;               // px, its box after the step
+  bool limited = false;  // its way was cut to kMaxBodySpeed or kMaxBodyDistance
 };
 
 struct StepRecord {

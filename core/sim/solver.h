@@ -8,6 +8,11 @@
 
 namespace talus {
 
+// Tuning that adds energy would carry a body away for ever; these limits keep every number finite. A step
+// that reaches one says so in its record.
+inline constexpr double kMaxBodySpeed = 4096;    // px/frame in x and y: a level's whole width in eight frames
+inline constexpr double kMaxBodyDistance = 1e9;  // px from the origin in x and y
+
 // A solver keeps working storage between steps, for speed alone: what step() does depends on nothing but the
 // scene and its arguments, so one solver may step unrelated states in any order.
 class Solver {

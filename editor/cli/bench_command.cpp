@@ -79,7 +79,7 @@ void bench(CommandContext& context, const BenchOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
   level->tuning.article.balls_block = options.pairs ? 1 : 0;
-  if (!apply_physics(context, options.physics, level->tuning)) return;
+  apply_physics(options.physics, level->tuning);
   if (!spawn_balls(*level, options.bodies, options.seed)) {
     return fail(context, options.file, "",
                 "the map has too few free cells for " + std::to_string(options.bodies) + " bodies");

@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 
+#include "collision/world.h"
 #include "command.h"
 #include "formats/format.h"
+#include "formats/number_text.h"
 
 namespace talus {
 namespace {
@@ -23,12 +25,36 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
   return arguments;
 }
 
+// Applies "key=value"; returns what is wrong with it, or an empty text.
+std::string apply_setting(const std::string& setting, ArticleTuning& tuning) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) return "must be KEY=VALUE";
+  const std::string key = setting.substr(0, equals);
+  const auto fields = tuning_fields();
+  const auto field =
+      std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.key == key; });
+  if (field == fields.end()) return "there is no number of the tuning called \"" + key + "\"";
+  double value = 0;
+  const char* end = setting.data() + setting.size();
+  const auto [rest, code] = std::from_chars(setting.data() + equals + 1, end, value);
+  if (code != std::errc() || rest != end || !(value >= field->min && value <= field->max)) {
+    std::string range;
+    append_number(range, field->min);
+    range += " to ";
+    append_number(range, field->max);
+    return key + " must be a number from " + range;
+  }
+  tuning.*field->value = value;
+  return "";
+}
+
 }  // namespace
 
 int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   CommandContext context{out, err};
   CLI::App program("Talus: a level editor and physics debugger for tile games with slopes", "talus");
   program.require_subcommand(1);
+  program.set_version_flag("--version", "talus " TALUS_VERSION);
   program.set_help_all_flag("--help-all", "Print the help of every command and exit");
   for (const auto add : kAddCommands) add(program, context);
 
@@ -39,7 +65,12 @@ int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::o
   } catch (const CLI::ParseError& error) {
     const bool was_help = program.exit(error, out, err) == static_cast<int>(CLI::ExitCodes::Success);
     return was_help ? kExitGood : kExitUsage;
+  } catch (const std::bad_alloc&) {
+    fail(context, "talus", "", "the memory does not suffice for this level");
+  } catch (const WorldError& error) {
+    fail(context, "talus", "", error.what());
   }
+  if (!out.flush()) fail(context, "-", "", "standard output cannot be written");
   return context.status;
 }
 
@@ -62,33 +93,16 @@ void add_physics_options(CLI::App& command, PhysicsOptions& options) {
   command.add_option("--solver", options.solver, "The solver; without it, the level's own")
       ->check(CLI::IsMember({std::string(solver_name(SolverKind::article))}));
   command.add_option("--set", options.settings, "Change a number of the tuning: --set fall_speed=3")
-      ->type_name("KEY=VALUE");
+      ->type_name("KEY=VALUE")
+      ->check([](const std::string& setting) {
+        ArticleTuning ignored;
+        return apply_setting(setting, ignored);
+      });
 }
 
-bool apply_physics(CommandContext& context, const PhysicsOptions& options, Tuning& tuning) {
+void apply_physics(const PhysicsOptions& options, Tuning& tuning) {
   if (!options.solver.empty()) tuning.solver = SolverKind::article;
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    const std::string key = setting.substr(0, equals);
-    const auto fields = tuning_fields();
-    const auto field =
-        std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.key == key; });
-    if (equals == std::string::npos || field == fields.end()) {
-      fail(context, "--set", setting, "there is no number of the tuning called \"" + key + "\"");
-      return false;
-    }
-    double value = 0;
-    const char* end = setting.data() + setting.size();
-    const auto [rest, code] = std::from_chars(setting.data() + equals + 1, end, value);
-    if (code != std::errc() || rest != end || !(value >= field->min && value <= field->max)) {
-      fail(context, "--set", setting,
-           "the value must be a number from " + CLI::detail::to_string(field->min) + " to " +
-               CLI::detail::to_string(field->max));
-      return false;
-    }
-    tuning.article.*field->value = value;
-  }
-  return true;
+  for (const std::string& setting : options.settings) apply_setting(setting, tuning.article);
 }
 
 }  // namespace talus

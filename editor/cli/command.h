@@ -41,7 +41,6 @@ struct PhysicsOptions {
   std::vector<std::string> settings;  // "key=value" of tuning_fields()
 };
 void add_physics_options(CLI::App& command, PhysicsOptions& options);
-// Applies them to the level's tuning; false after having failed.
-bool apply_physics(CommandContext& context, const PhysicsOptions& options, Tuning& tuning);
+void apply_physics(const PhysicsOptions& options, Tuning& tuning);
 
 }  // namespace talus

@@ -33,7 +33,7 @@ std::string read_line(const Json& line, TimedInput& timed) {
       // No body of the article listens to keys; they are allowed, so that one recording serves every solver.
       if (!value.is_array()) return "\"keys\" must be a list of names";
     } else {
-      return "unknown key \"" + key + "\"";
+      return "unknown key " + Json(key).dump();
     }
   }
   return line.contains("frame") ? "" : "\"frame\" is missing";

@@ -47,7 +47,8 @@ void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
 
 void shoot(CommandContext& context, ShotCommandOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
-  if (!level || !apply_physics(context, options.physics, level->tuning)) return;
+  if (!level) return;
+  apply_physics(options.physics, level->tuning);
   for (const std::string& key : options.overlays) options.shot.overlays.set(*find_overlay(key), true);
   if (!options.window.empty()) return shoot_window(context, options);
   Session session(std::move(*level), options.file);
@@ -82,7 +83,10 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->check(check_size)
       ->excludes(std::string("--set"), std::string("--solver"), std::string("--zoom"));
   command->add_option("-o,--output", options->output, "PNG to write")->required();
-  command->callback([&context, options] { shoot(context, *options); });
+  command->callback([&context, options] {
+    if (options->output == "-") options->output = "/dev/stdout";  // a device is written in place
+    shoot(context, *options);
+  });
 }
 
 }  // namespace talus

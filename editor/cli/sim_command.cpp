@@ -38,7 +38,8 @@ std::optional<std::vector<TimedInput>> load_input(CommandContext& context, const
 
 void simulate(CommandContext& context, const SimOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
-  if (!level || !apply_physics(context, options.physics, level->tuning)) return;
+  if (!level) return;
+  apply_physics(options.physics, level->tuning);
   std::optional<std::vector<TimedInput>> inputs = load_input(context, options.input);
   if (!inputs) return;
 

@@ -61,6 +61,13 @@ std::string GlWindow::start(const WindowOptions& options) {
   has_video_ = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
   if (options.offscreen) SDL_ResetHint(SDL_HINT_VIDEODRIVER);
   if (!has_video_) return std::string("No screen to open a window on: ") + SDL_GetError() + ".";
+  // Where SDL finds no screen it falls back to drivers that show nothing: a window there would only seem to
+  // hang.
+  const std::string driver = SDL_GetCurrentVideoDriver();
+  const bool is_invisible = driver == "offscreen" || driver == "dummy" || driver == "evdev";
+  if (is_invisible && !options.offscreen && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
+    return "No screen to open a window on: neither an X server nor a Wayland compositor answers.";
+  }
   set_gl_attributes();
   window_ =
       SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, options.width,

@@ -34,7 +34,7 @@ inline void require_edit_survives(Level level, const FormatContext& context) {
   level.map.set({5, 7}, static_cast<std::uint8_t>(level.map.at({5, 7}) ^ 0x1f));
   level.sheet(SheetId::tiles).flags[3] ^= 5;
   level.palette[2].r |= 1;  // not black: an all-black palette is none
-  for (const char* id : {"tic", "text"}) {
+  for (const char* id : {"tic", "tic-text"}) {
     const Format& format = *find_format(id);
     const auto written = format.write(level, context);
     if (!written) {  // code that a text project cannot hold

@@ -120,6 +120,35 @@ TEST(ArticleSolver, AnyNumberCanBeTuned) {
   EXPECT_EQ(step(scene, initial_state(scene), {}).bodies[0].velocity.y, 1);
 }
 
+// Every number of the tuning, at both ends of its range: nothing overflows, and a limit that is reached is
+// told.
+TEST(ArticleSolver, SurvivesTheEndsOfEveryRange) {
+  const Level level = level_of({"#######",  //
+                                "#o.o.o#",  //
+                                "#./-..#",  //
+                                "#######"});
+  bool limited = false;
+  for (const TuningField& field : tuning_fields()) {
+    for (const double value : {field.min, field.max}) {
+      Level tuned = level;
+      tuned.tuning.article.*field.value = value;
+      const auto scene = scene_of(tuned);
+      const auto solver = make_solver(scene);
+      State state = initial_state(*scene);
+      StepRecord record;
+      for (int i = 0; i < 3000; ++i) {
+        solver->step(state, {}, &record);
+        for (const BodyPath& path : record.paths) limited |= path.limited;
+      }
+      for (const Body& body : state.bodies) {
+        EXPECT_LE(std::abs(body.velocity.x), kMaxBodySpeed) << field.key << " " << value;
+        EXPECT_LE(std::abs(body.box.y), kMaxBodyDistance) << field.key << " " << value;
+      }
+    }
+  }
+  EXPECT_TRUE(limited);
+}
+
 class SixBalls : public testing::Test {
  protected:
   SixBalls() {

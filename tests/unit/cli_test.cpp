@@ -99,9 +99,9 @@ TEST(CliSim, ANumberOfTheTuningCanBeSet) {
   const Answer answer =
       run({"sim", kOne, "--frames", "1", "--set", "fall_blend=1", "--trace", "-", "--no-contacts"});
   EXPECT_EQ(nlohmann::json::parse(answer.out)["bodies"][0]["vy"], 5);
-  EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "fall_blend=2"}).status, kExitBad);
+  EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "fall_blend=2"}).status, kExitUsage);
   EXPECT_THAT(run({"sim", kOne, "--frames", "1", "--set", "gravity=2"}).err, HasSubstr("gravity"));
-  EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "fall_blend=1x"}).status, kExitBad);
+  EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "fall_blend=1x"}).status, kExitUsage);
 }
 
 TEST(CliSim, BadInputIsNamedByItsLine) {

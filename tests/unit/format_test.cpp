@@ -20,7 +20,7 @@ TEST(Formats, AreFoundByIdAndByName) {
   EXPECT_EQ(find_format("tic-text")->id, "tic-text");
   EXPECT_EQ(find_format("native")->id, "native");
   EXPECT_EQ(find_format("png"), nullptr);
-  EXPECT_EQ(format_for_file("dir.tic/a.LUA")->id, "text");
+  EXPECT_EQ(format_for_file("dir.tic/a.LUA")->id, "tic-text");
   EXPECT_EQ(format_for_file("a.tic")->id, "tic");
   EXPECT_EQ(format_for_file("a.talus.json")->id, "native");
   EXPECT_EQ(format_for_file("a.json")->id, "native");
@@ -37,14 +37,14 @@ TEST(Formats, TheContextIsTheExtension) {
 TEST(Formats, TheContentDecidesBeforeTheName) {
   const std::string text = "x\n-- <MAP>\n-- </MAP>\n", native = R"({"talus": 1})", cart("\x04\x01\0\0m", 5);
   for (const std::string extension : {"", "tic", "lua", "json", "txt"}) {
-    EXPECT_EQ(read_level(text, {extension})->format->id, "text") << extension;
+    EXPECT_EQ(read_level(text, {extension})->format->id, "tic-text") << extension;
     EXPECT_EQ(read_level(native, {extension})->format->id, "native") << extension;
     EXPECT_EQ(read_level(cart, {extension})->format->id, "tic") << extension;
   }
 }
 
 TEST(Formats, TheNameDecidesWhenTheContentDoesNot) {
-  EXPECT_EQ(read_level("print()", {"lua"})->format->id, "text");
+  EXPECT_EQ(read_level("print()", {"lua"})->format->id, "tic-text");
   EXPECT_EQ(read_level("print()", {"tic"}).error().place, "byte 0");
   EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1");
   EXPECT_EQ(read_level("print()", {"txt"}).error().message,

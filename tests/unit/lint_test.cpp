@@ -54,6 +54,16 @@ TEST(Lint, AGoodLevelHasNoProblem) {
               IsEmpty());
 }
 
+TEST(Lint, OnlyTheFirstThousandAreListed) {
+  const Level level =
+      level_of(std::vector<std::string>(40, std::string(40, '/')));  // 1600 slopes without a half
+  const std::vector<Problem> found = lint(level);
+  ASSERT_EQ(found.size(), kMaxProblems + 1);
+  EXPECT_EQ(found[0].code, "more");
+  EXPECT_EQ(found[0].severity, Severity::error);
+  EXPECT_EQ(found[0].message, "601 more problems are not listed");  // with the one that nothing will move
+}
+
 TEST(Lint, NothingWillMove) {
   Level level = level_of({"..", "##"});
   EXPECT_THAT(
