@@ -163,8 +163,10 @@ void ArticleSolver::fall(Body& body, Placed& placed) {
     }
     if (hits_[i].normal.x != 0) body.velocity.x = -(body.velocity.x * t.wall_bounce);
   }
-  body.velocity.x = std::clamp(body.velocity.x, -kMaxBodySpeed, kMaxBodySpeed);
-  body.velocity.y = std::clamp(body.velocity.y, -kMaxBodySpeed, kMaxBodySpeed);
+  const Vec2 wanted = body.velocity;
+  body.velocity = {std::clamp(wanted.x, -kMaxBodySpeed, kMaxBodySpeed),
+                   std::clamp(wanted.y, -kMaxBodySpeed, kMaxBodySpeed)};
+  if (record_ != nullptr && body.velocity != wanted) record_->paths.back().limited = true;
 }
 
 void ArticleSolver::drag(Body& body, Placed& placed, const Input& input) {

@@ -53,7 +53,7 @@ struct BodyPath {
   Rect from;             // px, its box before the step
   Vec2 goal;             // px, where it wanted its top-left corner
   Rect to;               // px, its box after the step
-  bool limited = false;  // its way was cut to kMaxBodySpeed or kMaxBodyDistance
+  bool limited = false;  // its way or speed was cut to kMaxBodySpeed or kMaxBodyDistance
 };
 
 struct StepRecord {
