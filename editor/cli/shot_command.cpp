@@ -1,9 +1,14 @@
 // talus shot FILE [--frame N] [--overlay a,b] [--body ID] [--zoom N | --window WxH] -o PNG
 
+#include <unistd.h>
+
 #include <charconv>
+#include <filesystem>
+#include <ostream>
 #include <tuple>
 
 #include "command.h"
+#include "formats/atomic_file.h"
 #include "platform/shot.h"
 
 namespace talus {
@@ -26,12 +31,12 @@ std::optional<std::pair<int, int>> size_of(const std::string& text) {
   if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return std::nullopt;
   const auto second = std::from_chars(first.ptr + 1, end, height);
   if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  if (width < 960 || height < 600 || width > 8192 || height > 8192) return std::nullopt;
+  if (width < 1152 || height < 700 || width > 8192 || height > 8192) return std::nullopt;
   return std::make_pair(width, height);
 }
 
 std::string check_size(const std::string& text) {
-  return size_of(text) ? "" : "must be WIDTHxHEIGHT, from 960x600 to 8192x8192";
+  return size_of(text) ? "" : "must be WIDTHxHEIGHT, from 1152x700 to 8192x8192";
 }
 
 void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
@@ -55,6 +60,16 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
   for (std::int64_t i = 0; i < options.frame; ++i) session.apply(action::StepFrame{});
   const auto written = write_shot(session, options.shot, options.output);
   if (!written) fail(context, options.output, "", written.error());
+}
+
+// Draws into a file of its own and copies that to standard output, since pictures are written atomically.
+void shoot_to_output(CommandContext& context, ShotCommandOptions& options) {
+  options.output =
+      (std::filesystem::temp_directory_path() / ("talus-shot-" + std::to_string(::getpid()) + ".png"))
+          .string();
+  shoot(context, options);
+  if (context.status == kExitGood) context.out << read_file(options.output).value_or("");
+  std::filesystem::remove(options.output);
 }
 
 std::vector<std::string> overlay_keys() {
@@ -82,9 +97,9 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->type_name("WxH")
       ->check(check_size)
       ->excludes(std::string("--set"), std::string("--solver"), std::string("--zoom"));
-  command->add_option("-o,--output", options->output, "PNG to write")->required();
+  command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {
-    if (options->output == "-") options->output = "/dev/stdout";  // a device is written in place
+    if (options->output == "-") return shoot_to_output(context, *options);
     shoot(context, *options);
   });
 }
