@@ -17,9 +17,10 @@ BenchKernel::BenchKernel(const Level& level, const State& start)
 }
 
 TileRole BenchKernel::role_at(double x, double y) const {
+  const bool is_inside = x >= 0 && y >= 0 && x < width_ * kTileSize && y < height_ * kTileSize;
+  if (!is_inside) return TileRole::none;
   const auto column = static_cast<int>(x / kTileSize);
   const auto row = static_cast<int>(y / kTileSize);
-  if (x < 0 || y < 0 || column >= width_ || row >= height_) return TileRole::none;
   return roles_[static_cast<std::size_t>(row) * width_ + column];
 }
 
