@@ -1,29 +1,49 @@
-// Points and boxes. The plane has x to the right and y down; lengths are in pixels.
+// Points and boxes. The plane has x to the right and y down; lengths are in pixels. Real is double, or
+// float where a caller asks for single precision.
 #pragma once
+
+#include <type_traits>
 
 namespace talus {
 
-struct Vec2 {
-  double x = 0;
-  double y = 0;
-  friend bool operator==(const Vec2&, const Vec2&) = default;
+template <class Real>
+struct BasicVec2 {
+  Real x = 0;
+  Real y = 0;
+  friend bool operator==(const BasicVec2&, const BasicVec2&) = default;
 };
+using Vec2 = BasicVec2<double>;
 
-inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
+template <class Real>
+BasicVec2<Real> operator+(BasicVec2<Real> a, BasicVec2<Real> b) {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class Real>
+BasicVec2<Real> operator-(BasicVec2<Real> a, BasicVec2<Real> b) {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class Real>
+BasicVec2<Real> operator*(BasicVec2<Real> a, std::type_identity_t<Real> s) {
+  return {a.x * s, a.y * s};
+}
+template <class Real>
+Real dot(BasicVec2<Real> a, BasicVec2<Real> b) {
+  return a.x * b.x + a.y * b.y;
+}
 
 // An axis-aligned bounding box (AABB): its top-left corner and its size.
-struct Rect {
-  double x = 0;
-  double y = 0;
-  double w = 0;
-  double h = 0;
-  Vec2 position() const { return {x, y}; }
-  double right() const { return x + w; }
-  double bottom() const { return y + h; }
-  friend bool operator==(const Rect&, const Rect&) = default;
+template <class Real>
+struct BasicRect {
+  Real x = 0;
+  Real y = 0;
+  Real w = 0;
+  Real h = 0;
+  BasicVec2<Real> position() const { return {x, y}; }
+  Real right() const { return x + w; }
+  Real bottom() const { return y + h; }
+  friend bool operator==(const BasicRect&, const BasicRect&) = default;
 };
+using Rect = BasicRect<double>;
 
 // A cell of a grid, or a tile of a map: column and row.
 struct Cell {
