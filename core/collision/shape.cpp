@@ -1,0 +1,109 @@
+// What makes a shape or a curve unusable.
+#include "shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+using Problem = std::optional<std::string>;
+
+bool is_finite(double number) { return std::isfinite(number); }
+bool is_finite(Vec2 point) { return std::isfinite(point.x) && std::isfinite(point.y); }
+
+bool in_reach(double coordinate) { return std::abs(coordinate) <= kMaxCoordinate; }
+bool in_reach(Vec2 point) { return in_reach(point.x) && in_reach(point.y); }
+
+template <class... Numbers>
+Problem problem_of_numbers(Numbers... numbers) {
+  return (is_finite(numbers) && ...) ? Problem() : "has a number that is not finite";
+}
+
+// The points between which a curve stays.
+template <class... Points>
+Problem problem_of_reach(Points... points) {
+  return (in_reach(points) && ...) ? Problem() : "reaches further than 16777216 px from the origin";
+}
+
+Problem problem_of_width(double x0, double x1) {
+  if (x0 == x1) return "has a width of zero";
+  return x0 < x1 ? Problem() : "has its right end left of its left end";
+}
+
+Problem first_of(Problem a, Problem b) { return a ? a : b; }
+
+Problem problem_of_form(const Segment& s) {
+  if (const Problem bad = problem_of_numbers(s.from, s.to)) return bad;
+  if (s.from == s.to) return "has a length of zero";
+  if (s.from.x > s.to.x) return "has its right end left of its left end";
+  if (s.from.x == s.to.x && s.from.y > s.to.y) return "is vertical and has its lower end above its upper end";
+  return problem_of_reach(s.from, s.to);
+}
+
+Problem problem_of_form(const Arc& a) {
+  if (const Problem bad = problem_of_numbers(a.center, a.radius, a.x0, a.x1)) return bad;
+  if (!(a.radius > 0)) return "has a radius that is not above zero";
+  if (const Problem bad = problem_of_width(a.x0, a.x1)) return bad;
+  if (a.x0 < a.center.x - a.radius || a.x1 > a.center.x + a.radius) return "has an end beyond its circle";
+  const double far_y = a.center.y + (a.upper ? -a.radius : a.radius);
+  return problem_of_reach(a.center, a.x0, a.x1, far_y);
+}
+
+Problem problem_of_form(const Parabola& p) {
+  if (const Problem bad = problem_of_numbers(p.from, p.to, p.control_y)) return bad;
+  return first_of(problem_of_width(p.from.x, p.to.x), problem_of_reach(p.from, p.to, p.control_y));
+}
+
+Problem problem_of_form(const Cubic& c) {
+  if (const Problem bad = problem_of_numbers(c.from, c.to, c.from_slope, c.to_slope)) return bad;
+  if (const Problem bad = problem_of_width(c.from.x, c.to.x)) return bad;
+  const double third = (c.to.x - c.from.x) / 3;  // to the control points of the same curve in Bezier form
+  return problem_of_reach(c.from, c.to, c.from.y + c.from_slope * third, c.to.y - c.to_slope * third);
+}
+
+Problem problem_of_form(const Sine& s) {
+  if (const Problem bad = problem_of_numbers(s.x0, s.x1, s.middle, s.amplitude, s.wavelength, s.origin))
+    return bad;
+  if (const Problem bad = problem_of_width(s.x0, s.x1)) return bad;
+  if (!(s.wavelength > 0)) return "has a wavelength that is not above zero";
+  if ((s.x1 - s.x0) / s.wavelength > kMaxWaves) return "has more than 4096 waves";
+  return problem_of_reach(s.x0, s.x1, s.origin, s.wavelength, s.middle - s.amplitude, s.middle + s.amplitude);
+}
+
+Problem problem_of_form(const Polyline& p) {
+  if (const Problem bad = problem_of_numbers(p.x0, p.x1)) return bad;
+  if (p.ys.size() < 2) return "needs at least 2 heights";
+  if (p.ys.size() > kMaxPolylineHeights) return "has more than 65536 heights";
+  for (const double y : p.ys) {
+    if (const Problem bad = first_of(problem_of_numbers(y), problem_of_reach(y))) return bad;
+  }
+  if (const Problem bad = first_of(problem_of_width(p.x0, p.x1), problem_of_reach(p.x0, p.x1))) return bad;
+  const double step = (p.x1 - p.x0) / static_cast<double>(p.ys.size() - 1);
+  const bool apart = p.x0 + step > p.x0 && p.x1 - step < p.x1;
+  return apart ? Problem() : "has its heights too close to one another";
+}
+
+}  // namespace
+
+std::optional<std::string> problem_of(const TileShape& shape) {
+  using Kind = TileShape::Kind;
+  if (shape.tiles < 1 || shape.tiles > kMaxShapeTiles) return "must be 1 to 8 tiles wide";
+  const int count = static_cast<int>(std::min<std::size_t>(shape.heights.size(), kMaxShapeHeights + 1));
+  if (shape.kind == Kind::none || shape.kind == Kind::solid)
+    return count == 0 ? Problem() : "has heights, which only a slope or a profile has";
+  if (shape.kind == Kind::slope && count != 2) return "must have 2 heights";
+  if (shape.kind == Kind::profile && (count < 3 || count > kMaxShapeHeights))
+    return "must have 3 to 65 heights";
+  for (const double height : shape.heights) {
+    if (!std::isfinite(height)) return "has a height that is no number";
+    if (height < 0 || height > kMaxShapeTiles * kTileSide) return "has a height that is not from 0 to 64 px";
+  }
+  return {};
+}
+
+std::optional<std::string> problem_of(const Curve& curve) {
+  return std::visit([](const auto& form) { return problem_of_form(form); }, curve.form);
+}
+
+}  // namespace talus

@@ -1,0 +1,96 @@
+// What the ground is made of: the shape of a tile, and curves that are free of the grid.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry.h"
+
+namespace talus {
+
+inline constexpr int kTileSide = 8;          // px, side of a tile of a terrain
+inline constexpr int kMaxShapeTiles = 8;     // tiles that one slope may span, in width or in height
+inline constexpr int kMaxShapeHeights = 65;  // one for each column line of a slope eight tiles wide
+
+// Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
+enum class Foot : std::uint8_t { box, centre };
+
+// The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end and may
+// reach over the cells to its right, and up (a floor) or down (a ceiling).
+struct TileShape {
+  enum class Kind : std::uint8_t {
+    none,
+    solid,   // the whole cell; the fields below but `one_way` are not used
+    slope,   // a straight line between two heights
+    profile  // a line through several heights, at equal distances
+  };
+  enum class Side : std::uint8_t {
+    floor,   // ground between the line and the cell's bottom; heights are measured upwards from there
+    ceiling  // ground between the line and the cell's top; heights are measured downwards from there
+  };
+  Kind kind = Kind::none;
+  Side side = Side::floor;
+  bool one_way = false;         // only the line stops bodies, and only those that come from its open side
+  int tiles = 1;                // width in tiles, 1..kMaxShapeTiles
+  std::vector<double> heights;  // px, 0..64, left to right: 2 of a slope, 3..kMaxShapeHeights of a profile
+  friend bool operator==(const TileShape&, const TileShape&) = default;
+};
+
+// Why a shape cannot be used, as the end of a sentence ("has a height that is no number"); none: it can.
+std::optional<std::string> problem_of(const TileShape& shape);
+
+// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces.
+struct Segment {  // between any two points
+  Vec2 from, to;  // from.x <= to.x; a vertical one has from.y < to.y
+  friend bool operator==(const Segment&, const Segment&) = default;
+};
+struct Arc {  // of a circle
+  Vec2 center;
+  double radius = 0;      // > 0
+  double x0 = 0, x1 = 0;  // ends, within the circle, x0 < x1
+  bool upper = true;      // the upper half of the circle (a hill), else the lower (a bowl)
+  friend bool operator==(const Arc&, const Arc&) = default;
+};
+struct Parabola {  // the quadratic Bezier curve whose control point is half way between the ends in x
+  Vec2 from, to;   // from.x < to.x
+  double control_y = 0;
+  friend bool operator==(const Parabola&, const Parabola&) = default;
+};
+struct Cubic {                          // Hermite form
+  Vec2 from, to;                        // from.x < to.x
+  double from_slope = 0, to_slope = 0;  // dy/dx at the ends
+  friend bool operator==(const Cubic&, const Cubic&) = default;
+};
+struct Sine {             // y = middle + amplitude * sin(2 pi (x - origin) / wavelength)
+  double x0 = 0, x1 = 0;  // ends, x0 < x1
+  double middle = 0;
+  double amplitude = 0;   // any sign
+  double wavelength = 0;  // > 0; x0..x1 holds kMaxWaves at most
+  double origin = 0;      // where the sine is 0 and, with a positive amplitude, goes down on the screen
+  friend bool operator==(const Sine&, const Sine&) = default;
+};
+struct Polyline {          // through heights at equal distances
+  double x0 = 0, x1 = 0;   // ends, x0 < x1
+  std::vector<double> ys;  // 2..kMaxPolylineHeights, at distances that doubles can tell apart
+  friend bool operator==(const Polyline&, const Polyline&) = default;
+};
+
+struct Curve {
+  // Which way its normals point. A vertical segment that faces up faces left, and one that faces down, right.
+  enum class Faces : std::uint8_t { up, down, both };
+  std::variant<Segment, Arc, Parabola, Cubic, Sine, Polyline> form;
+  Faces faces = Faces::up;
+  friend bool operator==(const Curve&, const Curve&) = default;
+};
+
+inline constexpr double kMaxCoordinate = 1 << 24;  // px; no point of a terrain lies further from the origin
+inline constexpr double kMaxWaves = 4096;          // one of 8 px after the other across the largest map
+inline constexpr std::size_t kMaxPolylineHeights = 65536;
+
+// Why a curve cannot be used, as problem_of(shape) says it.
+std::optional<std::string> problem_of(const Curve& curve);
+
+}  // namespace talus

@@ -1,0 +1,107 @@
+// Shapes and curves that cannot be used, each with the sentence that says why.
+#include "collision/shape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace talus {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string problem(const TileShape& shape) { return problem_of(shape).value_or(""); }
+
+template <class Form>
+std::string problem(Form form) {
+  return problem_of(Curve{std::move(form), Curve::Faces::up}).value_or("");
+}
+
+TileShape shape_of(TileShape::Kind kind, std::vector<double> heights, int tiles = 1) {
+  return {.kind = kind, .tiles = tiles, .heights = std::move(heights)};
+}
+
+TEST(TileShape, GoodOnesHaveNoProblem) {
+  EXPECT_EQ(problem(TileShape{}), "");
+  EXPECT_EQ(problem(shape_of(TileShape::Kind::solid, {})), "");
+  EXPECT_EQ(problem(shape_of(TileShape::Kind::slope, {0, 64}, 8)), "");
+  EXPECT_EQ(problem(shape_of(TileShape::Kind::profile, {0, 8, 0})), "");
+  EXPECT_EQ(problem(shape_of(TileShape::Kind::profile, std::vector<double>(65, 4.5))), "");
+}
+
+TEST(TileShape, ProblemsSayWhy) {
+  using Kind = TileShape::Kind;
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, 8}, 0)), "must be 1 to 8 tiles wide");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, 8}, 9)), "must be 1 to 8 tiles wide");
+  EXPECT_EQ(problem(shape_of(Kind::solid, {8})), "has heights, which only a slope or a profile has");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0})), "must have 2 heights");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, 1, 2})), "must have 2 heights");
+  EXPECT_EQ(problem(shape_of(Kind::profile, {0, 1})), "must have 3 to 65 heights");
+  EXPECT_EQ(problem(shape_of(Kind::profile, std::vector<double>(66))), "must have 3 to 65 heights");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, kNan})), "has a height that is no number");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {-0.001, 8})), "has a height that is not from 0 to 64 px");
+  EXPECT_EQ(problem(shape_of(Kind::profile, {0, 64.5, 0})), "has a height that is not from 0 to 64 px");
+}
+
+TEST(Curve, GoodOnesHaveNoProblem) {
+  EXPECT_EQ(problem(Segment{{0, 0}, {1, -5}}), "");
+  EXPECT_EQ(problem(Segment{{4, 1}, {4, 2}}), "");
+  EXPECT_EQ(problem(Arc{{0, 0}, 64, -64, 64, true}), "");
+  EXPECT_EQ(problem(Parabola{{0, 0}, {8, 0}, -8}), "");
+  EXPECT_EQ(problem(Cubic{{0, 0}, {8, 0}, 3, -3}), "");
+  EXPECT_EQ(problem(Sine{0, 640, 8, -8, 64, 3}), "");
+  EXPECT_EQ(problem(Polyline{0, 8, {1, 2}}), "");
+  EXPECT_EQ(problem(Segment{{-kMaxCoordinate, 0}, {kMaxCoordinate, 0}}), "");
+}
+
+TEST(Curve, NumbersMustBeFinite) {
+  const std::string why = "has a number that is not finite";
+  EXPECT_EQ(problem(Segment{{0, kNan}, {1, 0}}), why);
+  EXPECT_EQ(problem(Arc{{0, 0}, kInfinity, -64, 64, true}), why);
+  EXPECT_EQ(problem(Parabola{{0, 0}, {8, 0}, kNan}), why);
+  EXPECT_EQ(problem(Cubic{{0, 0}, {8, 0}, kInfinity, 0}), why);
+  EXPECT_EQ(problem(Sine{0, 8, 0, 0, kNan, 0}), why);
+  EXPECT_EQ(problem(Polyline{0, 8, {1, kNan}}), why);
+}
+
+TEST(Curve, EndsMustBeInOrder) {
+  const std::string zero = "has a width of zero", turned = "has its right end left of its left end";
+  EXPECT_EQ(problem(Segment{{3, 3}, {3, 3}}), "has a length of zero");
+  EXPECT_EQ(problem(Segment{{4, 3}, {3, 3}}), turned);
+  EXPECT_EQ(problem(Segment{{3, 4}, {3, 3}}), "is vertical and has its lower end above its upper end");
+  EXPECT_EQ(problem(Arc{{0, 0}, 8, 2, 2, true}), zero);
+  EXPECT_EQ(problem(Parabola{{8, 0}, {0, 0}, 0}), turned);
+  EXPECT_EQ(problem(Cubic{{8, 0}, {8, 4}, 0, 0}), zero);
+  EXPECT_EQ(problem(Sine{8, 0, 0, 1, 8, 0}), turned);
+  EXPECT_EQ(problem(Polyline{8, 8, {1, 2}}), zero);
+}
+
+TEST(Curve, FormsHaveTheirOwnLimits) {
+  EXPECT_EQ(problem(Arc{{0, 0}, 0, -1, 1, true}), "has a radius that is not above zero");
+  EXPECT_EQ(problem(Arc{{0, 0}, 8, -8.001, 8, true}), "has an end beyond its circle");
+  EXPECT_EQ(problem(Arc{{0, 0}, 8, -8, 8.001, true}), "has an end beyond its circle");
+  EXPECT_EQ(problem(Sine{0, 8, 0, 1, 0, 0}), "has a wavelength that is not above zero");
+  EXPECT_EQ(problem(Sine{0, 4096, 0, 1, 1, 0}), "");
+  EXPECT_EQ(problem(Sine{0, 4097, 0, 1, 1, 0}), "has more than 4096 waves");
+  EXPECT_EQ(problem(Polyline{0, 8, {1}}), "needs at least 2 heights");
+  EXPECT_EQ(problem(Polyline{0, 8, std::vector<double>(65537)}), "has more than 65536 heights");
+  EXPECT_EQ(problem(Polyline{1, std::nextafter(1.0, 2.0), {1, 2, 3}}),
+            "has its heights too close to one another");
+}
+
+TEST(Curve, NothingReachesTooFar) {
+  const std::string why = "reaches further than 16777216 px from the origin";
+  constexpr double kFar = kMaxCoordinate;
+  EXPECT_EQ(problem(Segment{{0, 0}, {kFar + 1, 0}}), why);
+  EXPECT_EQ(problem(Arc{{0, 8 - kFar}, 9, -1, 1, true}), why);
+  EXPECT_EQ(problem(Arc{{0, 8 - kFar}, 9, -1, 1, false}), "");
+  EXPECT_EQ(problem(Parabola{{0, 0}, {8, 0}, kFar + 1}), why);
+  EXPECT_EQ(problem(Cubic{{0, 0}, {3, 0}, kFar + 1, 0}), why);
+  EXPECT_EQ(problem(Sine{0, 8, kFar, 1, 8, 0}), why);
+  EXPECT_EQ(problem(Polyline{0, 8, {1, -kFar - 1}}), why);
+}
+
+}  // namespace
+}  // namespace talus
