@@ -1,0 +1,537 @@
+// The box is swept against the outline grown by the box: a floor rises by the box's height and reaches to
+// the left by its width, and then the box's corner is a point on a straight way. Ends that two pieces share
+// are computed alike for both, so that nothing slips through between them.
+#include "cast.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+template <class Real>
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+// Longer motions are cut into slices of this length, so that only cells near the way are looked at.
+constexpr double kSliceLength = 2 * kTileSide;  // px
+constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
+
+// How far right of the box's left side the part of it is that touches a sloped floor or ceiling.
+template <class Real>
+Real foot_offset(bool up, bool rises_to_the_right, Real width, Foot foot) {
+  if (up && foot == Foot::centre) return width / 2;
+  return rises_to_the_right == up ? width : 0;
+}
+
+template <class Real>
+bool rises_to_the_right(const Piece<Real>& piece) {
+  return piece.y1 < piece.y0;
+}
+
+template <class Real, unsigned Parts>
+class Caster {
+ public:
+  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored)
+      : terrain_(terrain),
+        ignored_(ignored),
+        box_(cast.box),
+        dx_(std::abs(cast.motion.x) < Real(1e-30) ? 0 : cast.motion.x),
+        dy_(cast.motion.y),
+        foot_(cast.foot),
+        inverse_(dx_ == 0 ? 0 : 1 / dx_),
+        slack_(rounding_slack(cast)) {}
+
+  void against(const BasicRect<Real>& other, std::int32_t number) {
+    origin_ = -1 - number;
+    is_other_ = true;
+    const Real right = other.x + other.w, bottom = other.y + other.h;
+    if (dy_ > 0) flat(true, other.y, other.x, right, true, true);
+    if (dy_ < 0) flat(false, bottom, other.x, right, true, true);
+    if (dx_ > 0) wall(Facing::left, other.x, other.y, bottom, true, true);
+    if (dx_ < 0) wall(Facing::right, right, other.y, bottom, true, true);
+    is_other_ = false;
+  }
+
+  void against_terrain() {
+    const Real length = std::max(std::abs(dx_), std::abs(dy_));
+    if (length <= Real(kSliceLength)) return slice(0, 1);
+    // Nothing is outside of the map, however long the way there.
+    Real from = 0, to = 1;
+    clip(box_.x, box_.w, dx_, Real(terrain_.width()) * kTileSide, from, to);
+    clip(box_.y, box_.h, dy_, Real(terrain_.height()) * kTileSide, from, to);
+    if (from > to) return;
+    const auto slices = static_cast<int>(std::ceil((to - from) * length / Real(kSliceLength))) + 1;
+    for (int i = 0; i < slices; ++i) {
+      const Real end = from + (to - from) * (Real(i + 1) / Real(slices));
+      slice(from + (to - from) * (Real(i) / Real(slices)), end);
+      if (best_.t <= end) return;
+    }
+  }
+
+  Contact<Real> contact() const {
+    Contact<Real> c;
+    if (!(best_.t <= 1)) return c;
+    c.t = best_.t;
+    c.facing = best_.facing;
+    c.origin = best_.origin;
+    c.piece = best_.piece;
+    c.is_other = best_.is_other;
+    c.position = {best_.t == 0 ? box_.x : moved_x(box_, best_.t * dx_), box_.y + best_.t * dy_};
+    if (best_.facing == Facing::left || best_.facing == Facing::right) {
+      c.position.x = best_.limit;
+    } else {
+      c.position.x = std::clamp(c.position.x, best_.first_x, best_.last_x);
+      c.position.y = best_.cap || best_.piece == nullptr ? best_.limit : rest(*best_.piece, c.position.x);
+    }
+    c.normal =
+        best_.mirrored ? BasicVec2<Real>{0, best_.facing == Facing::up ? Real(-1) : Real(1)} : normal(best_);
+    return c;
+  }
+
+ private:
+  struct Hit {
+    Real t = kInfinity<Real>;
+    Facing facing = Facing::up;
+    bool cap = false;       // a flat side of the box on the end of a slope
+    bool mirrored = false;  // two hits at once, mirror images of one another
+    bool is_other = false;
+    std::int32_t origin = 0;
+    const Piece<Real>* piece = nullptr;
+    Real limit = 0;                // of a wall the box's x, of a flat piece its y
+    Real first_x = 0, last_x = 0;  // of a floor or ceiling: where the box may be
+  };
+
+  // The stretch of a floor or ceiling in terms of the box's left side.
+  struct Reach {
+    Real first, last;            // the box's x from which and to which it touches
+    Real first_y, last_y;        // the box's y there
+    bool open_first, open_last;  // nothing goes on there: a box beside that end does not touch
+  };
+  // The part of the motion during which the box is over or under a stretch, and how far away from it then.
+  struct Window {
+    Real from = 0, to = 0;
+    Real gap = 0;       // px, at the beginning
+    Real last_gap = 0;  // px, at the end
+  };
+
+  static void clip(Real at, Real size, Real motion, Real limit, Real& from, Real& to) {
+    if (motion == 0) {
+      if (at > limit || at + size < 0) to = -1;
+      return;
+    }
+    const Real a = (0 - (at + size)) / motion, b = (limit - at) / motion;
+    // A slice of the way more at both ends costs nothing and forgives the rounding.
+    const Real margin = Real(kSliceLength) / std::abs(motion);
+    from = std::max(from, std::min(a, b) - margin);
+    to = std::min(to, std::max(a, b) + margin);
+  }
+
+  Real rest(const Piece<Real>& piece, Real x) const {
+    return rest_on(piece, terrain_.stretches(), {x, 0, box_.w, box_.h}, foot_);
+  }
+
+  // ---- Which cells ----
+
+  static int cell_of(Real at) { return static_cast<int>(std::floor(at / kTileSide)); }
+
+  void slice(Real from, Real to) {
+    const Real x0 = box_.x + from * dx_, x1 = box_.x + to * dx_;
+    const Real y0 = box_.y + from * dy_, y1 = box_.y + to * dy_;
+    const int first = std::max(cell_of(std::min(x0, x1) - slack_), 0);
+    const int last = std::min(cell_of(std::max(x0, x1) + box_.w + slack_), terrain_.width() - 1);
+    const int top = std::max(cell_of(std::min(y0, y1) - slack_), 0);
+    const int bottom = std::min(cell_of(std::max(y0, y1) + box_.h + slack_), terrain_.height() - 1);
+    for (int column = first; column <= last; column += kMostColumns) {
+      rows(column, std::min(last - column + 1, kMostColumns), top, bottom);
+    }
+  }
+
+  // Bit i of a word is the cell left of the first one by 1 - i, so that both neighbours are in the word.
+  void rows(int first, int count, int top, int bottom) {
+    const std::uint64_t wanted = ((std::uint64_t{1} << count) - 1) << 1;
+    std::uint64_t above = terrain_.solid_bits(first - 1, top - 1);
+    std::uint64_t here = terrain_.solid_bits(first - 1, top);
+    for (int row = top; row <= bottom; ++row) {
+      const std::uint64_t below = terrain_.solid_bits(first - 1, row + 1);
+      std::uint64_t plain = here & wanted;
+      if constexpr (Parts != kTiles) {
+        const std::uint64_t detailed = terrain_.detailed_bits(first - 1, row);
+        plain &= ~detailed;
+        for (std::uint64_t bits = detailed & wanted; bits != 0; bits &= bits - 1) {
+          for (const Piece<Real>& piece : terrain_.pieces_in({first - 1 + std::countr_zero(bits), row})) {
+            against_piece(piece);
+          }
+        }
+        if (plain != 0) tiles(first - 1, row, plain, above, here, below, detailed);
+      } else {
+        if (plain != 0) tiles(first - 1, row, plain, above, here, below, 0);
+      }
+      above = here;
+      here = below;
+    }
+  }
+
+  // ---- Full tiles ----
+
+  void tiles(int column, int row, std::uint64_t plain, std::uint64_t above, std::uint64_t here,
+             std::uint64_t below, std::uint64_t detailed) {
+    const Real top = Real(row) * kTileSide, bottom = top + kTileSide;
+    if (dy_ > 0) surface(true, column, row, top, plain & ~above, here, detailed);
+    if (dy_ < 0) surface(false, column, row, bottom, plain & ~below, here, detailed);
+    if (dx_ == 0) return;
+    for (std::uint64_t walls = plain & ~(dx_ > 0 ? here << 1 : here >> 1); walls != 0; walls &= walls - 1) {
+      const int i = std::countr_zero(walls);
+      const Real left = Real(column + i) * kTileSide;
+      origin_ = row * terrain_.width() + column + i;
+      wall(dx_ > 0 ? Facing::left : Facing::right, dx_ > 0 ? left : left + kTileSide, top, bottom,
+           (above >> i & 1) == 0, (below >> i & 1) == 0);
+    }
+  }
+
+  // Tiles side by side with an open top, or bottom, are one.
+  void surface(bool up, int column, int row, Real y, std::uint64_t open, std::uint64_t here,
+               std::uint64_t detailed) {
+    while (open != 0) {
+      const int first = std::countr_zero(open);
+      const int length = std::countr_one(open >> first);
+      open &= ~(((std::uint64_t{1} << length) - 1) << first);
+      Real x0 = Real(column + first) * kTileSide, x1 = Real(column + first + length) * kTileSide;
+      const bool open0 = (here >> (first - 1) & 1) == 0, open1 = (here >> (first + length) & 1) == 0;
+      if (foot_ == Foot::centre && up) {
+        // Where slopes may go on, the centre alone counts; over a ledge the whole bottom does.
+        if ((here & detailed) >> (first - 1) & 1) x0 += box_.w / 2;
+        if ((here & detailed) >> (first + length) & 1) x1 -= box_.w / 2;
+      }
+      origin_ = row * terrain_.width() + column + first;
+      flat(up, y, x0, x1, open0, open1);
+    }
+  }
+
+  void flat(bool up, Real y, Real x0, Real x1, bool open0, bool open1) {
+    const Real limit = up ? y - box_.h : y;
+    flat({x0 - box_.w, x1, limit, limit, open0, open1}, up, nullptr);
+  }
+
+  void flat(const Reach& reach, bool up, const Piece<Real>* piece) {
+    const Real closing = up ? dy_ : -dy_;
+    if (!(closing > 0)) return;
+    const auto window = window_of(reach, up, [&](Real) { return reach.first_y; });
+    Real t;
+    if (!straight_time(window, closing, t)) return;
+    offer({.t = t,
+           .facing = up ? Facing::up : Facing::down,
+           .cap = piece != nullptr,
+           .piece = piece,
+           .limit = reach.first_y,
+           .first_x = reach.first,
+           .last_x = reach.last});
+  }
+
+  void wall(Facing facing, Real at, Real y0, Real y1, bool open0, bool open1,
+            const Piece<Real>* piece = nullptr) {
+    const Real limit = facing == Facing::left ? at - box_.w : at;
+    const Real gap = facing == Facing::left ? limit - box_.x : box_.x - limit;
+    if (gap < -slack_) return;
+    const Real t = std::max<Real>(gap, 0) * std::abs(inverse_);
+    if (t > 1 || t > best_.t) return;
+    const Real y = box_.y + t * dy_;
+    if (!(y + box_.h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
+    offer({.t = t, .facing = facing, .piece = piece, .limit = limit});
+  }
+
+  // ---- Pieces ----
+
+  void against_piece(const Piece<Real>& piece) {
+    if (&piece == ignored_) return;
+    origin_ = piece.origin;
+    if (piece.is_wall()) {
+      if (piece.facing == Facing::left ? dx_ > 0 : dx_ < 0) {
+        wall(piece.facing, piece.x0, piece.y0, piece.y1, piece.convex0, piece.convex1, &piece);
+      }
+      return;
+    }
+    const bool up = piece.facing == Facing::up;
+    const bool level = piece.y0 == piece.y1 && piece.stretch == 0;
+    const bool centre = up && foot_ == Foot::centre;
+    const Real lift = up ? box_.h : 0;
+    if (level && !centre) {
+      const Real limit = piece.y0 - lift;
+      return flat({piece.x0 - box_.w, piece.x1, limit, limit, piece.convex0, piece.convex1}, up, &piece);
+    }
+    const Real offset = foot_offset(up, rises_to_the_right(piece), box_.w, foot_);
+    const Reach reach = {piece.x0 - offset,
+                         piece.x1 - offset,
+                         piece.y0 - lift,
+                         piece.y1 - lift,
+                         centre ? false : piece.convex0,
+                         centre ? false : piece.convex1};
+    if (piece.stretch == 0) {
+      sloped(reach, up, piece);
+    } else {
+      if constexpr ((Parts & kCurves) != 0) curved(reach, up, piece, offset, lift);
+    }
+    ends(up, piece, lift);
+  }
+
+  // The end of a slope that the box stands on with its flat bottom: a crest, or where the floor ends.
+  void ends(bool up, const Piece<Real>& piece, Real lift) {
+    const Real half = box_.w / 2;
+    if (up && foot_ == Foot::centre) {
+      if (piece.last0)
+        cap({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up, piece);
+      if (piece.last1)
+        cap({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece);
+      return;
+    }
+    if ((rises_to_the_right(piece)) == up) {
+      if (piece.convex1)
+        cap({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece);
+    } else {
+      if (piece.convex0)
+        cap({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, true, false}, up, piece);
+    }
+  }
+
+  void cap(const Reach& reach, bool up, const Piece<Real>& piece) { flat(reach, up, &piece); }
+
+  void sloped(const Reach& reach, bool up, const Piece<Real>& piece) {
+    const Real closing = up ? dy_ - piece.slope * dx_ : piece.slope * dx_ - dy_;
+    if (!(closing > 0)) return;
+    const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
+    Real t;
+    if (!straight_time(window, closing, t)) return;
+    offer({.t = t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
+  }
+
+  // When the box is over the stretch; an empty window (from > to) when it never is.
+  template <class RestAt>
+  Window window_of(const Reach& reach, bool up, RestAt rest_at) const {
+    const Real sign = up ? 1 : -1;
+    const auto gap_at = [&](Real limit, Real t) { return sign * (limit - (box_.y + t * dy_)); };
+    constexpr Window kNever{1, 0, 0, 0};
+    Window w{0, 1, 0, 0};
+    if (dx_ == 0) {
+      const Real margin0 = reach.open_first ? slack_ : -slack_, margin1 = reach.open_last ? slack_ : -slack_;
+      if (!(box_.x > reach.first + margin0 && box_.x < reach.last - margin1)) return kNever;
+      w.gap = gap_at(rest_at(box_.x), 0);
+      w.last_gap = gap_at(rest_at(box_.x), 1);
+      return w;
+    }
+    const bool right = dx_ > 0;
+    const Real enter = right ? reach.first : reach.last, leave = right ? reach.last : reach.first;
+    const bool open_leave = right ? reach.open_last : reach.open_first;
+    const Real to_leave = (leave - box_.x) * inverse_;
+    if (open_leave ? to_leave * std::abs(dx_) <= slack_ : to_leave < 0) return kNever;
+    if (right ? box_.x < enter : box_.x > enter) {
+      w.from = (enter - box_.x) * inverse_;
+      if (w.from > 1) return kNever;
+      w.gap = gap_at(right ? reach.first_y : reach.last_y, w.from);
+    } else {
+      w.gap = gap_at(rest_at(box_.x), 0);
+    }
+    if (to_leave < 1) {
+      w.to = to_leave;
+      w.last_gap = gap_at(right ? reach.last_y : reach.first_y, w.to);
+    } else {
+      w.last_gap = gap_at(rest_at(box_.x + dx_), 1);
+    }
+    return w;
+  }
+
+  // The time at which the gap closes at a constant rate; false if it does not, or was closed before.
+  bool straight_time(const Window& w, Real closing, Real& t) const {
+    if (w.from > w.to || w.gap < -slack_) return false;
+    if (w.gap <= 0) {
+      t = w.from;
+      return true;
+    }
+    if (w.last_gap >= 0 && !(w.to == 1 && w.last_gap == 0)) return false;
+    t = std::min(w.from + w.gap / closing, w.to);
+    return true;
+  }
+
+  // ---- Curves ----
+
+  void curved(const Reach& reach, bool up, const Piece<Real>& piece, Real offset, Real lift) {
+    const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
+    if (window.from > window.to || window.gap < -slack_) return;
+    const CurveStretch<Real>& stretch = terrain_.stretches()[piece.stretch - 1];
+    const Real sign = up ? 1 : -1;
+    const auto corner_x = [&](Real t) { return std::clamp(box_.x + t * dx_ + offset, piece.x0, piece.x1); };
+    const auto gap = [&](Real t) {
+      return sign * (piece.y_at(corner_x(t), terrain_.stretches()) - lift - (box_.y + t * dy_));
+    };
+    // The rate at which the gap grows, but for a positive factor, so that an upright tangent does no harm.
+    const auto opening = [&](Real t) {
+      const BasicVec2<Real> along = stretch.tangent_at(corner_x(t));
+      return sign * (along.y * dx_ - along.x * dy_);
+    };
+    const bool dips = stretch.bends_down == up;  // the gap may close and open again
+    Real last = window.to;
+    if (window.gap <= 0) {
+      const Real rate = opening(window.from);
+      if (rate < 0 || (rate == 0 && !dips)) return offer_curved(window.from, reach, piece);
+      if (dips) return;
+    }
+    if (!(window.last_gap < 0)) {
+      if (!dips || !(opening(window.from) < 0) || !(opening(window.to) > 0)) return;
+      last = zero_between(window.from, window.to, [&](Real t) { return -opening(t); });
+      if (!(gap(last) < 0)) return;
+    }
+    offer_curved(closed_form_time(stretch, up, window, last, offset, lift, gap), reach, piece);
+  }
+
+  void offer_curved(Real t, const Reach& reach, const Piece<Real>& piece) {
+    offer({.t = t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
+  }
+
+  // The time, between the window's beginning and `last`, at which the gap closes. Circles and parabolas have
+  // a closed form; rounding may put it a little outside.
+  template <class Gap>
+  Real closed_form_time(const CurveStretch<Real>& s, bool up, const Window& w, Real last, Real offset,
+                        Real lift, Gap gap) const {
+    const Real u = box_.x + w.from * dx_ + offset - s.c[0];
+    Real t;
+    if (s.kind == CurveStretch<Real>::Kind::arc) {
+      const Real v = box_.y + w.from * dy_ + lift - s.c[1];
+      const bool outside = up == (s.sign < 0);
+      const Real a = dx_ * dx_ + dy_ * dy_, b = u * dx_ + v * dy_;
+      const Real c = (u - s.c[2]) * (u + s.c[2]) + v * v;
+      const Real root = std::sqrt(std::max<Real>(b * b - a * c, 0));
+      t = outside ? (b < 0 ? c / (root - b) : (-b - root) / a) : (b < 0 ? (root - b) / a : -c / (root + b));
+    } else if (s.kind == CurveStretch<Real>::Kind::polynomial && s.c[4] == 0) {
+      const Real sign = up ? 1 : -1;
+      const Real a = sign * s.c[3] * dx_ * dx_, b = sign * ((s.c[2] + 2 * s.c[3] * u) * dx_ - dy_);
+      const Real root = std::sqrt(std::max<Real>(b * b - 4 * a * w.gap, 0));
+      t = b <= 0 ? 2 * w.gap / (root - b) : (-b - root) / (2 * a);
+    } else {
+      t = zero_between(w.from, last, gap) - w.from;
+    }
+    return std::clamp(w.from + t, w.from, last);  // clamp gives w.from for NaN, of a start on the curve
+  }
+
+  // Where f falls through zero between a and b, f(a) >= 0 > f(b): regula falsi by Illinois, which never
+  // leaves the bracket and never needs a derivative.
+  template <class F>
+  static Real zero_between(Real a, Real b, F f) {
+    Real fa = f(a), fb = f(b);
+    for (int i = 0; i < 100 && fa > 0; ++i) {
+      Real t = (a * fb - b * fa) / (fb - fa);
+      if (!(t > a && t < b)) t = a + (b - a) / 2;
+      if (!(t > a && t < b)) break;
+      const Real ft = f(t);
+      if (ft >= 0) {
+        a = t, fa = ft, fb /= 2;
+      } else {
+        b = t, fb = ft, fa /= 2;
+      }
+    }
+    return a;
+  }
+
+  // ---- The first ----
+
+  BasicVec2<Real> normal(const Hit& hit) const {
+    switch (hit.facing) {
+      case Facing::left:
+        return {-1, 0};
+      case Facing::right:
+        return {1, 0};
+      case Facing::up:
+      case Facing::down:
+        break;
+    }
+    const bool up = hit.facing == Facing::up;
+    const Real sign = up ? 1 : -1;
+    if (hit.cap || hit.piece == nullptr) return {0, -sign};
+    const Piece<Real>& piece = *hit.piece;
+    if (piece.stretch == 0) {
+      const Real length = std::sqrt(1 + piece.slope * piece.slope);
+      return {sign * piece.slope / length, -sign / length};
+    }
+    const Real x = std::clamp(
+        box_.x + hit.t * dx_ + foot_offset(up, rises_to_the_right(piece), box_.w, foot_), piece.x0, piece.x1);
+    const BasicVec2<Real> along = terrain_.stretches()[piece.stretch - 1].tangent_at(x);
+    return {sign * along.y, -sign * along.x};
+  }
+
+  void offer(Hit hit) {
+    if (!(hit.t <= best_.t)) return;
+    hit.origin = origin_;
+    hit.is_other = is_other_;
+    if (hit.t < best_.t) {
+      best_ = hit;
+      return;
+    }
+    const BasicVec2<Real> ours = normal(hit), theirs = normal(best_), d{dx_, dy_};
+    const Real a = dot(ours, d), b = dot(theirs, d);
+    if (a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y))) {
+      best_ = hit;
+    } else if (a == b && ours.x == -theirs.x && ours.x != 0 && hit.facing == best_.facing) {
+      best_.mirrored = true;
+    }
+  }
+
+  const BasicTerrain<Real>& terrain_;
+  const Piece<Real>* ignored_;
+  const BasicRect<Real> box_;
+  const Real dx_, dy_;
+  const Foot foot_;
+  const Real inverse_;
+  const Real slack_;
+  Hit best_;
+  std::int32_t origin_ = 0;  // of what is tested
+  bool is_other_ = false;
+};
+
+}  // namespace
+
+template <class Real>
+Real rounding_slack(const Cast<Real>& cast) {
+  const BasicRect<Real>& b = cast.box;
+  const Real x = std::max(std::abs(b.x), std::abs(b.x + b.w)),
+             y = std::max(std::abs(b.y), std::abs(b.y + b.h));
+  return (x + y + std::abs(cast.motion.x) + std::abs(cast.motion.y)) *
+         (8 * std::numeric_limits<Real>::epsilon());
+}
+
+template <class Real, unsigned Parts>
+Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
+                       std::span<const BasicRect<Real>> others, const Piece<Real>* ignored) {
+  assert(std::isfinite(cast.motion.x) && std::isfinite(cast.motion.y));
+  Caster<Real, Parts> caster(terrain, cast, ignored);
+  for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
+  caster.against_terrain();
+  return caster.contact();
+}
+
+Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast) {
+  if (terrain.features().curves) return cast_box<double, kAllParts>(terrain, cast);
+  if (terrain.features().pieces) return cast_box<double, kSlopes>(terrain, cast);
+  return cast_box<double, kTiles>(terrain, cast);
+}
+
+template <class Real>
+Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches,
+             const BasicRect<Real>& box, Foot foot) {
+  const bool up = piece.facing == Facing::up;
+  const Real offset = foot_offset(up, rises_to_the_right(piece), box.w, foot);
+  return piece.y_at(box.x + offset, stretches) - (up ? box.h : 0);
+}
+
+#define TALUS_CAST(Real)                                                                                 \
+  template Real rounding_slack(const Cast<Real>&);                                                       \
+  template Real rest_on(const Piece<Real>&, std::span<const CurveStretch<Real>>, const BasicRect<Real>&, \
+                        Foot);                                                                           \
+  template Contact<Real> cast_box<Real, kTiles>(const BasicTerrain<Real>&, const Cast<Real>&,            \
+                                                std::span<const BasicRect<Real>>, const Piece<Real>*);   \
+  template Contact<Real> cast_box<Real, kSlopes>(const BasicTerrain<Real>&, const Cast<Real>&,           \
+                                                 std::span<const BasicRect<Real>>, const Piece<Real>*);  \
+  template Contact<Real> cast_box<Real, kAllParts>(const BasicTerrain<Real>&, const Cast<Real>&,         \
+                                                   std::span<const BasicRect<Real>>, const Piece<Real>*)
+TALUS_CAST(double);
+TALUS_CAST(float);
+#undef TALUS_CAST
+
+}  // namespace talus

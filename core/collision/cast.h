@@ -1,0 +1,69 @@
+// Casts a box through a terrain: when and where does it first meet the outline?
+#pragma once
+
+#include <limits>
+
+#include "terrain.h"
+
+namespace talus {
+
+// The parts of the terrain that a cast is built for; one more costs time in every step of a scene.
+enum CastParts : unsigned {
+  kTiles = 0,   // full tiles: always
+  kSlopes = 1,  // straight pieces of the outline
+  kCurves = 2,  // curved ones; together with kSlopes
+  kAllParts = kSlopes | kCurves
+};
+
+template <class Real>
+struct Contact {
+  Real t = std::numeric_limits<Real>::infinity();  // time of impact, 0..1 of the motion; infinite: none
+  BasicVec2<Real> position;                        // of the box then, its top-left corner, on what it hit
+  BasicVec2<Real> normal;                          // unit, out of the ground
+  Facing facing = Facing::up;
+  std::int32_t origin = 0;             // as Piece::origin; -1 - index of one of `others`
+  const Piece<Real>* piece = nullptr;  // what it hit; null: a full tile, or one of `others`
+  bool is_other = false;               // one of `others`
+  explicit operator bool() const { return t <= 1; }
+};
+
+// A moving box. Every piece stops only what comes from the side that it faces; a box that is further behind
+// one than `slack` goes through it, so a box that starts inside of the ground can leave.
+template <class Real>
+struct Cast {
+  BasicRect<Real> box;     // px
+  BasicVec2<Real> motion;  // px; finite
+  Foot foot = Foot::box;   // what of the box stands on floors: the whole bottom, or its centre alone
+};
+
+// A few units in the last place of the coordinates involved: what rounding may have put a box into the
+// ground.
+template <class Real>
+Real rounding_slack(const Cast<Real>& cast);
+
+// The first contact. Between contacts at the same time the most opposing one counts, then the one more level;
+// two mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as
+// a floor or ceiling. `ignored`: a piece that stops nothing this time.
+// `others`: boxes that stop it as tiles do.
+template <class Real, unsigned Parts>
+Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
+                       std::span<const BasicRect<Real>> others = {}, const Piece<Real>* ignored = nullptr);
+
+// The same for whatever the terrain has.
+Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast);
+
+// Where the top of a box at x rests on the piece, box.y being of no matter.
+template <class Real>
+Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches,
+             const BasicRect<Real>& box, Foot foot);
+
+// box.x moved by dx, and rounded so that both its sides are exact; a mirrored box goes to the mirrored place.
+template <class Real>
+Real moved_x(const BasicRect<Real>& box, Real dx) {
+  if (dx == 0) return box.x;
+  const Real center = box.x + box.w / 2 + dx;
+  const Real left = center - box.w / 2, right = center + box.w / 2;
+  return std::abs(right) > std::abs(left) ? right - box.w : left;
+}
+
+}  // namespace talus

@@ -1,0 +1,194 @@
+// Cuts curves where they turn or change the side that they bend to.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "outline_compiler.h"
+
+namespace talus {
+namespace {
+
+using Stretch = CurveStretch<double>;
+
+Vec2 weld(Vec2 p) { return {talus::weld(p.x), talus::weld(p.y)}; }
+
+class CurveCutter {
+ public:
+  void cut(const Curve& curve, std::int32_t number) {
+    origin_ = -1 - number;
+    faces_ = curve.faces;
+    std::visit([this](const auto& form) { put(form); }, curve.form);
+  }
+  CurveOutline take() {
+    put_tips();
+    return std::move(outline_);
+  }
+
+ private:
+  bool faces(Facing facing) const {
+    const bool first = facing == Facing::up || facing == Facing::left;
+    return faces_ == Curve::Faces::both || (faces_ == Curve::Faces::up) == first;
+  }
+
+  void put_piece(Piece<double> piece) {
+    piece.origin = origin_;
+    const bool wall = piece.x0 == piece.x1;
+    for (const Facing facing : {wall ? Facing::left : Facing::up, wall ? Facing::right : Facing::down}) {
+      if (!faces(facing)) continue;
+      piece.facing = facing;
+      piece.convex0 = piece.convex1 = wall;
+      piece.one_way = faces_ != Curve::Faces::both;
+      outline_.pieces.push_back(piece);
+    }
+  }
+
+  void put_line(Vec2 a, Vec2 b) {
+    const bool first_is_base = a.y <= b.y;
+    const Vec2 base = first_is_base ? a : b;
+    const double slope = a.x == b.x ? 0 : (b.y - a.y) / (b.x - a.x);
+    put_piece(
+        {.x0 = a.x, .y0 = a.y, .x1 = b.x, .y1 = b.y, .base_x = base.x, .base_y = base.y, .slope = slope});
+  }
+
+  void put_stretch(const Stretch& stretch, Vec2 a, Vec2 b) {
+    outline_.stretches.push_back(stretch);
+    put_piece({.x0 = a.x,
+               .y0 = a.y,
+               .x1 = b.x,
+               .y1 = b.y,
+               .stretch = static_cast<std::uint16_t>(outline_.stretches.size())});
+  }
+
+  void put(const Segment& s) { put_line(weld(s.from), weld(s.to)); }
+
+  void put(const Polyline& p) {
+    const double x0 = talus::weld(p.x0), x1 = talus::weld(p.x1);
+    const double parts = static_cast<double>(p.ys.size() - 1);
+    const auto point = [&](std::size_t i) {
+      return weld(Vec2{x0 + (x1 - x0) * (static_cast<double>(i) / parts), p.ys[i]});
+    };
+    for (std::size_t i = 0; i + 1 < p.ys.size(); ++i) put_line(point(i), point(i + 1));
+  }
+
+  void put(const Arc& a) {
+    Stretch s{.kind = Stretch::Kind::arc, .sign = a.upper ? -1.0 : 1.0};
+    const Vec2 center = weld(a.center);
+    s.c[0] = center.x;
+    s.c[1] = center.y;
+    s.c[2] = talus::weld(a.radius);
+    s.bends_down = a.upper;
+    const double x0 = std::max(talus::weld(a.x0), s.c[0] - s.c[2]),
+                 x1 = std::min(talus::weld(a.x1), s.c[0] + s.c[2]);
+    put_cut(s, {x0, s.y_at(x0)}, {x1, s.y_at(x1)}, {center.x});
+  }
+
+  void put(const Parabola& p) {
+    const Vec2 a = weld(p.from), b = weld(p.to);
+    const double control = talus::weld(p.control_y), half = (b.x - a.x) / 2;
+    put_polynomial(a, b, ((a.y + b.y) / 2 + control) / 2, (b.y - a.y) / (b.x - a.x),
+                   ((a.y + b.y) / 2 - control) / 2 / (half * half), 0);
+  }
+
+  void put(const Cubic& p) {
+    const Vec2 a = weld(p.from), b = weld(p.to);
+    const double half = (b.x - a.x) / 2, rise = (b.y - a.y) / 2 / half;
+    const double c2 = (p.to_slope - p.from_slope) / (4 * half);
+    const double c3 = ((p.from_slope + p.to_slope) / 2 - rise) / (2 * half * half);
+    put_polynomial(a, b, (a.y + b.y) / 2 - c2 * half * half, rise - c3 * half * half, c2, c3);
+  }
+
+  // About the middle, so that a mirrored curve has the same coefficients but for signs.
+  void put_polynomial(Vec2 a, Vec2 b, double c0, double c1, double c2, double c3) {
+    Stretch s{.kind = Stretch::Kind::polynomial};
+    const double middle = (a.x + b.x) / 2;
+    const double c[] = {middle, c0, c1, c2, c3};
+    std::copy(std::begin(c), std::end(c), s.c);
+    std::vector<double> cuts;
+    if (c3 != 0) cuts.push_back(middle - c2 / (3 * c3));
+    // f' = c1 + 2 c2 u + 3 c3 u^2, by the stable form of the quadratic formula
+    const double root = c2 * c2 - 3 * c3 * c1;
+    if (root >= 0) {
+      const double q = -(c2 + std::copysign(std::sqrt(root), c2));
+      if (c3 != 0) cuts.push_back(middle + q / (3 * c3));
+      if (q != 0) cuts.push_back(middle + c1 / q);
+    }
+    put_cut(s, a, b, std::move(cuts));
+  }
+
+  void put(const Sine& w) {
+    const double x0 = talus::weld(w.x0), x1 = talus::weld(w.x1), quarter = w.wavelength / 4;
+    double x = x0;
+    for (double k = std::floor((x0 - w.origin) / quarter); x < x1; ++k) {
+      const double end = std::min(x1, w.origin + (k + 1) * quarter);
+      if (end <= x) continue;
+      // The zero crossing of this quarter: its first end if k is even, else its last.
+      const double crossing = std::fmod(k, 2) == 0 ? k : k + 1;
+      const bool falls = std::fmod(crossing, 4) != 0;  // its half wave is upside down
+      Stretch s{.kind = Stretch::Kind::sine};
+      s.c[0] = w.origin + crossing * quarter;
+      s.c[1] = w.middle;
+      s.c[2] = falls ? -w.amplitude : w.amplitude;
+      s.c[3] = w.wavelength;
+      const double side = (crossing == k ? 1 : -1) * s.c[2];  // y - middle inside the quarter has this sign
+      s.bends_down = side < 0;
+      put_stretch(s, {x, s.y_at(x)}, {end, s.y_at(end)});
+      x = end;
+    }
+  }
+
+  void put_cut(Stretch stretch, Vec2 a, Vec2 b, std::vector<double> cuts) {
+    std::erase_if(cuts, [&](double x) { return !(x > a.x && x < b.x); });
+    std::sort(cuts.begin(), cuts.end());
+    Vec2 from = a;
+    for (std::size_t i = 0; i <= cuts.size(); ++i) {
+      const Vec2 to = i == cuts.size() ? b : Vec2{cuts[i], stretch.y_at(cuts[i])};
+      if (to.x > from.x) {
+        if (stretch.kind == Stretch::Kind::polynomial) {
+          const double u = (from.x + to.x) / 2 - stretch.c[0];
+          stretch.bends_down = stretch.c[3] + 3 * stretch.c[4] * u > 0;
+        }
+        put_stretch(stretch, from, to);
+      }
+      from = to;
+    }
+  }
+
+  // A line that stops bodies on both sides also stops them at its ends.
+  void put_tips() {
+    const std::vector<Piece<double>> pieces = outline_.pieces;
+    const auto joined = [&](const Piece<double>& piece, bool first) {
+      const Vec2 end = first ? Vec2{piece.x0, piece.y0} : Vec2{piece.x1, piece.y1};
+      return std::any_of(pieces.begin(), pieces.end(), [&](const Piece<double>& p) {
+        return first ? p.x1 == end.x && p.y1 == end.y : p.x0 == end.x && p.y0 == end.y;
+      });
+    };
+    for (const Piece<double>& piece : pieces) {
+      if (piece.one_way || piece.facing != Facing::up) continue;
+      for (const bool first : {true, false}) {
+        if (joined(piece, first)) continue;
+        Piece<double> tip = piece;
+        tip.stretch = 0;
+        tip.slope = 0;
+        tip.facing = first ? Facing::left : Facing::right;
+        tip.x0 = tip.x1 = tip.base_x = first ? piece.x0 : piece.x1;
+        tip.y0 = tip.y1 = tip.base_y = first ? piece.y0 : piece.y1;
+        tip.convex0 = tip.convex1 = true;
+        outline_.pieces.push_back(tip);
+      }
+    }
+  }
+
+  CurveOutline outline_;
+  std::int32_t origin_ = 0;
+  Curve::Faces faces_ = Curve::Faces::up;
+};
+
+}  // namespace
+
+CurveOutline cut_curves(std::span<const Curve> curves) {
+  CurveCutter cutter;
+  for (std::size_t i = 0; i < curves.size(); ++i) cutter.cut(curves[i], static_cast<std::int32_t>(i));
+  return cutter.take();
+}
+
+}  // namespace talus

@@ -1,0 +1,91 @@
+// One piece of the ground's outline: a straight line, a monotone stretch of a curve, or a wall.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "geometry.h"
+
+namespace talus {
+
+// The way that a piece's normal points; it stops only what comes from there. A wall faces left or right.
+enum class Facing : std::uint8_t { up, down, left, right };
+
+// sin(2 pi turns), for |turns| <= 1/4, of the library's own: that of the C library differs between machines.
+// Odd to the last bit.
+template <class Real>
+Real sine_of_turns(Real turns);
+template <class Real>
+Real cosine_of_turns(Real turns);
+
+// A stretch of a curve y = f(x) on which f rises or falls throughout and bends to one side only.
+template <class Real>
+struct CurveStretch {
+  enum class Kind : std::uint8_t {
+    arc,         // c: centre x, centre y, radius; sign: -1 the upper half, +1 the lower
+    polynomial,  // c: middle x, then the coefficients of (x - middle)^0 to ^3
+    sine         // c: x of the zero crossing, middle y, amplitude, wavelength
+  };
+  Kind kind = Kind::polynomial;
+  Real sign = 1;
+  Real c[5] = {};
+  bool bends_down = false;  // f'' > 0: y grows to both sides, as a hill's does
+
+  Real y_at(Real x) const {
+    const Real u = x - c[0];
+    switch (kind) {
+      case Kind::arc:
+        return c[1] + sign * std::sqrt(std::max<Real>(0, (c[2] - u) * (c[2] + u)));
+      case Kind::polynomial:
+        return (c[1] + u * u * c[3]) + u * (c[2] + u * u * c[4]);
+      case Kind::sine:
+        return c[1] + c[2] * sine_of_turns(u / c[3]);
+    }
+    return 0;
+  }
+
+  // Unit tangent, from left to right. Even of an arc's vertical end.
+  BasicVec2<Real> tangent_at(Real x) const {
+    const Real u = x - c[0];
+    if (kind == Kind::arc)
+      return {std::sqrt(std::max<Real>(0, (c[2] - u) * (c[2] + u))) / c[2], -sign * u / c[2]};
+    Real slope = c[2] + u * (2 * c[3]) + u * u * (3 * c[4]);
+    if (kind == Kind::sine) slope = c[2] * (kTwoPi / c[3]) * cosine_of_turns(u / c[3]);
+    const Real length = std::sqrt(1 + slope * slope);
+    return {1 / length, slope / length};
+  }
+
+  static constexpr Real kTwoPi = static_cast<Real>(6.283185307179586476925286766559);
+};
+
+template <class Real>
+struct Piece {
+  // Ends, px, x0 <= x1. Of a wall x0 == x1 and y0 <= y1; one of no height is the tip of a wedge.
+  Real x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  // A line is y = base_y + (x - base_x) * slope. The base is the upper end of the whole slope that the piece
+  // was cut from, so that its pieces lie on one line, and a mirrored one has the mirrored bits.
+  Real base_x = 0, base_y = 0, slope = 0;
+  std::int32_t origin = 0;    // of a tile's shape, its cell as y * width + x; of a curve, -1 - its number
+  std::uint16_t stretch = 0;  // 1 + the number of the curve's stretch; 0: a line or a wall
+  Facing facing = Facing::up;
+  // Whether the outline turns away from the open side at the first and at the second end: a floor's end that
+  // a box can stand on with its bottom side alone, a wall's end that a box can pass by.
+  bool convex0 : 1 = false, convex1 : 1 = false;
+  // Whether no floor goes on at this end.
+  bool last0 : 1 = false, last1 : 1 = false;
+  bool one_way : 1 = false;
+
+  bool is_wall() const { return facing == Facing::left || facing == Facing::right; }
+
+  // The height at x, clamped to the piece.
+  Real y_at(Real x, std::span<const CurveStretch<Real>> stretches) const {
+    if (x <= x0) return y0;
+    if (x >= x1) return y1;
+    const Real y = stretch != 0 ? stretches[stretch - 1].y_at(x) : base_y + (x - base_x) * slope;
+    return std::clamp(y, std::min(y0, y1), std::max(y0, y1));
+  }
+};
+
+}  // namespace talus

@@ -1,0 +1,279 @@
+// Keeps a terrain's chunks, and compiles them from their tiles.
+#include "terrain.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "outline_compiler.h"
+
+namespace talus {
+namespace {
+
+constexpr int kSide = BasicTerrain<double>::kChunkSide;
+
+template <class Real>
+Piece<Real> narrow(const Piece<double>& p) {
+  Piece<Real> n;
+  n.x0 = static_cast<Real>(p.x0), n.y0 = static_cast<Real>(p.y0);
+  n.x1 = static_cast<Real>(p.x1), n.y1 = static_cast<Real>(p.y1);
+  n.base_x = static_cast<Real>(p.base_x), n.base_y = static_cast<Real>(p.base_y);
+  n.slope = static_cast<Real>(p.slope);
+  n.origin = p.origin, n.stretch = p.stretch, n.facing = p.facing;
+  n.convex0 = p.convex0, n.convex1 = p.convex1, n.last0 = p.last0, n.last1 = p.last1, n.one_way = p.one_way;
+  return n;
+}
+
+template <class Real>
+CurveStretch<Real> narrow(const CurveStretch<double>& s) {
+  CurveStretch<Real> n;
+  n.kind = static_cast<typename CurveStretch<Real>::Kind>(s.kind);
+  n.sign = static_cast<Real>(s.sign);
+  std::transform(std::begin(s.c), std::end(s.c), std::begin(n.c),
+                 [](double c) { return static_cast<Real>(c); });
+  n.bends_down = s.bends_down;
+  return n;
+}
+
+// The columns, or the rows, that a stretch from a to b lies in.
+struct Range {
+  int first, last;
+};
+Range cells_between(double a, double b, int count) {
+  const auto cell = [&](double at) {
+    return static_cast<int>(std::clamp(std::floor(at / kTileSide), 0.0, static_cast<double>(count - 1)));
+  };
+  return {cell(std::min(a, b)), cell(std::max(a, b))};
+}
+
+// The bits from the first to the last.
+std::uint64_t columns_mask(int first, int last) {
+  return (~std::uint64_t{0} >> (63 - last)) & (~std::uint64_t{0} << first);
+}
+
+int index_in_chunk(Cell cell) { return (cell.y % kSide) * kSide + cell.x % kSide; }
+
+TerrainSource empty_source() {
+  static constexpr std::array<std::uint8_t, 1> kNothing{};
+  TerrainSource source;
+  source.width = source.height = 1;
+  source.cells = kNothing;
+  return source;
+}
+
+}  // namespace
+
+template <class Real>
+BasicTerrain<Real>::BasicTerrain() : BasicTerrain(empty_source()) {}
+
+template <class Real>
+BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
+    : width_(source.width), height_(source.height), chunk_columns_((source.width + kSide - 1) / kSide) {
+  assert(width_ >= 1 && height_ >= 1);
+  assert(source.cells.size() == static_cast<std::size_t>(width_) * height_);
+  auto parts = std::make_shared<Parts>();
+  parts->shapes = source.shapes;
+  CurveOutline curves = cut_curves(source.curves);
+  for (const auto& stretch : curves.stretches) parts->stretches.push_back(narrow<Real>(stretch));
+  parts->curve_pieces = std::move(curves.pieces);
+  parts->cells_of_curves = cells_of(parts->curve_pieces, curves.stretches);
+  parts->has_lines = std::any_of(source.shapes.begin(), source.shapes.end(), is_line_shape);
+  features_.curves = !parts->stretches.empty();
+  parts_ = std::move(parts);
+
+  chunks_.resize(static_cast<std::size_t>(chunk_columns_) * ((height_ + kSide - 1) / kSide));
+  for (int y = 0; y < height_; y += kSide) {
+    for (int x = 0; x < width_; x += kSide) {
+      auto chunk = std::make_shared<Chunk>();
+      bool used = false;
+      for (Cell c{x, y}; c.y < std::min(y + kSide, height_); ++c.y) {
+        for (c.x = x; c.x < std::min(x + kSide, width_); ++c.x) {
+          const std::uint8_t tile = source.cells[static_cast<std::size_t>(c.y) * width_ + c.x];
+          used = used || tile != 0;
+          chunk->tiles[index_in_chunk(c)] = tile;
+          if (!is_full(parts_->shapes[tile])) continue;
+          chunk->solid[c.y % kSide] |= std::uint64_t{1} << c.x % kSide;
+          used = true;
+        }
+      }
+      if (used) chunks_[chunk_index({x, y})] = std::move(chunk);
+    }
+  }
+  compile({Cell{0, 0}, Cell{width_ - 1, height_ - 1}});
+}
+
+template <class Real>
+std::vector<typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cells_of(
+    std::span<const Piece<double>> pieces, std::span<const CurveStretch<double>> stretches) const {
+  std::vector<CurveInCell> cells;
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+    const Piece<double>& p = pieces[n];
+    const Range columns = cells_between(p.x0, p.x1, width_);
+    for (Cell c{columns.first, 0}; c.x <= columns.last; ++c.x) {
+      const double left = static_cast<double>(c.x) * kTileSide;
+      const Range rows = cells_between(p.y_at(left, stretches), p.y_at(left + kTileSide, stretches), height_);
+      for (c.y = rows.first; c.y <= rows.last; ++c.y) cells.push_back({index_of(c), n});
+    }
+  }
+  std::sort(cells.begin(), cells.end(), [](const CurveInCell& a, const CurveInCell& b) {
+    return a.cell != b.cell ? a.cell < b.cell : a.piece < b.piece;
+  });
+  return cells;
+}
+
+template <class Real>
+void BasicTerrain<Real>::set_cell(Cell cell, std::uint8_t tile) {
+  assert(contains(cell));
+  const std::uint8_t old = tile_at(cell);
+  if (old == tile) return;
+  auto chunk = writable_chunk(cell);
+  chunk->tiles[index_in_chunk(cell)] = tile;
+  const std::uint64_t bit = std::uint64_t{1} << cell.x % kSide;
+  std::uint64_t& word = chunk->solid[cell.y % kSide];
+  word = is_full(parts_->shapes[tile]) ? word | bit : word & ~bit;
+  chunks_[chunk_index(cell)] = std::move(chunk);
+  compile(compiler().reach_of(cell));
+}
+
+template <class Real>
+OutlineCompiler BasicTerrain<Real>::compiler() const {
+  static const TileShape kNothing;
+  return OutlineCompiler(width_, parts_->shapes, parts_->curve_pieces,
+                         [this](Cell c) -> const TileShape& { return contains(c) ? shape_at(c) : kNothing; });
+}
+
+// Compiles the cells from the first to the last, which may lie outside.
+template <class Real>
+void BasicTerrain<Real>::compile(std::array<Cell, 2> area) {
+  OutlineCompiler outlines = compiler();
+  const Cell first{std::max(area[0].x, 0), std::max(area[0].y, 0)};
+  const Cell last{std::min(area[1].x, width_ - 1), std::min(area[1].y, height_ - 1)};
+  for (int y = first.y / kSide * kSide; y <= last.y; y += kSide) {
+    for (int x = first.x / kSide * kSide; x <= last.x; x += kSide) {
+      compile_chunk({x, y},
+                    {Cell{std::max(first.x, x), std::max(first.y, y)},
+                     Cell{std::min(last.x, x + kSide - 1), std::min(last.y, y + kSide - 1)}},
+                    outlines);
+    }
+  }
+  features_.pieces = std::any_of(chunks_.begin(), chunks_.end(), [](const auto& chunk) {
+    return chunk != nullptr && !chunk->pieces.empty();
+  });
+}
+
+// Which cells of an area within one chunk have an outline that bits cannot tell.
+template <class Real>
+typename BasicTerrain<Real>::Words BasicTerrain<Real>::details_in(std::array<Cell, 2> area,
+                                                                  const OutlineCompiler& compiler) const {
+  Words words{};
+  const auto mark = [&](Cell from, Cell to) {
+    for (Cell c{0, std::max(from.y, area[0].y)}; c.y <= std::min(to.y, area[1].y); ++c.y) {
+      for (c.x = std::max(from.x, area[0].x); c.x <= std::min(to.x, area[1].x); ++c.x) {
+        words[c.y % kSide] |= std::uint64_t{1} << c.x % kSide;
+      }
+    }
+  };
+  if (parts_->has_lines) {
+    const std::array<Cell, 2> sources = compiler.sources_of(area);
+    for (Cell c{0, std::max(sources[0].y, 0)}; c.y <= std::min(sources[1].y, height_ - 1); ++c.y) {
+      for (c.x = std::max(sources[0].x, 0); c.x <= std::min(sources[1].x, width_ - 1); ++c.x) {
+        const TileShape& shape = shape_at(c);
+        if (!is_line_shape(shape)) continue;
+        const std::array<Cell, 2> touched = cells_touched_by(shape, c);
+        mark(touched[0], touched[1]);
+      }
+    }
+  }
+  for (int y = area[0].y; y <= area[1].y; ++y) {
+    for (const CurveInCell& c : curves_between({area[0].x, y}, {area[1].x, y})) {
+      const Cell cell = cell_at(c.cell);
+      mark(cell, cell);
+    }
+  }
+  return words;
+}
+
+template <class Real>
+std::span<const typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::curves_between(
+    Cell first, Cell last) const {
+  const std::vector<CurveInCell>& all = parts_->cells_of_curves;
+  const auto before = [](const CurveInCell& c, std::int32_t cell) { return c.cell < cell; };
+  const auto begin = std::lower_bound(all.begin(), all.end(), index_of(first), before);
+  return {begin, std::lower_bound(begin, all.end(), index_of(last) + 1, before)};
+}
+
+template <class Real>
+void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, OutlineCompiler& compiler) {
+  const Words details = details_in(area, compiler);
+  const Chunk* old = chunks_[chunk_index(corner)].get();
+  const auto inside = [&](Cell c) {
+    return c.x >= area[0].x && c.x <= area[1].x && c.y >= area[0].y && c.y <= area[1].y;
+  };
+  bool changes = std::any_of(details.begin(), details.end(), [](std::uint64_t word) { return word != 0; });
+  const std::uint64_t columns = columns_mask(area[0].x % kSide, area[1].x % kSide);
+  for (int y = area[0].y; old != nullptr && y <= area[1].y; ++y) {
+    changes = changes || (old->detailed[y % kSide] & columns) != 0;
+  }
+  if (!changes) return;
+
+  auto chunk = writable_chunk(corner);
+  chunk->first = {0};
+  chunk->pieces.clear();
+  std::vector<Piece<double>> exact;
+  std::vector<std::uint32_t> curves;
+  for (int row = 0; row < kSide; ++row) {
+    const Cell begin{corner.x, corner.y + row};
+    if (begin.y >= area[0].y && begin.y <= area[1].y) {
+      chunk->detailed[row] = (chunk->detailed[row] & ~columns) | details[row];
+    }
+    chunk->rank[row] = static_cast<std::uint16_t>(chunk->first.size() - 1);
+    for (std::uint64_t word = chunk->detailed[row]; word != 0; word &= word - 1) {
+      const Cell cell{begin.x + std::countr_zero(word), begin.y};
+      if (inside(cell)) {
+        exact.clear();
+        curves.clear();
+        for (const CurveInCell& c : curves_between(cell, cell)) curves.push_back(c.piece);
+        compiler.compile(cell, curves, exact);
+        for (const Piece<double>& piece : exact) chunk->pieces.push_back(narrow<Real>(piece));
+      } else {
+        const std::span<const Piece<Real>> kept = pieces_of(*old, cell);
+        chunk->pieces.insert(chunk->pieces.end(), kept.begin(), kept.end());
+      }
+      chunk->first.push_back(static_cast<std::uint32_t>(chunk->pieces.size()));
+    }
+  }
+  chunks_[chunk_index(corner)] = std::move(chunk);
+}
+
+template <class Real>
+std::shared_ptr<typename BasicTerrain<Real>::Chunk> BasicTerrain<Real>::writable_chunk(Cell cell) const {
+  const auto& chunk = chunks_[chunk_index(cell)];
+  return chunk == nullptr ? std::make_shared<Chunk>() : std::make_shared<Chunk>(*chunk);
+}
+
+template <class Real>
+std::span<const Piece<Real>> BasicTerrain<Real>::pieces_of(const Chunk& chunk, Cell cell) {
+  const int row = cell.y % kSide;
+  const std::uint64_t bit = std::uint64_t{1} << cell.x % kSide;
+  if ((chunk.detailed[row] & bit) == 0) return {};
+  const int index = chunk.rank[row] + std::popcount(chunk.detailed[row] & (bit - 1));
+  return {chunk.pieces.data() + chunk.first[index], chunk.pieces.data() + chunk.first[index + 1]};
+}
+
+template <class Real>
+std::span<const Piece<Real>> BasicTerrain<Real>::pieces_in(Cell cell) const {
+  if (!contains(cell)) return {};
+  const Chunk* chunk = chunks_[chunk_index(cell)].get();
+  return chunk == nullptr ? std::span<const Piece<Real>>{} : pieces_of(*chunk, cell);
+}
+
+template <class Real>
+std::uint8_t BasicTerrain<Real>::tile_at(Cell cell) const {
+  if (!contains(cell)) return 0;
+  const Chunk* chunk = chunks_[chunk_index(cell)].get();
+  return chunk == nullptr ? 0 : chunk->tiles[index_in_chunk(cell)];
+}
+
+template class BasicTerrain<double>;
+template class BasicTerrain<float>;
+
+}  // namespace talus
