@@ -77,6 +77,7 @@ class Caster {
     c.origin = best_.origin;
     c.piece = best_.piece;
     c.is_other = best_.is_other;
+    c.on_end = best_.cap;
     c.position = {best_.t == 0 ? box_.x : moved_x(box_, best_.t * dx_), box_.y + best_.t * dy_};
     if (best_.facing == Facing::left || best_.facing == Facing::right) {
       c.position.x = best_.limit;

@@ -24,6 +24,7 @@ struct Contact {
   std::int32_t origin = 0;             // as Piece::origin; -1 - index of one of `others`
   const Piece<Real>* piece = nullptr;  // what it hit; null: a full tile, or one of `others`
   bool is_other = false;               // one of `others`
+  bool on_end = false;                 // a flat side of the box met the end of the piece, not its line
   explicit operator bool() const { return t <= 1; }
 };
 
