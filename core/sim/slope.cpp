@@ -1,0 +1,114 @@
+#include "slope.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+// px under the floor at which a foot still counts as on it: far more than rounding, far less than a pixel.
+constexpr double kSlack = 1e-6;
+
+// A box on its way over a slope; `t` is the fraction of the way.
+class Passage {
+ public:
+  Passage(const Slope& slope, const Rect& mover, Vec2 goal)
+      : slope_(slope), mover_(mover), d_(goal - mover.position()) {}
+
+  // The part of the way on which the box is above, in or under the slope; nothing when enter >= leave.
+  double enter() const {
+    return d_.x == 0 ? (beside() ? 1 : 0) : std::clamp(std::min(to_left(), to_right()), 0.0, 1.0);
+  }
+  double leave() const { return d_.x == 0 ? 1 : std::clamp(std::max(to_left(), to_right()), 0.0, 1.0); }
+  // When the foot passes the slope's high end, where the floor has its only bend.
+  double bend() const { return d_.x == 0 ? 0 : (high_end() - corner(mover_.x)) / d_.x; }
+
+  double depth(double t) const { return mover_.bottom() + t * d_.y - floor_at(mover_.x + t * d_.x); }
+  bool on_high_end(double t) const {
+    const double past = corner(mover_.x + t * d_.x) - high_end();
+    return slope_.direction > 0 ? past >= 0 : past <= 0;
+  }
+
+  // Whether a foot under the floor is lifted onto it: when that is the shortest way out, as it is for what
+  // rounding, or an edit of the level, has sunk a little.
+  bool lifts() const {
+    const Rect& box = slope_.box;
+    const double side = slope_.direction > 0 ? box.right() - mover_.x : mover_.right() - box.x;
+    return mover_.bottom() <= box.bottom() + kSlack && depth(0) <= side;
+  }
+
+  SlopeContact surface(double t, bool on_high_end) const {
+    SlopeContact contact;
+    contact.kind = SlopeContact::Kind::surface;
+    contact.ti = t;
+    const double x = mover_.x + t * d_.x;
+    contact.floor_y = floor_at(x);
+    contact.delta = (foot(x) - slope_.box.x) / slope_.box.w;
+    contact.touch = {x, contact.floor_y - mover_.h};
+    contact.normal = on_high_end ? Vec2{0, -1} : slope_normal(slope_);
+    const Vec2 rest = d_ * (1 - t);
+    const Vec2 along{-contact.normal.y, contact.normal.x};
+    const double into = rest.x * contact.normal.x + rest.y * contact.normal.y;
+    contact.goal = contact.touch + (into < 0 ? along * (rest.x * along.x + rest.y * along.y) : rest);
+    // Along the slope the height comes from the slope, not from the sum.
+    if (into < 0 && !on_high_end) contact.goal.y = line(corner(contact.goal.x)) - mover_.h;
+    return contact;
+  }
+
+ private:
+  bool beside() const { return mover_.right() <= slope_.box.x || mover_.x >= slope_.box.right(); }
+  double to_left() const { return (slope_.box.x - mover_.right()) / d_.x; }
+  double to_right() const { return (slope_.box.right() - mover_.x) / d_.x; }
+  double high_end() const { return slope_.direction > 0 ? slope_.box.right() : slope_.box.x; }
+  double corner(double x) const { return slope_.direction > 0 ? x + mover_.w : x; }
+  double foot(double x) const { return std::clamp(corner(x), slope_.box.x, slope_.box.right()); }
+  double line(double x) const {
+    const Rect& box = slope_.box;
+    const double run = slope_.direction > 0 ? x - box.x : box.right() - x;
+    return box.bottom() - box.h * run / box.w;
+  }
+  double floor_at(double x) const { return line(foot(x)); }
+
+  const Slope& slope_;
+  const Rect& mover_;
+  Vec2 d_;
+};
+
+}  // namespace
+
+double slope_direction(TileRole role) {
+  if (role == TileRole::up_slope) return 1;
+  if (role == TileRole::down_slope) return -1;
+  return 0;
+}
+
+Vec2 slope_normal(const Slope& slope) {
+  const Rect& box = slope.box;
+  const double length = std::sqrt(box.w * box.w + box.h * box.h);
+  return {-slope.direction * box.h / length, -box.w / length};
+}
+
+SlopeContact meet_slope(const Slope& slope, const Rect& mover, Vec2 goal) {
+  const Passage passage(slope, mover, goal);
+  const double enter = passage.enter(), leave = passage.leave();
+  if (enter >= leave) return {};
+  if (passage.depth(enter) > kSlack) {
+    if (enter == 0 && passage.lifts()) return passage.surface(0, passage.on_high_end(0));
+    SlopeContact contact;
+    contact.kind = SlopeContact::Kind::solid;
+    return contact;
+  }
+  // The depth is linear on both sides of the bend.
+  const std::array times = {enter, std::clamp(passage.bend(), enter, leave), leave};
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double from = times[i - 1], to = times[i];
+    const double before = passage.depth(from), after = passage.depth(to);
+    if (from >= to || after <= kSlack) continue;
+    const double t = before < 0 ? from + (to - from) * (-before / (after - before)) : from;
+    return passage.surface(t, passage.on_high_end((from + to) / 2));
+  }
+  return {};
+}
+
+}  // namespace talus

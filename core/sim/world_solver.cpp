@@ -1,0 +1,216 @@
+#include "world_solver.h"
+
+#include <algorithm>
+
+#include "../collision/sweep.h"
+#include "lerp.h"
+
+namespace talus {
+namespace {
+
+// A goal within the solver's limits. What is within them is left as it is, to the last bit.
+Vec2 within_limits(Vec2 from, Vec2 goal) {
+  const auto limit = [](double at, double to) {
+    const double reachable = std::clamp(to, at - kMaxBodySpeed, at + kMaxBodySpeed);
+    return std::clamp(reachable, -kMaxBodyDistance, kMaxBodyDistance);
+  };
+  return {limit(from.x, goal.x), limit(from.y, goal.y)};
+}
+
+}  // namespace
+
+WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunction slope_response)
+    : scene_(std::move(scene)),
+      world_(tuning().cell_size),
+      slope_response_(std::move(slope_response)),
+      moving_{Response::slide, Response::cross, Response::slide},
+      balls_block_(tuning().balls_block != 0) {
+  rebuild(initial_state(*scene_));
+}
+
+// Adds everything in map order, so that ties are the article's: the bodies that the scene starts take their
+// place among the tiles.
+void WorldSolver::rebuild(const State& state) {
+  world_ = World(tuning().cell_size);
+  if (slope_response_) moving_[kSlopes] = world_.add_response("slope", slope_response_);
+  entries_.assign(1, {});
+  placed_.clear();
+  std::vector<const Body*> by_start(state.bodies.size());
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) by_start[i] = &state.bodies[i];
+  const auto less = [](const BodyOrigin& a, const BodyOrigin& b) {
+    if (a.spawn != b.spawn) return a.spawn < b.spawn;
+    return a.cell.x != b.cell.x ? a.cell.x < b.cell.x : a.cell.y < b.cell.y;
+  };
+  std::sort(by_start.begin(), by_start.end(),
+            [&](const Body* a, const Body* b) { return less(a->origin, b->origin); });
+
+  for (const SceneItem& item : scene_->items) {
+    if (item.role != TileRole::ball) {
+      const double direction = slope_direction(item.role);
+      add(item.box,
+          {{item.role, item.cell, 0, item.box}, {item.box, direction}, direction != 0 ? kSlopes : kSolids});
+      continue;
+    }
+    const auto body =
+        std::lower_bound(by_start.begin(), by_start.end(), item.origin(),
+                         [&](const Body* b, const BodyOrigin& o) { return less(b->origin, o); });
+    if (body == by_start.end() || (*body)->origin != item.origin()) continue;
+    Placed placed{(*body)->id, {}, (*body)->box};
+    if (balls_block_) placed.item = add(placed.box, {{TileRole::ball, item.cell, placed.id, {}}, {}, kBalls});
+    placed_.push_back(placed);
+  }
+  std::sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) { return a.id < b.id; });
+  tested_marks_.assign(entries_.size(), 0);
+}
+
+ItemId WorldSolver::add(const Rect& box, const Entry& entry) {
+  const ItemId item = world_.add(box, entry.group);
+  if (entries_.size() <= item.index) entries_.resize(item.index + 1);
+  entries_[item.index] = entry;
+  return item;
+}
+
+void WorldSolver::synchronise(const State& state) {
+  const bool same_bodies =
+      std::equal(state.bodies.begin(), state.bodies.end(), placed_.begin(), placed_.end(),
+                 [](const Body& body, const Placed& placed) { return body.id == placed.id; });
+  if (!same_bodies) rebuild(state);
+  for (std::size_t i = 0; i < placed_.size(); ++i) {
+    if (placed_[i].box != state.bodies[i].box) place(placed_[i], state.bodies[i].box);
+  }
+}
+
+void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
+  record_ = record;
+  if (record_ != nullptr) record_->clear();
+  synchronise(state);
+  take_mouse(state, input);
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    Body& body = state.bodies[i];
+    ++test_mark_;
+    if (body.id == state.grabbed) {
+      drag(body, placed_[i], input);
+    } else {
+      fall(body, placed_[i]);
+    }
+    if (record_ != nullptr) record_->paths.back().to = body.box;
+  }
+  ++state.frame;
+}
+
+// A pressed button takes the ball under it; a released one throws it with the speed of its last frame.
+void WorldSolver::take_mouse(State& state, const Input& input) {
+  if (input.mouse_down) {
+    if (state.grabbed == 0) state.grabbed = body_at(state, input.mouse);
+    return;
+  }
+  if (state.grabbed == 0) return;
+  for (Body& body : state.bodies) {
+    if (body.id == state.grabbed) body.velocity = body.box.position() - body.previous;
+  }
+  state.grabbed = 0;
+}
+
+// The first ball, in scene order, that has the point inside; 0 when there is none.
+int WorldSolver::body_at(const State& state, Vec2 point) {
+  if (!balls_block_) {
+    const auto found = std::find_if(state.bodies.begin(), state.bodies.end(),
+                                    [&](const Body& body) { return contains(sides_of(body.box), point); });
+    return found == state.bodies.end() ? 0 : found->id;
+  }
+  world_.query_point(
+      point, [&](ItemId item) { return entries_[item.index].group == kBalls; }, under_mouse_);
+  return under_mouse_.empty() ? 0 : entries_[under_mouse_.front().index].what.body;
+}
+
+void WorldSolver::pull(Body& body) const {
+  const ArticleTuning& t = tuning();
+  body.velocity.y = lerp(body.velocity.y, t.fall_speed, t.fall_blend);
+  body.velocity.x = lerp(body.velocity.x, t.drift_speed, t.drift_blend);
+}
+
+Vec2 WorldSolver::drag_goal(const Body& body, const Input& input) const {
+  const ArticleTuning& t = tuning();
+  return {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
+          lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
+}
+
+void WorldSolver::limit_velocity(Body& body) {
+  const Vec2 wanted = body.velocity;
+  body.velocity = {std::clamp(wanted.x, -kMaxBodySpeed, kMaxBodySpeed),
+                   std::clamp(wanted.y, -kMaxBodySpeed, kMaxBodySpeed)};
+  if (record_ != nullptr && body.velocity != wanted) record_->paths.back().limited = true;
+}
+
+void WorldSolver::move(Body& body, Placed& placed, Vec2 wanted) {
+  const Vec2 goal = within_limits(body.box.position(), wanted);
+  if (record_ != nullptr) {
+    const bool limited = goal != wanted;
+    record_->paths.push_back({.body = body.id, .from = body.box, .goal = goal, .to = {}, .limited = limited});
+  }
+  const Vec2 at = run(placed, goal);
+  body.box.x = at.x;
+  body.box.y = at.y;
+  place(placed, body.box);
+  if (record_ != nullptr) note_contacts(body.id);
+}
+
+// The table and the function say the same; the function also notes what is tested.
+Vec2 WorldSolver::run(const Placed& placed, Vec2 goal) {
+  if (record_ == nullptr) return check(placed, goal, moving_, hits_);
+  const auto noting = [&](ItemId, ItemId other) {
+    note_test(placed.id, other);
+    return moving_[entries_[other.index].group];
+  };
+  return placed.item ? world_.check(placed.item, goal, noting, hits_)
+                     : world_.check(placed.box, goal, noting, hits_);
+}
+
+Vec2 WorldSolver::check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
+                        std::vector<Collision>& hits) const {
+  return placed.item ? world_.check(placed.item, goal, responses, hits)
+                     : world_.check(placed.box, goal, responses, hits);
+}
+
+void WorldSolver::place(Placed& placed, const Rect& box) {
+  placed.box = box;
+  if (placed.item) world_.update(placed.item, box);
+}
+
+Obstacle WorldSolver::obstacle(ItemId item) const {
+  Obstacle what = entries_[item.index].what;
+  what.box = world_.rect(item);
+  return what;
+}
+
+// A body's way is tested again after each response; its candidates are noted once.
+void WorldSolver::note_test(int body, ItemId other) {
+  std::uint64_t& mark = tested_marks_[other.index];
+  if (mark == test_mark_) return;
+  mark = test_mark_;
+  record_->tested.push_back({body, obstacle(other)});
+}
+
+void WorldSolver::note_contacts(int body) {
+  for (std::size_t i = 0; i < hits_.size(); ++i) {
+    const Collision& hit = hits_[i];
+    record_->contacts.push_back({.body = body,
+                                 .order = static_cast<int>(i),
+                                 .other = obstacle(hit.other),
+                                 .response = hit.response,
+                                 .overlaps = hit.overlaps,
+                                 .ti = hit.ti,
+                                 .move = hit.move,
+                                 .normal = hit.normal,
+                                 .touch = hit.touch,
+                                 .slope = std::nullopt,
+                                 .handled = false});
+  }
+}
+
+ContactRecord* WorldSolver::contact_of_hit(std::size_t i) {
+  if (record_ == nullptr) return nullptr;
+  return &record_->contacts[record_->contacts.size() - hits_.size() + i];
+}
+
+}  // namespace talus

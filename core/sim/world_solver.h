@@ -1,0 +1,87 @@
+// What the solvers that move their bodies in a World have in common: the items, the mouse, the order of the
+// bodies and the records. What a body does in a step is theirs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "../collision/world.h"
+#include "slope.h"
+#include "solver.h"
+
+namespace talus {
+
+class WorldSolver : public Solver {
+ public:
+  void step(State& state, const Input& input, StepRecord* record) final;
+
+ protected:
+  // Groups of items in the world.
+  enum Group { kSolids, kSlopes, kBalls };
+
+  // An item of the world: what it is, and, of a ball, which body.
+  struct Entry {
+    Obstacle what;
+    Slope slope;  // of a slope
+    Group group = kSolids;
+    bool is_slope() const { return group == kSlopes; }
+  };
+  // Where the world believes that a body is. Balls that pass through each other are no items of the world,
+  // and then `item` is null: nobody can meet them.
+  struct Placed {
+    int id;
+    ItemId item;
+    Rect box;
+  };
+
+  // slope_response: how a moving body reacts to slopes; none: it crosses them. Everything else it slides
+  // along.
+  explicit WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunction slope_response = {});
+
+  // One step of a body: free, or held by the mouse. Each calls move() once.
+  virtual void fall(Body& body, Placed& placed) = 0;
+  virtual void drag(Body& body, Placed& placed, const Input& input) = 0;
+
+  // The world is only a cache of the state: whatever differs is brought up to date, so that a step depends on
+  // nothing but its arguments.
+  void synchronise(const State& state);
+  void pull(Body& body) const;  // gravity and drag change the velocity
+  Vec2 drag_goal(const Body& body, const Input& input) const;
+  void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_, and the record
+  Vec2 check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
+             std::vector<Collision>& hits) const;
+  void place(Placed& placed, const Rect& box);
+  void limit_velocity(Body& body);
+  ContactRecord* contact_of_hit(std::size_t i);  // null when nobody records
+
+  const ArticleTuning& tuning() const { return scene_->tuning.article; }
+  const Entry& entry(ItemId item) const { return entries_[item.index]; }
+  const World::GroupResponses& moving() const { return moving_; }
+  const std::vector<Placed>& placed() const { return placed_; }
+
+  std::vector<Collision> hits_;  // of the last move
+
+ private:
+  void rebuild(const State& state);
+  ItemId add(const Rect& box, const Entry& entry);
+  void take_mouse(State& state, const Input& input);
+  int body_at(const State& state, Vec2 point);
+  Vec2 run(const Placed& placed, Vec2 goal);
+  Obstacle obstacle(ItemId item) const;
+  void note_test(int body, ItemId other);
+  void note_contacts(int body);
+
+  std::shared_ptr<const Scene> scene_;
+  World world_;
+  World::ResponseFunction slope_response_;
+  World::GroupResponses moving_;  // how a moving body reacts to each group
+  std::vector<Entry> entries_;    // by ItemId::index
+  std::vector<Placed> placed_;    // as State::bodies
+  std::vector<ItemId> under_mouse_;
+  bool balls_block_;
+  std::vector<std::uint64_t> tested_marks_;  // by ItemId::index: the last mark under which it was noted
+  std::uint64_t test_mark_ = 0;              // one for each body and step
+  StepRecord* record_ = nullptr;             // of the step under way; null when nobody wants it
+};
+
+}  // namespace talus
