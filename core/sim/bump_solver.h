@@ -1,0 +1,25 @@
+// Slopes as one more response of `World`: move() alone carries a body along the ground, and whether it stands
+// is one check(). The article's bodies and numbers, without its rounding and with the slopes' true normals.
+#pragma once
+
+#include "world_solver.h"
+
+namespace talus {
+
+class BumpSolver final : public WorldSolver {
+ public:
+  explicit BumpSolver(std::shared_ptr<const Scene> scene);
+
+  // Whether the body stands on something: one check, kGroundReach down. False when there is no such body.
+  bool is_grounded(const State& state, int body);
+  static constexpr double kGroundReach = 1.0 / 64;  // px
+
+ private:
+  void fall(Body& body, Placed& placed) override;
+  void drag(Body& body, Placed& placed, const Input& input) override;
+  Vec2 respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
+               std::vector<Collision>& next) const;
+  void note_surface(std::size_t hit);
+};
+
+}  // namespace talus
