@@ -33,9 +33,10 @@ struct TileShape {
   };
   Kind kind = Kind::none;
   Side side = Side::floor;
-  bool one_way = false;         // only the line stops bodies, and only those that come from its open side
-  int tiles = 1;                // width in tiles, 1..kMaxShapeTiles
-  std::vector<double> heights;  // px, 0..64, left to right: 2 of a slope, 3..kMaxShapeHeights of a profile
+  bool one_way = false;  // only the line stops bodies, and only those that come from its open side
+  int tiles = 1;         // width in tiles, 1..kMaxShapeTiles
+  // px, 0..64, left to right: 2 of a slope, 3..kMaxShapeHeights of a profile, none of the others.
+  std::vector<double> heights = {};
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
 

@@ -207,6 +207,12 @@ FormatResult<std::vector<std::string>> dropped_by_carts(const Level& level) {
   }
   std::vector<std::string> dropped;
   if (!level.spawns.empty()) dropped.push_back(counted(level.spawns.size(), "spawn"));
+  if (!level.curves.empty()) dropped.push_back(counted(level.curves.size(), "curve"));
+  const auto own_shapes =
+      level.tile_shapes.size() -
+      static_cast<std::size_t>(std::count(level.tile_shapes.begin(), level.tile_shapes.end(), TileShape()));
+  if (own_shapes > 0) dropped.push_back(counted(own_shapes, "tile shape"));
+  if (level.flag_shapes != decltype(level.flag_shapes){}) dropped.emplace_back("the shapes of flags");
   const auto names = std::count_if(level.flag_names.begin(), level.flag_names.end(),
                                    [](const std::string& name) { return !name.empty(); });
   if (names > 0) dropped.push_back(counted(static_cast<std::size_t>(names), "flag name"));

@@ -11,31 +11,13 @@
 #include "hex.h"
 #include "json_text.h"
 #include "native_cart.h"
+#include "native_objects.h"
 
 namespace talus {
 namespace {
 
-constexpr double kMaxSpawnNumber = 1'000'000;  // px and px/frame; 30 times the largest map
-
-struct SpawnField {
-  const char* key;
-  Vec2 Spawn::*vector;
-  double Vec2::*part;
-};
-constexpr std::array<SpawnField, 4> kSpawnFields = {{{"x", &Spawn::position, &Vec2::x},
-                                                     {"y", &Spawn::position, &Vec2::y},
-                                                     {"vx", &Spawn::velocity, &Vec2::x},
-                                                     {"vy", &Spawn::velocity, &Vec2::y}}};
-
 constexpr std::array<const char*, 2> kSheetKeys = {"tiles", "sprites"};  // by SheetId
-
-// Whole numbers print as such: a range of -64 to 64, not of -64.000000.
-std::string text_of(double value) { return json_number(value).dump(); }
-
-std::string range_text(double min, double max, std::string_view unit) {
-  std::string text = "must be a number from " + text_of(min) + " to " + text_of(max);
-  return unit.empty() ? text : text + " " + std::string(unit);
-}
+constexpr const char* kNoTileNumber = "is no tile number from 0 to 255";
 
 // Reads on after an error, which harms nothing, and remembers the first.
 class Reader {
@@ -47,12 +29,18 @@ class Reader {
     take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
     take_object(document, "roles", "roles", [this](Json& v) { read_roles(v); });
     take_object(document, "tuning", "tuning", [this](Json& v) { read_tuning(v); });
-    take(document, "spawns", [this](Json& v) { read_spawns(v); });
+    take(document, "spawns", [this](Json& v) { keep(take_spawns(v, "spawns"), level_.spawns); });
+    take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
+      read_shapes(v, "flag_shapes", "is no flag from 0 to 7", level_.flag_shapes);
+    });
+    take_object(document, "tile_shapes", "tile_shapes",
+                [this](Json& v) { read_shapes(v, "tile_shapes", kNoTileNumber, level_.tile_shapes); });
     for (std::size_t i = 0; i < kSheetKeys.size(); ++i) {
       take_object(document, kSheetKeys[i], kSheetKeys[i],
                   [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
     }
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
+    take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
     if (error_) return tl::unexpected(*error_);
     if (!document.empty()) level_.extra = document.dump();
@@ -64,6 +52,12 @@ class Reader {
     if (!error_) error_ = FormatError{std::move(place), std::move(message)};
   }
   void fail_key(const std::string& key, std::string message) { fail("key " + key, std::move(message)); }
+
+  template <class Value>
+  void keep(FormatResult<Value> read, Value& out) {
+    if (!read) return fail(read.error().place, read.error().message);
+    out = *std::move(read);
+  }
 
   // Calls read(value) if the key is there, and takes the key away.
   template <class Read>
@@ -82,16 +76,6 @@ class Reader {
       if (!value.is_object()) return fail_key(path, "must be an object");
       read(value);
       if (!value.empty()) object[key] = std::move(value);
-    });
-  }
-
-  void take_number(Json& object, const std::string& key, const std::string& path, double min, double max,
-                   std::string_view unit, double& out) {
-    take(object, key, [&](const Json& value) {
-      const double number =
-          value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-      if (!(number >= min && number <= max)) return fail_key(path, range_text(min, max, unit));
-      out = number;
     });
   }
 
@@ -148,35 +132,38 @@ class Reader {
   }
 
   void read_tuning(Json& tuning) {
-    take(tuning, "solver", [this](const Json& solver) {
-      const std::string_view known = solver_name(SolverKind::article);
-      if (solver != known) fail_key("tuning.solver", "must be \"" + std::string(known) + "\"");
+    take(tuning, "solver", [this](const Json& json) {
+      const auto solver = solver_of_name(json.is_string() ? json.get<std::string>() : "");
+      if (!solver) return fail_key("tuning.solver", R"(must be "article", "bump" or "exact")");
+      level_.tuning.solver = *solver;
     });
+    read_numbers(tuning, "");
+    for (const std::string_view group : kTuningGroups) {
+      take_object(tuning, std::string(group), "tuning." + std::string(group),
+                  [&](Json& numbers) { read_numbers(numbers, group); });
+    }
+  }
+
+  void read_numbers(Json& numbers, std::string_view group) {
     for (const TuningField& field : tuning_fields()) {
-      const std::string key(field.key);
-      take_number(tuning, key, "tuning." + key, field.min, field.max, field.unit,
-                  level_.tuning.article.*field.value);
+      if (field.group != group) continue;
+      take(numbers, std::string(field.key), [&](const Json& json) {
+        const double value = json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+        if (!field.accepts(value))
+          return fail_key("tuning." + field.path(),
+                          range_text(field.min, field.max, field.unit, field.whole));
+        field.in(level_.tuning) = value;
+      });
     }
   }
 
-  void read_spawns(Json& spawns) {
-    if (!spawns.is_array()) return fail_key("spawns", "must be a list");
-    for (std::size_t i = 0; i < spawns.size(); ++i)
-      read_spawn(spawns[i], "spawns[" + std::to_string(i) + "]");
-  }
-
-  void read_spawn(Json& json, const std::string& path) {
-    if (!json.is_object()) return fail_key(path, "must be an object");
-    Spawn& spawn = level_.spawns.emplace_back();
-    take(json, "name", [&](const Json& name) {
-      if (!name.is_string()) return fail_key(path + ".name", "must be a string");
-      spawn.name = name.get<std::string>();
-    });
-    for (const SpawnField& field : kSpawnFields) {
-      take_number(json, field.key, path + "." + field.key, -kMaxSpawnNumber, kMaxSpawnNumber, "",
-                  spawn.*field.vector.*field.part);
+  // Shapes by number; keys that are none are of the future and stay.
+  void read_shapes(Json& shapes, const std::string& path, const char* no_number, std::span<TileShape> out) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const std::string key = std::to_string(i), entry = path + "." + key;
+      take_object(shapes, key, entry, [&](Json& json) { keep(take_shape(json, entry), out[i]); });
     }
-    if (!json.empty()) spawn.extra = json.dump();
+    check_numbers(shapes, path, no_number, out.size());
   }
 
   void read_sheet(Json& tiles, const std::string& path, Sheet& sheet) {
@@ -189,19 +176,18 @@ class Reader {
              [&](const Json& rows) { read_pixels(rows, entry + ".pixels", sheet.images[tile]); });
       });
     }
-    for (auto it = tiles.begin(); it != tiles.end(); ++it) {
-      if (!is_number(it.key()) || is_tile_number(it.key()))
-        continue;  // a key, or a tile with keys, of the future
-      fail_key(path + "." + it.key().substr(0, 8), "is no tile number from 0 to 255");
-    }
+    check_numbers(tiles, path, kNoTileNumber, kTileCount);
   }
 
-  static bool is_number(const std::string& key) {
-    return !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
-  }
-  static bool is_tile_number(const std::string& number) {
-    return number.size() <= 3 && std::stoi(number) < kTileCount &&
-           std::to_string(std::stoi(number)) == number;
+  // What is left may have keys of the future, but no numbers that are out of range or written oddly.
+  void check_numbers(const Json& object, const std::string& path, const char* message, std::size_t count) {
+    for (auto it = object.begin(); it != object.end(); ++it) {
+      const std::string& key = it.key();
+      const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
+      const bool in_range = is_number && key.size() <= 3 && std::stoul(key) < count;
+      if (is_number && !(in_range && std::to_string(std::stoul(key)) == key))
+        fail_key(path + "." + key.substr(0, 8), message);
+    }
   }
 
   void read_flags(const Json& flags, const std::string& path, std::uint8_t& out) {
@@ -287,15 +273,6 @@ Json& object_in(Json& parent, const std::string& key) {
   return member;
 }
 
-// Unknown keys as the level keeps them; an object in any case.
-FormatResult<Json> parse_extra(const std::string& extra) {
-  if (extra.empty()) return Json::object();
-  auto json = parse_json(extra);
-  if (!json || !json->is_object())
-    return tl::unexpected(FormatError{"", "the level's unknown keys are no JSON object"});
-  return json;
-}
-
 Json json_of(const Palette& palette) {
   Json colors = Json::array();
   for (const Rgb& c : palette) {
@@ -350,44 +327,73 @@ void put_map(const TileMap& map, Json& json) {
   }
 }
 
-FormatResult<void> put_tuning(const Tuning& tuning, Json& json) {
-  json["solver"] = solver_name(tuning.solver);
+FormatResult<void> put_numbers(const Tuning& tuning, std::string_view group, Json& json) {
   for (const TuningField& field : tuning_fields()) {
-    const double value = tuning.article.*field.value;
-    if (!(value >= field.min && value <= field.max)) {
-      return tl::unexpected(
-          FormatError{"key tuning." + std::string(field.key), range_text(field.min, field.max, field.unit)});
+    if (field.group != group) continue;
+    const double value = field.of(tuning);
+    if (!field.accepts(value)) {
+      return tl::unexpected(FormatError{"key tuning." + field.path(),
+                                        range_text(field.min, field.max, field.unit, field.whole)});
     }
     json[std::string(field.key)] = json_number(value);
   }
   return {};
 }
 
-FormatResult<Json> json_of(const Spawn& spawn, std::size_t number) {
-  auto json = parse_extra(spawn.extra);
-  if (!json) return json;
-  (*json)["name"] = spawn.name;
-  for (const SpawnField& field : kSpawnFields) {
-    const double value = spawn.*field.vector.*field.part;
-    if (!(std::abs(value) <= kMaxSpawnNumber)) {
-      return tl::unexpected(FormatError{"key spawns[" + std::to_string(number) + "]." + field.key,
-                                        range_text(-kMaxSpawnNumber, kMaxSpawnNumber, "")});
-    }
-    (*json)[field.key] = json_number(value);
-  }
-  return json;
+bool is_standard(const Tuning& tuning, std::string_view group) {
+  const auto fields = tuning_fields();
+  return std::all_of(fields.begin(), fields.end(), [&](const TuningField& field) {
+    return field.group != group || field.of(tuning) == field.standard();
+  });
 }
 
-FormatResult<void> put_spawns(const std::vector<Spawn>& spawns, Json& document) {
-  if (spawns.empty()) return {};
-  Json list = Json::array();
-  for (const Spawn& spawn : spawns) {
-    auto json = json_of(spawn, list.size());
-    if (!json) return tl::unexpected(json.error());
-    list.push_back(*std::move(json));
+FormatResult<void> put_tuning(const Tuning& tuning, Json& json) {
+  json["solver"] = solver_name(tuning.solver);
+  if (const auto good = put_numbers(tuning, "", json); !good) return good;
+  for (const std::string_view group : kTuningGroups) {
+    if (is_standard(tuning, group)) continue;
+    if (const auto good = put_numbers(tuning, group, object_in(json, std::string(group))); !good) return good;
   }
-  document["spawns"] = std::move(list);
   return {};
+}
+
+FormatResult<void> put_shapes(std::span<const TileShape> shapes, const std::string& key, Json& document) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i] == TileShape()) continue;
+    const std::string number = std::to_string(i);
+    Json& json = object_in(object_in(document, key), number);
+    if (const auto good = put_shape(shapes[i], key + "." + number, json); !good) return good;
+  }
+  return {};
+}
+
+// Sets a member to a list, unless it is empty.
+FormatResult<void> put_list(FormatResult<Json> list, const std::string& key, Json& document) {
+  if (!list) return tl::unexpected(list.error());
+  if (!list->empty()) document[key] = *std::move(list);
+  return {};
+}
+
+void put_roles(const FlagRoles& roles, Json& json) {
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const int flag = roles.*info.flag;
+    const std::string key(info.key);
+    if (flag != FlagRoles::kUnused)
+      json[key] = flag;
+    else if (FlagRoles().*info.flag != FlagRoles::kUnused)
+      json[key] = nullptr;
+  }
+}
+
+// What may be wrong with a level, in the order of the file.
+FormatResult<void> put_physics(const Level& level, Json& document) {
+  put_roles(level.roles, object_in(document, "roles"));
+  if (auto good = put_shapes(level.flag_shapes, "flag_shapes", document); !good) return good;
+  if (auto good = put_tuning(level.tuning, object_in(document, "tuning")); !good) return good;
+  if (auto good = put_list(json_of(level.spawns, "spawns"), "spawns", document); !good) return good;
+  if (auto good = put_list(json_of(level.curves, "curves", level.map), "curves", document); !good)
+    return good;
+  return put_shapes(level.tile_shapes, "tile_shapes", document);
 }
 
 FormatResult<Json> document_of(const Level& level) {
@@ -399,28 +405,26 @@ FormatResult<Json> document_of(const Level& level) {
   const bool named =
       std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });
   if (named) document["flag_names"] = level.flag_names;
-  Json& roles = object_in(document, "roles");
-  for (const FlagRoleInfo& info : flag_role_infos()) {
-    const int flag = level.roles.*info.flag;
-    roles[std::string(info.key)] = flag == FlagRoles::kUnused ? Json() : Json(flag);
-  }
-  if (const auto good = put_tuning(level.tuning, object_in(document, "tuning")); !good)
-    return tl::unexpected(good.error());
-  if (const auto good = put_spawns(level.spawns, document); !good) return tl::unexpected(good.error());
+  if (const auto good = put_physics(level, document); !good) return tl::unexpected(good.error());
   for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
   put_map(level.map, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
   return parsed;
 }
 
+// Of all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
-  std::vector<std::string_view> order = {"talus",  "palette",  "flag_names", "roles", "tuning",
-                                         "spawns", "tiles",    "sprites",    "map",   "cart",
-                                         "solid",  "up_slope", "down_slope", "ball",  "solver"};
+  std::vector<std::string_view> order = {"talus",      "palette", "flag_names", "name",        "kind",
+                                         "side",       "faces",   "roles",      "solid",       "up_slope",
+                                         "down_slope", "ball",    "one_way",    "ceiling",     "flag_shapes",
+                                         "tuning",     "spawns",  "curves",     "tile_shapes", "tiles",
+                                         "heights",    "sprites", "map",        "cart",        "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(order.end(),
-               {"name", "x", "y", "vx", "vy", "flags", "pixels", "width", "height", "rows", "kind", "comment",
-                "chunks", "lines", "chunk", "bank", "reserved", "code", "data"});
+  order.insert(order.end(), {"x",      "y",          "vx",        "vy",         "size",    "foot",   "from",
+                             "to",     "from_slope", "to_slope",  "center",     "radius",  "x0",     "x1",
+                             "upper",  "middle",     "amplitude", "wavelength", "origin",  "ys",     "flags",
+                             "pixels", "width",      "height",    "rows",       "comment", "chunks", "lines",
+                             "chunk",  "bank",       "reserved",  "code",       "data"});
   return order;
 }
 
@@ -444,7 +448,7 @@ FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&
   try {
     return WrittenLevel{print_json(*document, key_order()), {}};
   } catch (const Json::exception&) {
-    return tl::unexpected(FormatError{"", "a name of a flag or spawn is not valid UTF-8"});
+    return tl::unexpected(FormatError{"", "a name of a flag, spawn or curve is not valid UTF-8"});
   }
 }
 

@@ -1,22 +1,37 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"       version of the file, 1. A newer version is refused. The only key that must be there.
-//   "palette"     16 colours "rrggbb". Default: Sweetie 16.
-//   "flag_names"  up to 8 strings, by flag; "" for a flag without a name. Default: none.
-//   "roles"       which flag, 0..7 or null for none, is "solid" (0), "up_slope" (2), "down_slope" (3), "ball"
-//   (1). "tuning"      "solver": "article"; and the numbers of level/tuning.h by their keys, units and
-//   ranges. "spawns"      bodies placed by hand: "name" (""), "x", "y" in px (0), "vx", "vy" in px/frame (0);
-//   each number
-//                 within one million.
-//   "tiles"       by tile number "0".."255": "flags", a list of the flags set (none), and "pixels", eight
-//   rows of "sprites"     eight hexadecimal palette indices, "." for 0 (all 0). Blank tiles are left out.
-//   "map"         "width" (240) and "height" (136), 1..4096 cells; "rows", from the top: two hexadecimal
-//   digits a
-//                 cell, ".." for tile 0, empty cells at the end of a row and rows at the end left out.
-//   "cart"        what else the cart held that the level came from (see native_cart.h). Default: none.
+//   "talus"        version of the file, 1. A newer version is refused. The only key that must be there.
+//   "palette"      16 colours "rrggbb". Default: Sweetie 16.
+//   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: none.
+//   "roles"        which flag, 0..7 or null for none, is "solid" (0), "up_slope" (2), "down_slope" (3),
+//                  "ball" (1), "one_way" (null), "ceiling" (null).
+//   "flag_shapes"  by flag "0".."7": the shape that the flag stands for, as in "tile_shapes".
+//   "tuning"       "solver", "article", "bump" or "exact"; the numbers of level/tuning.h by their keys, units
+//                  and ranges; and objects "exact" and "player" with the numbers of these groups, each
+//                  written only when a number in it is not the default.
+//   "spawns"       bodies placed by hand: "name" (""), "x", "y" in px (0), "vx", "vy" in px/frame (0), each
+//                  within one million; "kind", "ball" or "player" ("ball"); "size", [width, height],
+//                  each 1/256..1024 px ([8, 8]); "foot", "box" or "centre" (the kind's own).
+//   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "kind",
+//                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
+//                  struct of that name in collision/shape.h, points as [x, y], all needed but "upper" (true).
+//                  Ends lie on the map.
+//   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (none: the flags give
+//                  the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles", 1..8 (1);
+//                  "heights", a list of numbers, 0..64 px: 2 of a slope, 3..65 of a profile.
+//   "tiles"        by tile number "0".."255": "flags", a list of the flags set (none), and "pixels", eight
+//                  rows of eight hexadecimal palette indices, "." for 0 (all 0). Blank tiles are left out.
+//   "sprites"      the same for the images that are not on the map.
+//   "map"          "width" (240) and "height" (136), 1..4096 cells; "rows", from the top: two hexadecimal
+//                  digits a cell, ".." for tile 0; empty cells at the end of a row and empty rows at the
+//                  end are left out.
+//   "cart"         what else the cart held that the level came from (see native_cart.h). Default: none.
 //
 // Keys that this version does not know are kept, in every object but the chunks and lines of "cart", which a
-// newer version cannot extend. A value outside its range, or of another type, is an error with its place.
+// newer version cannot extend. A value outside its range, or of another type, is an error with its place, and
+// so is a shape or curve that cannot be used (see problem_of in collision/shape.h and level/level.h). What a
+// reader would refuse is not written either. What came after the first version is written only where it is
+// not the default, so that older files keep their bytes.
 #pragma once
 
 #include "format.h"

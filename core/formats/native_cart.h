@@ -2,9 +2,9 @@
 //
 //   "kind"     "tic" or "text".
 //   "chunks"   tic: the chunks in order. "chunk": its name, or its number 0..31; "bank": 0..7 (0);
-//   "reserved": last
-//              byte of its header (0); and its bytes: "code", lines of text; or "data", rows of hexadecimal
-//              digits, or "level" for the bytes that the level's own section has. Default: no bytes.
+//              "reserved": last byte of its header (0); and its bytes: "code", lines of text; or "data",
+//              rows of hexadecimal digits, or "level" for the bytes that the level's own section has.
+//              Default: no bytes.
 //   "comment"  text: the comment prefix, "--".
 //   "lines"    text: the file's lines; {"level": "MAP"} stands for the rows that the level's own map has.
 //   "data"     text that is no UTF-8: rows of hexadecimal digits in place of "lines".

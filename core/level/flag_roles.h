@@ -13,13 +13,16 @@ namespace talus {
 // down_slope, ball wins (the order of the article's is_obj).
 enum class TileRole : std::uint8_t { none, solid, up_slope, down_slope, ball };
 
-// The flag, 0..7, that stands for a role; kUnused where no flag does. The defaults are the article's.
+// The flag, 0..7, that stands for a role, or that changes the shape which a tile's other flags give it;
+// kUnused where no flag does. The defaults are the article's.
 struct FlagRoles {
   static constexpr int kUnused = -1;
   int solid = 0;
   int ball = 1;
-  int up_slope = 2;    // low on the left, high on the right
-  int down_slope = 3;  // high on the left, low on the right
+  int up_slope = 2;       // low on the left, high on the right
+  int down_slope = 3;     // high on the left, low on the right
+  int one_way = kUnused;  // makes the shape one-way
+  int ceiling = kUnused;  // puts the shape upside down
   friend bool operator==(const FlagRoles&, const FlagRoles&) = default;
 };
 
@@ -30,9 +33,14 @@ TileRole role_of(std::uint8_t flags, const FlagRoles& roles);
 struct FlagRoleInfo {
   std::string_view key;    // in files: "up_slope"
   std::string_view label;  // on screen: "up-slope"
-  int FlagRoles::*flag;
-  TileRole role;
+  int FlagRoles::*flag;    // where FlagRoles keeps the flag
+  TileRole role;           // what the flag makes of a tile; none: it changes the shape alone
 };
-const std::array<FlagRoleInfo, 4>& flag_role_infos();
+const std::array<FlagRoleInfo, 6>& flag_role_infos();
+
+// Whether a tile with these flags has the flag, 0..7 or kUnused.
+inline bool has_flag(std::uint8_t flags, int flag) {
+  return flag != FlagRoles::kUnused && (flags >> flag & 1) != 0;
+}
 
 }  // namespace talus

@@ -1,12 +1,101 @@
 #include "level.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace talus {
+namespace {
+
+TileShape article_slope(const ArticleTuning& tuning, bool rises) {
+  TileShape shape;
+  shape.kind = TileShape::Kind::slope;
+  shape.tiles = static_cast<int>(std::clamp(std::ceil(tuning.slope_width / kTileSize), 1.0, 8.0));
+  const double low = std::max(0.0, kTileSize - tuning.slope_height);
+  shape.heights = {low, kTileSize};
+  if (!rises) std::swap(shape.heights[0], shape.heights[1]);
+  return shape;
+}
+
+TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
+  switch (role_of(flags, level.roles)) {
+    case TileRole::solid:
+      return {.kind = TileShape::Kind::solid};
+    case TileRole::up_slope:
+      return article_slope(level.tuning.article, true);
+    case TileRole::down_slope:
+      return article_slope(level.tuning.article, false);
+    case TileRole::ball:
+      return {};
+    case TileRole::none:
+      break;
+  }
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    const TileShape& shape = level.flag_shapes[flag];
+    if (has_flag(flags, flag) && shape.kind != TileShape::Kind::none) return shape;
+  }
+  return {};
+}
+
+struct Ends {
+  Vec2 from, to;
+};
+Ends ends_of(const Segment& s) { return {s.from, s.to}; }
+Ends ends_of(const Parabola& p) { return {p.from, p.to}; }
+Ends ends_of(const Cubic& c) { return {c.from, c.to}; }
+Ends ends_of(const Polyline& p) { return {{p.x0, p.ys.front()}, {p.x1, p.ys.back()}}; }
+Ends ends_of(const Arc& a) {
+  const auto at = [&](double x) {
+    const double u = x - a.center.x;
+    const double height = std::sqrt(std::max(0.0, (a.radius - u) * (a.radius + u)));
+    return Vec2{x, a.center.y + (a.upper ? -height : height)};
+  };
+  return {at(a.x0), at(a.x1)};
+}
+Ends ends_of(const Sine& s) {
+  const auto at = [&](double x) {
+    const double turns = (x - s.origin) / s.wavelength;
+    return Vec2{x, s.middle + s.amplitude * std::sin(2 * std::numbers::pi * (turns - std::round(turns)))};
+  };
+  return {at(s.x0), at(s.x1)};
+}
+
+}  // namespace
 
 bool operator==(const Level& a, const Level& b) {
   const bool same_cart = a.cart == b.cart || (a.cart && b.cart && *a.cart == *b.cart);
   return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
-         a.roles == b.roles && a.map == b.map && a.tuning == b.tuning && a.spawns == b.spawns &&
+         a.roles == b.roles && a.tile_shapes == b.tile_shapes && a.flag_shapes == b.flag_shapes &&
+         a.map == b.map && a.curves == b.curves && a.tuning == b.tuning && a.spawns == b.spawns &&
          a.extra == b.extra;
+}
+
+TileShape shape_of_tile(const Level& level, std::uint8_t tile) {
+  const TileShape& own = level.tile_shapes[tile];
+  return own.kind != TileShape::Kind::none ? own : shape_of_flags(level, level.tile_flags(tile));
+}
+
+TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
+  TileShape shape = shape_before_modifiers(level, flags);
+  if (shape.kind == TileShape::Kind::none) return shape;
+  using Side = TileShape::Side;
+  if (has_flag(flags, level.roles.one_way)) shape.one_way = true;
+  if (has_flag(flags, level.roles.ceiling))
+    shape.side = shape.side == Side::floor ? Side::ceiling : Side::floor;
+  return shape;
+}
+
+std::optional<std::string> problem_of(const Curve& curve, const TileMap& map) {
+  if (auto problem = problem_of(curve)) return problem;
+  const double width = map.width() * kTileSize, height = map.height() * kTileSize;
+  const auto is_on_map = [&](Vec2 p) {
+    return p.x >= -kCurveEndSlack && p.y >= -kCurveEndSlack && p.x <= width + kCurveEndSlack &&
+           p.y <= height + kCurveEndSlack;
+  };
+  const Ends ends = std::visit([](const auto& form) { return ends_of(form); }, curve.form);
+  if (!is_on_map(ends.from)) return "has its first end off the map";
+  if (!is_on_map(ends.to)) return "has its last end off the map";
+  return {};
 }
 
 }  // namespace talus

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "../collision/shape.h"
 #include "flag_roles.h"
 #include "tile_map.h"
 #include "tileset.h"
@@ -13,13 +15,30 @@
 
 namespace talus {
 
+enum class BodyKind : std::uint8_t { ball, player };
+
+inline constexpr double kMinBodySize = 1.0 / 256;  // px
+inline constexpr double kMaxBodySize = 1024;
+
 // A body placed by hand, besides those that ball tiles of the map make.
 struct Spawn {
-  std::string name;   // for people; may be empty or repeated
-  Vec2 position;      // px, top-left corner of the 8x8 box
-  Vec2 velocity;      // px/frame
-  std::string extra;  // JSON object of keys that this version does not know, or empty
+  std::string name;                // for people; may be empty or repeated
+  Vec2 position;                   // px, top-left corner of the box
+  Vec2 velocity;                   // px/frame
+  std::string extra;               // JSON object of keys that this version does not know, or empty
+  BodyKind kind = BodyKind::ball;  // a player runs and jumps as the input says
+  Vec2 size = {8, 8};              // px, each kMinBodySize..kMaxBodySize
+  std::optional<Foot> foot = {};   // what stands on slopes; none: a ball's whole box, a player's centre
+  Foot used_foot() const { return foot.value_or(kind == BodyKind::player ? Foot::centre : Foot::box); }
   friend bool operator==(const Spawn&, const Spawn&) = default;
+};
+
+// A curve of the level, free of the grid.
+struct LevelCurve {
+  std::string name;  // for people; may be empty or repeated
+  Curve curve;
+  std::string extra;  // as Spawn::extra
+  friend bool operator==(const LevelCurve&, const LevelCurve&) = default;
 };
 
 // The cart that a level came from, kept so that saving gives back every byte that was not edited.
@@ -37,7 +56,10 @@ struct Level {
   Palette palette = default_palette();
   std::array<std::string, kFlagCount> flag_names;  // what the user calls each flag; empty: unnamed
   FlagRoles roles;
+  std::array<TileShape, kTileCount> tile_shapes;  // of kind none: the tile's flags give its shape
+  std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
   TileMap map;
+  std::vector<LevelCurve> curves;
   Tuning tuning;
   std::vector<Spawn> spawns;
   std::shared_ptr<const CartOrigin> cart;  // null for a level that never was a cart
@@ -51,5 +73,18 @@ struct Level {
 
 // The same content; carts are compared by their bytes.
 bool operator==(const Level& a, const Level& b);
+
+// What a tile is to the ground: its own shape; without one, what its flags give.
+TileShape shape_of_tile(const Level& level, std::uint8_t tile);
+// The shape of the flags' role: a solid tile, or the slope of the article's box, which reaches from the
+// tile's left side over so many tiles as `slope_width` needs and is lowest at 8 px less `slope_height`, or at
+// 0. A ball has none. Without a role, the shape that the lowest flag with one stands for. `one_way` and
+// `ceiling` flags change what came out.
+TileShape shape_of_flags(const Level& level, std::uint8_t flags);
+
+// Why a curve cannot be part of a level with this map, as problem_of(curve) says it: that, or an end more
+// than kCurveEndSlack off the map.
+inline constexpr double kCurveEndSlack = 1.0 / 256;  // px
+std::optional<std::string> problem_of(const Curve& curve, const TileMap& map);
 
 }  // namespace talus

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../collision/outline_compiler.h"
+
 namespace talus {
 namespace {
 
-constexpr double kBallSize = 8;  // px, both sides
+constexpr Vec2 kBallSize = {8, 8};  // px, of a ball tile's ball
 
 std::string text_of(Cell cell) {
   return std::string("(")
@@ -46,11 +48,14 @@ class Linter {
   explicit Linter(const Level& level) : level_(level), tuning_(level.tuning.article) {
     for (int tile = 0; tile < kTileCount; ++tile) {
       roles_[tile] = role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles);
+      const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+      solid_[tile] = shape.kind == TileShape::Kind::solid && !shape.one_way;
     }
   }
 
   std::vector<Problem> run() {
     check_roles();
+    check_shapes();
     for (int y = 0; y < level_.map.height(); ++y) {
       for (int x = 0; x < level_.map.width(); ++x) check_cell({x, y});
     }
@@ -84,6 +89,7 @@ class Linter {
   }
 
   TileRole role_at(Cell cell) const { return roles_[level_.map.at(cell)]; }
+  bool is_solid(Cell cell) const { return solid_[level_.map.at(cell)]; }
 
   void check_roles() {
     const auto& infos = flag_role_infos();
@@ -98,6 +104,37 @@ class Linter {
     }
   }
 
+  void check_shapes() {
+    for (int flag = 0; flag < kFlagCount; ++flag) {
+      if (const auto problem = problem_of(level_.flag_shapes[flag]))
+        add(Severity::error, "bad-shape", "the shape of flag " + std::to_string(flag) + " " + *problem);
+    }
+    for (int tile = 0; tile < kTileCount; ++tile) {
+      if (const auto problem = problem_of(level_.tile_shapes[tile]))
+        add(Severity::error, "bad-shape", "the shape of tile " + std::to_string(tile) + " " + *problem, {},
+            tile);
+    }
+    for (std::size_t i = 0; i < level_.curves.size(); ++i) {
+      const LevelCurve& curve = level_.curves[i];
+      const std::string name = curve.name.empty() ? std::to_string(i) : "\"" + curve.name + "\"";
+      if (const auto problem = problem_of(curve.curve, level_.map))
+        add(Severity::error, "bad-curve", "curve " + name + " " + *problem);
+      else if (leaves_map(curve.curve))
+        add(Severity::warning, "curve-leaves-map", "curve " + name + " leaves the map between its ends");
+    }
+  }
+
+  // Whether a curve with its ends on the map goes above or below it. Its pieces rise or fall throughout.
+  bool leaves_map(const Curve& curve) const {
+    const auto is_off_map = [&](double y) {
+      return y < -kCurveEndSlack || y > level_.map.height() * kTileSize + kCurveEndSlack;
+    };
+    const std::vector<Piece<double>> pieces = cut_curves({&curve, 1}).pieces;
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece<double>& piece) {
+      return is_off_map(piece.y0) || is_off_map(piece.y1);
+    });
+  }
+
   void check_cell(Cell cell) {
     const int tile = level_.map.at(cell);
     if (!seen_[tile]) check_flags(tile, cell);
@@ -107,7 +144,7 @@ class Linter {
     if (role != TileRole::ball) return;
     ++balls_;
     const Vec2 corner = {static_cast<double>(cell.x) * kTileSize, static_cast<double>(cell.y) * kTileSize};
-    check_slopes_under(corner, "the ball at " + text_of(cell), cell, tile);
+    check_slopes_under(corner, kBallSize, "the ball at " + text_of(cell), cell, tile);
   }
 
   // One problem for a tile, at the first cell that shows it.
@@ -116,9 +153,8 @@ class Linter {
     int count = 0, last_flag = FlagRoles::kUnused;
     for (const FlagRoleInfo& info : flag_role_infos()) {
       const int flag = level_.roles.*info.flag;
-      const bool set =
-          flag != FlagRoles::kUnused && (level_.tile_flags(static_cast<std::uint8_t>(tile)) >> flag & 1) != 0;
-      if (!set || flag == last_flag) continue;
+      const bool set = has_flag(level_.tile_flags(static_cast<std::uint8_t>(tile)), flag);
+      if (!set || flag == last_flag || info.role == TileRole::none) continue;
       labels += (count == 0 ? "" : " and ") + std::string(info.label);
       last_flag = flag;
       ++count;
@@ -149,8 +185,8 @@ class Linter {
         return add(Severity::error, "slope-half-missing",
                    subject + where + " is empty: half of the slope is not drawn", cell, level_.map.at(cell));
       }
-      if (other == TileRole::solid || is_slope(other)) {
-        const std::string why = other == TileRole::solid
+      if (is_solid(right) || is_slope(other)) {
+        const std::string why = is_solid(right)
                                     ? " is solid: it stands inside the slope's box"
                                     : " has a slope's flag too: a slope is flagged on its left tile alone";
         return add(Severity::error, "slope-overlap", subject + where + why, cell, level_.map.at(cell));
@@ -159,28 +195,27 @@ class Linter {
   }
 
   bool is_empty(int tile) const {
-    return roles_[tile] == TileRole::none &&
+    return roles_[tile] == TileRole::none && !solid_[tile] &&
            (tile == 0 || level_.sheet(SheetId::tiles).images[tile] == TileImage{});
   }
 
   void check_spawn(std::size_t index) {
     const Spawn& spawn = level_.spawns[index];
-    const Vec2 corner = spawn.position;
+    const Vec2 corner = spawn.position, size = spawn.size;
     const std::string name = spawn.name.empty() ? std::to_string(index) : "\"" + spawn.name + "\"";
     const std::string subject =
         "spawn " + name + " at " + text_of(corner.x) + ", " + text_of(corner.y) + " px";
     const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
     const bool inside =
-        corner.x >= 0 && corner.y >= 0 && corner.x + kBallSize <= width && corner.y + kBallSize <= height;
+        corner.x >= 0 && corner.y >= 0 && corner.x + size.x <= width && corner.y + size.y <= height;
     // Farther away there are no tiles, and perhaps no int for the cell either.
-    const bool touches =
-        corner.x > -kBallSize && corner.y > -kBallSize && corner.x < width && corner.y < height;
+    const bool touches = corner.x > -size.x && corner.y > -size.y && corner.x < width && corner.y < height;
     const Cell corner_cell = touches ? Cell{cell_of(corner.x), cell_of(corner.y)} : Cell{-1, -1};
     const std::optional<Cell> cell =
         level_.map.contains(corner_cell) ? std::optional(corner_cell) : std::nullopt;
     if (!inside) add(Severity::warning, "spawn-outside", subject + " is not wholly on the map", cell);
     if (!touches) return;
-    if (!check_solids_under(corner, subject, cell)) check_slopes_under(corner, subject, cell, -1);
+    if (!check_solids_under(corner, size, subject, cell)) check_slopes_under(corner, size, subject, cell, -1);
   }
 
   // Calls visit(cell) for the cells of the map from the one at `first` px to the one before `end` px.
@@ -193,11 +228,11 @@ class Linter {
     }
   }
 
-  // Reports the first solid tile that a ball here overlaps; false when there is none.
-  bool check_solids_under(Vec2 corner, const std::string& subject, std::optional<Cell> cell) {
+  // Reports the first solid tile that a body here overlaps; false when there is none.
+  bool check_solids_under(Vec2 corner, Vec2 size, const std::string& subject, std::optional<Cell> cell) {
     bool found = false;
-    for_cells(corner, corner + Vec2{kBallSize, kBallSize}, [&](Cell at) {
-      if (found || role_at(at) != TileRole::solid) return;
+    for_cells(corner, corner + size, [&](Cell at) {
+      if (found || !is_solid(at)) return;
       found = true;
       add(Severity::error, "spawn-in-solid", subject + " starts inside the solid tile at " + text_of(at),
           cell);
@@ -206,12 +241,13 @@ class Linter {
   }
 
   // Reports the first slope below whose floor, as the article computes it, a ball here would start.
-  void check_slopes_under(Vec2 corner, const std::string& subject, std::optional<Cell> cell, int tile) {
+  void check_slopes_under(Vec2 corner, Vec2 size, const std::string& subject, std::optional<Cell> cell,
+                          int tile) {
     const Vec2 reach = {tuning_.slope_width, tuning_.slope_height};
     bool found = false;
-    for_cells(corner - reach, corner + Vec2{kBallSize, kBallSize}, [&](Cell at) {
-      if (found || !is_slope(role_at(at))) return;
-      const double depth = depth_in_slope(corner, at);
+    for_cells(corner - reach, corner + size, [&](Cell at) {
+      if (found || !is_slope(role_at(at)) || has_own_shape(at)) return;
+      const double depth = depth_in_slope(corner, size, at);
       if (!(depth > 0)) return;
       found = true;
       add(Severity::error, "spawn-in-slope",
@@ -221,14 +257,18 @@ class Linter {
     });
   }
 
-  // How far a ball lies below a slope's floor at its centre; 0 when it is above, or beside the slope's box.
-  double depth_in_slope(Vec2 corner, Cell at) const {
+  bool has_own_shape(Cell at) const {
+    return level_.tile_shapes[level_.map.at(at)].kind != TileShape::Kind::none;
+  }
+
+  // How far a body lies below a slope's floor at its centre; 0 when it is above, or beside the slope's box.
+  double depth_in_slope(Vec2 corner, Vec2 size, Cell at) const {
     const double w = tuning_.slope_width, h = tuning_.slope_height;
     const Vec2 slope = {static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize};
-    const bool overlaps = corner.x < slope.x + w && corner.x + kBallSize > slope.x &&
-                          corner.y < slope.y + h && corner.y + kBallSize > slope.y;
+    const bool overlaps = corner.x < slope.x + w && corner.x + size.x > slope.x && corner.y < slope.y + h &&
+                          corner.y + size.y > slope.y;
     if (!overlaps) return 0;
-    const double along = std::clamp(corner.x + kBallSize / 2 - slope.x, 0.0, w) / w;
+    const double along = std::clamp(corner.x + size.x / 2 - slope.x, 0.0, w) / w;
     const double drop = role_at(at) == TileRole::up_slope ? h * (1 - along) : h * along;
     return std::max(0.0, corner.y - (slope.y - h + drop));
   }
@@ -236,6 +276,7 @@ class Linter {
   const Level& level_;
   const ArticleTuning& tuning_;
   std::array<TileRole, kTileCount> roles_{};
+  std::array<bool, kTileCount> solid_{};  // by shape_of_tile, and from all sides
   std::array<bool, kTileCount> seen_{};
   int balls_ = 0;
   std::size_t left_out_ = 0;  // problems over kMaxProblems

@@ -1,54 +1,131 @@
 #include "tuning.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace talus {
+namespace {
 
-std::span<const TuningField> tuning_fields() {
-  using T = ArticleTuning;
-  static constexpr std::array<TuningField, 15> kFields = {{
-      {"cell_size", "cell size", "px", &T::cell_size, 1, 1024,
-       "Side of a grid cell of the collision world; only speed depends on it. Slow when far from 2-4 tiles."},
-      {"fall_speed", "fall speed", "px/frame", &T::fall_speed, -64, 64,
-       "The vertical speed that falling tends to. Over 8, a ball skips a tile a frame and slopes are "
-       "missed."},
-      {"fall_blend", "fall blend", "", &T::fall_blend, 0, 1,
-       "Share of the way to the fall speed gained each frame. Too high: no arc; too low: floats."},
-      {"drift_speed", "drift speed", "px/frame", &T::drift_speed, -64, 64,
-       "The horizontal speed that rolling tends to: 0 comes to rest, anything else is wind."},
-      {"drift_blend", "drift blend", "", &T::drift_blend, 0, 1,
-       "Share of the way to the drift speed gained each frame. Too low: rolls forever."},
-      {"floor_bounce", "floor bounce", "", &T::floor_bounce, 0, 2,
-       "Share of vy kept, reversed, at a floor or ceiling. Over 1, balls gain energy and never rest."},
-      {"floor_grip", "floor grip", "", &T::floor_grip, 0, 2,
-       "Share of vx kept at a floor or ceiling. Too low: balls stop where they land."},
-      {"wall_bounce", "wall bounce", "", &T::wall_bounce, 0, 2,
-       "Share of vx kept, reversed, at a wall. Over 1, balls gain speed between two walls."},
-      {"slope_bounce", "slope bounce", "", &T::slope_bounce, 0, 2,
-       "Share of vy kept, reversed, on a slope. Too high: balls hop down instead of rolling."},
-      {"slope_width", "slope width", "px", &T::slope_width, 1, 64,
-       "Width of a slope's box from the left side of its flagged tile. Must match the drawing."},
-      {"slope_height", "slope height", "px", &T::slope_height, 1, 64,
-       "Height of a slope's box. The article's floor height is right only when it equals a ball's height, "
-       "8."},
-      {"drag_blend", "drag blend", "", &T::drag_blend, 0, 1,
-       "Share of the way to the mouse that a dragged ball moves each frame. 0 leaves it hanging."},
-      {"drag_offset", "drag offset", "px", &T::drag_offset, -64, 64,
-       "Distance in x and y from a ball's corner to where the mouse holds it: 4 is its centre."},
-      {"drag_probe", "drag probe", "px/frame", &T::drag_probe, 0, 64,
-       "Downward speed with which a dragged ball looks for slopes. 0: it sinks into them."},
-      {"balls_block", "balls block", "", &T::balls_block, 0, 1,
-       "1: balls are obstacles to one another, as in the article. 0: they pass through each other."},
-  }};
-  return kFields;
+using A = ArticleTuning;
+using E = ExactTuning;
+using P = PlayerTuning;
+
+// Where a tuning keeps a number: TuningField::in.
+template <auto Group, auto Number>
+double& member(Tuning& tuning) {
+  return tuning.*Group.*Number;
 }
+template <auto Number>
+constexpr auto article = member<&Tuning::article, Number>;
+template <auto Number>
+constexpr auto exact = member<&Tuning::exact, Number>;
+template <auto Number>
+constexpr auto player = member<&Tuning::player, Number>;
+
+constexpr bool kAny = false, kWhole = true;
+
+constexpr std::array kFields = std::to_array<TuningField>({
+    {"", "cell_size", "cell size", "px", article<&A::cell_size>, 1, 1024, kAny,
+     "Side of a grid cell of the collision world; only speed depends on it. Slow when far from 2-4 tiles."},
+    {"", "fall_speed", "fall speed", "px/frame", article<&A::fall_speed>, -64, 64, kAny,
+     "The vertical speed that falling tends to. Over 8, a ball skips a tile a frame and slopes are "
+     "missed."},
+    {"", "fall_blend", "fall blend", "", article<&A::fall_blend>, 0, 1, kAny,
+     "Share of the way to the fall speed gained each frame. Too high: no arc; too low: floats."},
+    {"", "drift_speed", "drift speed", "px/frame", article<&A::drift_speed>, -64, 64, kAny,
+     "The horizontal speed that rolling tends to: 0 comes to rest, anything else is wind."},
+    {"", "drift_blend", "drift blend", "", article<&A::drift_blend>, 0, 1, kAny,
+     "Share of the way to the drift speed gained each frame. Too low: rolls forever."},
+    {"", "floor_bounce", "floor bounce", "", article<&A::floor_bounce>, 0, 2, kAny,
+     "Share of vy kept, reversed, at a floor or ceiling. Over 1, balls gain energy and never rest."},
+    {"", "floor_grip", "floor grip", "", article<&A::floor_grip>, 0, 2, kAny,
+     "Share of vx kept at a floor or ceiling. Too low: balls stop where they land."},
+    {"", "wall_bounce", "wall bounce", "", article<&A::wall_bounce>, 0, 2, kAny,
+     "Share of vx kept, reversed, at a wall. Over 1, balls gain speed between two walls."},
+    {"", "slope_bounce", "slope bounce", "", article<&A::slope_bounce>, 0, 2, kAny,
+     "Share of vy kept, reversed, on a slope. Too high: balls hop down instead of rolling."},
+    {"", "slope_width", "slope width", "px", article<&A::slope_width>, 1, 64, kAny,
+     "Width of a slope's box from the left side of its flagged tile. Must match the drawing."},
+    {"", "slope_height", "slope height", "px", article<&A::slope_height>, 1, 64, kAny,
+     "Height of a slope's box. The article's floor height is right only when it equals a ball's height, "
+     "8."},
+    {"", "drag_blend", "drag blend", "", article<&A::drag_blend>, 0, 1, kAny,
+     "Share of the way to the mouse that a dragged ball moves each frame. 0 leaves it hanging."},
+    {"", "drag_offset", "drag offset", "px", article<&A::drag_offset>, -64, 64, kAny,
+     "Distance in x and y from a ball's corner to where the mouse holds it: 4 is its centre."},
+    {"", "drag_probe", "drag probe", "px/frame", article<&A::drag_probe>, 0, 64, kAny,
+     "Downward speed with which a dragged ball looks for slopes. 0: it sinks into them."},
+    {"", "balls_block", "balls block", "", article<&A::balls_block>, 0, 1, kAny,
+     "1: balls are obstacles to one another, as in the article. 0: they pass through each other."},
+    {"exact", "gravity", "gravity", "px/frame^2", exact<&E::gravity>, 0, 64, kAny,
+     "Speed gained downwards each frame. 0: balls fall as in the article. Too high: they never roll."},
+    {"exact", "steepest", "steepest floor", "", exact<&E::steepest>, 0, 64, kAny,
+     "The largest |dy/dx| that counts as floor: 1 is 45 degrees. Too low: players slide off slopes."},
+    {"exact", "snap", "floor snap", "px", exact<&E::snap>, 0, 64, kAny,
+     "How far a grounded player is pulled down to the floor; 0: as far as the steepest floor needs. Too "
+     "high: small ledges pull."},
+    {"exact", "max_passes", "passes", "", exact<&E::max_passes>, 4, 16, kWhole,
+     "Contacts handled in one step before the rest of its motion is dropped. Too low: bodies stop in "
+     "corners."},
+    {"exact", "single_precision", "single precision", "", exact<&E::single_precision>, 0, 1, kWhole,
+     "1: the step is computed in float, 24 bits; far from the origin contacts get coarse. 0: in double."},
+    {"exact", "substeps", "substeps", "", exact<&E::substeps>, 1, 64, kWhole,
+     "Equal parts that a frame is cut into. More cost time, and contacts do not need them."},
+    {"player", "run_speed", "run speed", "px/frame", player<&P::run_speed>, 0, 64, kAny,
+     "The speed that running tends to. Over 8, a tile a frame, runs are hard to steer."},
+    {"player", "run_gain", "run gain", "px/frame^2", player<&P::run_gain>, 0, 64, kAny,
+     "Speed gained each frame towards the run speed. Too low: sluggish starts and turns."},
+    {"player", "run_loss", "run loss", "px/frame^2", player<&P::run_loss>, 0, 64, kAny,
+     "Speed lost each frame when no direction is held. Too low: the floor feels like ice."},
+    {"player", "air_gain", "air gain", "px/frame^2", player<&P::air_gain>, 0, 64, kAny,
+     "As the run gain, in the air. 0: a jump cannot be steered."},
+    {"player", "jump_speed", "jump speed", "px/frame", player<&P::jump_speed>, 0, 64, kAny,
+     "Upward speed at the start of a jump; its height is this squared over twice the gravity."},
+    {"player", "jump_cut", "jump cut", "", player<&P::jump_cut>, 0, 1, kAny,
+     "Share of the upward speed kept when jump is let go. 1: every jump has its full height."},
+    {"player", "gravity", "gravity", "px/frame^2", player<&P::gravity>, 0, 64, kAny,
+     "Speed gained downwards each frame. Too low: the player floats."},
+    {"player", "fall_limit", "fall limit", "px/frame", player<&P::fall_limit>, 0, 64, kAny,
+     "The largest downward speed. Too low: falls feel like gliding."},
+    {"player", "coyote_frames", "coyote frames", "", player<&P::coyote_frames>, 0, 60, kWhole,
+     "Frames after leaving the floor in which a jump still works. 0: late jumps are lost."},
+    {"player", "surface_speed", "surface speed", "", player<&P::surface_speed>, 0, 1, kWhole,
+     "1: the run speed is measured along the slope, so slopes slow the way across. 0: horizontally."},
+});
+
+constexpr std::array<SolverKind, 3> kSolvers = {SolverKind::article, SolverKind::bump, SolverKind::exact};
+
+}  // namespace
+
+std::string TuningField::path() const {
+  return group.empty() ? std::string(key) : std::string(group) + "." + std::string(key);
+}
+
+bool TuningField::accepts(double value) const {
+  return value >= min && value <= max && (!whole || value == std::trunc(value));
+}
+
+std::span<const TuningField> tuning_fields() { return kFields; }
+
+std::span<const SolverKind> solver_kinds() { return kSolvers; }
 
 std::string_view solver_name(SolverKind solver) {
   switch (solver) {
     case SolverKind::article:
       return "article";
+    case SolverKind::bump:
+      return "bump";
+    case SolverKind::exact:
+      return "exact";
   }
   return "";
+}
+
+std::optional<SolverKind> solver_of_name(std::string_view name) {
+  const auto found = std::find_if(kSolvers.begin(), kSolvers.end(),
+                                  [&](SolverKind solver) { return solver_name(solver) == name; });
+  return found != kSolvers.end() ? std::optional(*found) : std::nullopt;
 }
 
 }  // namespace talus

@@ -1,12 +1,19 @@
 // Every number of the physics that a user may change.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace talus {
 
-enum class SolverKind { article };  // `bump` and `exact` are built by later work
+enum class SolverKind {
+  article,  // the article's algorithm, defects included
+  bump,     // slopes as one more response of the World
+  exact     // swept against the merged outline of the ground
+};
 
 // The constants of the article "Slopes in AABB collision systems", named. Velocities are in px a frame.
 // Defaults are the article's own; tuning_fields() holds each one's range and the symptom of a wrong value.
@@ -29,23 +36,62 @@ struct ArticleTuning {
   friend bool operator==(const ArticleTuning&, const ArticleTuning&) = default;
 };
 
+// The exact solver's own numbers; what it shares with the article is above.
+struct ExactTuning {
+  double gravity = 0;           // px/frame^2, added to vy; 0: balls fall as the article's do
+  double steepest = 2;          // the largest |dy/dx| that counts as floor
+  double snap = 0;              // px that a grounded player is pulled down; 0: what the steepest floor needs
+  double max_passes = 8;        // whole; contacts handled in a step before the rest of its motion is dropped
+  double single_precision = 0;  // 1: the step is computed in float
+  double substeps = 1;          // whole; equal parts that a frame is cut into
+  friend bool operator==(const ExactTuning&, const ExactTuning&) = default;
+};
+
+// How a player runs and jumps.
+struct PlayerTuning {
+  double run_speed = 1.5;    // px/frame, the speed that running tends to
+  double run_gain = 0.25;    // px/frame^2, towards run_speed
+  double run_loss = 0.25;    // px/frame^2, towards rest when no direction is held
+  double air_gain = 0.125;   // px/frame^2, as run_gain in the air
+  double jump_speed = 3.5;   // px/frame, upwards, at the start of a jump
+  double jump_cut = 0.5;     // share of the upward speed kept when jump is let go
+  double gravity = 0.2;      // px/frame^2
+  double fall_limit = 4;     // px/frame, the largest downward speed
+  double coyote_frames = 6;  // whole; frames after leaving the floor in which a jump still works
+  double surface_speed = 0;  // 1: run_speed is measured along the slope; 0: horizontally
+  friend bool operator==(const PlayerTuning&, const PlayerTuning&) = default;
+};
+
 struct Tuning {
   SolverKind solver = SolverKind::article;
   ArticleTuning article;
+  ExactTuning exact;
+  PlayerTuning player;
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
 // One row for everything that lists the numbers: the files, the tuning panel, the documentation.
 struct TuningField {
+  std::string_view group;  // in files, the object in "tuning" that holds it: "exact"; empty: "tuning" itself
   std::string_view key;    // in files: "fall_speed"
   std::string_view label;  // on screen: "fall speed"
-  std::string_view unit;   // "px", "px/frame" or ""
-  double ArticleTuning::*value;
-  double min, max;        // inclusive; a file with a value outside is refused
-  std::string_view help;  // what it does and what a wrong value looks like, one sentence
-};
-std::span<const TuningField> tuning_fields();
+  std::string_view unit;   // "px", "px/frame", "px/frame^2" or ""
+  double& (*in)(Tuning& tuning);  // where a tuning keeps the number
+  double min, max;                // inclusive; a file with a value outside is refused
+  bool whole;                     // a file with a value that is no whole number is refused
+  std::string_view help;          // what it does and what a wrong value looks like, one sentence
 
-std::string_view solver_name(SolverKind solver);  // "article"
+  std::string path() const;  // "exact.gravity", or the key alone
+  double of(Tuning tuning) const { return in(tuning); }
+  double standard() const { return of(Tuning()); }  // the default
+  bool accepts(double value) const;                 // in range, and whole if it must be
+};
+// Those of a group follow one another.
+std::span<const TuningField> tuning_fields();
+inline constexpr std::array<std::string_view, 2> kTuningGroups = {"exact", "player"};  // but the article's
+
+std::span<const SolverKind> solver_kinds();
+std::string_view solver_name(SolverKind solver);                  // in files and on screen: "article"
+std::optional<SolverKind> solver_of_name(std::string_view name);  // none: there is no such solver
 
 }  // namespace talus

@@ -26,26 +26,32 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
 }
 
 // Applies "key=value"; returns what is wrong with it, or an empty text.
-std::string apply_setting(const std::string& setting, ArticleTuning& tuning) {
+std::string apply_setting(const std::string& setting, Tuning& tuning) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) return "must be KEY=VALUE";
   const std::string key = setting.substr(0, equals);
   const auto fields = tuning_fields();
   const auto field =
-      std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.key == key; });
+      std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.path() == key; });
   if (field == fields.end()) return "there is no number of the tuning called \"" + key + "\"";
   double value = 0;
   const char* end = setting.data() + setting.size();
   const auto [rest, code] = std::from_chars(setting.data() + equals + 1, end, value);
-  if (code != std::errc() || rest != end || !(value >= field->min && value <= field->max)) {
+  if (code != std::errc() || rest != end || !field->accepts(value)) {
     std::string range;
     append_number(range, field->min);
     range += " to ";
     append_number(range, field->max);
-    return key + " must be a number from " + range;
+    return key + (field->whole ? " must be a whole number from " : " must be a number from ") + range;
   }
-  tuning.*field->value = value;
+  field->in(tuning) = value;
   return "";
+}
+
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const SolverKind solver : solver_kinds()) names.emplace_back(solver_name(solver));
+  return names;
 }
 
 }  // namespace
@@ -91,18 +97,18 @@ std::optional<Level> load_or_fail(CommandContext& context, const std::string& fi
 
 void add_physics_options(CLI::App& command, PhysicsOptions& options) {
   command.add_option("--solver", options.solver, "The solver; without it, the level's own")
-      ->check(CLI::IsMember({std::string(solver_name(SolverKind::article))}));
+      ->check(CLI::IsMember(solver_names()));
   command.add_option("--set", options.settings, "Change a number of the tuning: --set fall_speed=3")
       ->type_name("KEY=VALUE")
       ->check([](const std::string& setting) {
-        ArticleTuning ignored;
+        Tuning ignored;
         return apply_setting(setting, ignored);
       });
 }
 
 void apply_physics(const PhysicsOptions& options, Tuning& tuning) {
-  if (!options.solver.empty()) tuning.solver = SolverKind::article;
-  for (const std::string& setting : options.settings) apply_setting(setting, tuning.article);
+  if (!options.solver.empty()) tuning.solver = solver_of_name(options.solver).value();
+  for (const std::string& setting : options.settings) apply_setting(setting, tuning);
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
-// A row for every tuning field.
+// A row for every tuning field, by group.
 #include "tuning_panel.h"
 
+#include <cmath>
 #include <string>
 
 namespace talus {
@@ -14,30 +15,62 @@ std::string short_number(double value) {
 }
 
 std::string help_of(const TuningField& field) {
-  const double standard = ArticleTuning{}.*field.value;
-  return std::string(field.help) + "\nFrom " + short_number(field.min) + " to " + short_number(field.max) +
-         (field.unit.empty() ? "" : " " + std::string(field.unit)) + "; the article has " +
-         short_number(standard) + ".";
+  return std::string(field.help) + "\n" + (field.whole ? "A whole number from " : "From ") +
+         short_number(field.min) + " to " + short_number(field.max) +
+         (field.unit.empty() ? "" : " " + std::string(field.unit)) +
+         (field.group.empty() ? "; the article has " : "; the default is ") + short_number(field.standard()) +
+         ".";
+}
+
+void draw_solver(const Session& session, Actions& actions, Ui& ui) {
+  Tuning tuning = session.level().tuning;
+  ui.label("Solver");
+  ImGui::SameLine();
+  const bool open =
+      ui.begin_combo("tuning/solver", std::string(solver_name(tuning.solver)), ui.px(120),
+                     "Which solver moves the bodies: the article's own, with its defects; bump, "
+                     "with slopes as one more response; or exact.");
+  if (!open) return;
+  for (const SolverKind solver : solver_kinds()) {
+    const std::string name(solver_name(solver));
+    if (ImGui::Selectable(name.c_str(), solver == session.level().tuning.solver)) {
+      tuning.solver = solver;
+      actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
+    }
+    ui.item("tuning/solver_" + name);
+  }
+  ImGui::EndCombo();
 }
 
 }  // namespace
 
 void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  ui.heading("Solver: " + std::string(solver_name(session.level().tuning.solver)));
+  draw_solver(session, actions, ui);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
   if (!ImGui::BeginTable("tuning", 4, kFlags, ImGui::GetContentRegionAvail())) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(92));
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ui.px(60));
   ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ui.px(48));
-  for (const TuningField& field : tuning_fields()) draw_field(field, session, actions, ui);
+  const TuningField* before = nullptr;
+  for (const TuningField& field : tuning_fields()) {
+    if (before == nullptr || before->group != field.group) draw_group(field.group, ui);
+    draw_field(field, session, actions, ui);
+    before = &field;
+  }
   ImGui::EndTable();
 }
 
+void TuningPanel::draw_group(std::string_view group, Ui& ui) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::TableNextColumn();
+  ui.heading(group.empty() ? "article" : group);
+}
+
 void TuningPanel::draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {
-  const std::string key(field.key);
+  const std::string key = field.path();
   Tuning tuning = session.level().tuning;
-  double& value = tuning.article.*field.value;
+  double& value = field.in(tuning);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
@@ -48,15 +81,16 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   const double range = field.max - field.min;
   const bool changed =
       ImGui::DragScalar(("##" + key).c_str(), ImGuiDataType_Double, &value, static_cast<float>(range / 1000),
-                        &field.min, &field.max, "%.6g", ImGuiSliderFlags_AlwaysClamp);
+                        &field.min, &field.max, field.whole ? "%.0f" : "%.6g", ImGuiSliderFlags_AlwaysClamp);
+  if (field.whole) value = std::round(value);
   if (ImGui::IsItemActivated()) stroke_ = session.next_stroke();
   ui.item("tuning/" + key, help_of(field), "drag, or double click to type");
   if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
   ImGui::TableNextColumn();
   ui.heading(field.unit);
   ImGui::TableNextColumn();
-  const double standard = ArticleTuning{}.*field.value;
-  if (session.level().tuning.article.*field.value == standard) return;
+  const double standard = field.standard();
+  if (field.of(session.level().tuning) == standard) return;
   if (ImGui::SmallButton(("reset##" + key).c_str())) {
     value = standard;
     actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});

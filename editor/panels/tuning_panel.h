@@ -1,4 +1,4 @@
-// Every number of the physics: drag it, type it, reset it.
+// The solver, and every number of the physics: drag it, type it, reset it.
 #pragma once
 
 #include "panel.h"
@@ -12,6 +12,7 @@ class TuningPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  static void draw_group(std::string_view group, Ui& ui);
   void draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui);
   int stroke_ = 0;  // of the drag that is going on: one undo for each
 };

@@ -110,6 +110,87 @@ void edit_randomly(Level& level) {
   }
 }
 
+double random_number() { return *rc::gen::inRange(-4000, 4000) / 16.0; }
+double random_x() { return *rc::gen::inRange(0, 16 * 240 * 8) / 16.0; }
+double random_y() { return *rc::gen::inRange(0, 16 * 136 * 8) / 16.0; }
+
+// Shapes and curves of every kind; some cannot be used.
+TileShape random_shape() {
+  TileShape shape;
+  shape.kind = *rc::gen::element(TileShape::Kind::none, TileShape::Kind::solid, TileShape::Kind::slope,
+                                 TileShape::Kind::profile);
+  shape.side = *rc::gen::element(TileShape::Side::floor, TileShape::Side::ceiling);
+  shape.one_way = *rc::gen::arbitrary<bool>();
+  shape.tiles = *rc::gen::inRange(1, 9);
+  int count = 0;
+  if (shape.kind == TileShape::Kind::slope) count = 2;
+  if (shape.kind == TileShape::Kind::profile) count = *rc::gen::inRange(3, 66);
+  for (int i = 0; i < count; ++i) shape.heights.push_back(*rc::gen::inRange(0, 8 * 64 + 2) / 8.0);
+  return shape;
+}
+
+LevelCurve random_curve() {
+  LevelCurve curve{*rc::gen::element(std::string(), std::string("hill")), {}, ""};
+  const Vec2 from{random_x(), random_y()}, to{random_x(), random_y()};
+  switch (*rc::gen::inRange(0, 6)) {
+    case 0:
+      curve.curve.form = Segment{from, to};
+      break;
+    case 1:
+      curve.curve.form = Arc{{random_x(), random_y()}, random_x(), from.x, to.x, *rc::gen::arbitrary<bool>()};
+      break;
+    case 2:
+      curve.curve.form = Parabola{from, to, random_number()};
+      break;
+    case 3:
+      curve.curve.form = Cubic{from, to, random_number(), random_number()};
+      break;
+    case 4:
+      curve.curve.form = Sine{from.x, to.x, from.y, random_number() / 8, random_x(), random_number()};
+      break;
+    default:
+      curve.curve.form = Polyline{from.x, to.x, {from.y, random_number(), to.y}};
+  }
+  curve.curve.faces = *rc::gen::element(Curve::Faces::up, Curve::Faces::down, Curve::Faces::both);
+  return curve;
+}
+
+Spawn random_spawn() {
+  Spawn spawn{"", {random_number(), random_number()}, {random_number(), 0}, ""};
+  spawn.kind = *rc::gen::element(BodyKind::ball, BodyKind::player);
+  spawn.size = {*rc::gen::inRange(1, 200) / 4.0, *rc::gen::element(8.0, 1.0 / 256, 1024.0)};
+  spawn.foot = *rc::gen::element<std::optional<Foot>>(std::nullopt, Foot::box, Foot::centre);
+  return spawn;
+}
+
+// A level whose ground has shapes; whether it can be used is told by problem_of.
+Level random_ground() {
+  Level level;
+  for (int i = *rc::gen::inRange(0, 6); i > 0; --i)
+    level.tile_shapes[*rc::gen::inRange(0, 256)] = random_shape();
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+    level.flag_shapes[*rc::gen::inRange(0, 8)] = random_shape();
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) level.curves.push_back(random_curve());
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) level.spawns.push_back(random_spawn());
+  level.roles.one_way = *rc::gen::inRange(-1, 8);
+  level.roles.ceiling = *rc::gen::inRange(-1, 8);
+  level.tuning.solver = *rc::gen::element(SolverKind::article, SolverKind::bump, SolverKind::exact);
+  const auto fields = tuning_fields();
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+    const TuningField& field = fields[*rc::gen::inRange<std::size_t>(0, fields.size())];
+    field.in(level.tuning) = *rc::gen::element(field.min, field.max, field.standard());
+  }
+  return level;
+}
+
+bool is_usable(const Level& level) {
+  const auto good = [](const TileShape& shape) { return !problem_of(shape); };
+  return std::all_of(level.tile_shapes.begin(), level.tile_shapes.end(), good) &&
+         std::all_of(level.flag_shapes.begin(), level.flag_shapes.end(), good) &&
+         std::all_of(level.curves.begin(), level.curves.end(),
+                     [&](const LevelCurve& c) { return !problem_of(c.curve, level.map); });
+}
+
 bool same_drawing(Level a, Level b) {
   a.cart = b.cart = nullptr;
   return a == b;
@@ -150,6 +231,19 @@ TEST(FormatProperties, NativeLevelsKeepEveryByteOfACart) {
     RC_ASSERT(again == level);
     RC_ASSERT(native_of(again) == native);
     RC_ASSERT((is_tic ? tic_of(again) : text_of(again)) == bytes);
+  });
+}
+
+TEST(FormatProperties, NativeLevelsKeepTheGround) {
+  expect_property([] {
+    const Level level = random_ground();
+    const auto written = write_native(level, {});
+    RC_TAG(written.has_value());
+    RC_ASSERT(written.has_value() == is_usable(level));
+    if (!written) return;
+    const Level again = read_native(written->bytes, {}).value();
+    RC_ASSERT(again == level);
+    RC_ASSERT(native_of(again) == written->bytes);
   });
 }
 

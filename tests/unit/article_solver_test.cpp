@@ -131,7 +131,7 @@ TEST(ArticleSolver, SurvivesTheEndsOfEveryRange) {
   for (const TuningField& field : tuning_fields()) {
     for (const double value : {field.min, field.max}) {
       Level tuned = level;
-      tuned.tuning.article.*field.value = value;
+      field.in(tuned.tuning) = value;
       const auto scene = scene_of(tuned);
       const auto solver = make_solver(scene);
       State state = initial_state(*scene);

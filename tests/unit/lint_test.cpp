@@ -167,6 +167,61 @@ TEST(Lint, ASpawnOutsideTheMap) {
                           "W spawn-outside (1, 0): spawn 0 at 9, 0 px is not wholly on the map"));
 }
 
+TEST(Lint, BadShapesAndCurves) {
+  Level level = level_of({"o#"});
+  level.tile_shapes[200] = {.kind = TileShape::Kind::slope, .heights = {1}};
+  level.flag_shapes[5] = {.tiles = 9};
+  level.curves = {{"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""},
+                  {"", {Segment{{8, 0}, {0, 8}}, Curve::Faces::up}, ""},
+                  {"hill", {Segment{{0, 0}, {17, 8}}, Curve::Faces::up}, ""}};
+  EXPECT_THAT(problems(level), ElementsAre("E bad-curve: curve 1 has its right end left of its left end",
+                                           "E bad-curve: curve \"hill\" has its last end off the map",
+                                           "E bad-shape: the shape of flag 5 must be 1 to 8 tiles wide",
+                                           "E bad-shape 200: the shape of tile 200 must have 2 heights"));
+}
+
+TEST(Lint, ACurveLeavesTheMapBetweenItsEnds) {
+  Level level = level_of({"o#.."});
+  level.curves = {{"", {Arc{{16, 8}, 8, 8, 24, true}, Curve::Faces::up}, ""},  // touches the upper side
+                  {"", {Arc{{16, 8}, 8.5, 8, 24, true}, Curve::Faces::up}, ""},
+                  {"", {Parabola{{0, 8}, {32, 8}, 8.5}, Curve::Faces::up}, ""}};
+  EXPECT_THAT(problems(level), ElementsAre("W curve-leaves-map: curve 1 leaves the map between its ends",
+                                           "W curve-leaves-map: curve 2 leaves the map between its ends"));
+}
+
+TEST(Lint, ShapesDecideWhatIsSolid) {
+  Level level = level_of({"o.-.", "/-.."});
+  level.spawns.push_back({"", {12, 0}, {}, ""});
+  level.tile_shapes[kHalf] = {.kind = TileShape::Kind::solid};
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre("E spawn-in-solid (1, 0): spawn 0 at 12, 0 px starts inside the solid tile at (2, 0)",
+                  "E slope-overlap (0, 1) 3: tile 3 at (0, 1) is an up-slope, but the tile to its right "
+                  "is solid: it stands inside the slope's box"));
+  level.tile_shapes[kHalf].one_way = true;
+  EXPECT_THAT(problems(level), IsEmpty());
+}
+
+TEST(Lint, ASpawnHasItsOwnSize) {
+  Level level = level_of({"..#", "..."});
+  level.spawns = {{"", {8, 0}, {}, "", BodyKind::player, {8, 16}}};
+  EXPECT_THAT(problems(level), IsEmpty());
+  level.spawns[0].size = {9, 17};
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre("E spawn-in-solid (1, 0): spawn 0 at 8, 0 px starts inside the solid tile at (2, 0)",
+                  "W spawn-outside (1, 0): spawn 0 at 8, 0 px is not wholly on the map"));
+}
+
+TEST(Lint, ModifiersDoNotConflict) {
+  Level level = level_of({"o#"});
+  level.roles.one_way = 6;
+  level.sheet(SheetId::tiles).flags[kSolid] |= 1 << 6;
+  EXPECT_THAT(problems(level), IsEmpty());
+  level.roles.ceiling = 6;
+  EXPECT_THAT(problems(level), ElementsAre("E shared-flag: flag 6 stands for both one-way and ceiling"));
+}
+
 TEST(Lint, TheScenesOfTheArticleAreGood) {
   for (const std::string name : {"drag", "one", "s4", "s26", "s60", "six"}) {
     EXPECT_THAT(problems(load_level(TALUS_SOURCE_DIR "/tests/golden/article/" + name + ".lua")->level),

@@ -132,15 +132,15 @@ TEST(Native, KeepsUnknownKeysWhereTheyWere) {
     "future": {"a": [1, {"b": null}], "c": 0.1},
     "roles": {"solid": 1, "ladder": 5},
     "tuning": {"fall_speed": 4, "wind": "west"},
-    "spawns": [{"x": 1, "kind": "coin"}],
+    "spawns": [{"x": 1, "worth": "coin"}],
     "tiles": {"7": {"flags": [1], "sound": 3}, "300th": true},
     "map": {"width": 2, "height": 2, "rows": ["01"], "wraps": true}
   })";
   const Level level = read(text);
-  EXPECT_EQ(level.spawns[0].extra, R"({"kind":"coin"})");
+  EXPECT_EQ(level.spawns[0].extra, R"({"worth":"coin"})");
   const std::string written = write(level);
   for (const char* part : {R"("a": [)", R"("b": null)", R"("c": 0.1)", R"("ladder": 5)", R"("wind": "west")",
-                           R"("kind": "coin")", R"("sound": 3)", R"("300th": true)", R"("wraps": true)"}) {
+                           R"("worth": "coin")", R"("sound": 3)", R"("300th": true)", R"("wraps": true)"}) {
     EXPECT_THAT(written, HasSubstr(part));
   }
   EXPECT_EQ(read(written), level);
@@ -171,7 +171,8 @@ TEST(Native, ErrorsSayWhere) {
                "must be a number from -64 to 64 px/frame");
   expect_error(with(R"("tuning": {"fall_blend": "x"})"), "key tuning.fall_blend",
                "must be a number from 0 to 1");
-  expect_error(with(R"("tuning": {"solver": "magic"})"), "key tuning.solver", "must be \"article\"");
+  expect_error(with(R"("tuning": {"solver": "magic"})"), "key tuning.solver",
+               R"(must be "article", "bump" or "exact")");
   expect_error(with(R"("tuning": [])"), "key tuning", "must be an object");
   expect_error(with(R"("roles": {"solid": 8})"), "key roles.solid", "must be a flag from 0 to 7, or null");
   expect_error(with(R"("palette": ["000000"])"), "key palette", "must be a list of 16 colours");
@@ -232,7 +233,7 @@ TEST(Native, WhatCouldNotBeReadIsNotWritten) {
   level.spawns.push_back({"", {std::numeric_limits<double>::quiet_NaN(), 0}, {}, ""});
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
-  EXPECT_EQ(write_native(level, {}).error().message, "a name of a flag or spawn is not valid UTF-8");
+  EXPECT_EQ(write_native(level, {}).error().message, "a name of a flag, spawn or curve is not valid UTF-8");
   level.spawns.clear();
   level.tuning.article.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");
