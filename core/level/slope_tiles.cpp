@@ -1,0 +1,279 @@
+// Column by column, from left to right.
+#include "slope_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace talus {
+namespace {
+
+using Result = tl::expected<SlopeTiles, std::string>;
+
+tl::unexpected<std::string> failure(std::string message) {
+  return tl::unexpected<std::string>(std::move(message));
+}
+
+// The floor to follow: a line, level beyond its ends.
+struct Line {
+  Vec2 from, to;  // whole px, from.x < to.x
+
+  double y_at(double x) const {
+    if (x <= from.x) return from.y;
+    if (x >= to.x) return to.y;
+    return from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));
+  }
+  double grained_y_at(double x) const { return std::round(y_at(x) / kSlopeTileGrain) * kSlopeTileGrain; }
+  bool is_straight_over(double x0, double x1) const { return from.y == to.y || (x0 >= from.x && x1 <= to.x); }
+};
+
+int cell_of(double px) { return static_cast<int>(std::floor(px / kTileSize)); }
+int cells_up_to(double px) { return static_cast<int>(std::ceil(px / kTileSize)); }
+
+// The height of a floor above its cell's bottom, at a distance from its left side; of good shapes only.
+double height_at(const TileShape& shape, double x) {
+  if (shape.kind == TileShape::Kind::solid) return kTileSize;
+  const double step =
+      shape.tiles * static_cast<double>(kTileSize) / static_cast<double>(shape.heights.size() - 1);
+  const auto last = shape.heights.size() - 2;
+  const std::size_t i = std::min(last, static_cast<std::size_t>(x / step));
+  const double along = x / step - static_cast<double>(i);
+  return (1 - along) * shape.heights[i] + along * shape.heights[i + 1];
+}
+
+double highest_of(const TileShape& shape) {
+  if (shape.kind == TileShape::Kind::solid) return kTileSize;
+  return *std::max_element(shape.heights.begin(), shape.heights.end());
+}
+
+bool is_floor(const TileShape& shape) {
+  using Kind = TileShape::Kind;
+  if (shape.kind == Kind::none || problem_of(shape)) return false;
+  return shape.kind == Kind::solid || shape.side == TileShape::Side::floor;
+}
+
+// Collects what to place; a cell keeps the first tile that it is given.
+class Layer {
+ public:
+  explicit Layer(const TileMap& map) : map_(map) {}
+
+  void place(Cell cell, std::uint8_t tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
+  // A cell that the floor stands in, under which SlopeTilesOptions::below goes.
+  void own(Cell cell) { owners_.push_back(cell); }
+
+  Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<std::uint8_t> below) {
+    for (const Cell& cell : owners_) {
+      const Cell under = {cell.x, cell.y + 1};
+      if (below && map_.contains(under)) place(under, *below);
+    }
+    SlopeTiles result{std::move(drawn), {}};
+    for (const auto& [at, tile] : tiles_) {
+      const Cell cell = {at.first, at.second};
+      if (!map_.contains(cell)) return failure("the slope's tiles would leave the map");
+      result.placed.push_back({cell, tile});
+    }
+    return result;
+  }
+
+ private:
+  const TileMap& map_;
+  std::map<std::pair<int, int>, std::uint8_t> tiles_;  // by column and row
+  std::vector<Cell> owners_;
+};
+
+// ---- Drawing ----
+
+class Drawer {
+ public:
+  Drawer(const Level& level, const Line& line, const SlopeTilesOptions& options)
+      : level_(level), line_(line), options_(options), layer_(level.map) {
+    for (const std::uint8_t tile : level.map.cells()) used_[tile] = true;
+  }
+
+  Result run() {
+    for (int column = cell_of(line_.from.x); column < cells_up_to(line_.to.x); ++column) {
+      if (auto problem = draw_column(column)) return failure(*std::move(problem));
+    }
+    return layer_.take(std::move(drawn_), options_.below);
+  }
+
+ private:
+  std::optional<std::string> draw_column(int column) {
+    const double x0 = column * static_cast<double>(kTileSize), x1 = x0 + kTileSize;
+    const double lowest = std::max(line_.grained_y_at(x0), line_.grained_y_at(x1));
+    const double highest = std::min(line_.grained_y_at(x0), line_.grained_y_at(x1));
+    int bottom_row = cells_up_to(lowest);
+    if (highest == bottom_row * kTileSize) ++bottom_row;  // level, and on a cell's side: of the cell below it
+    const double bottom = bottom_row * kTileSize;
+    if (bottom - highest > kMaxShapeTiles * kTileSize)
+      return "the slope is too steep: a tile's floor rises by 64 px at most";
+
+    TileShape shape;
+    const bool straight = line_.is_straight_over(x0, x1);
+    shape.kind = straight ? TileShape::Kind::slope : TileShape::Kind::profile;
+    for (double x = x0; x <= x1; x += straight ? kTileSize : 1)
+      shape.heights.push_back(bottom - line_.grained_y_at(x));
+
+    const Cell owner = {column, bottom_row - 1};
+    layer_.own(owner);
+    for (int row = owner.y; row == owner.y || (row + 1) * kTileSize > highest; --row) {
+      const auto tile = tile_with(image_of({column, row}), row == owner.y ? shape : TileShape());
+      if (!tile) return "there are too few blank tiles to draw the slope with";
+      if (*tile != 0) layer_.place({column, row}, *tile);
+    }
+    return {};
+  }
+
+  // The part of the ground that a cell shows.
+  TileImage image_of(Cell cell) const {
+    TileImage image{};
+    for (int x = 0; x < kTileSize; ++x) {
+      const double floor = line_.y_at(cell.x * kTileSize + x + 0.5) - cell.y * kTileSize;
+      for (int y = 0; y < kTileSize; ++y) {
+        if (y + 0.5 < floor) continue;
+        image[y * kTileSize + x] = y - 0.5 < floor ? options_.line_color : options_.ground_color;
+      }
+    }
+    return image;
+  }
+
+  // A tile that is so already, or has been drawn so, or can be; none when the blank ones have run out. A
+  // blank image without a shape is tile 0.
+  std::optional<std::uint8_t> tile_with(const TileImage& image, const TileShape& shape) {
+    if (image == TileImage{} && shape == TileShape()) return 0;
+    for (const SlopeTiles::Drawn& drawn : drawn_) {
+      if (drawn.image == image && drawn.shape == shape) return drawn.tile;
+    }
+    const Sheet& sheet = level_.sheet(SheetId::tiles);
+    for (int tile = 1; tile < kTileCount; ++tile) {
+      if (sheet.images[tile] == image && level_.tile_shapes[tile] == shape && sheet.flags[tile] == 0)
+        return static_cast<std::uint8_t>(tile);
+    }
+    for (int tile = 1; tile < kTileCount; ++tile) {
+      const bool blank = sheet.images[tile] == TileImage{} && level_.tile_shapes[tile] == TileShape() &&
+                         sheet.flags[tile] == 0 && !used_[tile];
+      if (!blank) continue;
+      used_[tile] = true;
+      drawn_.push_back({static_cast<std::uint8_t>(tile), image, shape});
+      return static_cast<std::uint8_t>(tile);
+    }
+    return {};
+  }
+
+  const Level& level_;
+  const Line& line_;
+  const SlopeTilesOptions& options_;
+  Layer layer_;
+  std::array<bool, kTileCount> used_{};  // on the map, or drawn
+  std::vector<SlopeTiles::Drawn> drawn_;
+};
+
+// ---- Choosing from a set ----
+
+class Chooser {
+ public:
+  Chooser(const Level& level, const Line& line, const SlopeTilesOptions& options)
+      : level_(level), line_(line), options_(options), layer_(level.map) {
+    for (const std::uint8_t tile : options.set) {
+      TileShape shape = shape_of_tile(level, tile);
+      if (is_floor(shape)) candidates_.push_back({tile, std::move(shape)});
+    }
+  }
+
+  Result run() {
+    if (candidates_.empty()) return failure("no tile of the set is a floor");
+    int column = cell_of(line_.from.x);
+    std::optional<double> floor;  // px, where the last tile ended
+    while (column < cells_up_to(line_.to.x)) {
+      const std::optional<Choice> best = choose(column, floor);
+      if (!best) return failure("no tile of the set begins where the slope's tile before it ends");
+      if (best->off > kTileSize)
+        return failure("the tiles of the set would leave the line by more than a tile");
+      lay(*best, column);
+      column += best->candidate->shape.tiles;
+      floor = best->end;
+    }
+    return layer_.take({}, options_.below);
+  }
+
+ private:
+  struct Candidate {
+    std::uint8_t tile;
+    TileShape shape;
+  };
+  struct Choice {
+    const Candidate* candidate = nullptr;
+    int bottom_row = 0;  // the first row below its cell
+    double off = 0;      // px, the furthest that its floor is from the line
+    double end = 0;      // px, its floor at its right side
+  };
+
+  // The tile, and the row for it, that stays nearest to the line; of equals the first of the set.
+  std::optional<Choice> choose(int column, std::optional<double> floor) const {
+    std::optional<Choice> best;
+    for (const Candidate& candidate : candidates_) {
+      const double begin = height_at(candidate.shape, 0);
+      const double wanted = floor.value_or(line_.y_at(column * kTileSize)) + begin;
+      const double row = std::round(wanted / kTileSize);
+      if (floor && row * kTileSize != wanted) continue;
+      const Choice choice = judged(candidate, column, static_cast<int>(row));
+      if (!best || choice.off < best->off) best = choice;
+    }
+    return best;
+  }
+
+  Choice judged(const Candidate& candidate, int column, int bottom_row) const {
+    const int width = candidate.shape.tiles * kTileSize;
+    const double bottom = bottom_row * kTileSize;
+    Choice choice{&candidate, bottom_row, 0, bottom - height_at(candidate.shape, width)};
+    for (int x = 0; x <= width; ++x) {
+      const double y = bottom - height_at(candidate.shape, x);
+      choice.off = std::max(choice.off, std::abs(y - line_.y_at(column * kTileSize + x)));
+    }
+    return choice;
+  }
+
+  void lay(const Choice& choice, int column) {
+    const TileShape& shape = choice.candidate->shape;
+    const int tile = choice.candidate->tile;
+    for (int i = 0; i < shape.tiles; ++i) {
+      const Cell owner = {column + i, choice.bottom_row - 1};
+      layer_.own(owner);
+      for (int up = 0; up < cells_up_to(highest_of(shape)); ++up) {
+        const int part = tile + i - up * kSheetColumns;
+        const bool is_own = i == 0 && up == 0;
+        if (is_own || (tile % kSheetColumns + i < kSheetColumns && is_mere_picture(part)))
+          layer_.place({owner.x, owner.y - up}, static_cast<std::uint8_t>(part));
+      }
+    }
+  }
+
+  bool is_mere_picture(int tile) const {
+    return tile >= 0 && level_.sheet(SheetId::tiles).images[tile] != TileImage{} &&
+           shape_of_tile(level_, static_cast<std::uint8_t>(tile)).kind == TileShape::Kind::none;
+  }
+
+  const Level& level_;
+  const Line& line_;
+  const SlopeTilesOptions& options_;
+  Layer layer_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+tl::expected<SlopeTiles, std::string> slope_tiles(const Level& level, Vec2 a, Vec2 b,
+                                                  const SlopeTilesOptions& options) {
+  const double width = level.map.width() * kTileSize, height = level.map.height() * kTileSize;
+  for (const Vec2& p : {a, b}) {
+    if (!(p.x >= 0 && p.y >= 0 && p.x <= width && p.y <= height))
+      return failure("an end of the slope is not on the map");
+  }
+  Line line{{std::round(a.x), std::round(a.y)}, {std::round(b.x), std::round(b.y)}};
+  if (line.from.x > line.to.x) std::swap(line.from, line.to);
+  if (line.from.x == line.to.x) return failure("the slope is vertical");
+  return options.set.empty() ? Drawer(level, line, options).run() : Chooser(level, line, options).run();
+}
+
+}  // namespace talus
