@@ -35,6 +35,18 @@ auto& place(L& level, const RolesChange&) {
   return level.roles;
 }
 template <class L>
+auto& place(L& level, const TileShapeChange& c) {
+  return level.tile_shapes[c.tile];
+}
+template <class L>
+auto& place(L& level, const FlagShapeChange& c) {
+  return level.flag_shapes[c.flag];
+}
+template <class L>
+auto& place(L& level, const CurvesChange&) {
+  return level.curves;
+}
+template <class L>
 auto& place(L& level, const TuningChange&) {
   return level.tuning;
 }
@@ -60,6 +72,8 @@ std::uint64_t number(const FlagsChange& c) {
 }
 std::uint64_t number(const ColorChange& c) { return static_cast<std::uint64_t>(c.color); }
 std::uint64_t number(const FlagNameChange& c) { return static_cast<std::uint64_t>(c.flag); }
+std::uint64_t number(const TileShapeChange& c) { return static_cast<std::uint64_t>(c.tile); }
+std::uint64_t number(const FlagShapeChange& c) { return static_cast<std::uint64_t>(c.flag); }
 template <class OneOfAKind>
 std::uint64_t number(const OneOfAKind&) {
   return 0;

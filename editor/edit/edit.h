@@ -40,6 +40,17 @@ struct FlagNameChange {
 struct RolesChange {
   FlagRoles before, after;
 };
+struct TileShapeChange {
+  int tile;  // 0..255
+  TileShape before, after;
+};
+struct FlagShapeChange {
+  int flag;  // 0..7
+  TileShape before, after;
+};
+struct CurvesChange {
+  std::vector<LevelCurve> before, after;
+};
 struct TuningChange {
   Tuning before, after;
 };
@@ -50,8 +61,9 @@ struct MapChange {  // the whole map: its size, or too many cells to list
   TileMap before, after;
 };
 
-using Change = std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, RolesChange,
-                            TuningChange, SpawnsChange, MapChange>;
+using Change =
+    std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, RolesChange,
+                 TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange, MapChange>;
 
 struct Edit {
   std::string label;            // for the Edit menu and the history: "Paint tiles"

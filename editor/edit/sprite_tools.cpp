@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "raster.h"
+#include "single_change.h"
 
 namespace talus {
 namespace {
@@ -57,14 +58,6 @@ void change_flags(Edit& edit, const Level& level, const SpriteArea& area, FlagsA
       if (before != after) edit.changes.emplace_back(FlagsChange{area.sheet, tile, before, after});
     }
   }
-}
-
-// An edit that gives one value of the level another, or an empty one when it has it already.
-template <class MadeChange>
-Edit single(std::string label, MadeChange change) {
-  Edit edit{std::move(label), {}};
-  if (!(change.before == change.after)) edit.changes.emplace_back(std::move(change));
-  return edit;
 }
 
 }  // namespace
@@ -147,25 +140,26 @@ Edit toggle_flag(const Level& level, const SpriteArea& area, int flag) {
 
 Edit set_color(const Level& level, int color, Rgb rgb) {
   assert(color >= 0 && color < kColorCount);
-  return single("Change colour " + std::to_string(color), ColorChange{color, level.palette[color], rgb});
+  return single_change("Change colour " + std::to_string(color),
+                       ColorChange{color, level.palette[color], rgb});
 }
 
 Edit rename_flag(const Level& level, int flag, std::string name) {
   assert(flag >= 0 && flag < kFlagCount);
-  return single("Rename flag " + std::to_string(flag),
-                FlagNameChange{flag, level.flag_names[flag], std::move(name)});
+  return single_change("Rename flag " + std::to_string(flag),
+                       FlagNameChange{flag, level.flag_names[flag], std::move(name)});
 }
 
 Edit set_roles(const Level& level, const FlagRoles& roles) {
-  return single("Change flag roles", RolesChange{level.roles, roles});
+  return single_change("Change flag roles", RolesChange{level.roles, roles});
 }
 
 Edit set_tuning(const Level& level, const Tuning& tuning) {
-  return single("Change tuning", TuningChange{level.tuning, tuning});
+  return single_change("Change tuning", TuningChange{level.tuning, tuning});
 }
 
 Edit set_spawns(const Level& level, std::vector<Spawn> spawns, std::string label) {
-  return single(std::move(label), SpawnsChange{level.spawns, std::move(spawns)});
+  return single_change(std::move(label), SpawnsChange{level.spawns, std::move(spawns)});
 }
 
 }  // namespace talus

@@ -11,6 +11,12 @@
 namespace talus {
 namespace {
 
+// Whether tiles with these flags are the same to the simulation.
+bool same_physics(const Level& level, std::uint8_t flags_a, std::uint8_t flags_b) {
+  return role_of(flags_a, level.roles) == role_of(flags_b, level.roles) &&
+         shape_of_flags(level, flags_a) == shape_of_flags(level, flags_b);
+}
+
 // Whether the simulation can see a change. Painting pixels or one plain tile over another must not cost a
 // compilation.
 bool changes_scene(const Level& level, const Change& change) {
@@ -18,13 +24,13 @@ bool changes_scene(const Level& level, const Change& change) {
       [&](const auto& c) {
         using T = std::decay_t<decltype(c)>;
         if constexpr (std::is_same_v<T, CellChange>) {
-          return role_of(level.tile_flags(c.before), level.roles) !=
-                 role_of(level.tile_flags(c.after), level.roles);
+          return level.tile_shapes[c.before] != level.tile_shapes[c.after] ||
+                 !same_physics(level, level.tile_flags(c.before), level.tile_flags(c.after));
         } else if constexpr (std::is_same_v<T, FlagsChange>) {
-          return c.sheet == SheetId::tiles && role_of(c.before, level.roles) != role_of(c.after, level.roles);
+          return c.sheet == SheetId::tiles && !same_physics(level, c.before, c.after);
         } else {
-          return std::is_same_v<T, RolesChange> || std::is_same_v<T, TuningChange> ||
-                 std::is_same_v<T, SpawnsChange> || std::is_same_v<T, MapChange>;
+          return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
+                   std::is_same_v<T, FlagNameChange>);
         }
       },
       change);

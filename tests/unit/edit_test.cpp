@@ -26,10 +26,13 @@ Edit one_of_each(const Level& level) {
   map.set({2, 1}, 9);
   Spawn spawn;
   spawn.name = "hero";
+  const TileShape solid{.kind = TileShape::Kind::solid};
+  const LevelCurve curve{"hill", {Segment{{0, 0}, {8, 8}}, Curve::Faces::both}, ""};
   return {"Everything",
           {PixelChange{SheetId::sprites, 255, 63, 0, 15}, FlagsChange{SheetId::tiles, 0, 0, 255},
            ColorChange{3, level.palette[3], {1, 2, 3}}, FlagNameChange{7, "", "water"},
-           RolesChange{level.roles, roles}, TuningChange{level.tuning, tuning}, SpawnsChange{{}, {spawn}},
+           RolesChange{level.roles, roles}, TileShapeChange{7, {}, solid}, FlagShapeChange{6, {}, solid},
+           CurvesChange{{}, {curve}}, TuningChange{level.tuning, tuning}, SpawnsChange{{}, {spawn}},
            MapChange{level.map, map}}};
 }
 
@@ -41,6 +44,10 @@ TEST(Edit, ChangesEveryPartOfALevel) {
   EXPECT_EQ(level.palette[3], (Rgb{1, 2, 3}));
   EXPECT_EQ(level.flag_names[7], "water");
   EXPECT_EQ(level.roles.ball, FlagRoles::kUnused);
+  EXPECT_EQ(level.tile_shapes[7].kind, TileShape::Kind::solid);
+  EXPECT_EQ(level.flag_shapes[6].kind, TileShape::Kind::solid);
+  ASSERT_EQ(level.curves.size(), 1u);
+  EXPECT_EQ(level.curves[0].name, "hill");
   EXPECT_EQ(level.tuning.article.fall_speed, 3);
   ASSERT_EQ(level.spawns.size(), 1u);
   EXPECT_EQ(level.spawns[0].name, "hero");
@@ -85,7 +92,9 @@ TEST(Edit, MergeTellsPlacesOfAllKindsApart) {
             {PixelChange{SheetId::tiles, 1, 0, 0, 1}, PixelChange{SheetId::sprites, 1, 0, 0, 1},
              PixelChange{SheetId::tiles, 1, 1, 0, 1}, FlagsChange{SheetId::tiles, 1, 0, 1},
              FlagsChange{SheetId::sprites, 1, 0, 1}, CellChange{{1, 0}, 0, 1}, CellChange{{0, 1}, 0, 1},
-             FlagNameChange{1, "", "a"}, ColorChange{1, level.palette[1], {}}}};
+             FlagNameChange{1, "", "a"}, ColorChange{1, level.palette[1], {}},
+             TileShapeChange{1, {}, {.tiles = 2}}, TileShapeChange{2, {}, {.tiles = 2}},
+             FlagShapeChange{1, {}, {.tiles = 2}}, FlagShapeChange{2, {}, {.tiles = 2}}}};
   const Edit same = edit;
   edit = {"Mixed", {}};
   merge_edit(edit, same);
@@ -116,6 +125,20 @@ TEST(Edit, MergeFoldsCellsIntoTheWholeMap) {
   const Edit back{"Resize", {MapChange{level.map, original.map}}};
   merge_edit(edit, back);
   EXPECT_TRUE(edit.empty());
+}
+
+TEST(Edit, ShapesAreMergedAndRebased) {
+  const TileShape solid{.kind = TileShape::Kind::solid}, wide{.tiles = 2};
+  Edit edit{"Shape", {TileShapeChange{7, {}, solid}}};
+  merge_edit(edit, {"Shape", {TileShapeChange{7, solid, wide}, TileShapeChange{8, {}, solid}}});
+  ASSERT_EQ(edit.changes.size(), 2u);
+  EXPECT_EQ(std::get<TileShapeChange>(edit.changes[0]).after, wide);
+  Level level;
+  level.tile_shapes[7] = solid;
+  level.tile_shapes[8] = solid;
+  rebase_edit(level, edit);
+  ASSERT_EQ(edit.changes.size(), 1u) << "tile 8 has that shape already";
+  EXPECT_EQ(std::get<TileShapeChange>(edit.changes[0]).before, solid);
 }
 
 TEST(Edit, RebaseFitsAnEditToAnotherLevel) {

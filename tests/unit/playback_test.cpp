@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "edit/shape_tools.h"
 #include "session/session.h"
 
 namespace talus {
@@ -208,6 +209,24 @@ TEST(Playback, EveryKindOfEditThatThePhysicsSeesRecompiles) {
   TileMap small(4, 4);
   small.set({1, 1}, kBall);
   expect_recompiled(Edit{"Resize", {MapChange{level.map, small}}});
+}
+
+TEST(Playback, ShapesRecompile) {
+  Session session(ball_over_floor());
+  std::size_t edits = 0;
+  const auto expect_recompiled = [&](Edit edit) {
+    const Scene* before = &session.scene();
+    session.apply(act::EditLevel{std::move(edit), 0});
+    EXPECT_NE(&session.scene(), before) << session.history().edits().back().label;
+    EXPECT_EQ(session.history().edits().size(), ++edits);
+  };
+  const TileShape slope{.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  expect_recompiled(set_tile_shape(session.level(), kPlain, slope));
+  expect_recompiled(paint_stamp(session.level(), {5, 5}, {1, 1, {kPlain}}));
+  expect_recompiled(set_flag_shape(session.level(), 6, slope));
+  expect_recompiled(set_flag(session.level(), {SheetId::tiles, {10, 0, 1, 1}}, 6, true));
+  expect_recompiled(
+      set_curves(session.level(), {{"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""}}, "Bend"));
 }
 
 TEST(Playback, AtFrameZeroTheStateIsTheEditedLevels) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "edit/shape_tools.h"
 #include "edit/sprite_tools.h"
 #include "edit/undo_stack.h"
 
@@ -160,6 +161,19 @@ Edit made_by(const Gesture& g, const Level& level) {
     }
     case 18:
       return set_spawns(level, std::vector<Spawn>(g.a % 3, Spawn{"s", {1.0 * g.b, 2}, {}, ""}), "Place");
+    case 19:
+      return set_tile_shape(level, g.a, {.kind = TileShape::Kind::solid, .tiles = g.b % 8 + 1});
+    case 20:
+      return set_flag_shape(level, g.a % 8, {.kind = TileShape::Kind::solid, .tiles = g.b % 8 + 1});
+    case 21: {
+      const LevelCurve curve{"c", {Segment{{0, 0}, {1.0 * g.b, 2}}, Curve::Faces::up}, ""};
+      return set_curves(level, std::vector<LevelCurve>(g.a % 3, curve), "Bend");
+    }
+    case 22: {
+      const auto tiles =
+          slope_tiles(level, {1.0 * (g.a % 100), 1.0 * (g.b % 72)}, {1.0 * (g.c % 100), 1.0 * (g.d % 72)});
+      return tiles ? put_slope_tiles(level, *tiles) : Edit();
+    }
     default:
       return Edit{"Resize", {MapChange{level.map, TileMap(g.a % 20 + 1, g.b % 20 + 1)}}};
   }
@@ -168,7 +182,7 @@ Edit made_by(const Gesture& g, const Level& level) {
 rc::Gen<Gesture> gestures() {
   const auto number = rc::gen::inRange(0, 256);
   return rc::gen::map(
-      rc::gen::tuple(rc::gen::inRange(0, 20), number, number, number, number, rc::gen::inRange(0, 4)),
+      rc::gen::tuple(rc::gen::inRange(0, 24), number, number, number, number, rc::gen::inRange(0, 4)),
       [](const auto& t) { return std::apply([](auto... n) { return Gesture{n...}; }, t); });
 }
 
