@@ -5,8 +5,8 @@
 // answers {"ok":true} and {"x":5,"y":0,"cols":[]}. The operations:
 //   add {item, rect}, update {item, rect}, remove {item}, getRect {item},
 //   move {item, goal, filter}, check {item, goal, filter},
-//   queryRect {rect}, queryPoint {point}, querySegment {from, to}, querySegmentWithCoords {from, to}, toCell
-//   {point}
+//   queryRect {rect}, queryPoint {point},
+//   querySegment {from, to}, querySegmentWithCoords {from, to}, toCell {point}
 // An item is named by an integer, unique in the world. A rect is [x,y,w,h]; update keeps a size that is
 // missing or null. A filter maps the other item's name to "touch", "cross", "slide", "bounce" or null, which
 // ignores it, with "default" for the others; without a filter everything slides. What the world refuses, such

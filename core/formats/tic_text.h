@@ -29,14 +29,17 @@ std::span<const std::string_view> text_extensions();
 struct TextSection {
   std::string tag;                    // "MAP1"
   const SectionInfo* info = nullptr;  // null for LANG
-  int bank = 0;
-  std::size_t begin = 0, rows = 0, rows_end = 0, end = 0;
+  int bank = 0;                       // 0..7, as the tag says
+  std::size_t begin = 0;              // of the open tag's line
+  std::size_t rows = 0;               // of the first row
+  std::size_t rows_end = 0;           // behind the last row: of the close tag's line
+  std::size_t end = 0;                // behind the section and its empty line
 };
 
 struct TextProject {
-  std::string_view code;  // with the carriage returns of its lines
-  std::vector<TextSection> sections;
-  int strays = 0;  // lines with text behind the code that belong to no section
+  std::string_view code;              // with the carriage returns of its lines
+  std::vector<TextSection> sections;  // in the order of the file
+  int strays = 0;                     // lines with text behind the code that belong to no section
 };
 
 FormatResult<TextProject> parse_text(std::string_view bytes, std::string_view comment);
