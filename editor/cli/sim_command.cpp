@@ -1,11 +1,15 @@
 // talus sim FILE --frames N [--solver S] [--set KEY=VALUE] [--input F.jsonl] [--trace F.jsonl] [--hash]
+// talus sim FILE --verify [--solver S] [--set KEY=VALUE]
 
 #include <fstream>
 #include <ostream>
 
 #include "command.h"
 #include "formats/atomic_file.h"
+#include "formats/hard_case.h"
+#include "formats/number_text.h"
 #include "input_file.h"
+#include "sim/hard_case_run.h"
 #include "sim/solver.h"
 #include "trace.h"
 
@@ -17,6 +21,7 @@ struct SimOptions {
   std::int64_t frames = 0;
   bool hash = false;
   bool no_contacts = false;
+  bool verify = false;
   PhysicsOptions physics;
 };
 
@@ -36,10 +41,28 @@ std::optional<std::vector<TimedInput>> load_input(CommandContext& context, const
   return std::move(*inputs);
 }
 
+// One line for each check of a hard case, such as "failed position body 1: 0.5, bound 0".
+void verify(CommandContext& context, const SimOptions& options, const Level& level) {
+  const auto hard = hard_case_of(level);
+  if (!hard) return fail(context, options.file, hard.error().place, hard.error().message);
+  if (!*hard) return fail(context, options.file, "", "has no key \"hard_case\" to verify");
+  for (const CaseResult& result : run_hard_case(**hard, level)) {
+    std::string line = result.passed ? "passed " : "failed ";
+    line += case_measure_infos()[static_cast<std::size_t>(result.check.measure)].key;
+    line += " body " + std::to_string(result.check.body) + ": ";
+    append_number(line, result.measured);
+    line += ", bound ";
+    append_number(line, result.check.bound);
+    context.out << line << '\n';
+    if (!result.passed) context.status = kExitBad;
+  }
+}
+
 void simulate(CommandContext& context, const SimOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
   apply_physics(options.physics, level->tuning);
+  if (options.verify) return verify(context, options, *level);
   std::optional<std::vector<TimedInput>> inputs = load_input(context, options.input);
   if (!inputs) return;
 
@@ -72,15 +95,21 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
   CLI::App* command = program.add_subcommand("sim", "Run a level without a window and write what happens");
   auto options = std::make_shared<SimOptions>();
   command->add_option("FILE", options->file, "Level or cart")->required();
-  command->add_option("--frames", options->frames, "Steps to make")
-      ->required()
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+  CLI::Option* frames = command->add_option("--frames", options->frames, "Steps to make")
+                            ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+  CLI::Option* verify_flag =
+      command->add_flag("--verify", options->verify,
+                        "Run a hard case as its file says, and print each check of its right answer");
   add_physics_options(*command, options->physics);
   command->add_option("--input", options->input, "Recorded mouse and keys (JSON lines)");
   command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
   command->add_flag("--no-contacts", options->no_contacts, "Leave the contacts out of the trace");
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
-  command->callback([&context, options] { simulate(context, *options); });
+  for (const char* other : {"--frames", "--input", "--trace", "--hash"}) verify_flag->excludes(other);
+  command->callback([&context, options, frames] {
+    if (!options->verify && frames->empty()) throw CLI::RequiredError("--frames");
+    simulate(context, *options);
+  });
 }
 
 }  // namespace talus

@@ -1,0 +1,115 @@
+#include "transform.h"
+
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+// x of the mirror image of a point.
+struct Mirror {
+  double width;  // px of the map
+  Vec2 operator()(Vec2 p) const { return {width - p.x, p.y}; }
+
+  Segment operator()(const Segment& s) const {
+    if (s.from.x == s.to.x) return {(*this)(s.from), (*this)(s.to)};
+    return {(*this)(s.to), (*this)(s.from)};
+  }
+  Arc operator()(const Arc& a) const {
+    return {(*this)(a.center), a.radius, width - a.x1, width - a.x0, a.upper};
+  }
+  Parabola operator()(const Parabola& p) const { return {(*this)(p.to), (*this)(p.from), p.control_y}; }
+  Cubic operator()(const Cubic& c) const {
+    return {(*this)(c.to), (*this)(c.from), -c.to_slope, -c.from_slope};
+  }
+  Sine operator()(const Sine& s) const {
+    return {width - s.x1, width - s.x0, s.middle, -s.amplitude, s.wavelength, width - s.origin};
+  }
+  Polyline operator()(const Polyline& p) const {
+    return {width - p.x1, width - p.x0, {p.ys.rbegin(), p.ys.rend()}};
+  }
+};
+
+struct Shift {
+  Vec2 by;  // px
+  Segment operator()(const Segment& s) const { return {s.from + by, s.to + by}; }
+  Arc operator()(const Arc& a) const { return {a.center + by, a.radius, a.x0 + by.x, a.x1 + by.x, a.upper}; }
+  Parabola operator()(const Parabola& p) const { return {p.from + by, p.to + by, p.control_y + by.y}; }
+  Cubic operator()(const Cubic& c) const { return {c.from + by, c.to + by, c.from_slope, c.to_slope}; }
+  Sine operator()(const Sine& s) const {
+    return {s.x0 + by.x, s.x1 + by.x, s.middle + by.y, s.amplitude, s.wavelength, s.origin + by.x};
+  }
+  Polyline operator()(Polyline p) const {
+    for (double& y : p.ys) y += by.y;
+    return {p.x0 + by.x, p.x1 + by.x, std::move(p.ys)};
+  }
+};
+
+template <class Change>
+void change_curves(Level& level, const Change& change) {
+  for (LevelCurve& curve : level.curves) {
+    curve.curve.form =
+        std::visit([&](const auto& form) { return decltype(Curve::form)(change(form)); }, curve.curve.form);
+  }
+}
+
+// The image of a vertical segment that faces one way faces the other.
+void turn_faces(Curve& curve) {
+  const auto* segment = std::get_if<Segment>(&curve.form);
+  if (segment == nullptr || segment->from.x != segment->to.x || curve.faces == Curve::Faces::both) return;
+  curve.faces = curve.faces == Curve::Faces::up ? Curve::Faces::down : Curve::Faces::up;
+}
+
+bool is_physical(const Level& level, std::uint8_t tile) {
+  return shape_of_tile(level, tile).kind != TileShape::Kind::none ||
+         role_of(level.tile_flags(tile), level.roles) == TileRole::ball;
+}
+
+// A slope belongs to the cell at its left end, whichever way it is turned.
+void mirror_map(const Level& level, Level& image) {
+  const TileMap& map = level.map;
+  image.map = TileMap(map.width(), map.height());
+  for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
+    for (cell.x = 0; cell.x < map.width(); ++cell.x) {
+      const std::uint8_t tile = map.at(cell);
+      if (!is_physical(level, tile)) continue;
+      const int tiles = std::max(1, shape_of_tile(level, tile).tiles);
+      const Cell to{map.width() - cell.x - tiles, cell.y};
+      if (image.map.contains(to)) image.map.set(to, tile);
+    }
+  }
+}
+
+}  // namespace
+
+Level mirrored(const Level& level) {
+  Level image = level;
+  const double width = level.map.width() * kTileSize;
+  mirror_map(level, image);
+  std::swap(image.roles.up_slope, image.roles.down_slope);
+  for (TileShape& shape : image.tile_shapes) std::reverse(shape.heights.begin(), shape.heights.end());
+  for (TileShape& shape : image.flag_shapes) std::reverse(shape.heights.begin(), shape.heights.end());
+  change_curves(image, Mirror{width});
+  for (LevelCurve& curve : image.curves) turn_faces(curve.curve);
+  for (Spawn& spawn : image.spawns) {
+    spawn.position.x = width - spawn.position.x - spawn.size.x;
+    spawn.velocity.x = -spawn.velocity.x;
+  }
+  image.tuning.article.drift_speed = -level.tuning.article.drift_speed;
+  return image;
+}
+
+Level moved(const Level& level, int columns, int rows) {
+  Level image = level;
+  image.map = TileMap(level.map.width() + columns, level.map.height() + rows);
+  for (Cell cell{0, 0}; cell.y < level.map.height(); ++cell.y) {
+    for (cell.x = 0; cell.x < level.map.width(); ++cell.x) {
+      image.map.set({cell.x + columns, cell.y + rows}, level.map.at(cell));
+    }
+  }
+  const Vec2 by{static_cast<double>(columns) * kTileSize, static_cast<double>(rows) * kTileSize};
+  change_curves(image, Shift{by});
+  for (Spawn& spawn : image.spawns) spawn.position = spawn.position + by;
+  return image;
+}
+
+}  // namespace talus

@@ -1,0 +1,16 @@
+// A level mirrored or moved as a whole, with everything that its physics depends on. What is only drawn is
+// left out.
+#pragma once
+
+#include "level.h"
+
+namespace talus {
+
+// Left and right changed about the middle of the map.
+Level mirrored(const Level& level);
+
+// Moved right and down by whole tiles, >= 0, in a map that has grown by as much; its sides must stay within
+// kMaxMapSide (asserted).
+Level moved(const Level& level, int columns, int rows);
+
+}  // namespace talus

@@ -1,0 +1,256 @@
+#include "hard_case_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../level/transform.h"
+#include "solver.h"
+
+namespace talus {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// What a run leaves behind of one body in one frame.
+struct Sample {
+  Rect box;
+  Vec2 velocity;
+  double further = 0;  // px moved further than asked
+  int walls = 0;       // contacts with a vertical side
+};
+// By frame, then by body in the order of their ids; frame 0 is the start.
+using Run = std::vector<std::vector<Sample>>;
+
+// The larger one; NaN wins.
+double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
+double length(Vec2 v) { return std::hypot(v.x, v.y); }
+
+class InputAt {
+ public:
+  InputAt(const HardCase& hard, bool mirrored, Vec2 by, double width)
+      : hard_(hard), mirrored_(mirrored), by_(by), width_(width) {}
+  Input operator()(std::int64_t frame) {
+    while (next_ < hard_.input.size() && hard_.input[next_].frame <= frame) take(hard_.input[next_++]);
+    return held_;
+  }
+
+ private:
+  void take(const CaseInput& input) {
+    held_.mouse = mirrored_ ? Vec2{width_ - input.mouse.x, input.mouse.y} : input.mouse + by_;
+    held_.mouse_down = input.mouse_down;
+  }
+
+  const HardCase& hard_;
+  bool mirrored_;
+  Vec2 by_;
+  double width_;  // px of the map
+  std::size_t next_ = 0;
+  Input held_;
+};
+
+std::vector<Sample> sample(const State& state, const StepRecord& record) {
+  std::vector<Sample> samples;
+  for (const Body& body : state.bodies) samples.push_back({body.box, body.velocity});
+  for (const BodyPath& path : record.paths) {
+    const double asked = length(path.goal - path.from.position());
+    const double went = length(path.to.position() - path.from.position());
+    samples[static_cast<std::size_t>(path.body - 1)].further = went - asked;
+  }
+  for (const ContactRecord& contact : record.contacts) {
+    const bool is_wall = contact.handled && contact.normal.x != 0 && contact.normal.y == 0;
+    samples[static_cast<std::size_t>(contact.body - 1)].walls += is_wall;
+  }
+  return samples;
+}
+
+enum class Solvers { one, one_a_frame };
+
+Run run(const HardCase& hard, const Level& level, InputAt input, Solvers solvers = Solvers::one) {
+  const auto scene = std::make_shared<const Scene>(compile_scene(level));
+  auto solver = make_solver(scene);
+  State state = initial_state(*scene);
+  StepRecord record;
+  Run frames = {sample(state, record)};
+  for (std::int64_t frame = 1; frame <= hard.frames; ++frame) {
+    if (solvers == Solvers::one_a_frame) solver = make_solver(scene);
+    solver->step(state, input(frame), &record);
+    frames.push_back(sample(state, record));
+  }
+  return frames;
+}
+
+// Greatest distance between two runs, where `image` says which sample of the other one belongs to each.
+template <class Image>
+double distance(const Run& run, const Run& other, Image image) {
+  double most = 0;
+  for (std::size_t frame = 0; frame < run.size(); ++frame) {
+    for (std::size_t body = 0; body < run[frame].size(); ++body) {
+      const Vec2 at = image(other[frame], body);
+      most = worse(length(run[frame][body].box.position() - at), most);
+    }
+  }
+  return most;
+}
+
+class Measurer {
+ public:
+  Measurer(const HardCase& hard, const Level& level)
+      : hard_(hard),
+        level_(level),
+        width_(level.map.width() * kTileSize),
+        run_(run(hard, level, {hard, false, {}, width_})) {}
+
+  double measure(const CaseCheck& check) const {
+    using M = CaseCheck::Measure;
+    if (static_cast<std::size_t>(check.body) > run_[0].size()) return kInfinity;
+    switch (check.measure) {
+      case M::position:
+        return in_range(check, hard_.frames,
+                        [&](const Sample& s, const Sample&) { return off(check, s.box); });
+      case M::velocity:
+        return in_range(check, hard_.frames, [&](const Sample& s, const Sample&) {
+          return worse(off(check.x, s.velocity.x), off(check.y, s.velocity.y));
+        });
+      case M::sink:
+        return in_range(check, 1, [&](const Sample& s, const Sample&) { return -above_floor(s.box); });
+      case M::gap:
+        return in_range(check, 1, [&](const Sample& s, const Sample&) { return above_floor(s.box); });
+      case M::reaches:
+        return missing(check);
+      case M::backwards:
+        return in_range(check, 1, [&](const Sample& s, const Sample& before) {
+          return (before.box.x - s.box.x) * direction(check);
+        });
+      case M::further:
+        return in_range(check, 1, [](const Sample& s, const Sample&) { return s.further; });
+      case M::walls:
+        return total_walls(check);
+      case M::changes:
+        return changes(check);
+      case M::apex:
+        return apex(check);
+      case M::mirror:
+      case M::translate:
+      case M::permute:
+      case M::repeat:
+        return variant(check);
+    }
+    return kInfinity;
+  }
+
+ private:
+  static double off(const std::optional<double>& wanted, double got) {
+    return wanted ? std::abs(got - *wanted) : 0;
+  }
+  static double off(const CaseCheck& check, const Rect& box) {
+    return worse(worse(off(check.x, box.x), off(check.y, box.y)),
+                 worse(off(check.right, box.right()), off(check.bottom, box.bottom())));
+  }
+  double above_floor(const Rect& box) const {
+    return hard_.floor.top(box.x, box.right()).value_or(kInfinity) - box.bottom();
+  }
+  double start(const CaseCheck& check) const { return sample_at(check, 0).box.x; }
+  double direction(const CaseCheck& check) const {
+    return check.x.value_or(kInfinity) < start(check) ? -1 : 1;
+  }
+  const Sample& sample_at(const CaseCheck& check, std::int64_t frame) const {
+    return run_[static_cast<std::size_t>(frame)][static_cast<std::size_t>(check.body - 1)];
+  }
+
+  // The greatest value over the check's frames, by default from `first` to the last one.
+  template <class Value>
+  double in_range(const CaseCheck& check, std::int64_t first, Value value) const {
+    double most = -kInfinity;
+    const std::int64_t last = check.last > 0 ? check.last : hard_.frames;
+    for (std::int64_t frame = check.first > 0 ? check.first : first; frame <= last; ++frame) {
+      most = worse(value(sample_at(check, frame), sample_at(check, frame - 1)), most);
+    }
+    return most;
+  }
+
+  double missing(const CaseCheck& check) const {
+    double least = kInfinity;
+    for (std::int64_t frame = 0; frame <= hard_.frames; ++frame) {
+      least =
+          std::min(least, (check.x.value_or(kInfinity) - sample_at(check, frame).box.x) * direction(check));
+    }
+    return std::max(least, 0.0);
+  }
+
+  double total_walls(const CaseCheck& check) const {
+    double total = 0;
+    in_range(check, 1, [&](const Sample& s, const Sample&) { return total += s.walls; });
+    return total;
+  }
+
+  double changes(const CaseCheck& check) const {
+    const double y = sample_at(check, std::max<std::int64_t>(check.first, 1)).box.y;
+    double count = 0;
+    in_range(check, 1, [&](const Sample& s, const Sample&) { return count += s.box.y != y; });
+    return count;
+  }
+
+  double apex(const CaseCheck& check) const {
+    double most = -kInfinity;
+    for (std::int64_t frame = 1; frame < hard_.frames; ++frame) {
+      const double y = sample_at(check, frame).box.y;
+      if (y < sample_at(check, frame - 1).box.y && y <= sample_at(check, frame + 1).box.y) {
+        most = worse(off(check.y, y), most);
+      }
+    }
+    return most < 0 ? kInfinity : most;
+  }
+
+  double variant(const CaseCheck& check) const {
+    using M = CaseCheck::Measure;
+    const auto same = [](const std::vector<Sample>& samples, std::size_t body) {
+      return samples[body].box.position();
+    };
+    if (check.measure == M::repeat) {
+      return distance(run_, run(hard_, level_, {hard_, false, {}, width_}, Solvers::one_a_frame), same);
+    }
+    if (check.measure == M::mirror) {
+      return distance(run_, run(hard_, mirrored(level_), {hard_, true, {}, width_}),
+                      [&](const std::vector<Sample>& samples, std::size_t body) {
+                        const Rect& box = samples[body].box;
+                        return Vec2{width_ - box.right(), box.y};
+                      });
+    }
+    if (check.measure == M::translate) {
+      const Vec2 by{check.x.value_or(0), check.y.value_or(0)};
+      const Level image =
+          moved(level_, static_cast<int>(by.x / kTileSize), static_cast<int>(by.y / kTileSize));
+      return distance(run_, run(hard_, image, {hard_, false, by, width_}),
+                      [&](const std::vector<Sample>& samples, std::size_t body) {
+                        return samples[body].box.position() - by;
+                      });
+    }
+    Level image = level_;
+    std::reverse(image.spawns.begin(), image.spawns.end());
+    return distance(run_, run(hard_, image, {hard_, false, {}, width_}),
+                    [](const std::vector<Sample>& samples, std::size_t body) {
+                      return samples[samples.size() - 1 - body].box.position();
+                    });
+  }
+
+  const HardCase& hard_;
+  const Level& level_;
+  double width_;  // px of the map
+  Run run_;
+};
+
+}  // namespace
+
+std::vector<CaseResult> run_hard_case(const HardCase& hard, const Level& level) {
+  const Measurer measurer(hard, level);
+  std::vector<CaseResult> results;
+  for (const CaseCheck& check : hard.checks) {
+    const double measured = measurer.measure(check);
+    results.push_back({check, measured <= check.bound, measured});
+  }
+  return results;
+}
+
+}  // namespace talus

@@ -1,0 +1,20 @@
+// Runs a hard case and measures how far the run is from the right answer.
+#pragma once
+
+#include <vector>
+
+#include "../level/hard_case.h"
+#include "state.h"
+
+namespace talus {
+
+struct CaseResult {
+  CaseCheck check;
+  bool passed = false;
+  double measured = 0;  // as the check's measure says; NaN when the run left the numbers
+};
+
+// The results of all checks, in order, with the solver that the level's tuning names.
+std::vector<CaseResult> run_hard_case(const HardCase& hard, const Level& level);
+
+}  // namespace talus
