@@ -202,6 +202,17 @@ TEST_F(UiEdit, TuningIsDraggedInOneUndoAndReset) {
   EXPECT_EQ(level().tuning.article.fall_speed, 5);
 }
 
+TEST_F(UiEdit, TheSolverIsChosen) {
+  click("tabs/tuning");
+  frames(2);
+  click("tuning/solver");
+  frames(2);
+  click("tuning/solver_bump");
+  EXPECT_EQ(level().tuning.solver, SolverKind::bump);
+  key(ctrl('z'));
+  EXPECT_EQ(level().tuning.solver, SolverKind::article);
+}
+
 TEST_F(UiEdit, HistoryGoesBackByAClick) {
   click(on_sheet(1));
   for (int x = 1; x <= 3; ++x) click(on_map({x, 2}));
