@@ -313,8 +313,11 @@ class Caster {
     constexpr Window kNever{1, 0, 0, 0};
     Window w{0, 1, 0, 0};
     if (dx_ == 0) {
-      const Real margin0 = reach.open_first ? slack_ : -slack_, margin1 = reach.open_last ? slack_ : -slack_;
-      if (!(box_.x > reach.first + margin0 && box_.x < reach.last - margin1)) return kNever;
+      // Where one stretch is open the next is closed, and has what is on the border between them.
+      const bool in_first =
+          reach.open_first ? box_.x > reach.first + slack_ : box_.x >= reach.first - slack_;
+      const bool in_last = reach.open_last ? box_.x < reach.last - slack_ : box_.x <= reach.last + slack_;
+      if (!in_first || !in_last) return kNever;
       w.gap = gap_at(rest_at(box_.x), 0);
       w.last_gap = gap_at(rest_at(box_.x), 1);
       return w;

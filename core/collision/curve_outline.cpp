@@ -156,26 +156,28 @@ class CurveCutter {
   // A line that stops bodies on both sides also stops them at its ends.
   void put_tips() {
     const std::vector<Piece<double>> pieces = outline_.pieces;
-    const auto joined = [&](const Piece<double>& piece, bool first) {
+    const auto goes_on = [&](const Piece<double>& piece, bool first) {
       const Vec2 end = first ? Vec2{piece.x0, piece.y0} : Vec2{piece.x1, piece.y1};
       return std::any_of(pieces.begin(), pieces.end(), [&](const Piece<double>& p) {
-        return first ? p.x1 == end.x && p.y1 == end.y : p.x0 == end.x && p.y0 == end.y;
+        return !p.is_wall() && (first ? p.x1 == end.x && p.y1 == end.y : p.x0 == end.x && p.y0 == end.y);
       });
     };
     for (const Piece<double>& piece : pieces) {
-      if (piece.one_way || piece.facing != Facing::up) continue;
-      for (const bool first : {true, false}) {
-        if (joined(piece, first)) continue;
-        Piece<double> tip = piece;
-        tip.stretch = 0;
-        tip.slope = 0;
-        tip.facing = first ? Facing::left : Facing::right;
-        tip.x0 = tip.x1 = tip.base_x = first ? piece.x0 : piece.x1;
-        tip.y0 = tip.y1 = tip.base_y = first ? piece.y0 : piece.y1;
-        tip.convex0 = tip.convex1 = true;
-        outline_.pieces.push_back(tip);
-      }
+      if (piece.one_way || piece.facing == Facing::down || piece.facing == Facing::right) continue;
+      const bool wall = piece.is_wall();
+      if (wall || !goes_on(piece, true)) put_tip(piece, true, wall ? Facing::up : Facing::left);
+      if (wall || !goes_on(piece, false)) put_tip(piece, false, wall ? Facing::down : Facing::right);
     }
+  }
+
+  void put_tip(Piece<double> tip, bool first, Facing facing) {
+    tip.stretch = 0;
+    tip.slope = 0;
+    tip.facing = facing;
+    tip.x0 = tip.x1 = tip.base_x = first ? tip.x0 : tip.x1;
+    tip.y0 = tip.y1 = tip.base_y = first ? tip.y0 : tip.y1;
+    tip.convex0 = tip.convex1 = true;
+    outline_.pieces.push_back(tip);
   }
 
   CurveOutline outline_;

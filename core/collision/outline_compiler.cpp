@@ -357,7 +357,7 @@ bool OutlineCompiler::goes_on(const Piece<double>& piece, bool first, bool only_
     }
   }
   for (const Piece<double>& curve : curves_) {
-    if (curve.facing != piece.facing) continue;
+    if (curve.facing != piece.facing || curve.x0 == curve.x1) continue;
     const double end_x = first ? curve.x1 : curve.x0, end_y = first ? curve.y1 : curve.y0;
     if (end_x != x || end_y != y) continue;
     const double dy = first ? curve.y0 - curve.y1 : curve.y1 - curve.y0;
