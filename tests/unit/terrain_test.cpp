@@ -1,0 +1,325 @@
+// The compiled ground: what is on its outline and what is not, and that editing gives what compiling gives.
+#include "collision/terrain.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <tuple>
+
+namespace talus {
+namespace {
+
+using Kind = TileShape::Kind;
+using Side = TileShape::Side;
+
+constexpr std::uint8_t kSolid = 1, kUp = 2, kDown = 3, kHill = 4, kWide = 5, kCeiling = 6, kPlatform = 7,
+                       kLow = 8, kTall = 9, kHanging = 10;
+
+std::array<TileShape, kTileKinds> test_shapes() {
+  std::array<TileShape, kTileKinds> shapes;
+  shapes[kSolid] = {.kind = Kind::solid};
+  shapes[kUp] = {.kind = Kind::slope, .heights = {0, 8}};
+  shapes[kDown] = {.kind = Kind::slope, .heights = {8, 0}};
+  shapes[kHill] = {.kind = Kind::profile, .heights = {0, 4, 6, 4, 0}};
+  shapes[kWide] = {.kind = Kind::slope, .tiles = 3, .heights = {0, 8}};
+  shapes[kCeiling] = {.kind = Kind::slope, .side = Side::ceiling, .heights = {0, 8}};
+  shapes[kPlatform] = {.kind = Kind::solid, .one_way = true};
+  shapes[kLow] = {.kind = Kind::slope, .heights = {4, 4}};
+  shapes[kTall] = {.kind = Kind::slope, .tiles = 8, .heights = {0, 64}};
+  shapes[kHanging] = {.kind = Kind::profile, .side = Side::ceiling, .tiles = 2, .heights = {20, 3, 7.3}};
+  return shapes;
+}
+
+struct Map {
+  int width, height;
+  std::vector<std::uint8_t> cells;
+  std::vector<Curve> curves = {};
+  Map(int w, int h) : width(w), height(h), cells(static_cast<std::size_t>(w) * h) {}
+  // One row of text a row of cells; a digit is a tile.
+  explicit Map(const std::vector<std::string>& rows)
+      : width(static_cast<int>(rows[0].size())), height(static_cast<int>(rows.size())) {
+    for (const std::string& row : rows) {
+      for (const char c : row) cells.push_back(static_cast<std::uint8_t>(c == '.' ? 0 : c - '0'));
+    }
+  }
+  Terrain compile() const {
+    TerrainSource source;
+    source.width = width, source.height = height;
+    source.cells = cells;
+    source.shapes = test_shapes();
+    source.curves = curves;
+    return Terrain(source);
+  }
+};
+
+// A piece as text: its facing, its ends, "(" or ")" where an end is convex, "|" where nothing goes on.
+std::string text_of(const Piece<double>& p) {
+  const auto number = [](double v) {
+    std::string text = std::to_string(v);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+  };
+  static constexpr const char* kFacings[] = {"up", "down", "left", "right"};
+  std::string text = kFacings[static_cast<int>(p.facing)];
+  text += p.one_way ? " thin " : " ";
+  text += (p.last0 ? "|" : "") + std::string(p.convex0 ? "(" : "");
+  text += number(p.x0) + "," + number(p.y0) + " " + number(p.x1) + "," + number(p.y1);
+  return text + (p.convex1 ? ")" : "") + (p.last1 ? "|" : "");
+}
+
+std::vector<std::string> outline_of(const Terrain& terrain) {
+  std::vector<std::string> outline;
+  for (Cell c{0, 0}; c.y < terrain.height(); ++c.y) {
+    for (c.x = 0; c.x < terrain.width(); ++c.x) {
+      for (const Piece<double>& p : terrain.pieces_in(c)) outline.push_back(text_of(p));
+    }
+  }
+  std::sort(outline.begin(), outline.end());
+  outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
+  return outline;
+}
+
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+// ---- What is on the outline ----
+
+TEST(Terrain, FullTilesAreBitsAlone) {
+  const Terrain terrain = Map({"....", ".11.", "...."}).compile();
+  EXPECT_EQ(terrain.solid_bits(0, 1), 0b0110u);
+  EXPECT_EQ(terrain.solid_bits(-1, 1), 0b1100u);
+  EXPECT_EQ(terrain.solid_bits(0, 0), 0u);
+  EXPECT_EQ(terrain.solid_bits(0, -1), 0u);
+  EXPECT_EQ(terrain.solid_bits(0, 3), 0u);
+  EXPECT_EQ(terrain.solid_bits(-100, 1), 0u);
+  EXPECT_EQ(terrain.solid_bits(100, 1), 0u);
+  EXPECT_FALSE(terrain.features().pieces);
+  EXPECT_THAT(outline_of(terrain), ElementsAre());
+}
+
+TEST(Terrain, ALoneSlopeIsALineAWallABaseAndATip) {
+  const Terrain terrain = Map({"...", ".2.", "..."}).compile();
+  EXPECT_TRUE(terrain.features().pieces);
+  EXPECT_FALSE(terrain.features().curves);
+  EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("up |(8,16 16,8)|", "right (16,8 16,16)",
+                                                        "down |(8,16 16,16)|", "left (8,16 8,16)"));
+}
+
+TEST(Terrain, SlopesJoinTheFloorsBesideThem) {
+  // A floor, a slope up to the next floor: no wall between them is left, and only real turns are convex.
+  const Terrain terrain = Map({"....", "..21", "1111"}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down 16,24 24,24", "down 24,24 32,24)|", "down 8,24 16,24", "right (32,8 32,16",
+                           "right 32,16 32,24)", "up (24,8 32,8)|", "up 16,16 24,8", "up 8,16 16,16"));
+}
+
+TEST(Terrain, AHillHasNoEdgesInside) {
+  const Terrain terrain = Map({"....", ".23.", "1111"}).compile();
+  EXPECT_THAT(outline_of(terrain),
+              UnorderedElementsAre("down 16,24 24,24", "down 24,24 32,24)|", "down 8,24 16,24",
+                                   "down |(0,24 8,24", "left (0,16 0,24)", "right (32,16 32,24)",
+                                   "up (16,8 24,16", "up 24,16 32,16)|", "up 8,16 16,8)", "up |(0,16 8,16"));
+}
+
+TEST(Terrain, SlopesAboveOneAnotherHideWhatTheyCover) {
+  const Terrain terrain = Map({"....", "..2.", ".21.", "...."}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down 16,24 24,24)|", "down |(8,24 16,24", "left (8,24 8,24)", "right (24,8 24,16",
+                           "right 24,16 24,24)", "up (16,16 24,8)|", "up |(8,24 16,16"));
+}
+
+TEST(Terrain, AProfileIsALineThroughItsHeights) {
+  const Terrain terrain = Map({"...", ".4.", "111"}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down 16,24 24,24)|", "down 8,24 16,24", "down |(0,24 8,24", "left (0,16 0,24)",
+                           "right (24,16 24,24)", "up (10,12 12,10)", "up (12,10 14,12)", "up 14,12 16,16",
+                           "up 16,16 24,16)|", "up 8,16 10,12", "up |(0,16 8,16"));
+}
+
+TEST(Terrain, ASlopeOfManyTilesIsOnePieceACell) {
+  const Terrain terrain = Map({".....", ".5...", "11111"}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down 16,24 24,24", "down 24,24 32,24", "down 32,24 40,24)|", "down 8,24 16,24",
+                           "down |(0,24 8,24", "left (0,16 0,24)", "right (32,8 32,16", "right (40,16 40,24)",
+                           "up (16,13.333333 24,10.666667", "up (24,10.666667 32,8)|", "up 32,16 40,16)|",
+                           "up 8,16 16,13.333333", "up |(0,16 8,16"));
+}
+
+TEST(Terrain, ACeilingIsAFloorUpsideDown) {
+  const Terrain terrain = Map({"111", ".6.", "..."}).compile();
+  EXPECT_THAT(outline_of(terrain),
+              UnorderedElementsAre("down 16,8 24,8)|", "down 8,8 16,16)|", "down |(0,8 8,8", "left (0,0 0,8)",
+                                   "right (24,0 24,8)", "right 16,8 16,16)", "up 16,0 24,0)|", "up 8,0 16,0",
+                                   "up |(0,0 8,0"));
+}
+
+TEST(Terrain, FloorAndCeilingThatTouchLeaveNothingBetween) {
+  const Terrain terrain = Map({"...", ".8.", "..."}).compile();
+  EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("down |(8,16 16,16)|", "left (8,12 8,16)",
+                                                        "right (16,12 16,16)", "up |(8,12 16,12)|"));
+}
+
+TEST(Terrain, OneWayShapesAreThinLines) {
+  const Terrain terrain = Map({"....", ".77.", "...."}).compile();
+  EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("up thin 16,8 24,8)|", "up thin |(8,8 16,8"));
+}
+
+TEST(Terrain, GroundHidesOneWayShapesInsideOfIt) {
+  const Terrain terrain = Map({"1..", "71.", "..."}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down |(0,8 8,8)|", "down |(8,16 16,16)|", "left (0,0 0,8)", "left (8,8 8,16)",
+                           "right (16,8 16,16)", "right (8,0 8,8)", "up 8,8 16,8)|", "up |(0,0 8,0)|"));
+}
+
+TEST(Terrain, ASlopeMayReachOverOtherTiles) {
+  const Terrain terrain = Map({"....", "1...", "2...", "...."}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down |(0,16 8,16)|", "down |(0,24 8,24)|", "left (0,24 0,24)", "left (0,8 0,16)",
+                           "right (8,8 8,16", "right 8,16 8,24)", "up |(0,24 8,16)|", "up |(0,8 8,8)|"));
+}
+
+TEST(Terrain, SlopesAtTheBordersOfTheMap) {
+  const Terrain terrain = Map({"3.2"}).compile();
+  EXPECT_THAT(
+      outline_of(terrain),
+      UnorderedElementsAre("down |(0,8 8,8)|", "down |(16,8 24,8)|", "left (0,0 0,8)", "left (16,8 16,8)",
+                           "right (24,0 24,8)", "right (8,8 8,8)", "up |(0,0 8,8)|", "up |(16,8 24,0)|"));
+}
+
+TEST(Terrain, ACurveJoinsTheFloor) {
+  Map map({"....", "....", "1..1"});
+  map.curves = {{Segment{{8, 16}, {16, 12}}, Curve::Faces::up},
+                {Segment{{16, 12}, {24, 16}}, Curve::Faces::up}};
+  EXPECT_THAT(outline_of(map.compile()),
+              UnorderedElementsAre("down |(0,24 8,24)|", "down |(24,24 32,24)|", "left (0,16 0,24)",
+                                   "left (24,16 24,24)", "right (32,16 32,24)", "right (8,16 8,24)",
+                                   "up 24,16 32,16)|", "up thin (16,12 24,16", "up thin 16,12 24,16",
+                                   "up thin 8,16 16,12", "up thin 8,16 16,12)", "up |(0,16 8,16"));
+}
+
+TEST(Terrain, ALineThatFacesBothSidesHasTips) {
+  Map map({"....", "....", "...."});
+  map.curves = {{Segment{{8, 16}, {16, 12}}, Curve::Faces::both},
+                {Segment{{20, 4}, {20, 12}}, Curve::Faces::both}};
+  EXPECT_THAT(outline_of(map.compile()),
+              UnorderedElementsAre("down 8,16 16,12)|", "down |(20,12 20,12)|", "down |(8,16 16,12",
+                                   "down |(8,16 16,12)|", "left (20,4 20,12)", "left (8,16 8,16)",
+                                   "right (16,12 16,12)", "right (20,4 20,12)", "up 8,16 16,12)|",
+                                   "up |(20,4 20,4)|", "up |(8,16 16,12", "up |(8,16 16,12)|"));
+}
+
+TEST(Terrain, CurvesAreCutWhereTheyTurn) {
+  Map map({"........", "........", "........"});
+  map.curves = {{Arc{{32, 20}, 10, 22, 40, true}, Curve::Faces::up}};
+  EXPECT_THAT(outline_of(map.compile()),
+              UnorderedElementsAre("up thin (32,10 40,14", "up thin (32,10 40,14)|", "up thin 22,20 32,10",
+                                   "up thin 22,20 32,10)", "up thin 32,10 40,14)|", "up thin |(22,20 32,10"));
+  map.curves = {{Parabola{{8, 16}, {24, 16}, 0}, Curve::Faces::up}};
+  EXPECT_THAT(outline_of(map.compile()),
+              UnorderedElementsAre("up thin (16,8 24,16", "up thin (16,8 24,16)|", "up thin 16,8 24,16)|",
+                                   "up thin 8,16 16,8)", "up thin |(8,16 16,8", "up thin |(8,16 16,8)"));
+  map.curves = {{Sine{8, 40, 12, 4, 32, 8}, Curve::Faces::up}};
+  EXPECT_THAT(outline_of(map.compile()),
+              UnorderedElementsAre("up thin (24,12 32,8", "up thin (24,12 32,8)", "up thin (32,8 40,12",
+                                   "up thin (32,8 40,12)|", "up thin 16,16 24,12", "up thin 24,12 32,8)",
+                                   "up thin 32,8 40,12)|", "up thin 8,12 16,16", "up thin |(8,12 16,16"));
+  map.curves = {{Polyline{8, 24, {16, 12, 16}}, Curve::Faces::down}};
+  EXPECT_THAT(outline_of(map.compile()),
+              UnorderedElementsAre("down thin 16,12 24,16", "down thin 16,12 24,16)|", "down thin 8,16 16,12",
+                                   "down thin |(8,16 16,12"));
+}
+
+// ---- Editing ----
+
+bool same(const Piece<double>& a, const Piece<double>& b) {
+  const auto marks = [](const Piece<double>& p) {
+    return std::tuple(p.convex0, p.convex1, p.last0, p.last1, p.one_way);
+  };
+  return std::tie(a.x0, a.y0, a.x1, a.y1, a.base_x, a.base_y, a.slope, a.origin, a.stretch, a.facing) ==
+             std::tie(b.x0, b.y0, b.x1, b.y1, b.base_x, b.base_y, b.slope, b.origin, b.stretch, b.facing) &&
+         marks(a) == marks(b);
+}
+
+void expect_same(const Terrain& edited, const Terrain& fresh) {
+  ASSERT_EQ(edited.features(), fresh.features());
+  for (Cell c{0, 0}; c.y < fresh.height(); ++c.y) {
+    for (int x = 0; x < fresh.width(); x += 64) {
+      ASSERT_EQ(edited.solid_bits(x, c.y), fresh.solid_bits(x, c.y)) << x << "," << c.y;
+      ASSERT_EQ(edited.detailed_bits(x, c.y), fresh.detailed_bits(x, c.y)) << x << "," << c.y;
+    }
+    for (c.x = 0; c.x < fresh.width(); ++c.x) {
+      ASSERT_EQ(edited.tile_at(c), fresh.tile_at(c));
+      const auto a = edited.pieces_in(c), b = fresh.pieces_in(c);
+      ASSERT_EQ(a.size(), b.size()) << "cell " << c.x << "," << c.y;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        ASSERT_TRUE(same(a[i], b[i])) << text_of(a[i]) << text_of(b[i]);
+    }
+  }
+}
+
+// Paints random tiles, most of them where chunks meet and at the borders.
+void paint_and_compare(Map map, int edits, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto up_to = [&](int last) { return std::uniform_int_distribution<int>(0, last)(random); };
+  for (std::uint8_t& cell : map.cells) cell = static_cast<std::uint8_t>(up_to(2) == 0 ? up_to(kHanging) : 0);
+  Terrain terrain = map.compile();
+  for (int i = 0; i < edits; ++i) {
+    Cell cell{up_to(map.width - 1), up_to(map.height - 1)};
+    if (up_to(1) == 0 && map.width > 70) cell.x = 60 + up_to(7);
+    if (up_to(1) == 0 && map.height > 70) cell.y = 60 + up_to(7);
+    const auto tile = static_cast<std::uint8_t>(up_to(kHanging));
+    map.cells[static_cast<std::size_t>(cell.y) * map.width + cell.x] = tile;
+    terrain.set_cell(cell, tile);
+    if (i % 8 == 7) expect_same(terrain, map.compile());
+    if (testing::Test::HasFatalFailure()) FAIL() << "edit " << i << " at " << cell.x << "," << cell.y;
+  }
+}
+
+TEST(TerrainEdit, GivesWhatCompilingFromScratchGives) {
+  paint_and_compare(Map(12, 12), 240, 1);
+  paint_and_compare(Map(1, 1), 20, 2);
+  paint_and_compare(Map(64, 3), 100, 3);
+  paint_and_compare(Map(65, 70), 64, 4);
+  paint_and_compare(Map(130, 72), 32, 5);
+}
+
+TEST(TerrainEdit, GivesTheSameBesideCurves) {
+  Map map(72, 72);
+  map.curves = {{Arc{{500, 520}, 60, 445, 550, true}, Curve::Faces::both},
+                {Segment{{0, 0}, {576, 500}}, Curve::Faces::up},
+                {Sine{300, 560, 510, 20, 100, 300}, Curve::Faces::down}};
+  paint_and_compare(map, 48, 6);
+}
+
+TEST(TerrainEdit, TheLastSlopeTakesTheFeatureWithIt) {
+  Terrain terrain = Map({"...", ".2.", "111"}).compile();
+  EXPECT_TRUE(terrain.features().pieces);
+  terrain.set_cell({1, 1}, 0);
+  EXPECT_FALSE(terrain.features().pieces);
+  expect_same(terrain, Map({"...", "...", "111"}).compile());
+}
+
+TEST(TerrainEdit, CopiesAreValues) {
+  const Terrain before = Map({"...", ".2.", "111"}).compile();
+  Terrain after = before;
+  EXPECT_TRUE(after == before);
+  after.set_cell({1, 1}, kSolid);
+  EXPECT_FALSE(after == before);
+  EXPECT_EQ(before.tile_at({1, 1}), kUp);
+  expect_same(before, Map({"...", ".2.", "111"}).compile());
+  expect_same(after, Map({"...", ".1.", "111"}).compile());
+  after.set_cell({1, 1}, kUp);
+  EXPECT_TRUE(after == before);
+}
+
+}  // namespace
+}  // namespace talus
