@@ -34,15 +34,15 @@ CurveStretch<Real> narrow(const CurveStretch<double>& s) {
   return n;
 }
 
-// The columns, or the rows, that a stretch from a to b lies in.
+// The columns, or the rows, that a stretch from a to b lies in; both, where it ends between two.
 struct Range {
   int first, last;
 };
 Range cells_between(double a, double b, int count) {
-  const auto cell = [&](double at) {
-    return static_cast<int>(std::clamp(std::floor(at / kTileSide), 0.0, static_cast<double>(count - 1)));
+  const auto within = [&](double cell) {
+    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
   };
-  return {cell(std::min(a, b)), cell(std::max(a, b))};
+  return {within(std::ceil(std::min(a, b) / kTileSide) - 1), within(std::floor(std::max(a, b) / kTileSide))};
 }
 
 // The bits from the first to the last.
@@ -72,6 +72,7 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
   assert(source.cells.size() == static_cast<std::size_t>(width_) * height_);
   auto parts = std::make_shared<Parts>();
   parts->shapes = source.shapes;
+  parts->curves = source.curves;
   CurveOutline curves = cut_curves(source.curves);
   for (const auto& stretch : curves.stretches) parts->stretches.push_back(narrow<Real>(stretch));
   parts->curve_pieces = std::move(curves.pieces);
@@ -271,6 +272,19 @@ std::uint8_t BasicTerrain<Real>::tile_at(Cell cell) const {
   if (!contains(cell)) return 0;
   const Chunk* chunk = chunks_[chunk_index(cell)].get();
   return chunk == nullptr ? 0 : chunk->tiles[index_in_chunk(cell)];
+}
+
+// The outline follows from the rest.
+template <class Real>
+bool BasicTerrain<Real>::equals(const BasicTerrain& other) const {
+  if (width_ != other.width_ || height_ != other.height_) return false;
+  if (parts_ != other.parts_ &&
+      (parts_->shapes != other.parts_->shapes || parts_->curves != other.parts_->curves))
+    return false;
+  static const Chunk kEmpty;
+  return std::equal(chunks_.begin(), chunks_.end(), other.chunks_.begin(), [](const auto& a, const auto& b) {
+    return a == b || (a ? *a : kEmpty).tiles == (b ? *b : kEmpty).tiles;
+  });
 }
 
 template class BasicTerrain<double>;

@@ -71,6 +71,9 @@ class BasicTerrain {
   std::span<const Piece<Real>> pieces_in(Cell cell) const;
   std::span<const CurveStretch<Real>> stretches() const { return parts_->stretches; }
 
+  // The same cells, shapes and curves. Quick where chunks are shared.
+  friend bool operator==(const BasicTerrain& a, const BasicTerrain& b) { return a.equals(b); }
+
  private:
   using Words = std::array<std::uint64_t, kChunkSide>;
   struct CurveInCell {
@@ -80,6 +83,7 @@ class BasicTerrain {
   // What all copies share, whatever their cells are.
   struct Parts {
     std::array<TileShape, kTileKinds> shapes;
+    std::vector<Curve> curves;
     bool has_lines = false;  // any slope or the like among them
     std::vector<Piece<double>> curve_pieces;
     std::vector<CurveStretch<Real>> stretches;
@@ -91,6 +95,7 @@ class BasicTerrain {
   std::size_t chunk_index(Cell c) const {
     return static_cast<std::size_t>(c.y / kChunkSide) * chunk_columns_ + c.x / kChunkSide;
   }
+  bool equals(const BasicTerrain& other) const;
   std::uint64_t bits(int column, int row, Words Chunk::*words) const;
   std::uint64_t word_at(int chunk_column, int row, Words Chunk::*words) const;
 

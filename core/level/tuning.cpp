@@ -65,6 +65,10 @@ constexpr std::array kFields = std::to_array<TuningField>({
     {"exact", "snap", "floor snap", "px", exact<&E::snap>, 0, 64, kAny,
      "How far a grounded player is pulled down to the floor; 0: as far as the steepest floor needs. Too "
      "high: small ledges pull."},
+    {"exact", "rebound", "rebound", "", exact<&E::rebound>, 0, 1, kWhole,
+     "1: balls bounce within the step, and lose no energy but by the bounce. 0: what is left of a step "
+     "slides, "
+     "as in the article."},
     {"exact", "max_passes", "passes", "", exact<&E::max_passes>, 4, 16, kWhole,
      "Contacts handled in one step before the rest of its motion is dropped. Too low: bodies stop in "
      "corners."},

@@ -38,10 +38,11 @@ struct ArticleTuning {
 
 // The exact solver's own numbers; what it shares with the article is above.
 struct ExactTuning {
-  double gravity = 0;           // px/frame^2, added to vy; 0: balls fall as the article's do
-  double steepest = 2;          // the largest |dy/dx| that counts as floor
-  double snap = 0;              // px that a grounded player is pulled down; 0: what the steepest floor needs
-  double max_passes = 8;        // whole; contacts handled in a step before the rest of its motion is dropped
+  double gravity = 0;     // px/frame^2, added to vy; 0: balls fall as the article's do
+  double steepest = 2;    // the largest |dy/dx| that counts as floor
+  double snap = 0;        // px that a grounded player is pulled down; 0: what the steepest floor needs
+  double rebound = 0;     // 1: what is left of a step's motion after a bounce goes on from it; 0: slides
+  double max_passes = 8;  // whole; contacts handled in a step before the rest of its motion is dropped
   double single_precision = 0;  // 1: the step is computed in float
   double substeps = 1;          // whole; equal parts that a frame is cut into
   friend bool operator==(const ExactTuning&, const ExactTuning&) = default;

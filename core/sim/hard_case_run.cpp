@@ -40,6 +40,9 @@ class InputAt {
   void take(const CaseInput& input) {
     held_.mouse = mirrored_ ? Vec2{width_ - input.mouse.x, input.mouse.y} : input.mouse + by_;
     held_.mouse_down = input.mouse_down;
+    held_.left = mirrored_ ? input.right : input.left;
+    held_.right = mirrored_ ? input.left : input.right;
+    held_.jump = input.jump;
   }
 
   const HardCase& hard_;

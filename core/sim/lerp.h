@@ -1,9 +1,14 @@
 // The article's interpolation.
 #pragma once
 
+#include <type_traits>
+
 namespace talus {
 
 // From a to b by the share t, in the article's own order of operations: other forms differ in the last bit.
-inline double lerp(double a, double b, double t) { return ((1 - t) * a) + (t * b); }
+template <class Real>
+Real lerp(Real a, std::type_identity_t<Real> b, std::type_identity_t<Real> t) {
+  return ((1 - t) * a) + (t * b);
+}
 
 }  // namespace talus

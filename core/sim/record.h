@@ -15,6 +15,7 @@ struct Obstacle {
   Cell cell;                        // its tile; of a body, the tile it started from
   int body = 0;                     // id; 0 for a tile
   Rect box;                         // px
+  int curve = -1;                   // number of a curve of the level; -1: none
 };
 
 // The article's slope correction: the floor height is interpolated at the body's centre.
@@ -54,6 +55,7 @@ struct BodyPath {
   Vec2 goal;             // px, where it wanted its top-left corner
   Rect to;               // px, its box after the step
   bool limited = false;  // its way or speed was cut to kMaxBodySpeed or kMaxBodyDistance
+  bool capped = false;   // it met more than the solver's most contacts; the rest of its motion was dropped
 };
 
 struct StepRecord {

@@ -1,65 +1,184 @@
 #include "scene.h"
 
+#include <algorithm>
 #include <array>
+
+#include "../level/ground.h"
 
 namespace talus {
 namespace {
 
-// What each of the 256 tiles is to the physics, so that a map is compiled with one look-up a cell.
-std::array<TileRole, kTileCount> tile_roles(const Level& level) {
-  std::array<TileRole, kTileCount> roles;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    roles[tile] = role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles);
+// The boxes that one tile makes, relative to its cell.
+struct TileBoxes {
+  struct Part {
+    TileRole role;
+    Rect box;
+  };
+  int count = 0;
+  std::array<Part, 2> parts{};
+  void add(TileRole role, const Rect& box) {
+    if (box.h > 0) parts[count++] = {role, box};
   }
-  return roles;
+};
+
+// A straight floor is a slope's box on a solid one. Other shapes have no boxes: only solvers that know the
+// outline of the ground see them.
+TileBoxes boxes_of(const TileShape& shape) {
+  TileBoxes boxes;
+  if (shape.one_way || shape.side == TileShape::Side::ceiling) return boxes;
+  if (shape.kind == TileShape::Kind::solid) boxes.add(TileRole::solid, {0, 0, kTileSize, kTileSize});
+  if (shape.kind != TileShape::Kind::slope) return boxes;
+  const auto [low, high] = std::minmax(shape.heights[0], shape.heights[1]);
+  const bool rises = shape.heights[1] > shape.heights[0];
+  const double width = shape.tiles * kTileSize;
+  boxes.add(rises ? TileRole::up_slope : TileRole::down_slope, {0, kTileSize - high, width, high - low});
+  boxes.add(TileRole::solid, {0, kTileSize - low, width, low});
+  return boxes;
 }
 
-SceneItem item_of_tile(TileRole role, Cell cell, const ArticleTuning& tuning) {
-  SceneItem item{.role = role, .box = {}, .cell = cell, .velocity = {}, .spawn = -1};
-  item.box = {static_cast<double>(cell.x) * kTileSize, static_cast<double>(cell.y) * kTileSize, kTileSize,
-              kTileSize};
-  if (role == TileRole::up_slope || role == TileRole::down_slope) {
-    item.box.w = tuning.slope_width;
-    item.box.h = tuning.slope_height;
-  }
+TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
+  const TileRole role = level.tile_shapes[tile].kind != TileShape::Kind::none
+                            ? TileRole::none
+                            : role_of(level.tile_flags(tile), level.roles);
+  if (role == TileRole::none) return boxes_of(shape_of_tile(level, tile));
+  TileBoxes boxes;
+  const ArticleTuning& tuning = level.tuning.article;
+  const bool is_slope = role == TileRole::up_slope || role == TileRole::down_slope;
+  boxes.add(role, is_slope ? Rect{0, 0, tuning.slope_width, tuning.slope_height}
+                           : Rect{0, 0, kTileSize, kTileSize});
+  return boxes;
+}
+
+// For each of the 256 tiles, so that a map is compiled with one look-up a cell.
+std::array<TileBoxes, kTileCount> tile_boxes(const Level& level) {
+  std::array<TileBoxes, kTileCount> boxes;
+  for (int tile = 0; tile < kTileCount; ++tile)
+    boxes[tile] = boxes_of(level, static_cast<std::uint8_t>(tile));
+  return boxes;
+}
+
+SceneItem item_at(Cell cell, const TileBoxes::Part& part) {
+  SceneItem item{.role = part.role, .box = part.box, .cell = cell, .velocity = {}, .spawn = -1};
+  item.box.x += static_cast<double>(cell.x) * kTileSize;
+  item.box.y += static_cast<double>(cell.y) * kTileSize;
   return item;
+}
+
+// The ball alone, for a solver that has the ground in another form.
+TileBoxes body_of(const TileBoxes& tile) {
+  TileBoxes body;
+  for (int i = 0; i < tile.count; ++i) {
+    if (tile.parts[i].role == TileRole::ball) body.add(tile.parts[i].role, tile.parts[i].box);
+  }
+  return body;
+}
+
+void note_ground(Scene& scene) {
+  const TerrainFeatures found = scene.ground ? scene.ground->features() : scene.single_ground->features();
+  scene.features.slopes = found.pieces;
+  scene.features.curves = found.curves;
+}
+
+void note_bodies(Scene& scene) {
+  const auto is_player = [](const SceneItem& item) { return item.kind == BodyKind::player; };
+  const auto bodies = std::count_if(scene.items.begin(), scene.items.end(),
+                                    [](const SceneItem& i) { return i.role == TileRole::ball; });
+  scene.features.players = std::any_of(scene.items.begin(), scene.items.end(), is_player);
+  scene.features.pairs = scene.tuning.article.balls_block != 0 && bodies > 1;
+}
+
+void compile_ground(const Level& level, Scene& scene) {
+  if (level.tuning.exact.single_precision != 0) {
+    scene.single_ground = std::make_shared<const BasicTerrain<float>>(ground_of(level));
+  } else {
+    scene.ground = std::make_shared<const Terrain>(ground_of(level));
+  }
+  note_ground(scene);
+}
+
+template <class Ground>
+std::shared_ptr<const Ground> with_cells(const Ground& ground, const TileMap& map,
+                                         std::span<const Cell> changed) {
+  auto next = std::make_shared<Ground>(ground);
+  for (const Cell cell : changed) next->set_cell(cell, map.at(cell));
+  return next;
 }
 
 }  // namespace
 
 Scene compile_scene(const Level& level) {
-  const std::array<TileRole, kTileCount> roles = tile_roles(level);
+  std::array<TileBoxes, kTileCount> boxes = tile_boxes(level);
+  if (level.tuning.solver == SolverKind::exact) {
+    for (TileBoxes& tile : boxes) tile = body_of(tile);
+  }
   const TileMap& map = level.map;
 
   // A counting sort by column: the map is read row by row, as it lies in memory, and comes out in map order.
   std::vector<std::size_t> next(static_cast<std::size_t>(map.width()) + 1, 0);
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      if (roles[map.at(cell)] != TileRole::none) ++next[cell.x + 1];
+      next[cell.x + 1] += static_cast<std::size_t>(boxes[map.at(cell)].count);
     }
   }
   for (std::size_t column = 1; column < next.size(); ++column) next[column] += next[column - 1];
 
   Scene scene;
   scene.tuning = level.tuning;
+  if (level.tuning.solver == SolverKind::exact) compile_ground(level, scene);
   scene.items.resize(next.back());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      const TileRole role = roles[map.at(cell)];
-      if (role == TileRole::none) continue;
-      scene.items[next[cell.x]++] = item_of_tile(role, cell, level.tuning.article);
+      const TileBoxes& tile = boxes[map.at(cell)];
+      for (int i = 0; i < tile.count; ++i) scene.items[next[cell.x]++] = item_at(cell, tile.parts[i]);
     }
   }
 
   for (std::size_t i = 0; i < level.spawns.size(); ++i) {
     const Spawn& spawn = level.spawns[i];
     scene.items.push_back({.role = TileRole::ball,
-                           .box = {spawn.position.x, spawn.position.y, kTileSize, kTileSize},
+                           .box = {spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y},
                            .cell = {},
                            .velocity = spawn.velocity,
-                           .spawn = static_cast<int>(i)});
+                           .spawn = static_cast<int>(i),
+                           .kind = spawn.kind,
+                           .foot = spawn.used_foot()});
   }
+  note_bodies(scene);
   return scene;
+}
+
+Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
+  if (scene.tuning.solver != SolverKind::exact) return compile_scene(edited);
+  Scene next = scene;
+  if (scene.ground) next.ground = with_cells(*scene.ground, edited.map, changed);
+  if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, edited.map, changed);
+  note_ground(next);
+
+  const auto in_map_order = [](Cell a, Cell b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::vector<Cell> cells(changed.begin(), changed.end());
+  std::sort(cells.begin(), cells.end(), in_map_order);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  std::erase_if(next.items, [&](const SceneItem& item) {
+    return item.spawn < 0 && std::binary_search(cells.begin(), cells.end(), item.cell, in_map_order);
+  });
+  const auto spawns = std::find_if(next.items.begin(), next.items.end(),
+                                   [](const SceneItem& item) { return item.spawn >= 0; });
+  std::vector<SceneItem> added;
+  for (const Cell cell : cells) {
+    const TileBoxes boxes = body_of(boxes_of(edited, edited.map.at(cell)));
+    for (int i = 0; i < boxes.count; ++i) added.push_back(item_at(cell, boxes.parts[i]));
+  }
+  const auto middle = next.items.insert(spawns, added.begin(), added.end());
+  std::inplace_merge(next.items.begin(), middle, middle + static_cast<std::ptrdiff_t>(added.size()),
+                     [&](const SceneItem& a, const SceneItem& b) { return in_map_order(a.cell, b.cell); });
+  note_bodies(next);
+  return next;
+}
+
+bool operator==(const Scene& a, const Scene& b) {
+  const auto same = [](const auto& x, const auto& y) { return x == y || (x && y && *x == *y); };
+  return a.items == b.items && a.tuning == b.tuning && a.features == b.features && same(a.ground, b.ground) &&
+         same(a.single_ground, b.single_ground);
 }
 
 }  // namespace talus

@@ -1,9 +1,12 @@
 // Scene: a level compiled for the simulation. Immutable once made.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "../collision/geometry.h"
+#include "../collision/terrain.h"
 #include "../level/level.h"
 
 namespace talus {
@@ -22,19 +25,40 @@ struct SceneItem {
   Cell cell;                        // the tile it was made of; {0,0} for a spawn
   Vec2 velocity;                    // px/frame, at the start; of a ball only
   int spawn = -1;                   // as BodyOrigin::spawn
+  BodyKind kind = BodyKind::ball;   // of a body
+  Foot foot = Foot::box;            // of a body
   BodyOrigin origin() const { return {cell, spawn}; }
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
 };
 
+// Which features a scene uses. The exact solver's step is built from these; what is missing costs nothing.
+struct SceneFeatures {
+  bool slopes = false;  // slopes, profiles, one-way tiles or curves: anything but full tiles
+  bool curves = false;  // that are not straight
+  bool pairs = false;   // bodies that block one another
+  bool players = false;
+  friend bool operator==(const SceneFeatures&, const SceneFeatures&) = default;
+};
+
 struct Scene {
   // Map order, as the article adds them: columns left to right, each from top to bottom; then the spawns.
-  // Bodies get their ids in this order, and ties go to the earlier item.
+  // Bodies get their ids in this order, and ties go to the earlier item. For the exact solver, which has the
+  // ground, bodies only.
   std::vector<SceneItem> items;
+  // For the exact solver alone, in the precision that the tuning asks for; the other is null.
+  std::shared_ptr<const Terrain> ground;
+  std::shared_ptr<const BasicTerrain<float>> single_ground;
+  SceneFeatures features;
   Tuning tuning;
-  friend bool operator==(const Scene&, const Scene&) = default;
 };
+bool operator==(const Scene& a, const Scene& b);  // grounds are compared by their cells and outlines
 
 // The scene of a level. Tiles outside the map are empty.
 Scene compile_scene(const Level& level);
+
+// The same as compile_scene(edited), where `scene` is that of a level which differs from it in these cells of
+// the map alone, inside both. Takes time by the number of cells, but for the other solvers than the exact
+// one.
+Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed);
 
 }  // namespace talus

@@ -1,13 +1,29 @@
 #include "solver.h"
 
+#include <algorithm>
+
 #include "article_solver.h"
+#include "bump_solver.h"
+#include "exact_solver.h"
 
 namespace talus {
+
+Vec2 within_limits(Vec2 from, Vec2 goal) {
+  const auto limit = [](double at, double to) {
+    const double reachable = std::clamp(to, at - kMaxBodySpeed, at + kMaxBodySpeed);
+    return std::clamp(reachable, -kMaxBodyDistance, kMaxBodyDistance);
+  };
+  return {limit(from.x, goal.x), limit(from.y, goal.y)};
+}
 
 std::unique_ptr<Solver> make_solver(std::shared_ptr<const Scene> scene) {
   switch (scene->tuning.solver) {
     case SolverKind::article:
       return std::make_unique<ArticleSolver>(std::move(scene));
+    case SolverKind::bump:
+      return std::make_unique<BumpSolver>(std::move(scene));
+    case SolverKind::exact:
+      return make_exact_solver(std::move(scene));
   }
   return nullptr;
 }

@@ -13,6 +13,9 @@ namespace talus {
 inline constexpr double kMaxBodySpeed = 4096;    // px/frame in x and y: a level's whole width in eight frames
 inline constexpr double kMaxBodyDistance = 1e9;  // px from the origin in x and y
 
+// A goal within these limits. What is within them is left as it is, to the last bit.
+Vec2 within_limits(Vec2 from, Vec2 goal);
+
 // A solver keeps working storage between steps, for speed alone: what step() does depends on nothing but the
 // scene and its arguments, so one solver may step unrelated states in any order.
 class Solver {

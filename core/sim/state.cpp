@@ -13,7 +13,10 @@ Body body_at_start(const SceneItem& item, int id) {
           .origin = item.origin(),
           .box = item.box,
           .velocity = item.velocity,
-          .previous = item.box.position()};
+          .previous = item.box.position(),
+          .kind = item.kind,
+          .foot = item.foot,
+          .gait = {}};
 }
 
 auto origin_key(const BodyOrigin& origin) {
@@ -54,6 +57,7 @@ State carry_over(const State& state, const Scene& edited) {
     if (item.role != TileRole::ball) continue;
     const auto old = by_origin.find(origin_key(item.origin()));
     next.bodies.push_back(old != by_origin.end() ? *old->second : body_at_start(item, next.next_id++));
+    next.bodies.back().is_clear = false;
   }
   std::sort(next.bodies.begin(), next.bodies.end(), [](const Body& a, const Body& b) { return a.id < b.id; });
   if (next.find(next.grabbed) == nullptr) next.grabbed = 0;
@@ -68,6 +72,11 @@ std::uint64_t state_hash(const State& state) {
     hash_bits(hash, static_cast<std::uint64_t>(body.id));
     for (double number : {body.box.x, body.box.y, body.velocity.x, body.velocity.y}) {
       hash_bits(hash, std::bit_cast<std::uint64_t>(number));
+    }
+    if (body.kind == BodyKind::player) {
+      const Gait& gait = body.gait;
+      hash_bits(hash, static_cast<std::uint64_t>(gait.coyote) << 3 | gait.grounded << 2 | gait.jumping << 1 |
+                          std::uint64_t{gait.jump_held});
     }
   }
   return hash;

@@ -8,12 +8,25 @@
 
 namespace talus {
 
+// What a player remembers from step to step. Of a ball only `grounded` is used.
+struct Gait {
+  bool grounded = false;   // stood on level ground after the last step
+  bool jumping = false;    // rises from a jump that letting go of the key would cut
+  bool jump_held = false;  // the key was down in the last step
+  int coyote = 0;          // frames left in which it may jump though it stands on nothing
+  friend bool operator==(const Gait&, const Gait&) = default;
+};
+
 struct Body {
   int id = 0;  // from 1, in scene order at the start; never reused
   BodyOrigin origin;
   Rect box;       // px
   Vec2 velocity;  // px/frame
   Vec2 previous;  // px, top-left corner before the last dragged frame; its throw is measured from here
+  BodyKind kind = BodyKind::ball;
+  Foot foot = Foot::box;
+  Gait gait;
+  bool is_clear = false;  // the exact solver has put it where no ground is; the scene has not changed since
   friend bool operator==(const Body&, const Body&) = default;
 };
 
@@ -27,8 +40,9 @@ struct State {
 };
 
 struct Input {
-  Vec2 mouse;               // px, in the level
-  bool mouse_down = false;  // the left button
+  Vec2 mouse;                                      // px, in the level
+  bool mouse_down = false;                         // the left button
+  bool left = false, right = false, jump = false;  // keys of the players
   friend bool operator==(const Input&, const Input&) = default;
 };
 

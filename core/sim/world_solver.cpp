@@ -6,18 +6,6 @@
 #include "lerp.h"
 
 namespace talus {
-namespace {
-
-// A goal within the solver's limits. What is within them is left as it is, to the last bit.
-Vec2 within_limits(Vec2 from, Vec2 goal) {
-  const auto limit = [](double at, double to) {
-    const double reachable = std::clamp(to, at - kMaxBodySpeed, at + kMaxBodySpeed);
-    return std::clamp(reachable, -kMaxBodyDistance, kMaxBodyDistance);
-  };
-  return {limit(from.x, goal.x), limit(from.y, goal.y)};
-}
-
-}  // namespace
 
 WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunction slope_response)
     : scene_(std::move(scene)),

@@ -1,0 +1,187 @@
+#include "ground_queries.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+template <class Real>
+struct CellBlock {
+  int left, top, right, bottom;
+  // The cells that a box meets, grown by `margin`.
+  CellBlock(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real margin) {
+    const auto cell = [](Real at, int count) {
+      return static_cast<int>(std::clamp<Real>(std::floor(at / kTileSide), -1, static_cast<Real>(count)));
+    };
+    left = std::max(cell(box.x - margin, ground.width()), 0);
+    right = std::min(cell(box.x + box.w + margin, ground.width()), ground.width() - 1);
+    top = std::max(cell(box.y - margin, ground.height()), 0);
+    bottom = std::min(cell(box.y + box.h + margin, ground.height()), ground.height() - 1);
+  }
+};
+
+// The same rounding forgiveness as a cast of the box.
+template <class Real>
+Real slack_of(const BasicRect<Real>& box) {
+  return rounding_slack<Real>({box, {}, Foot::box});
+}
+
+template <class Real>
+bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack) {
+  const CellBlock block(ground, box, -slack);
+  for (int row = block.top; row <= block.bottom; ++row) {
+    for (int column = block.left; column <= block.right; column += 64) {
+      const int count = std::min(block.right - column + 1, 64);
+      if ((ground.solid_bits(column, row) & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
+    }
+  }
+  return false;
+}
+
+// Whether the box is in the body of a slope or profile whose line is `at(x)`.
+template <class Real>
+bool overlaps_shape(const TileShape& shape, Cell cell, const BasicRect<Real>& box, Foot foot, Real slack) {
+  const bool floor = shape.side == TileShape::Side::floor;
+  const Real x0 = Real(cell.x) * kTileSide, width = Real(shape.tiles) * kTileSide;
+  const Real base = Real(cell.y + (floor ? 1 : 0)) * kTileSide;
+  Real from = std::max(box.x + slack, x0), to = std::min(box.x + box.w - slack, x0 + width);
+  if (foot == Foot::centre && floor) from = to = box.x + box.w / 2;
+  if (!(from <= to) || to < x0 || from > x0 + width) return false;
+  if (floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
+
+  const auto parts = static_cast<Real>(shape.heights.size() - 1);
+  const auto height_at = [&](Real x) {
+    const Real at = std::clamp((x - x0) / width * parts, Real(0), parts);
+    const auto i = std::min(static_cast<std::size_t>(at), shape.heights.size() - 2);
+    const Real share = at - static_cast<Real>(i);
+    return static_cast<Real>(shape.heights[i]) * (1 - share) +
+           static_cast<Real>(shape.heights[i + 1]) * share;
+  };
+  Real most = std::max(height_at(from), height_at(to));
+  for (std::size_t i = 0; i < shape.heights.size(); ++i) {
+    const Real x = x0 + width * static_cast<Real>(i) / parts;
+    if (x > from && x < to) most = std::max(most, static_cast<Real>(shape.heights[i]));
+  }
+  // The line as it is compiled is rounded to 1/256 px.
+  const Real forgiven = slack + Real(1) / 256;
+  return floor ? box.y + box.h > base - most + forgiven : box.y < base + most - forgiven;
+}
+
+template <class Real>
+struct Exit {
+  Real distance;
+  BasicVec2<Real> motion;
+};
+
+// How far the box is behind a piece that it overlaps, and the way back in front of it.
+template <class Real>
+std::optional<Exit<Real>> exit_past(const BasicTerrain<Real>& ground, const Piece<Real>& piece,
+                                    const BasicRect<Real>& box, Foot foot, Real slack) {
+  if (piece.one_way) return std::nullopt;
+  if (piece.is_wall()) {
+    if (!(box.y + box.h > piece.y0 + slack && box.y < piece.y1 - slack)) return std::nullopt;
+    const Real limit = piece.facing == Facing::left ? piece.x0 - box.w : piece.x0;
+    const Real distance = piece.facing == Facing::left ? box.x - limit : limit - box.x;
+    if (!(distance > slack)) return std::nullopt;
+    return Exit<Real>{distance, {limit - box.x, 0}};
+  }
+  if (!(box.x + box.w > piece.x0 + slack && box.x < piece.x1 - slack)) return std::nullopt;
+  const Real limit = rest_on(piece, ground.stretches(), box, foot);
+  const Real distance = piece.facing == Facing::up ? box.y - limit : limit - box.y;
+  if (!(distance > slack)) return std::nullopt;
+  return Exit<Real>{distance, {0, limit - box.y}};
+}
+
+// The sides of a full tile that other tiles leave open, as pieces.
+template <class Real, class Use>
+void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
+  const auto solid = [&](int x, int y) { return (ground.solid_bits(x, y) & 1) != 0; };
+  const Real x0 = Real(c.x) * kTileSide, y0 = Real(c.y) * kTileSide, x1 = x0 + kTileSide, y1 = y0 + kTileSide;
+  Piece<Real> side;
+  const auto put = [&](Facing facing, Real ax, Real ay, Real bx, Real by) {
+    side.x0 = side.base_x = ax, side.y0 = side.base_y = ay, side.x1 = bx, side.y1 = by;
+    side.facing = facing;
+    use(side);
+  };
+  if (!solid(c.x, c.y - 1)) put(Facing::up, x0, y0, x1, y0);
+  if (!solid(c.x, c.y + 1)) put(Facing::down, x0, y1, x1, y1);
+  if (!solid(c.x - 1, c.y)) put(Facing::left, x0, y0, x0, y1);
+  if (!solid(c.x + 1, c.y)) put(Facing::right, x1, y0, x1, y1);
+}
+
+}  // namespace
+
+std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach, Foot foot) {
+  const auto contact = cast_box(ground, {box, {0, reach}, foot});
+  if (!contact || overlaps_ground(ground, box, foot)) return std::nullopt;
+  return Surface{contact.position.y + box.h, contact.normal, contact.origin};
+}
+
+std::optional<Surface> ceiling_above(const Terrain& ground, const Rect& box, double reach) {
+  const auto contact = cast_box(ground, {box, {0, -reach}, Foot::box});
+  if (!contact || overlaps_ground(ground, box)) return std::nullopt;
+  return Surface{contact.position.y, contact.normal, contact.origin};
+}
+
+std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Vec2 to) {
+  const auto contact = cast_box(ground, {{from.x, from.y, 0, 0}, to - from, Foot::box});
+  if (!contact) return std::nullopt;
+  return contact;
+}
+
+template <class Real>
+bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot) {
+  const Real slack = slack_of(box);
+  if (overlaps_tile(ground, box, slack)) return true;
+  if (!ground.features().pieces) return false;
+  // A slope's body may lie up to eight cells from its own cell.
+  const CellBlock block(ground, box, Real(kMaxShapeTiles * kTileSide));
+  for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
+    for (c.x = block.left; c.x <= block.right; ++c.x) {
+      const TileShape& shape = ground.shape_at(c);
+      const bool has_body =
+          !shape.one_way && (shape.kind == TileShape::Kind::slope || shape.kind == TileShape::Kind::profile);
+      if (has_body && overlaps_shape(shape, c, box, foot, slack)) return true;
+    }
+  }
+  return false;
+}
+
+template <class Real>
+std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
+                                       Foot foot) {
+  if (!overlaps_ground(ground, box, foot)) return std::nullopt;
+  const Real slack = slack_of(box);
+  std::vector<Exit<Real>> exits;
+  const auto consider = [&](const Piece<Real>& piece) {
+    if (const auto exit = exit_past(ground, piece, box, foot, slack)) exits.push_back(*exit);
+  };
+  const CellBlock block(ground, box, slack);
+  for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
+    for (c.x = block.left; c.x <= block.right; ++c.x) {
+      if ((ground.detailed_bits(c.x, c.y) & 1) != 0) {
+        for (const Piece<Real>& piece : ground.pieces_in(c)) consider(piece);
+      } else if ((ground.solid_bits(c.x, c.y) & 1) != 0) {
+        for_open_sides(ground, c, consider);
+      }
+    }
+  }
+  // Of two equal ways the one up or down, so that mirrored boxes leave alike.
+  std::stable_sort(exits.begin(), exits.end(), [](const Exit<Real>& a, const Exit<Real>& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.motion.x == 0 && b.motion.x != 0;
+  });
+  for (const Exit<Real>& exit : exits) {
+    const BasicRect<Real> there{box.x + exit.motion.x, box.y + exit.motion.y, box.w, box.h};
+    if (!overlaps_ground(ground, there, foot)) return exit.motion;
+  }
+  return std::nullopt;
+}
+
+template bool overlaps_ground(const BasicTerrain<double>&, const BasicRect<double>&, Foot);
+template bool overlaps_ground(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
+template std::optional<BasicVec2<double>> way_out(const BasicTerrain<double>&, const BasicRect<double>&,
+                                                  Foot);
+template std::optional<BasicVec2<float>> way_out(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
+
+}  // namespace talus

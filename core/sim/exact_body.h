@@ -1,0 +1,201 @@
+// How bodies of the exact solver move in a step: balls fall and bounce, players run and jump.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "../level/tuning.h"
+#include "exact_mover.h"
+#include "lerp.h"
+#include "state.h"
+
+namespace talus {
+
+// The numbers of a tuning that a step needs, in its precision.
+template <class Real>
+struct ExactNumbers {
+  explicit ExactNumbers(const Tuning& t)
+      : fall_speed(static_cast<Real>(t.article.fall_speed)),
+        fall_blend(static_cast<Real>(t.article.fall_blend)),
+        drift_speed(static_cast<Real>(t.article.drift_speed)),
+        drift_blend(static_cast<Real>(t.article.drift_blend)),
+        floor_bounce(static_cast<Real>(t.article.floor_bounce)),
+        floor_grip(static_cast<Real>(t.article.floor_grip)),
+        wall_bounce(static_cast<Real>(t.article.wall_bounce)),
+        gravity(static_cast<Real>(t.exact.gravity)),
+        steepest(static_cast<Real>(t.exact.steepest)),
+        snap(static_cast<Real>(t.exact.snap)),
+        rebound(t.exact.rebound != 0),
+        run_speed(static_cast<Real>(t.player.run_speed)),
+        run_gain(static_cast<Real>(t.player.run_gain)),
+        run_loss(static_cast<Real>(t.player.run_loss)),
+        air_gain(static_cast<Real>(t.player.air_gain)),
+        jump_speed(static_cast<Real>(t.player.jump_speed)),
+        jump_cut(static_cast<Real>(t.player.jump_cut)),
+        player_gravity(static_cast<Real>(t.player.gravity)),
+        fall_limit(static_cast<Real>(t.player.fall_limit)),
+        coyote_frames(static_cast<int>(t.player.coyote_frames)),
+        surface_speed(t.player.surface_speed != 0) {}
+
+  Real fall_speed, fall_blend, drift_speed, drift_blend, floor_bounce, floor_grip, wall_bounce;
+  Real gravity, steepest, snap;
+  bool rebound;
+  Real run_speed, run_gain, run_loss, air_gain, jump_speed, jump_cut, player_gravity, fall_limit;
+  int coyote_frames;
+  bool surface_speed;
+};
+
+// A ball: the article's velocities, restitution and friction, with the true normal.
+template <class Real>
+class BallRule {
+ public:
+  using Vec = BasicVec2<Real>;
+  BallRule(const ExactNumbers<Real>& numbers, Moving<Real>& body) : n_(numbers), body_(body) {}
+
+  void pull() {
+    Vec& v = body_.velocity;
+    v.y = n_.gravity > 0 ? v.y + n_.gravity : lerp(v.y, n_.fall_speed, n_.fall_blend);
+    v.x = lerp(v.x, n_.drift_speed, n_.drift_blend);
+  }
+
+  bool grounded() const { return grounded_; }
+  void begin() { time_left_ = 1; }  // before each part of a step that is cut into several
+
+  // Turns the velocity round, and gives the motion to go on with: as in the article what is left of the
+  // motion slides, or, where the tuning says so, it bounces. motion: of which the contact is a part.
+  Vec respond(const Contact<Real>& contact, Vec motion) {
+    const Vec normal = contact.normal;
+    const Vec rest = motion * (1 - contact.t);
+    const bool level = is_level(contact, n_.steepest);
+    grounded_ = grounded_ || (level && normal.y < 0);
+    const Vec slide = rest - normal * dot(rest, normal);
+    if (contact.t == 1) return slide;  // it has only just arrived: the next step bounces
+
+    Vec& v = body_.velocity;
+    const Real into = -dot(v, normal);
+    if (!(into > 0)) return slide;
+    const Real bounce = level ? n_.floor_bounce : n_.wall_bounce;
+    const Vec along{-normal.y, normal.x};
+    const Vec kept = along * (dot(v, along) * (level ? n_.floor_grip : 1));
+    if (n_.rebound) return rebound(contact, motion, kept, into, bounce);
+    v = kept + normal * (into * bounce);
+    return slide;
+  }
+
+ private:
+  // Under constant gravity g a ball flies a parabola, on which the frames are points; its velocity at a frame
+  // is v + g/2. It bounces from level ground where the parabola meets it, and not the chord between two
+  // frames, so that no energy is made or lost.
+  Vec rebound(const Contact<Real>& contact, Vec motion, Vec kept, Real into, Real bounce) {
+    const Vec normal = contact.normal;
+    const Real pull = std::max<Real>(0, -n_.gravity * normal.y);  // into the ground
+    const bool parabola = pull > 0 && normal.x == 0;
+    Real after = time_left_ * (1 - contact.t);
+    if (parabola) {
+      const Real way = -dot(motion, normal), distance = way * contact.t;
+      const Real start = way / time_left_ - pull * time_left_ / 2;
+      into = std::sqrt(std::max<Real>(0, start * start + 2 * pull * distance));
+      if (start + into > 0) after = std::max<Real>(0, time_left_ - 2 * distance / (start + into));
+    }
+    time_left_ = after;
+    const Real away = into * bounce;
+    if (!(away > pull)) {  // too slow to leave the ground for longer than a step: it stays
+      body_.velocity = kept;
+      return kept * after;
+    }
+    if (!parabola) {
+      body_.velocity = kept + normal * away;
+      return body_.velocity * after;
+    }
+    body_.velocity = kept + normal * (away - pull * after + pull / 2);
+    return kept * after + normal * (away * after - pull * after * after / 2);
+  }
+
+  const ExactNumbers<Real>& n_;
+  Moving<Real>& body_;
+  bool grounded_ = false;
+  Real time_left_ = 1;  // of the step, when the motion under way began
+};
+
+// A player: runs along the ground at the speed that is asked for, and jumps off it.
+template <class Real>
+class PlayerRule {
+ public:
+  using Vec = BasicVec2<Real>;
+  PlayerRule(const ExactNumbers<Real>& numbers, Moving<Real>& body, Gait& gait)
+      : n_(numbers), body_(body), gait_(gait) {}
+
+  // The keys change the velocity. Without `pressed` jump, a jump under way is cut.
+  void take(const Input& input) {
+    Vec& v = body_.velocity;
+    const int direction = (input.right ? 1 : 0) - (input.left ? 1 : 0);
+    const Real target = n_.run_speed * static_cast<Real>(direction);
+    const Real gain = direction == 0 ? n_.run_loss : gait_.grounded ? n_.run_gain : n_.air_gain;
+    v.x = v.x < target ? std::min(v.x + gain, target) : std::max(v.x - gain, target);
+
+    if (input.jump && !gait_.jump_held && (gait_.grounded || gait_.coyote > 0)) {
+      v.y = -n_.jump_speed;
+      gait_.grounded = false;
+      gait_.coyote = 0;
+      gait_.jumping = true;
+    } else if (gait_.jumping && !input.jump && v.y < 0) {
+      v.y = v.y * n_.jump_cut;
+      gait_.jumping = false;
+    }
+    gait_.jump_held = input.jump;
+    if (!gait_.grounded) v.y = std::min(v.y + n_.player_gravity, n_.fall_limit);
+    if (v.y >= 0) gait_.jumping = false;
+  }
+
+  // The motion of a step that begins on a floor with this normal.
+  Vec walk(Vec normal) const {
+    const Real x = n_.surface_speed ? body_.velocity.x * -normal.y : body_.velocity.x;
+    return {x, x * slope_of(normal)};
+  }
+
+  // What a player does on meeting something, in the air and on the ground alike: level ground it follows,
+  // keeping its horizontal motion; along anything else it slides, and a walk ends there.
+  Vec respond(const Contact<Real>& contact, Vec motion) {
+    const Vec normal = contact.normal;
+    const Vec rest = motion * (1 - contact.t);
+    Vec& v = body_.velocity;
+    if (normal.y < 0 && is_level(contact, n_.steepest)) {
+      landed_ = true;
+      v.y = 0;
+      return {rest.x, rest.x * slope_of(normal)};
+    }
+    if (contact.t == 1) return {};
+    const Vec slide = rest - normal * dot(rest, normal);
+    const Real into = dot(v, normal);
+    if (gait_.grounded || landed_) {
+      v.x = normal.x * v.x < 0 ? 0 : v.x;
+      return {};
+    }
+    if (into < 0) v = v - normal * into;
+    return slide;
+  }
+
+  bool landed() const { return landed_; }
+
+  // How far below a grounded player its floor may be after a step that moved it by dx.
+  Real reach_down(Real dx) const { return n_.snap > 0 ? n_.snap : std::abs(dx) * n_.steepest + 1; }
+
+  void leave_ground() {
+    gait_.grounded = false;
+    gait_.coyote = n_.coyote_frames;
+  }
+  void stand() {
+    gait_.grounded = true;
+    gait_.jumping = false;
+    gait_.coyote = 0;
+    body_.velocity.y = 0;
+  }
+
+ private:
+  const ExactNumbers<Real>& n_;
+  Moving<Real>& body_;
+  Gait& gait_;
+  bool landed_ = false;
+};
+
+}  // namespace talus

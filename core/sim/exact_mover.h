@@ -1,0 +1,163 @@
+// Moves one box through the ground, contact by contact. What a contact does to the rest of the motion is the
+// caller's rule; that the box is put on what it hit, and follows it, is the mover's.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "../collision/cast.h"
+
+namespace talus {
+
+template <class Real>
+struct Moving {
+  BasicRect<Real> box;       // px
+  BasicVec2<Real> velocity;  // px/frame
+  Foot foot = Foot::box;
+};
+
+// dy/dx of the floor or ceiling with this normal.
+template <class Real>
+Real slope_of(BasicVec2<Real> normal) {
+  return -normal.x / normal.y;
+}
+
+// Whether a contact is with ground level enough to stand on, or to bounce from as from a floor: |dy/dx| is at
+// most `steepest`, compared exactly.
+template <class Real>
+bool is_level(const Contact<Real>& contact, Real steepest) {
+  if (contact.normal.y == 0) return false;
+  const Piece<Real>* p = contact.piece;
+  if (p == nullptr || p->stretch != 0 || contact.on_end || contact.normal.x == 0) {
+    return std::abs(contact.normal.x) <= steepest * std::abs(contact.normal.y);
+  }
+  const Real slope = std::abs(p->slope);
+  if (slope != steepest) return slope < steepest;
+  // The quotient was rounded; the remainder of the division tells to which side.
+  const Real dx =
+      std::abs(p->x1 - p->base_x) > std::abs(p->x0 - p->base_x) ? p->x1 - p->base_x : p->x0 - p->base_x;
+  const Real dy =
+      std::abs(p->x1 - p->base_x) > std::abs(p->x0 - p->base_x) ? p->y1 - p->base_y : p->y0 - p->base_y;
+  return std::fma(-steepest, std::abs(dx), std::abs(dy)) <= 0;
+}
+
+template <class Real, unsigned Parts>
+class Mover {
+ public:
+  using Vec = BasicVec2<Real>;
+  struct Result {
+    int passes = 0;
+    bool capped = false;  // the passes were used up, and the rest of the motion dropped
+  };
+
+  Mover(const BasicTerrain<Real>& terrain, std::span<const BasicRect<Real>> others, int max_passes)
+      : terrain_(terrain), others_(others), max_passes_(max_passes) {}
+
+  // Moves the body by `motion`. respond(contact, motion) is called for each contact, a part of that motion;
+  // it may change the body's velocity, and returns the motion to go on with. seen(contact, motion) is told of
+  // each contact before.
+  template <class Respond, class Seen>
+  Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen) {
+    Result result;
+    std::optional<Vec> before;  // normal of the contact before
+    const Piece<Real>* followed = nullptr;
+    Vec after_following;
+    while (motion.x != 0 || motion.y != 0) {
+      if (result.passes == max_passes_) {
+        result.capped = true;
+        break;
+      }
+      const Contact<Real> contact =
+          cast_box<Real, Parts>(terrain_, {body.box, motion, body.foot}, others_, followed);
+      if (!contact) {
+        if (followed == nullptr) {
+          advance(body, motion);
+          break;
+        }
+        body.box.x = goal_.x;
+        body.box.y = goal_.y;
+        motion = after_following;
+        followed = nullptr;
+        ++result.passes;
+        continue;
+      }
+      ++result.passes;
+      seen(contact, motion);
+      body.box.x = contact.position.x;
+      body.box.y = contact.position.y;
+      surface_ = contact.on_end ? nullptr : contact.piece;
+      motion = respond(contact, motion);
+      // Between two planes that close in on the motion there is nowhere to go.
+      if (before && dot(motion, *before) < -tolerance(motion)) break;
+      before = contact.normal;
+      followed = nullptr;
+      if constexpr ((Parts & kCurves) != 0) {
+        if (surface_ != nullptr && is_hollow(*surface_) && dot(motion, contact.normal) <= tolerance(motion)) {
+          followed = surface_;
+          follow(body, motion, after_following);
+        }
+      }
+    }
+    settle(body);
+    return result;
+  }
+
+ private:
+  static Real tolerance(Vec motion) {
+    return (std::abs(motion.x) + std::abs(motion.y)) * (8 * std::numeric_limits<Real>::epsilon());
+  }
+
+  // A curve that bends towards the box: whoever slides along it meets it again at once.
+  bool is_hollow(const Piece<Real>& piece) const {
+    if (piece.stretch == 0) return false;
+    return terrain_.stretches()[piece.stretch - 1].bends_down != (piece.facing == Facing::up);
+  }
+
+  // Turns a motion along the tangent of a hollow curve into the chord to where it goes on the curve.
+  void follow(const Moving<Real>& body, Vec& motion, Vec& after) {
+    const Piece<Real>& piece = *surface_;
+    Moving<Real> there = body;
+    there.box.x = moved_x(body.box, motion.x);
+    const Real offset = foot_x(piece, body);
+    there.box.x = std::clamp(there.box.x, std::min(body.box.x, piece.x0 - offset),
+                             std::max(body.box.x, piece.x1 - offset));
+    const Real y = rest_on(piece, terrain_.stretches(), there.box, body.foot);
+    const Vec chord{there.box.x - body.box.x, y - body.box.y};
+    const Real used = motion.x == 0 ? 1 : std::min<Real>(1, chord.x / motion.x);
+    const Vec along = terrain_.stretches()[piece.stretch - 1].tangent_at(there.box.x + offset);
+    const Real length = std::sqrt(dot(motion, motion)) * (1 - used);
+    const Real sign = motion.x < 0 ? -1 : 1;
+    after = used < 1 ? along * (sign * length) : Vec{};
+    goal_ = {there.box.x, y};
+    motion = chord;
+  }
+
+  static Real foot_x(const Piece<Real>& piece, const Moving<Real>& body) {
+    const bool up = piece.facing == Facing::up;
+    if (up && body.foot == Foot::centre) return body.box.w / 2;
+    return (piece.y1 < piece.y0) == up ? body.box.w : 0;
+  }
+
+  static void advance(Moving<Real>& body, Vec motion) {
+    body.box.x = moved_x(body.box, motion.x);
+    body.box.y += motion.y;
+  }
+
+  // A box that slid along a surface is on it, not a rounding error away from it.
+  void settle(Moving<Real>& body) const {
+    if (surface_ == nullptr || surface_->is_wall()) return;
+    const Real y = rest_on(*surface_, terrain_.stretches(), body.box, body.foot);
+    const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
+    if (std::abs(body.box.y - y) <= 4 * slack) body.box.y = y;
+  }
+
+  const BasicTerrain<Real>& terrain_;
+  const std::span<const BasicRect<Real>> others_;
+  const int max_passes_;
+  const Piece<Real>* surface_ = nullptr;  // of the last contact
+  Vec goal_;                              // where following a curve leads
+};
+
+}  // namespace talus

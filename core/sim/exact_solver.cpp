@@ -1,0 +1,305 @@
+#include "exact_solver.h"
+
+#include <cassert>
+#include <vector>
+
+#include "../collision/ground_queries.h"
+#include "body_grid.h"
+#include "exact_body.h"
+
+namespace talus {
+namespace {
+
+// The ground in the solver's precision.
+template <class Real>
+const std::shared_ptr<const BasicTerrain<Real>>& ground_of(const Scene& scene) {
+  if constexpr (std::is_same_v<Real, float>) {
+    return scene.single_ground;
+  } else {
+    return scene.ground;
+  }
+}
+
+template <class Real, unsigned Parts, bool Pairs, bool Players>
+class ExactSolver final : public Solver {
+ public:
+  explicit ExactSolver(std::shared_ptr<const Scene> scene)
+      : scene_(std::move(scene)),
+        ground_(*ground_of<Real>(*scene_)),
+        numbers_(scene_->tuning),
+        max_passes_(static_cast<int>(scene_->tuning.exact.max_passes)),
+        substeps_(static_cast<int>(scene_->tuning.exact.substeps)) {}
+
+  void step(State& state, const Input& input, StepRecord* record) override {
+    record_ = record;
+    if (record_ != nullptr) record_->clear();
+    if constexpr (Pairs) grid_.synchronise(state.bodies);
+    take_mouse(state, input);
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
+    ++state.frame;
+  }
+
+ private:
+  using Vec = BasicVec2<Real>;
+
+  static Vec narrow(Vec2 v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y)}; }
+  static BasicRect<Real> narrow(const Rect& r) {
+    return {static_cast<Real>(r.x), static_cast<Real>(r.y), static_cast<Real>(r.w), static_cast<Real>(r.h)};
+  }
+  static Vec2 widen(Vec v) { return {v.x, v.y}; }
+  static Rect widen(const BasicRect<Real>& r) { return {r.x, r.y, r.w, r.h}; }
+
+  void step_body(State& state, std::size_t index, const Input& input) {
+    Body& body = state.bodies[index];
+    Moving<Real> moving{narrow(body.box), narrow(body.velocity), body.foot};
+    if (record_ != nullptr)
+      record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
+    if (!body.is_clear) leave_ground(moving);
+    order_ = 0;
+
+    if (body.id == state.grabbed) {
+      drag(state, index, moving, input);
+    } else if (Players && body.kind == BodyKind::player) {
+      if constexpr (Players) run(state, index, moving, input);
+    } else {
+      fall(state, index, moving);
+    }
+
+    limit(moving);
+    const Rect before = body.box;
+    body.box = widen(moving.box);
+    body.velocity = widen(moving.velocity);
+    body.is_clear = true;
+    if constexpr (Pairs) {
+      if (!(before == body.box)) grid_.place(static_cast<std::uint32_t>(index), body.box);
+    }
+    if (record_ != nullptr) record_->paths.back().to = body.box;
+  }
+
+  // ---- Balls ----
+
+  void fall(State& state, std::size_t index, Moving<Real>& moving) {
+    Body& body = state.bodies[index];
+    BallRule<Real> rule(numbers_, moving);
+    rule.pull();
+    const Vec whole = moving.velocity * (Real(1) / static_cast<Real>(substeps_));
+    note_goal(moving, moving.velocity);
+    for (int i = 0; i < substeps_; ++i) {
+      rule.begin();
+      const Vec part = i == 0 ? whole : moving.velocity * (Real(1) / static_cast<Real>(substeps_));
+      move(state, index, moving, part,
+           [&](const auto& contact, Vec motion) { return rule.respond(contact, motion); });
+    }
+    body.gait.grounded = rule.grounded();
+  }
+
+  // A dragged ball goes part of the way to the mouse, and slides along what it meets.
+  void drag(State& state, std::size_t index, Moving<Real>& moving, const Input& input) {
+    const ArticleTuning& t = scene_->tuning.article;
+    Body& body = state.bodies[index];
+    body.previous = body.box.position();
+    const Vec2 goal = {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
+                       lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
+    const Vec way = narrow(within_limits(body.previous, goal) - body.previous);
+    note_goal(moving, way);
+    move(state, index, moving, way, [](const auto& contact, Vec motion) {
+      const Vec rest = motion * (1 - contact.t);
+      return rest - contact.normal * dot(rest, contact.normal);
+    });
+  }
+
+  // ---- Players ----
+
+  void run(State& state, std::size_t index, Moving<Real>& moving, const Input& input) {
+    Gait& gait = state.bodies[index].gait;
+    if (gait.coyote > 0) --gait.coyote;
+    PlayerRule<Real> rule(numbers_, moving, gait);
+    rule.take(input);
+    Vec motion = moving.velocity;
+    if (gait.grounded) {
+      const auto floor = floor_under(state, index, moving, rule.reach_down(0));
+      motion = floor ? rule.walk(floor.normal) : Vec{moving.velocity.x, 0};
+    }
+    note_goal(moving, motion);
+    const Real x = moving.box.x;
+    const bool walked = gait.grounded;
+    move(state, index, moving, motion, [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
+    if (rule.landed()) rule.stand();
+    if (!gait.grounded) return;
+
+    const auto floor = floor_under(state, index, moving, rule.reach_down(moving.box.x - x));
+    if (floor) {
+      moving.box.y = floor.position.y;
+      rule.stand();
+    } else if (walked) {
+      rule.leave_ground();
+    } else {
+      gait.grounded = false;
+    }
+  }
+
+  // The level ground straight below, within `reach`.
+  Contact<Real> floor_under(const State& state, std::size_t index, const Moving<Real>& moving, Real reach) {
+    gather(state, index, moving, {0, reach});
+    Contact<Real> floor = cast_box<Real, Parts>(ground_, {moving.box, {0, reach}, moving.foot}, others_);
+    if (floor && !is_level(floor, numbers_.steepest)) floor.t = std::numeric_limits<Real>::infinity();
+    return floor;
+  }
+
+  // ---- All ----
+
+  template <class Respond>
+  void move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
+    gather(state, index, moving, motion);
+    Mover<Real, Parts> mover(ground_, others_, max_passes_);
+    const auto result = mover.move(moving, motion, respond, [&](const Contact<Real>& contact, Vec way) {
+      if (record_ != nullptr) note(state.bodies[index], contact, way);
+    });
+    if (record_ != nullptr) record_->paths.back().capped = record_->paths.back().capped || result.capped;
+  }
+
+  // The other bodies that the motion, whichever way it turns, may meet.
+  void gather(const State& state, std::size_t index, const Moving<Real>& moving, Vec motion) {
+    if constexpr (Pairs) {
+      const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
+      const Rect box = widen(moving.box);
+      grid_.near({box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length}, near_);
+      others_.clear();
+      other_bodies_.clear();
+      for (const std::uint32_t i : near_) {
+        if (i == index) continue;
+        others_.push_back(narrow(state.bodies[i].box));
+        other_bodies_.push_back(&state.bodies[i]);
+      }
+    }
+  }
+
+  void leave_ground(Moving<Real>& moving) {
+    const auto out = way_out(ground_, moving.box, moving.foot);
+    if (!out) return;
+    moving.box.x += out->x;
+    moving.box.y += out->y;
+  }
+
+  void limit(Moving<Real>& moving) {
+    const Vec2 wanted = widen(moving.velocity);
+    const Vec2 limited = within_limits({}, wanted);
+    moving.velocity = narrow(limited);
+    const Vec2 at = widen(moving.box).position();
+    const Vec2 kept = within_limits(at, at);
+    moving.box.x = static_cast<Real>(kept.x);
+    moving.box.y = static_cast<Real>(kept.y);
+    if (record_ != nullptr && (limited != wanted || kept != at)) record_->paths.back().limited = true;
+  }
+
+  // A pressed button takes the body under it; a released one throws it with the speed of its last frame.
+  void take_mouse(State& state, const Input& input) {
+    if (input.mouse_down) {
+      if (state.grabbed != 0) return;
+      for (const Body& body : state.bodies) {
+        const bool inside = input.mouse.x > body.box.x && input.mouse.x < body.box.right() &&
+                            input.mouse.y > body.box.y && input.mouse.y < body.box.bottom();
+        if (!inside) continue;
+        state.grabbed = body.id;
+        return;
+      }
+      return;
+    }
+    for (Body& body : state.bodies) {
+      if (state.grabbed != 0 && body.id == state.grabbed) body.velocity = body.box.position() - body.previous;
+    }
+    state.grabbed = 0;
+  }
+
+  // ---- Records ----
+
+  void note_goal(const Moving<Real>& moving, Vec motion) {
+    if (record_ != nullptr) record_->paths.back().goal = {moving.box.x + motion.x, moving.box.y + motion.y};
+  }
+
+  Obstacle obstacle_of(const Contact<Real>& contact) const {
+    Obstacle other;
+    if (contact.is_other) {
+      const Body& body = *other_bodies_[static_cast<std::size_t>(-1 - contact.origin)];
+      return {TileRole::ball, body.origin.cell, body.id, body.box};
+    }
+    const Piece<Real>* piece = contact.piece;
+    if (piece != nullptr && piece->slope != 0)
+      other.role = piece->slope < 0 ? TileRole::up_slope : TileRole::down_slope;
+    if (contact.origin < 0) {
+      other.curve = -1 - contact.origin;
+    } else {
+      other.cell = {contact.origin % ground_.width(), contact.origin / ground_.width()};
+    }
+    other.box = {other.cell.x * 1.0 * kTileSide, other.cell.y * 1.0 * kTileSide, kTileSide, kTileSide};
+    if (piece != nullptr && (contact.origin < 0 || other.role != TileRole::solid)) {
+      const double top = std::min(piece->y0, piece->y1), bottom = std::max(piece->y0, piece->y1);
+      other.box = {piece->x0, top, static_cast<double>(piece->x1) - piece->x0, bottom - top};
+    }
+    return other;
+  }
+
+  void note(const Body& body, const Contact<Real>& contact, Vec motion) {
+    ContactRecord& c = record_->contacts.emplace_back();
+    c.body = body.id;
+    c.order = order_++;
+    c.other = obstacle_of(contact);
+    c.ti = contact.t;
+    c.move = widen(motion);
+    c.normal = widen(contact.normal);
+    c.touch = widen(contact.position);
+    c.handled = true;
+    const bool sloped = contact.normal.x != 0 && contact.normal.y != 0;
+    if (!sloped || contact.piece == nullptr) return;
+    const Piece<Real>& piece = *contact.piece;
+    const double centre = static_cast<double>(contact.position.x) + body.box.w / 2;
+    c.slope = SlopeProbe{
+        .slope = c.other,
+        .delta = std::clamp((centre - piece.x0) / (static_cast<double>(piece.x1) - piece.x0), 0.0, 1.0),
+        .floor_y = contact.position.y + (contact.facing == Facing::up ? body.box.h : 0),
+        .placed_y = contact.position.y,
+        .normal = c.normal,
+        .corrected = true};
+  }
+
+  const std::shared_ptr<const Scene> scene_;
+  const BasicTerrain<Real>& ground_;
+  const ExactNumbers<Real> numbers_;
+  const int max_passes_, substeps_;
+  BodyGrid grid_;
+  std::vector<std::uint32_t> near_;        // indices of bodies
+  std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves
+  std::vector<const Body*> other_bodies_;  // theirs
+  StepRecord* record_ = nullptr;           // of the step under way; null when nobody wants it
+  int order_ = 0;                          // of the next contact of the body that moves
+};
+
+template <class Real, unsigned Parts, bool Pairs>
+std::unique_ptr<Solver> make(std::shared_ptr<const Scene> scene) {
+  if (scene->features.players)
+    return std::make_unique<ExactSolver<Real, Parts, Pairs, true>>(std::move(scene));
+  return std::make_unique<ExactSolver<Real, Parts, Pairs, false>>(std::move(scene));
+}
+
+template <class Real, unsigned Parts>
+std::unique_ptr<Solver> make(std::shared_ptr<const Scene> scene) {
+  if (scene->features.pairs) return make<Real, Parts, true>(std::move(scene));
+  return make<Real, Parts, false>(std::move(scene));
+}
+
+template <class Real>
+std::unique_ptr<Solver> make(std::shared_ptr<const Scene> scene) {
+  if (scene->features.curves) return make<Real, kAllParts>(std::move(scene));
+  if (scene->features.slopes) return make<Real, kSlopes>(std::move(scene));
+  return make<Real, kTiles>(std::move(scene));
+}
+
+}  // namespace
+
+std::unique_ptr<Solver> make_exact_solver(std::shared_ptr<const Scene> scene) {
+  assert(scene->ground || scene->single_ground);
+  if (scene->single_ground) return make<float>(std::move(scene));
+  return make<double>(std::move(scene));
+}
+
+}  // namespace talus
