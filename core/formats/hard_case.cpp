@@ -1,6 +1,7 @@
 #include "hard_case.h"
 
 #include <algorithm>
+#include <array>
 
 #include "json_text.h"
 
@@ -66,8 +67,9 @@ CaseInput read_input(const Json& json, const std::string& path) {
   input.mouse_down = json.value("down", Json(false)) == true;
   if (!json.contains("keys")) return input;
   for (const Json& key : json["keys"]) {
-    if (!key.is_string()) fail(path + ".keys", "must be a list of names");
-    input.keys.push_back(key.get<std::string>());
+    if (key != "left" && key != "right" && key != "jump")
+      fail(path + ".keys", "must be a list of \"left\", \"right\" and \"jump\"");
+    (key == "left" ? input.left : key == "right" ? input.right : input.jump) = true;
   }
   return input;
 }
@@ -151,6 +153,14 @@ HardCase read_case(const Json& json) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> hard_case_keys() {
+  static constexpr std::array<std::string_view, 20> kKeys = {
+      "hard_case", "number", "title",  "set_up", "right_answer", "measure", "body",
+      "frame",     "frames", "mouse",  "down",   "keys",         "input",   "floor",
+      "arc",       "sine",   "checks", "right",  "bottom",       "bound"};
+  return kKeys;
+}
 
 FormatResult<std::optional<HardCase>> hard_case_of(const Level& level) {
   if (level.extra.empty()) return std::nullopt;

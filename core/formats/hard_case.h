@@ -12,6 +12,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "../level/hard_case.h"
 #include "format.h"
@@ -20,5 +22,8 @@ namespace talus {
 
 // The hard case that a level is; nothing if it is none. Errors are placed by key.
 FormatResult<std::optional<HardCase>> hard_case_of(const Level& level);
+
+// Its keys in the order in which they are written.
+std::span<const std::string_view> hard_case_keys();
 
 }  // namespace talus

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "hard_case.h"
 #include "hex.h"
 #include "json_text.h"
 #include "native_cart.h"
@@ -425,6 +426,8 @@ std::vector<std::string_view> key_order() {
                              "upper",  "middle",     "amplitude", "wavelength", "origin",  "ys",     "flags",
                              "pixels", "width",      "height",    "rows",       "comment", "chunks", "lines",
                              "chunk",  "bank",       "reserved",  "code",       "data"});
+  const auto hard_case = hard_case_keys();
+  order.insert(order.end(), hard_case.begin(), hard_case.end());
   return order;
 }
 

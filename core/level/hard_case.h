@@ -52,7 +52,7 @@ struct CaseInput {
   std::int64_t frame = 1;
   Vec2 mouse;  // px
   bool mouse_down = false;
-  std::vector<std::string> keys;
+  bool left = false, right = false, jump = false;
 };
 
 // The line that bodies should stand on, for `sink` and `gap`: the highest of its parts.
