@@ -1,0 +1,134 @@
+// The hard cases of assets/hard_cases in the three solvers: the exact one passes them all, and what the other
+// two fail is written down here, since they are references for how slopes go wrong.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "formats/hard_case.h"
+#include "sim/hard_case_run.h"
+
+namespace talus {
+namespace {
+
+struct CaseFile {
+  std::string name;  // without folder and extension
+  Level level;
+  HardCase hard;
+};
+
+std::vector<std::string> case_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(TALUS_SOURCE_DIR "/assets/hard_cases")) {
+    const std::string name = entry.path().filename().string();
+    const std::size_t end = name.find(".talus.json");
+    if (end != std::string::npos) names.push_back(name.substr(0, end));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+CaseFile load_case(const std::string& name) {
+  const auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/" + name + ".talus.json");
+  EXPECT_TRUE(loaded) << name << " " << (loaded ? "" : loaded.error().place + ": " + loaded.error().message);
+  const auto hard = hard_case_of(loaded->level);
+  EXPECT_TRUE(hard) << name << " " << (hard ? "" : hard.error().place + ": " + hard.error().message);
+  return {name, loaded->level, hard->value()};
+}
+
+// The checks that fail, such as "position 1, sink 2": measure and body.
+std::string failures_of(const CaseFile& file, SolverKind solver, std::string* details = nullptr) {
+  Level level = file.level;
+  level.tuning.solver = solver;
+  std::string failures;
+  for (const CaseResult& result : run_hard_case(file.hard, level)) {
+    if (result.passed) continue;
+    const auto& info = case_measure_infos()[static_cast<std::size_t>(result.check.measure)];
+    failures +=
+        (failures.empty() ? "" : ", ") + std::string(info.key) + " " + std::to_string(result.check.body);
+    if (details != nullptr)
+      *details += "\n  " + std::string(info.key) + ": " + std::to_string(result.measured);
+  }
+  return failures;
+}
+
+struct KnownFailures {
+  std::string article, bump;
+};
+const std::map<std::string, KnownFailures>& known_failures() {
+  static const std::map<std::string, KnownFailures> kKnown = {
+      {"01-seam-in-a-wall",
+       {"position 1, position 4, position 6, mirror 1, translate 1",
+        "position 1, position 4, position 6, mirror 1, translate 1"}},
+      {"02-floor-of-tiles",
+       {"reaches 2, reaches 4, walls 2, walls 4", "reaches 2, reaches 4, walls 2, walls 4"}},
+      {"03-step-with-a-slope", {"reaches 1, sink 1, walls 1, position 1", ""}},
+      {"04-peak", {"position 2", ""}},
+      {"05-valley", {"position 1, sink 1", ""}},
+      {"06-low-end-of-a-slope", {"walls 1, reaches 1, sink 1", ""}},
+      {"07-t-junction", {"sink 1", "sink 1"}},
+      {"08-slight-bends", {"sink 1", "sink 1"}},
+      {"09-ramp-into-a-wall", {"position 1, sink 1", "mirror 1"}},
+      {"10-wedge", {"position 1", "position 1"}},
+      {"11-sloped-ceiling", {"position 1, velocity 1", "position 1, velocity 1"}},
+      {"12-steepness-limit", {"reaches 1, position 1, sink 1", "position 1"}},
+      {"13-downhill", {"gap 1", "gap 1"}},
+      {"14-jump-uphill", {"position 1, sink 1", "position 1"}},
+      {"15-ledge-as-deep-as-the-snap", {"gap 1", "gap 1"}},
+      {"16-landing-uphill", {"sink 1, reaches 1", ""}},
+      {"17-thin-floor",
+       {"position 1, position 2, position 3, position 1, position 2, position 3",
+        "position 1, position 2, position 3, position 1, position 2, position 3"}},
+      {"22-a-little-inside-a-wall",
+       {"position 1, position 2, position 3", "position 1, position 2, position 3"}},
+      {"26-rest", {"position 2, sink 3", "changes 2, position 2"}},
+      {"27-bounce-for-ever", {"apex 1", "apex 1"}},
+      {"28-bounce-on-45-degrees", {"velocity 1, velocity 2", ""}},
+      {"29-many-bounces-in-a-frame", {"position 1, velocity 1", "position 1, velocity 1"}},
+      {"38-curves", {"sink 1, gap 1", "sink 1, gap 1"}},
+      {"39-crest-inside-the-box", {"sink 1", "sink 1"}},
+  };
+  return kKnown;
+}
+
+class HardCases : public testing::TestWithParam<std::string> {};
+
+TEST_P(HardCases, FailAsKnown) {
+  const CaseFile file = load_case(GetParam());
+  const auto known = known_failures().find(GetParam());
+  const KnownFailures expected = known == known_failures().end() ? KnownFailures{} : known->second;
+  std::string details;
+  EXPECT_EQ(failures_of(file, SolverKind::article, &details), expected.article) << details;
+  details.clear();
+  EXPECT_EQ(failures_of(file, SolverKind::bump, &details), expected.bump) << details;
+}
+
+TEST_P(HardCases, PassInTheExactSolver) {
+  std::string details;
+  EXPECT_EQ(failures_of(load_case(GetParam()), SolverKind::exact, &details), "") << details;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, HardCases, testing::ValuesIn(case_names()), [](const auto& name) {
+  std::string text = name.param;
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+});
+
+TEST(HardCaseFiles, HoldEveryCaseOfShapesOnce) {
+  std::vector<int> numbers, wanted;
+  for (const std::string& name : case_names()) {
+    const CaseFile file = load_case(name);
+    EXPECT_EQ(std::stoi(name.substr(0, 2)), file.hard.number) << name;
+    EXPECT_FALSE(file.hard.checks.empty()) << name;
+    EXPECT_EQ(file.level.tuning.solver, SolverKind::exact) << name;
+    numbers.push_back(file.hard.number);
+  }
+  for (int number = 1; number <= 33; ++number) wanted.push_back(number);
+  wanted.insert(wanted.end(), {38, 39});
+  EXPECT_EQ(numbers, wanted);
+}
+
+}  // namespace
+}  // namespace talus
