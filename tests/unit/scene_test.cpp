@@ -58,6 +58,25 @@ TEST(Scene, RolesFollowTheUsersFlags) {
   EXPECT_EQ(picture_of(compile_scene(level)), "/0,0 \\1,0 #2,0 ");
 }
 
+TEST(Scene, AStraightFloorOfATileIsASlopesBoxOnASolidOne) {
+  Level level = level_of({"...", "x.#"});
+  level.map.set({0, 1}, 7);
+  level.tile_shapes[7] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {2, 12}};
+  const Scene scene = compile_scene(level);
+  ASSERT_EQ(scene.items.size(), 3u);
+  EXPECT_EQ(scene.items[0].role, TileRole::up_slope);
+  EXPECT_EQ(scene.items[0].box, (Rect{0, 4, 16, 10}));
+  EXPECT_EQ(scene.items[1].role, TileRole::solid);
+  EXPECT_EQ(scene.items[1].box, (Rect{0, 14, 16, 2}));
+  EXPECT_EQ(scene.items[2].cell, (Cell{2, 1}));
+}
+
+TEST(Scene, ASpawnHasItsOwnSize) {
+  Level level = level_of({"#"});
+  level.spawns.emplace_back().size = {12, 14};
+  EXPECT_EQ(compile_scene(level).items[1].box, (Rect{0, 0, 12, 14}));
+}
+
 TEST(FlagRoles, SolidWinsOverSlopesAndSlopesOverBall) {
   const FlagRoles roles;
   EXPECT_EQ(role_of(0b1111, roles), TileRole::solid);
