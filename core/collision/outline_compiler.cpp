@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double left_of(int column) { return static_cast<double>(column) * kTileSide; }
 
@@ -128,6 +131,7 @@ OutlineCompiler::Body OutlineCompiler::body_of(const TileShape& shape, Cell anch
   Body body;
   body.origin = static_cast<std::int32_t>(anchor.y) * width_ + anchor.x;
   body.one_way = shape.one_way;
+  body.is_floor = floor;
   body.has_top = !shape.one_way || floor;
   body.has_bottom = !shape.one_way || !floor;
 
@@ -174,6 +178,7 @@ void OutlineCompiler::compile(Cell cell, std::span<const std::uint32_t> curve_nu
   }
   compile_wall(cell, true, out);
   compile_wall(cell, false, out);
+  compile_tips(cell, out);
   for (const std::uint32_t number : curve_numbers) out.push_back(curves_[number]);
   for (std::size_t i = begin; i < out.size(); ++i) mark_ends(out[i], cell);
 }
@@ -264,6 +269,23 @@ std::vector<OutlineCompiler::Interval> OutlineCompiler::hidden_parts(std::size_t
 
 // ---- Walls ----
 
+Piece<double> OutlineCompiler::wall_at(double x, double y0, double y1, bool left, std::int32_t origin,
+                                       bool convex0, bool convex1) {
+  Piece<double> wall = {.x0 = x,
+                        .y0 = y0,
+                        .x1 = x,
+                        .y1 = y1,
+                        .base_x = x,
+                        .base_y = y0,
+                        .slope = 0,
+                        .origin = origin,
+                        .stretch = 0,
+                        .facing = left ? Facing::left : Facing::right};
+  wall.convex0 = convex0;
+  wall.convex1 = convex1;
+  return wall;
+}
+
 // The side of the strip in this cell where the ground is on the one hand and not on the other.
 void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) const {
   const double x = left_of(cell.x) + (left ? 0 : kTileSide);
@@ -289,34 +311,53 @@ void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<doubl
   };
   const auto ours = covered(here_, left), theirs = covered(left ? before_ : after_, !left);
 
-  const auto put = [&](double y0, double y1, std::int32_t origin, bool convex0, bool convex1) {
-    Piece<double>& wall = out.emplace_back();
-    wall = {.x0 = x,
-            .y0 = y0,
-            .x1 = x,
-            .y1 = y1,
-            .base_x = x,
-            .base_y = y0,
-            .slope = 0,
-            .origin = origin,
-            .stretch = 0,
-            .facing = left ? Facing::left : Facing::right};
-    wall.convex0 = convex0;
-    wall.convex1 = convex1;
-  };
   for (const auto& [whole, origin] : ours) {
-    if (whole.from == whole.to) {  // the tip of a wedge
-      const bool hidden = std::any_of(theirs.begin(), theirs.end(), [&](const auto& t) {
-        return t.first.from <= whole.from && whole.from <= t.first.to;
-      });
-      if (!hidden && whole.from >= row0 && whole.from <= row1) put(whole.from, whole.to, origin, true, true);
-      continue;
-    }
     std::vector<Interval> parts = {whole};
     for (const auto& t : theirs) parts = without(parts, t.first.from, t.first.to);
     for (const Interval& part : parts) {
       const double y0 = std::max(part.from, row0), y1 = std::min(part.to, row1);
-      if (y0 < y1) put(y0, y1, origin, y0 == whole.from, y1 == whole.to);
+      if (y0 < y1) out.push_back(wall_at(x, y0, y1, left, origin, y0 == whole.from, y1 == whole.to));
+    }
+  }
+}
+
+// Whether a body has more than a line right (or left) beside x.
+bool OutlineCompiler::is_thick(const Body& body, double x, bool to_the_right) {
+  double far = to_the_right ? kInfinity : -kInfinity;
+  for (const std::vector<Line>* lines : {&body.top, &body.bottom}) {
+    for (const Line& line : *lines) {
+      if (to_the_right && line.x0 <= x && x < line.x1) far = std::min(far, line.x1);
+      if (!to_the_right && line.x0 < x && x <= line.x1) far = std::max(far, line.x0);
+    }
+  }
+  if (std::isinf(far)) return false;
+  return height_at(body.top, x, to_the_right) != height_at(body.bottom, x, to_the_right) ||
+         height_at(body.top, far, !to_the_right) != height_at(body.bottom, far, !to_the_right);
+}
+
+// The tips of wedges: where a body's top and bottom meet and nothing goes on.
+void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) const {
+  const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
+  const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
+  const auto goes_on_at = [&](double x, double y, bool to_the_right) {
+    const Strip& strip = x == strip0 && !to_the_right  ? before_
+                         : x == strip1 && to_the_right ? after_
+                                                       : here_;
+    return std::any_of(strip.begin(), strip.end(), [&](const Body& body) {
+      return !body.one_way && is_thick(body, x, to_the_right) && height_at(body.top, x, to_the_right) <= y &&
+             y <= height_at(body.bottom, x, to_the_right);
+    });
+  };
+  for (const Body& body : here_) {
+    if (body.one_way) continue;
+    for (const Line& line : body.is_floor ? body.top : body.bottom) {
+      for (const bool first : {true, false}) {
+        const double x = first ? line.x0 : line.x1, y = first ? line.y0 : line.y1;
+        const bool here = x >= strip0 && x <= strip1 && y >= row0 && y <= row1;
+        if (!here || y != height_at(body.top, x, first) || y != height_at(body.bottom, x, first)) continue;
+        if (line.y0 == line.y1 || goes_on_at(x, y, !first)) continue;
+        out.push_back(wall_at(x, y, y, first, body.origin, true, true));
+      }
     }
   }
 }
@@ -348,6 +389,7 @@ bool OutlineCompiler::goes_on(const Piece<double>& piece, bool first, bool only_
   for (const Strip* strip : {&before_, &here_, &after_}) {
     for (const Body& body : *strip) {
       if (up ? !body.has_top : !body.has_bottom) continue;
+      if (!body.one_way && !is_thick(body, x, !first)) continue;
       for (const Line& line : up ? body.top : body.bottom) {
         const bool reaches_on = first ? line.x0 < x && x <= line.x1 : line.x0 <= x && x < line.x1;
         if (!reaches_on || line.at(x) != y) continue;

@@ -56,6 +56,7 @@ class OutlineCompiler {
   struct Body {
     std::int32_t origin = 0;
     bool one_way = false;
+    bool is_floor = true;                    // the top is the shape's line, not the bottom
     bool has_top = true, has_bottom = true;  // of a one-way line the side that stops
     std::vector<Line> top, bottom;           // left to right
   };
@@ -74,6 +75,10 @@ class OutlineCompiler {
   std::vector<Interval> hidden_parts(std::size_t body, bool top, const Line& line, double x0,
                                      double x1) const;
   void compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) const;
+  void compile_tips(Cell cell, std::vector<Piece<double>>& out) const;
+  static bool is_thick(const Body& body, double x, bool to_the_right);
+  static Piece<double> wall_at(double x, double y0, double y1, bool left, std::int32_t origin, bool convex0,
+                               bool convex1);
   void mark_ends(Piece<double>& piece, Cell cell) const;
   bool goes_on(const Piece<double>& piece, bool first, bool only_outward) const;
 
