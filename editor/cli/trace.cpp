@@ -40,10 +40,11 @@ void append_slope(std::string& line, const SlopeProbe& slope) {
 }
 
 std::string_view role_name(TileRole role) {
+  if (role == TileRole::none) return "none";
   for (const FlagRoleInfo& info : flag_role_infos()) {
     if (info.role == role) return info.key;
   }
-  return "none";
+  return "";
 }
 
 std::string_view response_name(Response response) {

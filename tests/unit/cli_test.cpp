@@ -102,6 +102,9 @@ TEST(CliSim, ANumberOfTheTuningCanBeSet) {
   EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "fall_blend=2"}).status, kExitUsage);
   EXPECT_THAT(run({"sim", kOne, "--frames", "1", "--set", "gravity=2"}).err, HasSubstr("gravity"));
   EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "fall_blend=1x"}).status, kExitUsage);
+  EXPECT_EQ(run({"sim", kOne, "--frames", "1", "--set", "exact.substeps=2"}).status, kExitGood);
+  EXPECT_THAT(run({"sim", kOne, "--frames", "1", "--set", "exact.substeps=1.5"}).err,
+              HasSubstr("exact.substeps must be a whole number from 1 to 64"));
 }
 
 TEST(CliSim, BadInputIsNamedByItsLine) {
