@@ -66,9 +66,10 @@ CaseInput read_input(const Json& json, const std::string& path) {
   }
   input.mouse_down = json.value("down", Json(false)) == true;
   if (!json.contains("keys")) return input;
+  const auto wrong_keys = [&] { fail(path + ".keys", "must be a list of \"left\", \"right\" and \"jump\""); };
+  if (!json["keys"].is_array()) wrong_keys();
   for (const Json& key : json["keys"]) {
-    if (key != "left" && key != "right" && key != "jump")
-      fail(path + ".keys", "must be a list of \"left\", \"right\" and \"jump\"");
+    if (key != "left" && key != "right" && key != "jump") wrong_keys();
     (key == "left" ? input.left : key == "right" ? input.right : input.jump) = true;
   }
   return input;

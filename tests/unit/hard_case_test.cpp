@@ -1,0 +1,140 @@
+// Hard cases: reading them from a level, their floors, and measuring a run.
+
+#include "formats/hard_case.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "level_text.h"
+#include "sim/hard_case_run.h"
+
+namespace talus {
+namespace {
+
+Level level_with(const std::string& hard_case) {
+  Level level = level_of({"o..", "...", "###"});
+  level.extra = "{\"hard_case\":" + hard_case + "}";
+  return level;
+}
+
+std::string case_text(const std::string& members) {
+  return R"({"number":3,"title":"t","set_up":"s","right_answer":"r","frames":10)" + members + "}";
+}
+
+TEST(HardCase, ALevelWithoutTheKeyIsNone) {
+  Level level = level_of({"#"});
+  EXPECT_FALSE(hard_case_of(level).value());
+  level.extra = R"({"author":"me"})";
+  EXPECT_FALSE(hard_case_of(level).value());
+}
+
+TEST(HardCase, IsReadWhole) {
+  const auto hard = hard_case_of(level_with(case_text(
+      R"(,"input":[{"frame":2,"mouse":[3,4],"down":true,"keys":["left","jump"]}],
+         "floor":[[[0,8],[8,8],[16,0]],{"arc":[40,20,10,30,50]}],
+         "checks":[{"measure":"position","body":2,"frame":5,"right":9,"bound":0.5},
+                   {"measure":"gap","frames":[3,7]}])")));
+  ASSERT_TRUE(hard) << hard.error().place << hard.error().message;
+  const HardCase& h = **hard;
+  EXPECT_EQ(h.number, 3);
+  EXPECT_EQ(h.frames, 10);
+  ASSERT_EQ(h.input.size(), 1u);
+  EXPECT_EQ(h.input[0].mouse, (Vec2{3, 4}));
+  EXPECT_TRUE(h.input[0].mouse_down && h.input[0].left && h.input[0].jump && !h.input[0].right);
+  EXPECT_EQ(h.floor.parts.size(), 3u);
+  ASSERT_EQ(h.checks.size(), 2u);
+  EXPECT_EQ(h.checks[0].body, 2);
+  EXPECT_EQ(h.checks[0].first, 5);
+  EXPECT_EQ(h.checks[0].right, 9);
+  EXPECT_FALSE(h.checks[0].x);
+  EXPECT_EQ(h.checks[0].bound, 0.5);
+  EXPECT_EQ(h.checks[1].measure, CaseCheck::Measure::gap);
+  EXPECT_EQ(h.checks[1].last, 7);
+}
+
+TEST(HardCase, ErrorsNameTheirKey) {
+  const auto place_of = [](const std::string& hard_case) {
+    const auto hard = hard_case_of(level_with(hard_case));
+    return hard ? std::string("none") : hard.error().place;
+  };
+  EXPECT_EQ(place_of("[]"), "key hard_case");
+  EXPECT_EQ(place_of("{}"), "key hard_case.number");
+  EXPECT_EQ(place_of(case_text(R"(,"checks":[{"measure":"speed"}])")), "key hard_case.checks[0].measure");
+  EXPECT_EQ(place_of(case_text(R"(,"checks":[{"measure":"gap","frame":11}])")),
+            "key hard_case.checks[0].frame");
+  EXPECT_EQ(place_of(case_text(R"(,"checks":[{"measure":"gap","x":"1"}])")), "key hard_case.checks[0].x");
+  EXPECT_EQ(place_of(case_text(R"(,"floor":[[[0,0]]])")), "key hard_case.floor[0]");
+  EXPECT_EQ(place_of(case_text(R"(,"floor":[[[5,0],[0,0]]])")), "key hard_case.floor[0]");
+  EXPECT_EQ(place_of(case_text(R"(,"floor":[{"arc":[1]}])")), "key hard_case.floor[0].arc");
+  EXPECT_EQ(place_of(case_text(R"(,"input":[{"frame":1,"keys":["fly"]}])")), "key hard_case.input[0].keys");
+  EXPECT_EQ(place_of(case_text(R"(,"input":[{"frame":1,"keys":"left"}])")), "key hard_case.input[0].keys");
+}
+
+TEST(CaseFloor, IsHighestAtAnEndOrAtACrestBetween) {
+  CaseFloor floor;
+  floor.parts.emplace_back(Segment{{0, 20}, {10, 10}});
+  EXPECT_EQ(floor.top(2, 6), 14);
+  EXPECT_EQ(floor.top(8, 30), 10);
+  EXPECT_FALSE(floor.top(11, 12));
+  floor.parts = {Arc{{50, 100}, 10, 40, 60, true}};
+  EXPECT_EQ(floor.top(44, 56), 90);
+  EXPECT_EQ(floor.top(56, 60), 92);
+  floor.parts = {Sine{0, 40, 8, 2, 16, 0}};
+  EXPECT_EQ(floor.top(10, 14), 6);
+  EXPECT_EQ(floor.top(0, 40), 6);
+  EXPECT_EQ(floor.top(4, 4), 10);
+  EXPECT_NEAR(*floor.top(13, 15), 8 + 2 * std::sin(13 * std::acos(-1.0) / 8), 1e-12);
+}
+
+// A ball of the article falls 8 px on a floor, whatever the solver.
+double measured(CaseCheck check) {
+  Level level = level_of({"o..", "...", "###"});
+  HardCase hard;
+  hard.frames = 20;
+  hard.floor.parts.emplace_back(Segment{{0, 16}, {24, 16}});
+  hard.checks = {check};
+  return run_hard_case(hard, level).at(0).measured;
+}
+
+CaseCheck check_of(CaseCheck::Measure measure) {
+  CaseCheck check;
+  check.measure = measure;
+  return check;
+}
+
+TEST(HardCaseRun, MeasuresWhereABodyIs) {
+  using M = CaseCheck::Measure;
+  CaseCheck position = check_of(M::position);
+  position.first = position.last = 1;
+  position.y = 0;
+  position.right = 8;
+  EXPECT_EQ(measured(position), 0.375);
+  CaseCheck velocity = check_of(M::velocity);
+  velocity.first = velocity.last = 1;
+  velocity.y = 1;
+  EXPECT_EQ(measured(velocity), 0.625);
+  EXPECT_EQ(measured(check_of(M::sink)), 0);
+  EXPECT_EQ(measured(check_of(M::gap)), 7.625);
+  CaseCheck reaches = check_of(M::reaches);
+  reaches.x = 5;
+  EXPECT_EQ(measured(reaches), 5);
+  EXPECT_EQ(measured(check_of(M::walls)), 0);
+  CaseCheck changes = check_of(M::changes);
+  changes.first = 1;
+  changes.last = 3;
+  EXPECT_EQ(measured(changes), 2);
+  EXPECT_EQ(measured(check_of(M::repeat)), 0);
+  EXPECT_EQ(measured(check_of(M::mirror)), 0);
+}
+
+TEST(HardCaseRun, WhatIsNotThereFails) {
+  CaseCheck other = check_of(CaseCheck::Measure::sink);
+  other.body = 2;
+  EXPECT_EQ(measured(other), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(measured(check_of(CaseCheck::Measure::reaches)), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace talus
