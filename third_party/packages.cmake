@@ -25,6 +25,7 @@ if(TALUS_TESTS)
   add_library(talus_rapidcheck INTERFACE)
   target_include_directories(talus_rapidcheck SYSTEM INTERFACE ${RAPIDCHECK_INCLUDE_DIR})
   target_link_libraries(talus_rapidcheck INTERFACE ${RAPIDCHECK_LIBRARY})
+  pkg_check_modules(gmpxx REQUIRED IMPORTED_TARGET gmpxx)
 endif()
 
 if(TALUS_BENCHMARKS)

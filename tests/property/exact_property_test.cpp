@@ -1,0 +1,308 @@
+// Properties of casting boxes against random ground, judged by a reference that shares no code with the core:
+// nothing is missed, nothing is hit that is not there, and how exact times and places are. The bounds are
+// stated where they are checked. TALUS_PROPERTY_MOVES: moves of each property, kMoves unless it says more.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+#include "collision/cast.h"
+#include "random_ground.h"
+
+namespace talus {
+namespace {
+
+using reference::Exact;
+using reference::ExactBox;
+using reference::ExactGround;
+using reference::ExactHit;
+using reference::Wide;
+using reference::WideBox;
+using reference::WideCurve;
+
+constexpr double kMoves = 10000;
+constexpr int kSeeds = 100;          // what rapidcheck tries of a property
+constexpr int kMovesOnAGround = 20;  // then comes another one
+constexpr Wide kNever = 2;           // a time: not during the motion
+
+int grounds_of_a_seed() {
+  const char* text = std::getenv("TALUS_PROPERTY_MOVES");
+  const double moves = text == nullptr ? kMoves : std::max(kMoves, std::atof(text));
+  return static_cast<int>(moves / (kSeeds * kMovesOnAGround));
+}
+
+// ---- Moves ----
+
+struct Move {
+  Rect box;
+  Vec2 motion;
+};
+
+void showValue(const Move& m, std::ostream& out) {
+  char text[200];
+  std::snprintf(text, sizeof text, "box {%.17g, %.17g, %.17g, %.17g} motion {%.17g, %.17g}", m.box.x, m.box.y,
+                m.box.w, m.box.h, m.motion.x, m.motion.y);
+  out << text;
+}
+
+// The distance of doubles at the largest coordinate that the move meets.
+double ulp_of(const Move& m) {
+  const double x0 = std::abs(m.box.x), x1 = std::abs(m.box.x + m.box.w), y0 = std::abs(m.box.y),
+               y1 = std::abs(m.box.y + m.box.h);
+  const double most =
+      std::max({x0, x1, y0, y1, std::abs(m.box.x + m.motion.x), std::abs(m.box.y + m.motion.y)});
+  return std::nextafter(most, std::numeric_limits<double>::infinity()) - most;
+}
+
+// Numbers on a grid of 1/parts meet sides and corners exactly, others hardly ever.
+Move random_move(Dice& dice, const RandomGround& ground, const ExactGround& exact, double parts) {
+  const double width = ground.width * kTileSide, height = ground.height * kTileSide;
+  Move m;
+  m.box.w = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
+  m.box.h = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
+  m.box.x = dice.step(-8, width, parts);
+  m.box.y = dice.step(-8, height, parts);
+  const double lengths[] = {4, 40, 40, 40, 40, 4096, 1e6, 40};
+  const double length = lengths[dice.up_to(7)];
+  m.motion = {dice.step(-length, length, parts), dice.step(-length, length, parts)};
+  if (dice.one_in(6)) m.motion.x = 0;
+  if (dice.one_in(6)) m.motion.y = 0;
+  if (dice.one_in(6)) m.motion.y = dice.one_in(2) ? m.motion.x : -m.motion.x;
+  if (dice.one_in(3)) {  // as a body at rest
+    const auto floor = exact.floor_below(ExactBox{m.box.x, m.box.y, m.box.w, m.box.h});
+    if (floor) m.box.y = floor->get_d() - m.box.h;
+  }
+  return m;
+}
+
+double random_grid(Dice& dice) { return std::array{4.0, 4.0, 256.0, 1e10}[dice.up_to(3)]; }
+
+// ---- The truth ----
+
+// What the reference says: the time of impact, and the times of boxes that are a little smaller and larger. A
+// cast is right if it is that of some box in between.
+struct Truth {
+  Wide t = kNever, smaller = kNever, larger = kNever;
+  bool is_told = true;  // not when it hangs on the last bit whether the box comes in from the open side
+};
+
+Truth truth_of(const ExactGround& ground, const Move& m, double by) {
+  const ExactBox box{m.box.x, m.box.y, m.box.w, m.box.h};
+  const Exact dx = m.motion.x, dy = m.motion.y, eps = by;
+  const ExactHit hit = ground.cast(box, dx, dy, eps), smaller = ground.cast(box.grown(-eps), dx, dy),
+                 larger = ground.cast(box.grown(eps), dx, dy, 3 * eps);
+  return {reference::wide(hit.t), reference::wide(smaller.t), reference::wide(larger.t),
+          !hit.passed_a_line && !smaller.passed_a_line && !larger.passed_a_line &&
+              !ground.meets(box.grown(-eps))};
+}
+
+Truth truth_of(const std::vector<WideCurve>& curves, const Move& m, double by) {
+  const WideBox box{m.box.x, m.box.y, m.box.w, m.box.h};
+  const Wide dx = m.motion.x, dy = m.motion.y, eps = by;
+  Truth truth;
+  for (const WideCurve& curve : curves) {
+    WideCurve both = curve;
+    both.stops = WideCurve::Stops::everywhere;
+    const auto larger = cast(curve, box.grown(eps), dx, dy, 3 * eps);
+    truth.t = std::min(truth.t, cast(curve, box, dx, dy, eps).value_or(kNever));
+    truth.smaller = std::min(truth.smaller, cast(curve, box.grown(-eps), dx, dy, 0).value_or(kNever));
+    truth.larger = std::min(truth.larger, larger.value_or(kNever));
+    truth.is_told = truth.is_told && !meets(curve, box.grown(-eps)) &&
+                    cast(both, box.grown(eps), dx, dy, 3 * eps) == larger;
+  }
+  return truth;
+}
+
+// With curves the box may be off by what a curve's height may be wrong, too.
+struct Scene {
+  RandomGround ground;
+  Terrain terrain;
+  ExactGround exact;
+  std::vector<WideCurve> curves;
+  explicit Scene(RandomGround random)
+      : ground(std::move(random)), terrain(ground.compile()), exact(ground.exact()), curves(ground.wide()) {}
+
+  double allowance(const Move& m) const {
+    return 1.25 * rounding_slack(Cast<double>{m.box, m.motion}) + (curves.empty() ? 0 : 1e-12);
+  }
+  Truth truth(const Move& m) const {
+    const Truth a = truth_of(exact, m, allowance(m)), b = truth_of(curves, m, allowance(m));
+    return {std::min(a.t, b.t), std::min(a.smaller, b.smaller), std::min(a.larger, b.larger),
+            a.is_told && b.is_told};
+  }
+  Contact<double> cast(const Move& m) const { return cast_box(terrain, Cast<double>{m.box, m.motion}); }
+};
+
+// ---- What is wrong with a cast ----
+
+// How much longer the motion is than its part against the surface: what a rounding there is worth along it.
+double stretch_of(const Move& m, Vec2 normal) {
+  return std::hypot(m.motion.x, m.motion.y) / std::abs(dot(m.motion, normal));
+}
+double steepness(Vec2 normal) { return std::max(1.0, std::abs(normal.x / normal.y)); }
+
+const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
+  constexpr Wide kRounding = 4e-16L;  // of t itself
+  if (!hit) return truth.smaller < 1 ? "misses" : nullptr;
+  if (truth.larger > 1) return "hits nothing";
+  if (hit.t < truth.larger - kRounding) return "is early";
+  return truth.smaller <= 1 && hit.t > truth.smaller + kRounding ? "is late" : nullptr;
+}
+
+// The place: at most `bound` px from where the exact time puts the box, at right angles to the surface; along
+// it and the motion what that is worth there.
+const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Move& m, double bound,
+                        double allowance) {
+  // A box that grazes a corner meets it or does not: where it goes on then is another matter.
+  const Wide band = (truth.smaller - truth.larger) * std::hypot(m.motion.x, m.motion.y);
+  if (!hit || truth.t > 1 || band > 8 * allowance * stretch_of(m, hit.normal)) return nullptr;
+  const Wide x = m.box.x + truth.t * m.motion.x, y = m.box.y + truth.t * m.motion.y;
+  const double off =
+      static_cast<double>(std::max(std::abs(x - hit.position.x), std::abs(y - hit.position.y)));
+  const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
+  return off <= bound * stretch_of(m, hit.normal) * (wall || hit.on_end ? 1 : steepness(hit.normal))
+             ? nullptr
+             : "is in the wrong place";
+}
+
+const char* wrong_depth(const Contact<double>& hit, const ExactGround& ground, const Move& m, double slack) {
+  const ExactBox box{m.box.x, m.box.y, m.box.w, m.box.h};
+  const ExactBox end{hit ? Exact(hit.position.x) : Exact(box.x + m.motion.x),
+                     hit ? Exact(hit.position.y) : Exact(box.y + m.motion.y), box.w, box.h};
+  return ground.depth(end) <= (hit ? 2 * ulp_of(m) : slack) ? nullptr : "ends in the ground";
+}
+
+template <class Check>
+void for_random_moves(std::uint64_t seed, GroundKinds kinds, bool exact_grid, Check check) {
+  Dice dice(seed);
+  for (int i = grounds_of_a_seed(); i > 0; --i) {
+    const Scene scene(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
+    for (int k = 0; k < kMovesOnAGround; ++k) {
+      const double parts = exact_grid ? 16 : random_grid(dice);
+      const Move move = random_move(dice, scene.ground, scene.exact, parts);
+      const Truth truth = scene.truth(move);
+      if (truth.is_told) check(dice, scene, move, truth);
+    }
+  }
+}
+
+void expect_right(const Scene& scene, const Move& move, const Truth& truth, double bound) {
+  const Contact<double> hit = scene.cast(move);
+  const char* wrong = wrong_time(hit, truth);
+  if (wrong == nullptr) wrong = wrong_place(hit, truth, move, bound, scene.allowance(move));
+  if (wrong == nullptr) wrong = wrong_depth(hit, scene.exact, move, scene.allowance(move));
+  if (wrong != nullptr) RC_LOG() << rc::toString(move) << " " << wrong;
+  RC_ASSERT(std::string(wrong == nullptr ? "" : wrong).empty());
+}
+
+// ---- Properties ----
+
+// Straight ground: at most 3 units in the last place of the largest coordinate.
+RC_GTEST_PROP(ExactProperty, CastsAgainstTilesAreRight, (std::uint64_t seed)) {
+  for_random_moves(seed, {}, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_right(scene, move, truth, 3 * ulp_of(move));
+  });
+}
+
+RC_GTEST_PROP(ExactProperty, CastsAgainstLinesAreRight, (std::uint64_t seed)) {
+  const GroundKinds kinds{.one_way = true, .segments = true};
+  for_random_moves(seed, kinds, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_right(scene, move, truth, 3 * ulp_of(move));
+  });
+}
+
+// Curves: 1e-12 px more.
+RC_GTEST_PROP(ExactProperty, CastsAgainstCurvesAreRight, (std::uint64_t seed)) {
+  const GroundKinds kinds{.curves = true};
+  for_random_moves(seed, kinds, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_right(scene, move, truth, 3 * ulp_of(move) + 1e-12);
+  });
+}
+
+// ---- The same elsewhere ----
+
+Facing mirrored(Facing facing) {
+  return facing == Facing::left ? Facing::right : facing == Facing::right ? Facing::left : facing;
+}
+
+// Everything on a grid that both sides of the map share. Times, sides and, of straight ground, normals are
+// the same to the last bit; so is the place along y at floors that are level, and along x at walls. Other
+// places are sums that end on different grids left and right of a power of two.
+void expect_mirrored(const Scene& scene, const Move& move, const Truth& truth, bool straight) {
+  const double width = scene.ground.width * kTileSide;
+  const Scene other(scene.ground.mirrored());
+  const Move turned{{width - move.box.x - move.box.w, move.box.y, move.box.w, move.box.h},
+                    {-move.motion.x, move.motion.y}};
+  const Contact<double> a = scene.cast(move), b = other.cast(turned);
+  if (straight) {
+    RC_ASSERT(a.t == b.t);
+    RC_ASSERT(a.normal.x == -b.normal.x && a.normal.y == b.normal.y);
+    RC_ASSERT(!a || a.facing == mirrored(b.facing));
+  }
+  const char* wrong = wrong_time(b, truth);
+  if (wrong != nullptr) RC_LOG() << rc::toString(move) << " mirrored " << wrong;
+  RC_ASSERT(std::string(wrong == nullptr ? "" : wrong).empty());
+  const bool wall = a && (a.facing == Facing::left || a.facing == Facing::right);
+  if (straight && wall) RC_ASSERT(a.position.x == width - b.position.x - move.box.w);
+  if (straight && a && a.normal.x == 0) RC_ASSERT(a.position.y == b.position.y);
+}
+
+RC_GTEST_PROP(ExactProperty, MirroredStraightGroundGivesTheMirroredContact, (std::uint64_t seed)) {
+  const GroundKinds kinds{.one_way = true, .segments = true};
+  for_random_moves(seed, kinds, true, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_mirrored(scene, move, truth, true);
+  });
+}
+
+RC_GTEST_PROP(ExactProperty, MirroredCurvesGiveTheMirroredContact, (std::uint64_t seed)) {
+  const GroundKinds kinds{.curves = true};
+  for_random_moves(seed, kinds, true, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_mirrored(scene, move, truth, false);
+  });
+}
+
+// Far from the origin a cast is as right as near it, by the same count of units in the last place. (32768 px
+// is as far as a map of 4096 cells reaches.)
+RC_GTEST_PROP(ExactProperty, MovedGroundGivesTheMovedContact, (std::uint64_t seed)) {
+  Dice dice(seed);
+  for (int i = grounds_of_a_seed(); i > 0; --i) {
+    const GroundKinds kinds{.one_way = true, .segments = true, .curves = dice.one_in(2)};
+    const Scene near(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
+    const bool to_the_right = dice.one_in(2);
+    const int cells = 1 << dice.up_to(11);
+    const Cell by{to_the_right ? cells : dice.up_to(2), to_the_right ? dice.up_to(2) : cells};
+    const Scene far(near.ground.moved(by.x, by.y));
+    for (int k = 0; k < kMovesOnAGround; ++k) {
+      const Move move = random_move(dice, near.ground, near.exact, 256);
+      Move moved = move;
+      moved.box.x += by.x * kTileSide, moved.box.y += by.y * kTileSide;
+      const Truth truth = far.truth(moved);
+      if (!truth.is_told) continue;
+      expect_right(far, moved, truth, 3 * ulp_of(moved) + (kinds.curves ? 1e-12 : 0));
+    }
+  }
+}
+
+// The order in which curves are listed matters to what is told of two hits at once, and to nothing else.
+RC_GTEST_PROP(ExactProperty, PermutedCurvesGiveTheSameContact, (std::uint64_t seed)) {
+  const GroundKinds kinds{.one_way = true, .segments = true, .curves = true};
+  Dice dice(seed);
+  for (int i = grounds_of_a_seed(); i > 0; --i) {
+    const Scene scene(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
+    RandomGround shuffled = scene.ground;
+    dice.shuffle(shuffled.curves);
+    const Scene other(std::move(shuffled));
+    for (int k = 0; k < kMovesOnAGround; ++k) {
+      const Move move = random_move(dice, scene.ground, scene.exact, random_grid(dice));
+      const Contact<double> a = scene.cast(move), b = other.cast(move);
+      RC_ASSERT(a.t == b.t && a.position == b.position && a.normal == b.normal && a.facing == b.facing);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,52 @@
+// Random ground for the property tests, and the same ground for the reference.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "collision/terrain.h"
+#include "reference/exact_ground.h"
+#include "reference/wide_curve.h"
+
+namespace talus {
+
+// A seed tells everything, so that a failure runs again from one number.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double in(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
+  int up_to(int last) { return std::uniform_int_distribution<int>(0, last)(engine_); }
+  bool one_in(int n) { return up_to(n - 1) == 0; }
+  // A multiple of 1/parts.
+  double step(double lo, double hi, double parts) { return std::round(in(lo, hi) * parts) / parts; }
+  template <class T>
+  void shuffle(std::vector<T>& values) {
+    std::shuffle(values.begin(), values.end(), engine_);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// A map and curves. Shapes reach over no border, and no two begin or end in one cell, so that the map
+// can be mirrored.
+struct RandomGround {
+  int width = 0, height = 0;  // cells
+  std::vector<std::uint8_t> cells;
+  std::array<TileShape, kTileKinds> shapes;
+  std::vector<Curve> curves;
+
+  Terrain compile() const;
+  RandomGround mirrored() const;                    // about the middle of the map
+  RandomGround moved(int columns, int rows) const;  // right and down, in a larger map
+  reference::ExactGround exact() const;             // tiles, segments and polylines
+  std::vector<reference::WideCurve> wide() const;   // the other curves, one for each side that stops
+};
+
+struct GroundKinds {
+  bool shapes = true, one_way = false, segments = false, curves = false;
+};
+RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds);
+
+}  // namespace talus
