@@ -7,7 +7,7 @@ namespace talus {
 
 const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
   // Colours of Okabe and Ito, which stay apart for colour-blind eyes, less their black and dark blue, plus
-  // white.
+  // white and a light green.
   static constexpr std::array<OverlayInfo, kOverlayCount> kInfos = {{
       {OverlayId::boxes, "boxes", "boxes",
        "Outlines of solids, slopes and bodies as the collision sees them.", 0x56b4e9},
@@ -25,6 +25,9 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        0xd55e00},
       {OverlayId::tested_tiles, "tested_tiles", "tested tiles",
        "Tinted boxes that the last step tested against the bodies' ways.", 0xf4f4f4},
+      {OverlayId::answer, "answer", "right answer",
+       "Of a hard case: where bodies start, where they should be, and the floor they should keep to.",
+       0xa7f070},
   }};
   return kInfos;
 }

@@ -9,8 +9,17 @@
 
 namespace talus {
 
-enum class OverlayId { boxes, normals, touch_points, velocity, slope_delta, floor_height, tested_tiles };
-inline constexpr int kOverlayCount = 7;
+enum class OverlayId {
+  boxes,
+  normals,
+  touch_points,
+  velocity,
+  slope_delta,
+  floor_height,
+  tested_tiles,
+  answer
+};
+inline constexpr int kOverlayCount = 8;
 
 struct OverlayInfo {
   OverlayId id;

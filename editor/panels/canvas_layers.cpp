@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "overlay/answer.h"
 #include "overlay_painter.h"
 
 namespace talus {
@@ -162,8 +163,10 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
   if (overlays.empty()) return;
   std::vector<Rect> bodies;
   for (const Body& body : session.state().bodies) bodies.push_back(body.box);
-  const OverlayDrawing drawing = make_overlays(session.scene(), session.state(), session.record(), overlays,
-                                               view.visible(), session.choices().body);
+  OverlayDrawing drawing = make_overlays(session.scene(), session.state(), session.record(), overlays,
+                                         view.visible(), session.choices().body);
+  if (overlays.has(OverlayId::answer) && session.hard_case())
+    add_answer(*session.hard_case(), session.level(), drawing);
   paint_overlays(list, drawing, bodies, view, scale);
 }
 

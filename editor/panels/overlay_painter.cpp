@@ -192,6 +192,10 @@ void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size)
     case OverlayId::tested_tiles:
       sample.boxes.push_back({id, {0.5, 0.5, 7, 7}, true});
       break;
+    case OverlayId::answer:
+      sample.boxes.push_back({id, {3, 1, 4, 4}, true});
+      sample.lines.push_back({id, {0, 6.5}, {8, 6.5}});
+      break;
   }
   Painter(list, view, size / 16).paint(sample, {});
 }

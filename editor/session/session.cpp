@@ -42,7 +42,9 @@ Session::Impl::Impl(Level opened, std::string opened_path)
     : level(std::move(opened)),
       path(std::move(opened_path)),
       format(path.empty() ? nullptr : format_for_file(path)),
-      player(level) {}
+      player(level) {
+  read_hard_case();
+}
 
 void Session::Impl::carry_out(const action::EditLevel& a) {
   last_stroke = std::max(last_stroke, a.stroke);
@@ -135,6 +137,7 @@ const std::vector<Problem>& Session::problems() const {
   return impl_->problems;
 }
 
+const std::optional<HardCase>& Session::hard_case() const { return impl_->hard_case; }
 const Scene& Session::scene() const { return impl_->player.scene(); }
 const State& Session::state() const { return impl_->player.state(); }
 const StepRecord& Session::record() const { return impl_->player.record(); }

@@ -10,6 +10,7 @@
 #include "actions.h"
 #include "edit/undo_stack.h"
 #include "formats/format.h"
+#include "level/hard_case.h"
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
 #include "sim/solver.h"
@@ -73,10 +74,11 @@ class Session {
   const Level& level() const;
   std::uint64_t revision() const;  // grows with every change of the level, undo and opening included
   const UndoStack& history() const;
-  const std::string& path() const;               // empty when it has none
-  std::string file_name() const;                 // for titles: "demo.talus.json", or "untitled"
-  bool modified() const;                         // differs from the file
-  const std::vector<Problem>& problems() const;  // lint of the level as it is
+  const std::string& path() const;                   // empty when it has none
+  std::string file_name() const;                     // for titles: "demo.talus.json", or "untitled"
+  bool modified() const;                             // differs from the file
+  const std::vector<Problem>& problems() const;      // lint of the level as it is
+  const std::optional<HardCase>& hard_case() const;  // that the opened level is; nothing when it is none
 
   const Scene& scene() const;        // of the level as it is
   const State& state() const;        // after the last finished step

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "formats/hard_case.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -97,6 +98,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   level = std::move(opened);
   path = std::move(opened_path);
   format = opened_format;
+  read_hard_case();
   history.clear();
   ++revision;
   player.load(level);
@@ -104,6 +106,11 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   choices.body = 0;
   // An old error no longer holds, but what a saving on the way here dropped is still news.
   if (message && message->is_error) message.reset();
+}
+
+void Session::Impl::read_hard_case() {
+  hard_case = hard_case_of(level).value_or(std::nullopt);
+  if (hard_case) choices.overlays.set(OverlayId::answer, true);
 }
 
 bool Session::Impl::save() {

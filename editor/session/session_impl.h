@@ -56,12 +56,14 @@ struct Session::Impl {
   void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
   void go_on(const Losing& losing);
   void open(const std::string& opened_path);
+  void read_hard_case();  // of the level as it was opened; shows its answer
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
   bool save();  // false when it failed or a name is needed first
   bool save_to(const std::string& saved_path, const Format& saved_format);
   void continue_pending();
 
   Level level;
+  std::optional<HardCase> hard_case;
   UndoStack history;
   std::uint64_t revision = 0;
   int last_stroke = 0;  // the highest number of a stroke so far

@@ -1,0 +1,13 @@
+// The right answer of a hard case, as lines and boxes in level pixels.
+#pragma once
+
+#include "level/hard_case.h"
+#include "level/level.h"
+#include "overlay.h"
+
+namespace talus {
+
+// Adds where bodies start, where they should be, their ways there, and the floor that they should keep to.
+void add_answer(const HardCase& hard, const Level& level, OverlayDrawing& drawing);
+
+}  // namespace talus
