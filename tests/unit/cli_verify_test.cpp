@@ -1,0 +1,52 @@
+// talus sim --verify: a line for each check of a hard case, and the status that goes with them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "cli/cli.h"
+
+namespace talus {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kStep = TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json";
+
+struct Answer {
+  int status;
+  std::string out, err;
+};
+
+Answer verify(const std::string& file, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {"sim", file, "--verify"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  std::ostringstream out, err;
+  const int status = run_cli(arguments, out, err);
+  return {status, out.str(), err.str()};
+}
+
+TEST(CliVerify, PassesWhereEveryCheckPasses) {
+  const Answer answer = verify(kStep, {"--solver", "bump"});
+  EXPECT_EQ(answer.status, kExitGood) << answer.err;
+  EXPECT_THAT(answer.out, StartsWith("passed reaches body 1: 0, bound 0\n"));
+  EXPECT_THAT(answer.out, testing::Not(HasSubstr("failed")));
+}
+
+TEST(CliVerify, FailsWithWhatWasMeasured) {
+  const Answer answer = verify(kStep, {"--solver", "article"});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(answer.out, HasSubstr("failed sink body 1: 2, bound 1e-09\n"));
+}
+
+TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
+  const Answer none = verify(TALUS_SOURCE_DIR "/assets/demo.talus.json", {});
+  EXPECT_EQ(none.status, kExitBad);
+  EXPECT_THAT(none.err, HasSubstr("hard_case"));
+  EXPECT_EQ(verify(kStep, {"--frames", "3"}).status, kExitUsage);
+}
+
+}  // namespace
+}  // namespace talus
