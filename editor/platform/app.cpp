@@ -22,6 +22,9 @@ constexpr int kFrameBudget = 8;    // ms: the least time of a frame where the dr
 constexpr int kIdleWait = 10'000;  // ms
 constexpr int kBlinkWait = 250;    // ms: while something changes slowly, such as a text cursor
 constexpr double kNoteTime = 6;    // s
+// Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
+// in an opened one the text field has the focus one frame later.
+constexpr int kFramesOfADialogsChange = 2;
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -165,6 +168,7 @@ void App::frame() {
 }
 
 void App::draw(Actions& actions) {
+  hold_presses_while_dialogs_change();
   UiFrame frame(ui_);
   if (ui_.problems == nullptr || !ImGui::IsAnyMouseDown()) ui_.problems = &session_->problems();
   workspace_.draw(*session_, actions, ui_);
@@ -172,8 +176,19 @@ void App::draw(Actions& actions) {
 }
 
 void App::handle_events() {
-  events_.begin_frame();
+  events_.begin_frame(frames_to_hold_ > 0);
   SDL_Event event;
+// Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
+// and has the focus.
+void App::hold_presses_while_dialogs_change() {
+  const std::array<bool, 4> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
+                                      session_->question().has_value(), ui_.view.command_palette_open};
+  if (wanted != std::exchange(wanted_dialogs_, wanted))
+    frames_to_hold_ = kFramesOfADialogsChange;
+  else if (frames_to_hold_ > 0)
+    --frames_to_hold_;
+}
+
   while (events_.next(event)) {
     Actions actions;
     window_->process_event(event);

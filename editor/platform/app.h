@@ -1,6 +1,7 @@
 // App: the editor. Owns the window, the session and the workspace, and runs them frame by frame.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -48,6 +49,7 @@ class App {
   void remember() const;
   void open_first_level();
 
+  void hold_presses_while_dialogs_change();
   void handle_events();
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);
   bool keys_are_taken(KeyChord chord) const;
@@ -73,8 +75,10 @@ class App {
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::string note_;       // the message that is timed
-  double note_since_ = 0;  // s
+  std::array<bool, 4> wanted_dialogs_{};  // one for each dialog, when last looked at
+  int frames_to_hold_ = 0;                // in which presses wait
+  std::string note_;                      // the message that is timed
+  double note_since_ = 0;                 // s
 };
 
 // The editor on a file; empty: the demo level. Returns the exit status.

@@ -21,14 +21,33 @@ int button_index(Uint8 button) {
 }
 
 bool is_button(const SDL_Event& e) { return e.type == SDL_MOUSEBUTTONDOWN || e.type == SDL_MOUSEBUTTONUP; }
+bool is_mouse(const SDL_Event& e) {
+  return is_button(e) || e.type == SDL_MOUSEMOTION || e.type == SDL_MOUSEWHEEL;
+}
 bool is_key(const SDL_Event& e) { return e.type == SDL_KEYDOWN || e.type == SDL_KEYUP; }
+bool is_text(const SDL_Event& e) { return e.type == SDL_TEXTINPUT; }
+bool is_press(const SDL_Event& e) {
+  return e.type == SDL_MOUSEBUTTONDOWN || e.type == SDL_KEYDOWN || is_text(e);
+}
+
+bool is_modifier(SDL_Keycode key) { return key >= SDLK_LCTRL && key <= SDLK_RGUI; }
+
+// A key that Dear ImGui looks at, unlike those whose text is all that counts.
+bool is_command_key(const SDL_Event& e) {
+  if (!is_key(e) || is_modifier(e.key.keysym.sym)) return false;
+  const SDL_Keysym& sym = e.key.keysym;
+  const bool prints = sym.sym >= SDLK_SPACE && sym.sym != SDLK_DELETE && sym.sym < SDLK_CAPSLOCK;
+  return !prints || (sym.mod & (KMOD_CTRL | KMOD_ALT)) != 0;
+}
 
 }  // namespace
 
-void EventQueue::begin_frame() {
+void EventQueue::begin_frame(bool hold_presses) {
   SDL_Event event;
   while (SDL_PollEvent(&event)) waiting_.push_back(event);
-  button_changed_ = key_changed_ = false;
+  holds_presses_ = hold_presses;
+  button_changed_ = typed_ = command_pressed_ = false;
+  changed_keys_.reset();
 }
 
 bool EventQueue::next(SDL_Event& event) {
@@ -39,12 +58,19 @@ bool EventQueue::next(SDL_Event& event) {
   return true;
 }
 
-// After a button changed, nothing more of the mouse in this frame: the change belongs to this place. After a
-// key changed, no other change of a key.
+// - After a button changed, nothing more of the mouse or the keyboard: the change belongs to this place, and
+//   may give what is typed next another receiver.
+// - After a command key, nothing more that is typed or clicked: Enter or Escape may close what would get it,
+// and
+//   a text field takes one such key a frame, after all letters.
+// - After anything typed, no button: a click may take the text's field away before it has looked.
+// - No key that counts changes twice.
 bool EventQueue::must_wait(const SDL_Event& event) const {
-  if (button_changed_)
-    return is_button(event) || event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEWHEEL;
-  return key_changed_ && is_key(event);
+  if (holds_presses_ && is_press(event)) return true;
+  if (button_changed_) return is_mouse(event) || is_key(event) || is_text(event);
+  if (command_pressed_) return is_button(event) || is_key(event) || is_text(event);
+  if (typed_ && is_button(event)) return true;
+  return is_command_key(event) && event.key.repeat == 0 && changed_keys_[event.key.keysym.scancode];
 }
 
 void EventQueue::track(const SDL_Event& event) {
@@ -60,14 +86,24 @@ void EventQueue::track(const SDL_Event& event) {
     const int index = button_index(event.button.button);
     if (index >= 0) mouse_.down[static_cast<std::size_t>(index)] = event.type == SDL_MOUSEBUTTONDOWN;
   } else if (is_key(event)) {
-    key_changed_ = true;
+    note_key(event);
     modifiers_ = static_cast<SDL_Keymod>(event.key.keysym.mod);
+  } else if (is_text(event)) {
+    typed_ = true;
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE) {
     mouse_.inside = std::find(mouse_.down.begin(), mouse_.down.end(), true) != mouse_.down.end();
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
     mouse_.down = {};  // their releases go to another window
     modifiers_ = KMOD_NONE;
   }
+}
+
+void EventQueue::note_key(const SDL_Event& event) {
+  if (event.key.repeat != 0 || is_modifier(event.key.keysym.sym)) return;
+  changed_keys_.set(event.key.keysym.scancode);
+  if (event.type != SDL_KEYDOWN) return;
+  typed_ = true;
+  command_pressed_ = command_pressed_ || is_command_key(event);
 }
 
 }  // namespace talus

@@ -1,10 +1,12 @@
-// EventQueue: hands SDL's events out frame by frame, so that none gets lost between two frames. Dear ImGui
-// looks at the mouse once a frame: of a press and a release in the same frame it would see neither.
+// EventQueue: hands SDL's events out frame by frame, as many as one frame can tell apart. Dear ImGui looks at
+// keys and buttons once a frame: of a press and a release in the same frame it would see neither. Typing goes
+// through as it comes, so that slow frames do not make slow text.
 #pragma once
 
 #include <SDL.h>
 
 #include <array>
+#include <bitset>
 #include <deque>
 
 namespace talus {
@@ -19,8 +21,9 @@ struct MouseState {
 
 class EventQueue {
  public:
-  // Takes the events that wait. Call once a frame, before next().
-  void begin_frame();
+  // Takes the events that wait. Call once a frame, before next(). hold_presses: what would be pressed or
+  // typed now waits for a later frame; releases and movements do not.
+  void begin_frame(bool hold_presses = false);
   // The next event of this frame; false when the rest must wait for the next one.
   bool next(SDL_Event& event);
   bool empty() const { return waiting_.empty(); }
@@ -30,12 +33,17 @@ class EventQueue {
  private:
   bool must_wait(const SDL_Event& event) const;
   void track(const SDL_Event& event);
+  void note_key(const SDL_Event& event);
 
   std::deque<SDL_Event> waiting_;
   MouseState mouse_;
   SDL_Keymod modifiers_ = KMOD_NONE;
-  bool button_changed_ = false;  // in this frame
-  bool key_changed_ = false;
+  // Of this frame:
+  bool holds_presses_ = false;
+  bool button_changed_ = false;
+  bool typed_ = false;            // a text or any key was pressed
+  bool command_pressed_ = false;  // a key that is no typing
+  std::bitset<SDL_NUM_SCANCODES> changed_keys_;
 };
 
 }  // namespace talus

@@ -129,36 +129,65 @@ ImVec2 UiTest::on_sheet(int tile) {
 
 void UiTest::push(SDL_Event event) { ASSERT_EQ(SDL_PushEvent(&event), 1) << SDL_GetError(); }
 
-void UiTest::move(ImVec2 to) {
+void UiTest::push_motion(ImVec2 to) {
   mouse_ = {std::floor(to.x), std::floor(to.y)};
   SDL_Event event{};
   event.type = SDL_MOUSEMOTION;
   event.motion.x = static_cast<int>(mouse_.x);
   event.motion.y = static_cast<int>(mouse_.y);
   push(event);
-  frames();
 }
 
-void UiTest::press(int button) {
+void UiTest::push_button(int button, bool down) {
   SDL_Event event{};
-  event.type = SDL_MOUSEBUTTONDOWN;
+  event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
   event.button.button = static_cast<Uint8>(button);
-  event.button.state = SDL_PRESSED;
+  event.button.state = down ? SDL_PRESSED : SDL_RELEASED;
   event.button.clicks = 1;
   event.button.x = static_cast<int>(mouse_.x);
   event.button.y = static_cast<int>(mouse_.y);
   push(event);
+}
+
+void UiTest::push_text(char c) {
+  SDL_Event event{};
+  event.type = SDL_TEXTINPUT;
+  event.text.text[0] = c;
+  push(event);
+}
+
+void UiTest::push_typing(const std::string& text) {
+  for (char c : text) {
+    const SDL_Keysym sym = keysym_of({c});
+    push_key(sym, true);
+    push_text(c);
+    push_key(sym, false);
+  }
+}
+
+void UiTest::push_stroke(KeyChord chord) {
+  push_key(keysym_of(chord), true);
+  push_key(keysym_of(chord), false);
+}
+
+void UiTest::push_click(ImVec2 at, int button) {
+  push_motion(at);
+  push_button(button, true);
+  push_button(button, false);
+}
+
+void UiTest::move(ImVec2 to) {
+  push_motion(to);
+  frames();
+}
+
+void UiTest::press(int button) {
+  push_button(button, true);
   frames();
 }
 
 void UiTest::release(int button) {
-  SDL_Event event{};
-  event.type = SDL_MOUSEBUTTONUP;
-  event.button.button = static_cast<Uint8>(button);
-  event.button.state = SDL_RELEASED;
-  event.button.x = static_cast<int>(mouse_.x);
-  event.button.y = static_cast<int>(mouse_.y);
-  push(event);
+  push_button(button, false);
   frames();
 }
 
@@ -208,12 +237,7 @@ void UiTest::key(KeyChord chord) {
 }
 
 void UiTest::type(const std::string& text) {
-  for (char c : text) {
-    SDL_Event event{};
-    event.type = SDL_TEXTINPUT;
-    event.text.text[0] = c;
-    push(event);
-  }
+  for (char c : text) push_text(c);
   frames(2);
 }
 

@@ -61,11 +61,18 @@ class UiTest : public ::testing::Test {
   void key(KeyChord chord);
   void key(int key_code) { key(KeyChord{key_code}); }
   void type(const std::string& text);
+  // What a fast hand leaves to a slow frame: pushed without any frame in between.
+  void push_typing(const std::string& text);  // each letter's press, text and release
+  void push_stroke(KeyChord chord);           // press and release
+  void push_click(ImVec2 at, int button = kLeft);
   void drop(const std::string& file);
 
  private:
   void push(SDL_Event event);
   void push_key(SDL_Keysym sym, bool down);
+  void push_motion(ImVec2 to);
+  void push_button(int button, bool down);
+  void push_text(char c);
 
   std::filesystem::path folder_;  // of the test's own files
   double clock_ = 100;            // s
