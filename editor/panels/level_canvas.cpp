@@ -6,6 +6,7 @@
 #include <string>
 
 #include "canvas_layers.h"
+#include "commands.h"
 #include "flag_label.h"
 #include "overlay_painter.h"
 
@@ -67,6 +68,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   const bool paints = !is_play() || ui.view.paint_in_play;
   if (paints && !panning_ && (ImGui::IsItemHovered() || gesture_.active()))
     gesture_.draw_preview(list, session, view, ui, view.to_cell(ImGui::GetIO().MousePos));
+  if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
   list.PopClipRect();
 }
@@ -168,7 +170,26 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play() && session.state().frame == 0) return;  // the ball tiles are where the bodies are
   draw_bodies(list, session, view, ui, is_play() ? 255 : 130);
-  if (is_play()) draw_overlays(list, session, choices.overlays, view, ui.scale);
+  if (!is_play()) return;
+  const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
+  const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
+  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at);
+}
+
+// A held ball moves with the steps alone: while there are none, a line shows where it is drawn to.
+void LevelCanvas::draw_held(const Session& session, const CanvasView& view, const Ui& ui) const {
+  const Body* body = session.state().find(session.state().grabbed);
+  if (body == nullptr) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 from = view.to_screen({body->box.x + body->box.w / 2, body->box.y + body->box.h / 2});
+  const ImVec2 to = ImGui::GetIO().MousePos;
+  list.AddLine(from, to, theme::color(theme::kDark, 200), ui.px(2) + 2);
+  list.AddLine(from, to, theme::color(theme::kAccent), ui.px(2));
+  list.AddCircleFilled(to, ui.px(3), theme::color(theme::kAccent));
+  const std::string text = "paused: step (" + keys_of(find_command("play/step")) + ") or play (" +
+                           keys_of(find_command("play/toggle")) + ") to move it";
+  draw_plate(list, {view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)}, text,
+             theme::color(theme::kText), ui);
 }
 
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {

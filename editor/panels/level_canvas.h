@@ -28,6 +28,7 @@ class LevelCanvas {
   bool handle_panning(const Session& session, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const;
+  void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
   void draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const;
 
   Kind kind_;

@@ -59,7 +59,7 @@ struct ResetPlay {};  // back to frame 0 of the level as it is now; keeps runnin
 struct SetSpeed {
   double factor = 1;  // kMinSpeed to kMaxSpeed; clamped
 };
-struct HoldMouse {  // the mouse over the play view, in level pixels; drags balls while down
+struct HoldMouse {  // the mouse over the play view, in level pixels; drags the chosen ball while down
   Vec2 position;
   bool down = false;
 };

@@ -36,6 +36,16 @@ void Player::set_speed(double factor) {
   playback_.speed = factor >= kMinSpeed ? std::min(factor, kMaxSpeed) : kMinSpeed;
 }
 
+void Player::hold(const Input& input, int body) {
+  const bool was_down = std::exchange(playback_.input, input).mouse_down;
+  if (input.mouse_down && !was_down && state_.find(body) != nullptr) {
+    state_.grabbed = body;
+    held_since_ = state_.frame;
+  }
+  const bool not_moved_yet = state_.frame == held_since_;
+  if (!input.mouse_down && was_down && not_moved_yet) state_.grabbed = 0;  // nothing to throw it with
+}
+
 void Player::step() {
   if (solver_ == nullptr) solver_ = make_solver(scene_);
   solver_->step(state_, playback_.input, &record_);

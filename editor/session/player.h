@@ -17,7 +17,9 @@ class Player {
 
   void set_running(bool running);
   void set_speed(double factor);  // clamped; NaN gives kMinSpeed
-  void hold(const Input& input) { playback_.input = input; }
+  // Input for the steps to come. Where the button goes down on a ball, `body` is its id (0: none): it is held
+  // from then on, though the mouse may be elsewhere by the next step.
+  void hold(const Input& input, int body);
 
   void step();
   void advance(double seconds);  // see Session::advance
@@ -35,6 +37,7 @@ class Player {
   State state_;
   StepRecord record_;
   Playback playback_;
+  std::int64_t held_since_ = 0;  // frame in which the button went down
   double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
 };
 

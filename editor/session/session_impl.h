@@ -34,7 +34,7 @@ struct Session::Impl {
   void carry_out(const action::StepFrame&);
   void carry_out(const action::ResetPlay&);
   void carry_out(const action::SetSpeed& a) { player.set_speed(a.factor); }
-  void carry_out(const action::HoldMouse& a) { player.hold({a.position, a.down}); }
+  void carry_out(const action::HoldMouse& a) { player.hold({a.position, a.down}, choices.body); }
   void carry_out(const action::SelectBody& a);
   void carry_out(const action::SelectTiles& a);
   void carry_out(const action::SetStamp& a) { choices.stamp = a.stamp; }

@@ -107,6 +107,32 @@ TEST_F(UiPlay, MouseDragsTheBall) {
   EXPECT_GT(ball().velocity.y, 0);
 }
 
+TEST_F(UiPlay, PausedBallIsHeldUntilTheNextStep) {
+  const ImVec2 to = on_canvas("play", {164, 40});
+  const Rect before = ball().box;
+  move(on_ball());
+  press();
+  move(to);
+  EXPECT_EQ(session().state().grabbed, 1);
+  EXPECT_EQ(ball().box, before);
+  key(kKeyF10);
+  EXPECT_GT(ball().box.x, before.x + 1);
+  for (int i = 0; i < 60; ++i) key(kKeyF10);
+  EXPECT_NEAR(ball().box.x + 4, 164, 1);
+  release();
+  key(kKeyF10);
+  EXPECT_EQ(session().state().grabbed, 0);
+}
+
+TEST_F(UiPlay, PausedBallLetGoBeforeAStepStaysAsItWas) {
+  const State before = session().state();
+  move(on_ball());
+  press();
+  move(on_canvas("play", {164, 40}));
+  release();
+  EXPECT_EQ(session().state(), before);
+}
+
 TEST_F(UiPlay, ClickChoosesABodyAndBesideItNone) {
   click(on_ball());
   EXPECT_EQ(session().choices().body, 1);
