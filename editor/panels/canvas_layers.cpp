@@ -170,14 +170,14 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
   paint_overlays(list, drawing, bodies, view, scale);
 }
 
-void draw_stamp_ghost(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view,
-                      const Ui& ui) {
+void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,
+                int alpha) {
   const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
   for (int y = std::max(cells.y, from.y); y <= std::min(cells.y + cells.h - 1, to.y); ++y) {
     for (int x = std::max(cells.x, from.x); x <= std::min(cells.x + cells.w - 1, to.x); ++x) {
       const SheetUv uv = uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
       list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, x, y), cell_corner(view, x + 1, y + 1),
-                    uv.from, uv.to, IM_COL32(255, 255, 255, 150));
+                    uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
     }
   }
 }

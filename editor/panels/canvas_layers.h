@@ -18,10 +18,10 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
 void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha);
 // The overlays of the last step.
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale);
-// The stamp, half clear, with its top-left cell at `at`; `repeat`: the cells to fill with it.
-void draw_stamp_ghost(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view,
-                      const Ui& ui);
+                   float scale, int pointed_at = 0);
+// The cells filled with the stamp, repeated from their top-left corner. `alpha`: 0 to 255.
+void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,
+                int alpha);
 // A frame around cells, dark below so that it shows on any art.
 void draw_cell_frame(ImDrawList& list, CellRect cells, const CanvasView& view, ImU32 color, float width);
 

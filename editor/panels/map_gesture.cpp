@@ -6,7 +6,16 @@
 namespace talus {
 namespace {
 
+constexpr int kGhostAlpha = 150;
+
 bool selects_a_rectangle(MapTool tool) { return tool == MapTool::rectangle || tool == MapTool::pick; }
+
+// What the sheet shows of picked tiles: all of them where they lie there as on the map, else the first.
+SpriteArea area_of(const Stamp& stamp) {
+  const CellRect first{stamp.at(0, 0) % kSheetColumns, stamp.at(0, 0) / kSheetColumns, 1, 1};
+  const CellRect all{first.x, first.y, stamp.w, stamp.h};
+  return {SheetId::tiles, stamp_of_sheet(all) == stamp ? all : first};
+}
 
 }  // namespace
 
@@ -43,7 +52,9 @@ void MapGesture::finish(const Session& session, Actions& actions) {
     Edit edit = fill_rect(session.level(), cells, session.choices().stamp);
     if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
   } else if (tool == MapTool::pick && session.level().map.contains(*from_)) {
-    actions.push_back(action::SetStamp{stamp_of_map(session.level(), cells)});
+    const Stamp stamp = stamp_of_map(session.level(), cells);
+    actions.push_back(action::SelectTiles{area_of(stamp)});
+    actions.push_back(action::SetStamp{stamp});
     actions.push_back(action::SetMapTool{MapTool::stamp});
   }
 }
@@ -56,8 +67,8 @@ void MapGesture::draw_preview(ImDrawList& list, const Session& session, const Ca
   CellRect cells{cell.x, cell.y, 1, 1};
   if (tool == MapTool::stamp) cells = {cell.x, cell.y, stamp.w, stamp.h};
   if (selects_a_rectangle(tool) && from_) cells = spanned(*from_, cell);
-  if (tool == MapTool::stamp && !from_) draw_stamp_ghost(list, stamp, cells, view, ui);
-  if (tool == MapTool::rectangle) draw_stamp_ghost(list, stamp, cells, view, ui);
+  if (tool == MapTool::stamp && !from_) draw_stamp(list, stamp, cells, view, ui, kGhostAlpha);
+  if (tool == MapTool::rectangle) draw_stamp(list, stamp, cells, view, ui, kGhostAlpha);
   const bool erases = tool == MapTool::erase;
   draw_cell_frame(list, cells, view, theme::color(erases ? theme::kError : theme::kText), ui.px(1));
 }

@@ -6,22 +6,31 @@
 #include <string>
 
 #include "commands.h"
+#include "tile_number.h"
 
 namespace talus {
 namespace {
 
 constexpr float kSheetSide = kSheetColumns * kTileSize;  // px
 
-void draw_selection(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, const Ui& ui) {
+void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 color, const Ui& ui) {
   const ImVec2 from{at.x + static_cast<float>(tiles.x) * cell, at.y + static_cast<float>(tiles.y) * cell};
   const ImVec2 to{from.x + static_cast<float>(tiles.w) * cell, from.y + static_cast<float>(tiles.h) * cell};
   list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark), 0, 0,
                ui.px(1) + 2);
-  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kText), 0, 0, ui.px(1));
+  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, ui.px(1));
+}
+
+// The tiles that the stamp paints, where the selection does not show them already.
+void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell, const Ui& ui) {
+  if (choices.area.sheet != SheetId::tiles || choices.stamp == stamp_of_sheet(choices.area.tiles)) return;
+  for (const std::uint8_t tile : choices.stamp.tiles)
+    draw_frame(list, {tile % kSheetColumns, tile / kSheetColumns, 1, 1}, at, cell,
+               theme::color(theme::kAccent), ui);
 }
 
 std::string selection_text(const SpriteArea& area) {
-  const std::string first = "#" + std::to_string(area.tile_at(0, 0));
+  const std::string first = "#" + std::to_string(number_on_screen(area.sheet, area.tile_at(0, 0)));
   if (area.tiles.w == 1 && area.tiles.h == 1) return first;
   return first + "  " + std::to_string(area.tiles.w) + "x" + std::to_string(area.tiles.h);
 }
@@ -50,7 +59,8 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       list.AddRectFilled({at.x, at.y + d}, {at.x + side, at.y + d + 1}, theme::color(theme::kText, 22));
     }
   }
-  draw_selection(list, area.tiles, at, cell, ui);
+  mark_stamp(list, session.choices(), at, cell, ui);
+  draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
 }
 
 void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {

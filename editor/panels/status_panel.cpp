@@ -1,9 +1,12 @@
 // One line at the bottom of the window.
 #include "status_panel.h"
 
+#include <algorithm>
 #include <string>
 
+#include "canvas_layers.h"
 #include "overlay/number_label.h"
+#include "tile_number.h"
 
 namespace talus {
 namespace {
@@ -13,7 +16,11 @@ std::string hover_text(const Session& session, const Hover& hover) {
     return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
            std::to_string(
                pixel_at(session.level(), session.choices().area, hover.sprite->x, hover.sprite->y));
-  if (hover.tile) return "tile " + std::to_string(*hover.tile);
+  if (hover.tile) {
+    const SheetId sheet = session.choices().area.sheet;
+    return (sheet == SheetId::tiles ? "tile " : "sprite ") +
+           std::to_string(number_on_screen(sheet, *hover.tile));
+  }
   if (!hover.pixel) return "";
   std::string text;
   if (hover.cell)
@@ -32,18 +39,37 @@ void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, st
   ui.tooltip(help);
 }
 
+std::string stamp_text(const Stamp& stamp) {
+  std::string text = "stamp: tile " + std::to_string(stamp.tiles.front());
+  if (stamp.tiles.size() == 1) return text;
+  return "stamp: " + std::to_string(stamp.w) + "x" + std::to_string(stamp.h) + " tiles from " +
+         std::to_string(stamp.tiles.front());
+}
+
+// A picture of the stamp as high as the line, then its words.
+void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
+  ImGui::SameLine(ui.px(x));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ImGui::GetTextLineHeight();
+  const float zoom = side / static_cast<float>(std::max(stamp.w, stamp.h) * kTileSize);
+  const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, at, zoom};
+  draw_stamp(*ImGui::GetWindowDrawList(), stamp, {0, 0, stamp.w, stamp.h}, view, ui, 255);
+  ImGui::Dummy({side, side});
+  ui.item("status/stamp");
+  draw_part(ui, x + 20, stamp_text(stamp), theme::kMuted,
+            "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
+}
+
 }  // namespace
 
 void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
-  const Stamp& stamp = session.choices().stamp;
   const std::string hover = hover_text(session, ui.view.hover);
   ImGui::TextUnformatted(hover.empty() ? "Point at the map, the sheet or the pixels" : hover.c_str());
-  draw_part(ui, 360, "stamp " + std::to_string(stamp.w) + "x" + std::to_string(stamp.h), theme::kMuted,
-            "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
-  draw_part(ui, 460, std::to_string(session.state().bodies.size()) + " bodies", theme::kMuted,
+  draw_stamp_part(session.choices().stamp, 360, ui);
+  draw_part(ui, 570, std::to_string(session.state().bodies.size()) + " bodies", theme::kMuted,
             "Bodies of the simulation.");
   const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
-  draw_part(ui, 560, file, session.modified() ? theme::kWarning : theme::kMuted,
+  draw_part(ui, 670, file, session.modified() ? theme::kWarning : theme::kMuted,
             session.path().empty() ? "Not in a file yet." : session.path());
   const std::size_t problems = ui.problems->size();
   const std::string text =

@@ -50,6 +50,42 @@ TEST_F(UiEdit, StampOfSeveralTiles) {
 
 TEST_F(UiEdit, MapToolsByTheirKeys) {
   click(on_sheet(1));
+TEST_F(UiEdit, PickedTilesAreSelectedOnTheSheet) {
+  drag(on_sheet(3), on_sheet(6));
+  click(on_map({10, 8}));
+  click(on_sheet(1));
+  key(kKeyF3);
+  key('6');
+  drag(on_map({11, 8}), on_map({13, 8}));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<std::uint8_t>{4, 5, 6}));
+  EXPECT_EQ(session().choices().area.tiles, (CellRect{4, 0, 3, 1}));
+  key('6');
+  drag(on_map({13, 8}), on_map({14, 8}));  // 6 and 0 lie apart on the sheet
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<std::uint8_t>{6, 0}));
+  EXPECT_EQ(session().choices().area.tiles, (CellRect{6, 0, 1, 1}));
+}
+
+TEST_F(UiEdit, SpritesSheetLeavesTheStamp) {
+  click(on_sheet(3));
+  click("sheet/show_sprites");
+  frames(2);
+  click(on_sheet(40));
+  EXPECT_EQ(session().choices().area.sheet, SheetId::sprites);
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<std::uint8_t>{3});
+  EXPECT_NE(find("status/stamp"), nullptr) << "the picture of what is painted";
+  EXPECT_EQ(number_on_screen(SheetId::sprites, 40), 296);
+  EXPECT_EQ(number_on_screen(SheetId::tiles, 40), 40);
+}
+
+TEST_F(UiEdit, SizeOfTheCanvasIsNotCutOff) {
+  drag(on_sheet(16), on_sheet(36));
+  frames(2);
+  const Widget* size = find("pixels/size");
+  ASSERT_NE(size, nullptr);
+  const float arrow = size->max.y - size->min.y;
+  EXPECT_GE(size->max.x - size->min.x - arrow, ImGui::CalcTextSize("128x128").x + 8);
+}
+
   key(kKeyF3);
   key('3');
   drag(on_map({2, 2}), on_map({4, 3}));
