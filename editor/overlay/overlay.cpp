@@ -83,8 +83,9 @@ class Drawer {
   void box(OverlayId id, const Rect& r, bool filled = false) {
     if (sees(r)) out_.boxes.push_back({id, r, filled});
   }
-  void label(OverlayId id, Vec2 at, std::string text, int body) {
-    if (sees({at.x, at.y, 0, 0})) out_.labels.push_back({id, at, std::move(text), body == chosen_});
+  void label(OverlayId id, Vec2 at, std::string text, const Body& body) {
+    if (sees(body.box))
+      out_.labels.push_back({id, at, std::move(text), body.id == chosen_, body.id, body.box});
   }
 
   void draw_tested() {
@@ -108,7 +109,7 @@ class Drawer {
     const Vec2 from = center(body.box), to = from + body.velocity * kPixelsPerVelocity;
     line(OverlayId::velocity, from, to, true);
     label(OverlayId::velocity, to, two_decimals(body.velocity.x) + ", " + two_decimals(body.velocity.y),
-          body.id);
+          body);
   }
 
   void draw_contact(const ContactRecord& contact, const Body& body) {
@@ -118,7 +119,7 @@ class Drawer {
     }
     if (overlays_.has(OverlayId::touch_points)) {
       if (sees({point.x, point.y, 0, 0})) out_.marks.push_back({OverlayId::touch_points, point});
-      label(OverlayId::touch_points, point, "t " + two_decimals(contact.ti), contact.body);
+      label(OverlayId::touch_points, point, "t " + two_decimals(contact.ti), body);
     }
   }
 
@@ -144,7 +145,7 @@ class Drawer {
     if (overlays_.has(OverlayId::slope_delta)) {
       const Rect bar{b.x, b.y - kBarGap - kBarHeight, b.w, kBarHeight};
       if (sees(bar)) out_.bars.push_back({OverlayId::slope_delta, bar, probe.delta});
-      label(OverlayId::slope_delta, {x, bar.y}, "delta " + two_decimals(probe.delta), body.id);
+      label(OverlayId::slope_delta, {x, bar.y}, "delta " + two_decimals(probe.delta), body);
     }
     if (overlays_.has(OverlayId::floor_height)) {
       const auto [left, right] = slope_surface(probe.slope);
@@ -152,7 +153,7 @@ class Drawer {
       line(OverlayId::floor_height, left, right);
       line(OverlayId::floor_height, {b.x - kFloorMargin, probe.floor_y}, end);
       label(OverlayId::floor_height, end,
-            "floor " + two_decimals(probe.floor_y) + " -> " + no_decimals(probe.placed_y + b.h), body.id);
+            "floor " + two_decimals(probe.floor_y) + " -> " + no_decimals(probe.placed_y + b.h), body);
     }
   }
 

@@ -35,6 +35,8 @@ struct OverlayLabel {
   Vec2 at;  // the point that it belongs to; the canvas keeps the text beside, not over it
   std::string text;
   bool important = true;  // false: left out at low zoom
+  int body = 0;           // id of the body that it is about
+  Rect body_box;          // px; the canvas keeps the text near it
 };
 
 struct OverlayDrawing {

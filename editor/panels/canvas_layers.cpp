@@ -159,7 +159,7 @@ void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& vie
 }
 
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale) {
+                   float scale, int pointed_at) {
   if (overlays.empty()) return;
   std::vector<Rect> bodies;
   for (const Body& body : session.state().bodies) bodies.push_back(body.box);
@@ -167,7 +167,7 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
                                          view.visible(), session.choices().body);
   if (overlays.has(OverlayId::answer) && session.hard_case())
     add_answer(*session.hard_case(), session.level(), drawing);
-  paint_overlays(list, drawing, bodies, view, scale);
+  paint_overlays(list, drawing, bodies, view, scale, pointed_at);
 }
 
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,

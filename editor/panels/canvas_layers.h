@@ -16,7 +16,7 @@ void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale);
 // The bodies where they are now; the chosen one is framed. `alpha`: 0 to 255.
 void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha);
-// The overlays of the last step.
+// The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: none.
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
                    float scale, int pointed_at = 0);
 // The cells filled with the stamp, repeated from their top-left corner. `alpha`: 0 to 255.

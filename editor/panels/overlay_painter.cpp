@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "theme.h"
@@ -11,8 +12,13 @@
 namespace talus {
 namespace {
 
-constexpr float kShortLine = 96;  // px at scale 1: the box around a longer line is mostly empty
-constexpr float kLowZoom = 3;     // at scale 1; below, labels that are not important are left out
+constexpr float kLowZoom = 2;      // at scale 1; below, labels that are not important are left out
+constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
+constexpr float kReach = 40;       // px at scale 1, of labels from their body
+constexpr float kPull = 12;        // px at scale 1: a label's point further from its body is drawn to it
+constexpr float kApart = 3;        // px at scale 1, between labels and what they keep clear of
+constexpr int kMostPieces = 64;
+constexpr float kPiece = 16;  // px at scale 1: lines are kept clear in pieces of this length
 
 ImU32 color_of(OverlayId id, int alpha = 255) {
   return theme::color(overlay_infos()[static_cast<std::size_t>(id)].color, alpha);
@@ -26,12 +32,22 @@ struct Box {
   bool inside(const Box& b) const {
     return min.x >= b.min.x && min.y >= b.min.y && max.x <= b.max.x && max.y <= b.max.y;
   }
+  Box grown(float by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
+  ImVec2 nearest(ImVec2 p) const { return {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)}; }
+  float distance(const Box& b) const {
+    return std::hypot(std::max({min.x - b.max.x, b.min.x - max.x, 0.0f}),
+                      std::max({min.y - b.max.y, b.min.y - max.y, 0.0f}));
+  }
 };
 
 class Painter {
  public:
-  Painter(ImDrawList& list, const CanvasView& view, float scale)
-      : list_(list), view_(view), scale_(scale), width_(std::max(1.0f, std::round(scale * 1.5f))) {}
+  Painter(ImDrawList& list, const CanvasView& view, float scale, int pointed_at)
+      : list_(list),
+        view_(view),
+        scale_(scale),
+        pointed_at_(pointed_at),
+        width_(std::max(1.0f, std::round(scale * 1.5f))) {}
 
   void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
     for (const OverlayBox& box : drawing.boxes) paint_box(box);
@@ -41,10 +57,7 @@ class Painter {
     for (const OverlayMark& mark : drawing.marks) paint_mark(mark);
     for (const Rect& rect : keep_clear) taken_.push_back(screen_box(rect));
     keep_clear_of(drawing);
-    for (const OverlayLabel& label : drawing.labels)
-      if (label.important) paint_label(label);
-    for (const OverlayLabel& label : drawing.labels)
-      if (!label.important && view_.zoom >= kLowZoom * scale_) paint_label(label);
+    paint_labels(drawing.labels);
   }
 
  private:
@@ -64,7 +77,7 @@ class Painter {
   }
 
   void stroke(const OverlayLine& line, ImU32 color, float width) {
-    const ImVec2 from = view_.to_screen(line.from), to = view_.to_screen(line.to);
+    const auto [from, to] = ends(line);
     list_.AddLine(from, to, color, width);
     if (!line.arrow) return;
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
@@ -97,13 +110,7 @@ class Painter {
   // What a label is about must stay visible.
   void keep_clear_of(const OverlayDrawing& drawing) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
-    for (const OverlayLine& line : drawing.lines) {
-      const ImVec2 a = view_.to_screen(line.from), b = view_.to_screen(line.to);
-      const Box box{{std::min(a.x, b.x) - width_, std::min(a.y, b.y) - width_},
-                    {std::max(a.x, b.x) + width_, std::max(a.y, b.y) + width_}};
-      if (box.max.x - box.min.x < kShortLine * scale_ && box.max.y - box.min.y < kShortLine * scale_)
-        taken_.push_back(box);
-    }
+    for (const OverlayLine& line : drawing.lines) keep_clear_of(line);
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
       const float arm = 4 * scale_;
@@ -114,45 +121,114 @@ class Painter {
     return {view_.to_screen({rect.x, rect.y}), view_.to_screen({rect.right(), rect.bottom()})};
   }
 
-  // Tries places around the point, near ones first; a label that fits nowhere is left out.
-  void paint_label(const OverlayLabel& label) {
-    const ImVec2 text = ImGui::CalcTextSize(label.text.c_str());
-    const ImVec2 pad{3 * scale_, 1 * scale_};
-    const ImVec2 size{text.x + 2 * pad.x, text.y + 2 * pad.y};
-    const ImVec2 at = view_.to_screen(label.at);
-    const Box canvas{view_.min, view_.max};
-    if (at.x < canvas.min.x || at.x > canvas.max.x || at.y < canvas.min.y || at.y > canvas.max.y) return;
-    for (float ring = 1; ring <= 3; ++ring) {
-      const float gap = ring * 8 * scale_;
-      const std::array<ImVec2, 6> corners = {{{at.x + gap, at.y - gap - size.y},
-                                              {at.x - gap - size.x, at.y - gap - size.y},
-                                              {at.x + gap, at.y + gap},
-                                              {at.x - gap - size.x, at.y + gap},
-                                              {at.x - size.x / 2, at.y - gap - size.y},
-                                              {at.x - size.x / 2, at.y + gap}}};
-      for (ImVec2 corner : corners) {
-        const Box box{corner, {corner.x + size.x, corner.y + size.y}};
-        const bool free =
-            std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.meets(other); });
-        if (!free || !box.inside(canvas)) continue;
-        write(label, at, box, pad);
-        return;
-      }
+  void keep_clear_of(const OverlayLine& line) {
+    const auto [from, to] = ends(line);
+    const float dx = to.x - from.x, dy = to.y - from.y;
+    const int pieces =
+        std::clamp(static_cast<int>(std::ceil(std::hypot(dx, dy) / (kPiece * scale_))), 1, kMostPieces);
+    const auto at = [&](int i) {
+      const float part = static_cast<float>(i) / static_cast<float>(pieces);
+      return ImVec2{from.x + dx * part, from.y + dy * part};
+    };
+    for (int i = 0; i < pieces; ++i) {
+      const ImVec2 a = at(i), b = at(i + 1);
+      const Box box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+      taken_.push_back(box.grown(width_));
     }
   }
 
-  void write(const OverlayLabel& label, ImVec2 at, const Box& box, ImVec2 pad) {
-    const ImVec2 nearest{std::clamp(at.x, box.min.x, box.max.x), std::clamp(at.y, box.min.y, box.max.y)};
-    list_.AddLine(at, nearest, color_of(label.overlay, 120), std::max(1.0f, std::round(scale_)));
+  // Where a line is on the screen.
+  std::pair<ImVec2, ImVec2> ends(const OverlayLine& line) const {
+    const ImVec2 from = view_.to_screen(line.from), to = view_.to_screen(line.to);
+    if (line.overlay != OverlayId::normals) return {from, to};
+    const float part = std::min(1.0f, view_.zoom / (kNormalsZoom * scale_));
+    return {from, {from.x + (to.x - from.x) * part, from.y + (to.y - from.y) * part}};
+  }
+
+  void paint_labels(const std::vector<OverlayLabel>& labels) {
+    std::vector<const OverlayLabel*> without_room;
+    const auto paint = [&](const OverlayLabel& label) {
+      if (!paint_label(label) && label.body == pointed_at_) without_room.push_back(&label);
+    };
+    const auto is_first = [&](const OverlayLabel& label) {
+      return label.important || (label.body != 0 && label.body == pointed_at_);
+    };
+    for (const OverlayLabel& label : labels)
+      if (is_first(label)) paint(label);
+    for (const OverlayLabel& label : labels)
+      if (!is_first(label) && view_.zoom >= kLowZoom * scale_) paint(label);
+    if (!without_room.empty()) list_labels(without_room);
+  }
+
+  // Tries places around the point, near ones first. False when there is no room near the body: then the label
+  // is left out.
+  bool paint_label(const OverlayLabel& label) {
+    const ImVec2 size = size_of(label);
+    const Box canvas{view_.min, view_.max}, body = screen_box(label.body_box);
+    const ImVec2 at = body.grown(kPull * scale_).nearest(view_.to_screen(label.at));
+    for (float gap = 6 * scale_; gap < kReach * scale_; gap += 8 * scale_) {
+      const float left = at.x - gap - size.x, right = at.x + gap, middle_x = at.x - size.x / 2;
+      const float above = at.y - gap - size.y, below = at.y + gap, middle_y = at.y - size.y / 2;
+      const std::array<ImVec2, 8> corners = {{{right, above},
+                                              {left, above},
+                                              {right, below},
+                                              {left, below},
+                                              {middle_x, above},
+                                              {middle_x, below},
+                                              {right, middle_y},
+                                              {left, middle_y}}};
+      for (ImVec2 corner : corners) {
+        const Box box{corner, {corner.x + size.x, corner.y + size.y}};
+        if (!is_free(box) || !box.inside(canvas) || box.distance(body) > kReach * scale_) continue;
+        const ImVec2 end = box.nearest(at);
+        list_.AddLine(at, end, color_of(label.overlay, 120), std::max(1.0f, std::round(scale_)));
+        write(label, box);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_free(const Box& box) const {
+    const Box wanted = box.grown(kApart * scale_);
+    return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return wanted.meets(other); });
+  }
+
+  ImVec2 padding() const { return {3 * scale_, 1 * scale_}; }
+  ImVec2 size_of(const OverlayLabel& label) const {
+    const ImVec2 text = ImGui::CalcTextSize(label.text.c_str());
+    return {text.x + 2 * padding().x, text.y + 2 * padding().y};
+  }
+
+  void write(const OverlayLabel& label, const Box& box) {
     list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
-    list_.AddText({std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(label.overlay),
-                  label.text.c_str());
+    list_.AddText({std::round(box.min.x + padding().x), std::round(box.min.y + padding().y)},
+                  color_of(label.overlay), label.text.c_str());
     taken_.push_back(box);
+  }
+
+  // Below one another beside the body under the mouse, over whatever else is there.
+  void list_labels(const std::vector<const OverlayLabel*>& labels) {
+    ImVec2 all{0, 0};
+    for (const OverlayLabel* label : labels) {
+      const ImVec2 size = size_of(*label);
+      all = {std::max(all.x, size.x), all.y + size.y};
+    }
+    const Box body = screen_box(labels.front()->body_box).grown(kPull * scale_);
+    ImVec2 at{body.max.x, body.min.y - all.y};
+    if (at.x + all.x > view_.max.x) at.x = body.min.x - all.x;
+    if (at.y < view_.min.y) at.y = body.max.y;
+    for (const OverlayLabel* label : labels) {
+      const float height = size_of(*label).y;
+      write(*label, {at, {at.x + all.x, at.y + height}});
+      at.y += height;
+    }
   }
 
   ImDrawList& list_;
   const CanvasView& view_;
   float scale_;
+  int pointed_at_;
   float width_;
   std::vector<Box> taken_;
 };
@@ -160,9 +236,9 @@ class Painter {
 }  // namespace
 
 void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<const Rect> keep_clear,
-                    const CanvasView& view, float scale) {
+                    const CanvasView& view, float scale, int pointed_at) {
   list.PushClipRect(view.min, view.max, true);
-  Painter(list, view, scale).paint(drawing, keep_clear);
+  Painter(list, view, scale, pointed_at).paint(drawing, keep_clear);
   list.PopClipRect();
 }
 
@@ -197,7 +273,7 @@ void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size)
       sample.lines.push_back({id, {0, 6.5}, {8, 6.5}});
       break;
   }
-  Painter(list, view, size / 16).paint(sample, {});
+  Painter(list, view, size / 16, 0).paint(sample, {});
 }
 
 }  // namespace talus
