@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "edit_text.h"
+
 namespace talus {
 
 void HistoryPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -15,7 +17,7 @@ void HistoryPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   std::size_t wanted = history.position();
   ImGui::BeginChild("list");
   for (std::size_t i = 0; i <= edits.size(); ++i) {
-    const std::string label = i == 0 ? "as opened" : edits[i - 1].label;
+    const std::string label = i == 0 ? "as opened" : describe(edits[i - 1]);
     const bool undone = i > history.position();
     if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
     if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), i == history.position())) wanted = i;

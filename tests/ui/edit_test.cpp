@@ -1,5 +1,7 @@
 // Painting, pixels, flags, palette, tuning, and taking it all back.
 #include "harness.h"
+#include "panels/edit_text.h"
+#include "panels/tile_number.h"
 
 namespace talus {
 namespace {
@@ -48,8 +50,6 @@ TEST_F(UiEdit, StampOfSeveralTiles) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(tile_at({10 + i, 8}), 3 + i);
 }
 
-TEST_F(UiEdit, MapToolsByTheirKeys) {
-  click(on_sheet(1));
 TEST_F(UiEdit, PickedTilesAreSelectedOnTheSheet) {
   drag(on_sheet(3), on_sheet(6));
   click(on_map({10, 8}));
@@ -86,6 +86,8 @@ TEST_F(UiEdit, SizeOfTheCanvasIsNotCutOff) {
   EXPECT_GE(size->max.x - size->min.x - arrow, ImGui::CalcTextSize("128x128").x + 8);
 }
 
+TEST_F(UiEdit, MapToolsByTheirKeys) {
+  click(on_sheet(1));
   key(kKeyF3);
   key('3');
   drag(on_map({2, 2}), on_map({4, 3}));
@@ -247,6 +249,26 @@ TEST_F(UiEdit, TheSolverIsChosen) {
   EXPECT_EQ(level().tuning.solver, SolverKind::bump);
   key(ctrl('z'));
   EXPECT_EQ(level().tuning.solver, SolverKind::article);
+}
+
+TEST_F(UiEdit, HistoryTellsWhatAndWhere) {
+  const auto last = [this] { return describe(session().history().edits().back()); };
+  click(on_sheet(1));
+  drag(on_map({3, 4}), on_map({11, 4}));
+  EXPECT_EQ(last(), "Paint 9 tiles at (3, 4)");
+  click(on_map({7, 6}));
+  EXPECT_EQ(last(), "Paint 1 tile at (7, 6)");
+  key('3');
+  drag(on_map({2, 2}), on_map({3, 3}));
+  EXPECT_EQ(last(), "Fill rectangle: 4 tiles at (2, 2)");
+  click(on_sheet(9));
+  click("flags/lamp2");
+  EXPECT_EQ(last(), "Set flag 2 of #9");
+  click("tabs/tuning");
+  frames(2);
+  const ImVec2 at = centre("tuning/fall_speed");
+  drag(at, {at.x + 40, at.y});
+  EXPECT_EQ(last(), "Change fall speed");
 }
 
 TEST_F(UiEdit, HistoryGoesBackByAClick) {

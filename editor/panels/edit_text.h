@@ -1,0 +1,13 @@
+// What an entry of the history did, in a few words.
+#pragma once
+
+#include <string>
+
+#include "edit/edit.h"
+
+namespace talus {
+
+// The edit's label with what it changed and where: "Paint 12 tiles at (12, 9)", "Change fall speed".
+std::string describe(const Edit& edit);
+
+}  // namespace talus
