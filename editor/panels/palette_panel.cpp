@@ -32,6 +32,46 @@ void draw_swatch(ImDrawList& list, const Choices& choices, int color, Rgb rgb, I
     list.AddRectFilled({at.x, to.y - ui.px(3)}, to, theme::color(theme::kAccent));
 }
 
+struct Channel {
+  const char* name;    // of its slider
+  const char* format;  // of its number
+  std::uint32_t color;
+};
+constexpr std::array<Channel, 3> kChannels = {{{"palette/red", "R %d", 0xe0546a},
+                                               {"palette/green", "G %d", 0x6abf69},
+                                               {"palette/blue", "B %d", 0x5a8cf0}}};
+constexpr float kNumberWidth = 48;  // px at scale 1
+
+// What the user does to the colour in this frame.
+struct Touched {
+  bool changed = false, begins = false;  // begins: a stroke, which is one undo
+  Touched& operator|=(Touched other) {
+    changed |= other.changed;
+    begins |= other.begins;
+    return *this;
+  }
+};
+
+// A slider, and its number beside it, where the knob does not cover it.
+Touched draw_channel(const Channel& channel, int& value, Ui& ui) {
+  Touched touched;
+  const std::string name = channel.name, hidden = "##" + name;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(kNumberWidth + theme::kGap));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, theme::color(channel.color));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, theme::color(channel.color));
+  touched.changed = ImGui::SliderInt(hidden.c_str(), &value, 0, 255, "", ImGuiSliderFlags_NoInput);
+  ImGui::PopStyleColor(2);
+  touched.begins = ImGui::IsItemActivated();
+  ui.item(name, "Drag; undoable.");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  touched.changed |= ImGui::DragInt((hidden + "_number").c_str(), &value, 0.5f, 0, 255, channel.format,
+                                    ImGuiSliderFlags_AlwaysClamp);
+  touched.begins |= ImGui::IsItemActivated();
+  ui.item(name + "_number", "From 0 to 255; undoable.", "drag, or double click to type");
+  return touched;
+}
+
 }  // namespace
 
 void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -67,36 +107,27 @@ void PalettePanel::draw_editor(const Session& session, Actions& actions, Ui& ui)
   const int color = ui.view.palette_color;
   const Rgb now = session.level().palette[static_cast<std::size_t>(color)];
   std::array<int, 3> rgb = {now.r, now.g, now.b};
-  bool changed = false, stroke_begins = false;
-  ImGui::PushItemWidth(-1);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(4), ui.px(1)));
-  constexpr std::array<const char*, 3> kFormats = {"R %d", "G %d", "B %d"};
-  constexpr std::array<const char*, 3> kLabels = {"##red", "##green", "##blue"};
-  constexpr std::array<const char*, 3> kNames = {"palette/red", "palette/green", "palette/blue"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    changed |= ImGui::SliderInt(kLabels[i], &rgb[i], 0, 255, kFormats[i], ImGuiSliderFlags_AlwaysClamp);
-    stroke_begins |= ImGui::IsItemActivated();
-    ui.item(kNames[i], "Drag, or Ctrl+click to type; undoable.");
-  }
+  Touched touched;
+  for (std::size_t i = 0; i < kChannels.size(); ++i) touched |= draw_channel(kChannels[i], rgb[i], ui);
   std::array<char, 8> hex{};
   std::snprintf(hex.data(), hex.size(), "%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
   unsigned typed = 0;
+  ImGui::SetNextItemWidth(-1);
   if (ImGui::InputText("##hex", hex.data(), hex.size(),
                        ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue) &&
       std::sscanf(hex.data(), "%6x", &typed) == 1) {
     rgb = {static_cast<int>(typed >> 16) & 255, static_cast<int>(typed >> 8) & 255,
            static_cast<int>(typed) & 255};
-    changed = stroke_begins = true;
+    touched = {true, true};
   }
   ui.item("palette/hex", "The colour as RRGGBB; Enter sets it.");
   ImGui::PopStyleVar();
-  ImGui::PopItemWidth();
-  if (stroke_begins) stroke_ = session.next_stroke();
-  if (changed) {
-    const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
-    actions.push_back(action::EditLevel{
-        set_color(session.level(), color, {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}), stroke_});
-  }
+  if (touched.begins) stroke_ = session.next_stroke();
+  if (!touched.changed) return;
+  const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
+  actions.push_back(action::EditLevel{
+      set_color(session.level(), color, {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}), stroke_});
 }
 
 }  // namespace talus

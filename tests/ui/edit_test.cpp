@@ -224,6 +224,16 @@ TEST_F(UiEdit, ColourIsEditedInOneUndo) {
   EXPECT_EQ(level().palette[12], (Rgb{0x10, 0x20, 0x30}));
 }
 
+TEST_F(UiEdit, NumberOfAColourIsTypedAfterADoubleClick) {
+  click("palette/color12");
+  click("palette/green_number");
+  click("palette/green_number");
+  key(ctrl('a'));
+  type("77");
+  key(KeyChord{'\r'});
+  EXPECT_EQ(level().palette[12].g, 77);
+}
+
 TEST_F(UiEdit, TuningIsDraggedInOneUndoAndReset) {
   click("tabs/tuning");
   frames(2);
