@@ -86,7 +86,8 @@ void App::open_first_level() {
     return;
   }
   auto demo = load_level(asset_path("demo.talus.json"));
-  session_ = std::make_unique<Session>(demo ? std::move(demo->level) : Level());
+  session_ = demo ? std::make_unique<Session>(std::move(demo->level), "", "demo (copy)")
+                  : std::make_unique<Session>();
   if (demo)
     session_->apply(action::Play{});
   else

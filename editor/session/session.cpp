@@ -38,8 +38,9 @@ bool changes_scene(const Level& level, const Change& change) {
 
 }  // namespace
 
-Session::Impl::Impl(Level opened, std::string opened_path)
+Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_name)
     : level(std::move(opened)),
+      name(std::move(unsaved_name)),
       path(std::move(opened_path)),
       format(path.empty() ? nullptr : format_for_file(path)),
       player(level) {
@@ -109,8 +110,8 @@ void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
   }
 }
 
-Session::Session(Level level, std::string path)
-    : impl_(std::make_unique<Impl>(std::move(level), std::move(path))) {}
+Session::Session(Level level, std::string path, std::string name)
+    : impl_(std::make_unique<Impl>(std::move(level), std::move(path), std::move(name))) {}
 Session::~Session() = default;
 
 void Session::apply(const Action& action) { apply(Actions{action}); }

@@ -43,6 +43,8 @@ struct Playback {
   Input input;       // held until changed
 };
 
+inline constexpr const char* kUnnamed = "untitled";
+
 struct Message {
   std::string text;
   bool is_error = false;
@@ -55,8 +57,9 @@ struct Question {
 
 class Session {
  public:
-  // path: the file that the level was read from, in the format of its extension; empty: none.
-  explicit Session(Level level = Level(), std::string path = {});
+  // path: the file that the level was read from, in the format of its extension; empty: none. name: for
+  // titles, while there is no file.
+  explicit Session(Level level = Level(), std::string path = {}, std::string name = kUnnamed);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -75,7 +78,7 @@ class Session {
   std::uint64_t revision() const;  // grows with every change of the level, undo and opening included
   const UndoStack& history() const;
   const std::string& path() const;                   // empty when it has none
-  std::string file_name() const;                     // for titles: "demo.talus.json", or "untitled"
+  std::string file_name() const;                     // for titles: "demo.talus.json"
   bool modified() const;                             // differs from the file
   const std::vector<Problem>& problems() const;      // lint of the level as it is
   const std::optional<HardCase>& hard_case() const;  // that the opened level is; nothing when it is none

@@ -57,7 +57,7 @@ void Session::Impl::carry_out(const action::CancelSaveAs&) {
   pending.reset();
 }
 
-std::string Session::Impl::file_name() const { return path.empty() ? "untitled" : name_of(path); }
+std::string Session::Impl::file_name() const { return path.empty() ? name : name_of(path); }
 
 void Session::Impl::ask_or_go_on(Losing losing) {
   question.reset();
@@ -80,6 +80,7 @@ void Session::Impl::go_on(const Losing& losing) {
     open(file->path);
   } else if (std::holds_alternative<action::NewLevel>(losing)) {
     replace_level(Level(), {}, nullptr);
+    name = kUnnamed;
   } else {
     wants_quit = true;
   }

@@ -13,7 +13,7 @@ struct Session::Impl {
   // What loses the changes since the last save, and so is asked about first.
   using Losing = std::variant<action::NewLevel, action::OpenFile, action::Quit>;
 
-  Impl(Level opened, std::string opened_path);
+  Impl(Level opened, std::string opened_path, std::string unsaved_name);
 
   // One for each action, in the order of actions.h.
   void carry_out(const action::EditLevel& a);
@@ -68,6 +68,7 @@ struct Session::Impl {
   std::uint64_t revision = 0;
   int last_stroke = 0;  // the highest number of a stroke so far
 
+  std::string name;                // for titles, while there is no file
   std::string path;                // empty: none
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
 

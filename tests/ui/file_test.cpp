@@ -61,6 +61,19 @@ TEST_F(UiFile, AsksBeforeItReplacesAFile) {
   EXPECT_EQ(read(path("other.talus.json")).map.at({12, 9}), 1);
 }
 
+TEST_F(UiFile, DemoIsACopyThatAsksWhereToBeSaved) {
+  start("");
+  EXPECT_EQ(session().file_name(), "demo (copy)");
+  key(ctrl('s'));
+  frames(3);
+  EXPECT_NE(find("files/name"), nullptr);
+  EXPECT_TRUE(session().path().empty());
+  key(kEscape);
+  frames(3);
+  key(ctrl('n'));
+  EXPECT_EQ(session().file_name(), "untitled");
+}
+
 TEST_F(UiFile, SaveAsErrorStaysInTheDialog) {
   key(ctrl_shift('s'));
   frames(2);
