@@ -37,6 +37,7 @@ void Ui::tooltip(std::string_view help, std::string_view key) {
 
 void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+  if (ImGui::GetTopMostPopupModal() != nullptr) return;  // a dialog says what it needs to
   if (rested_on_ != id) {
     rested_on_ = id;
     rested_since_ = time;
@@ -44,6 +45,7 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   seen_ = true;
   tooltip_pending_ = time - rested_since_ < kTooltipDelay;
   if (tooltip_pending_) return;
+  place_tooltip();
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(320));
   ImGui::TextUnformatted(begin(help), end(help));
@@ -54,6 +56,13 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+// Dear ImGui puts it beside the mouse, except for the bars at the bottom.
+void Ui::place_tooltip() const {
+  if (ImGui::GetItemRectMin().y < bars_top) return;
+  const float x = ImGui::GetIO().MousePos.x, width = ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({x, bars_top - px(4)}, ImGuiCond_Always, {x > width / 2 ? 1.0f : 0.0f, 1});
 }
 
 bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_view help, std::string_view key,
@@ -90,7 +99,7 @@ bool Ui::begin_combo(std::string_view name, const std::string& preview, float wi
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), padding));
-  const bool open = ImGui::BeginCombo(hidden(name).c_str(), preview.c_str());
+  const bool open = ImGui::BeginCombo(hidden(name).c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleVar();
   if (open)  // the last item is the list's now
     place(name, at, {at.x + width, at.y + height});

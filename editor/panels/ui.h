@@ -28,6 +28,9 @@ class Ui {
   const std::vector<Problem>* problems = nullptr;
   float scale = 1;  // of text and controls
   double time = 0;  // s, of this frame
+  // y of the bars at the bottom of the window, px of the screen: the help for what is in them stays above, so
+  // that they can be read.
+  float bars_top = 0;
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
   // A length of the design, in px at scale 1, on the screen.
@@ -64,6 +67,7 @@ class Ui {
 
  private:
   void show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key);
+  void place_tooltip() const;
   ImGuiID rested_on_ = 0;
   double rested_since_ = 0;
   bool tooltip_pending_ = false;

@@ -36,11 +36,12 @@ bool is_sprite_region(Region region) {
          region == Region::flags;
 }
 
-// As in other programs; Dear ImGui leaves it to us.
+// As in other programs; Dear ImGui leaves it to us. A submenu would open again under the mouse, so that all
+// menus close.
 void close_popup_on_escape() {
   const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
   if (open.empty() || ImGui::GetTopMostPopupModal() != nullptr || !key_pressed(ImGuiKey_Escape)) return;
-  ImGui::ClosePopupToLevel(open.Size - 1, true);
+  ImGui::ClosePopupToLevel(0, true);
 }
 
 // The side that the keys go to has an accent at its top.
@@ -56,6 +57,13 @@ void show_focus(Region region, Ui& ui) {
   const ImVec2 at = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(2)},
                                             theme::color(theme::kAccent));
+}
+
+// Of the panels that share a region, `id` is shown now.
+void remember_tab(std::vector<std::string>& chosen, const std::vector<Panel*>& here, const std::string& id) {
+  if (std::find(chosen.begin(), chosen.end(), id) != chosen.end()) return;
+  for (const Panel* panel : here) std::erase(chosen, panel->id());
+  chosen.push_back(id);
 }
 
 }  // namespace
@@ -78,6 +86,7 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
   const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport);
   const float height = bottom - top;
+  ui.bars_top = bottom;
   Layout& layout = ui.view.layout;
   const float right = part(layout.right, window.x, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
   const float left = part(layout.left, window.x, ui.px(kLeftLeast), right + ui.px(kMiddleLeast));
@@ -151,11 +160,18 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
     here[0]->draw(frame.session, frame.actions, frame.ui);
     return;
   }
+  // Dear ImGui shows the first tab at first, and the remembered one from the second frame on.
+  const bool first = ImGui::IsWindowAppearing();
   if (!ImGui::BeginTabBar("tabs")) return;
+  std::vector<std::string>& chosen = frame.ui.view.tabs;
   for (Panel* panel : here) {
-    const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str());
-    frame.ui.item("tabs/" + std::string(panel->id()));
+    const std::string id(panel->id());
+    const bool wanted = first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
+    const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str(), nullptr,
+                                          wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+    frame.ui.item("tabs/" + id);
     if (!open) continue;
+    if (!first) remember_tab(chosen, here, id);
     panel->draw(frame.session, frame.actions, frame.ui);
     ImGui::EndTabItem();
   }

@@ -99,6 +99,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.canvas = settings.canvas;
   ui_.view.ui_scale = settings.ui_scale;
   ui_.view.recent_files = settings.recent_files;
+  ui_.view.tabs = settings.tabs;
   session_->apply(action::SetGrid{settings.grid});
   session_->apply(action::SetScreenBorders{settings.screen_borders});
   for (const OverlayInfo& info : overlay_infos())
@@ -117,6 +118,7 @@ Settings App::current_settings() const {
   settings.screen_borders = session_->choices().screen_borders;
   settings.overlays = session_->choices().overlays;
   settings.recent_files = ui_.view.recent_files;
+  settings.tabs = ui_.view.tabs;
   return settings;
 }
 
@@ -166,19 +168,16 @@ void App::frame() {
   session_->apply(actions);
   note_dialog_result();
   note_changes();
+  hold_presses_while_dialogs_change();
 }
 
 void App::draw(Actions& actions) {
-  hold_presses_while_dialogs_change();
   UiFrame frame(ui_);
   if (ui_.problems == nullptr || !ImGui::IsAnyMouseDown()) ui_.problems = &session_->problems();
   workspace_.draw(*session_, actions, ui_);
   draw_file_dialog(actions);
 }
 
-void App::handle_events() {
-  events_.begin_frame(frames_to_hold_ > 0);
-  SDL_Event event;
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
@@ -190,6 +189,9 @@ void App::hold_presses_while_dialogs_change() {
     --frames_to_hold_;
 }
 
+void App::handle_events() {
+  events_.begin_frame(frames_to_hold_ > 0);
+  SDL_Event event;
   while (events_.next(event)) {
     Actions actions;
     window_->process_event(event);

@@ -69,6 +69,8 @@ Settings from_json(const json& root) {
   }
   s.recent_files = read_strings(root, "recent_files");
   if (s.recent_files.size() > kMaxRecentFiles) s.recent_files.resize(kMaxRecentFiles);
+  s.tabs = read_strings(root, "tabs");
+  if (s.tabs.size() > kMaxTabs) s.tabs.resize(kMaxTabs);
   return s;
 }
 
@@ -85,7 +87,8 @@ json to_json(const Settings& s) {
           {"grid", s.grid},
           {"screen_borders", s.screen_borders},
           {"overlays", overlays},
-          {"recent_files", s.recent_files}};
+          {"recent_files", s.recent_files},
+          {"tabs", s.tabs}};
 }
 
 fs::path config_dir() {

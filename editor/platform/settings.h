@@ -11,16 +11,17 @@
 namespace talus {
 
 struct Settings {
-  int width = 1280, height = 720;  // px, of the window; 320 to 16384, else the default
-  Layout layout;                   // each 0.05 to 0.95, else the default
+  int width = 0, height = 0;  // px, of the window; 320 to 16384, else 0: as the display allows
+  Layout layout;              // each 0.05 to 0.95, else the default
   CanvasMode canvas = CanvasMode::both;
   double ui_scale = 0;  // 0: automatic; else 1 to 4
   bool grid = true;
   bool screen_borders = true;
   OverlaySet overlays;                    // unknown names are left out
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
+  std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
 };
-inline constexpr std::size_t kMaxRecentFiles = 10;
+inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16;
 
 // What a first start shows.
 Settings default_settings();

@@ -216,6 +216,9 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   drag(splitter, {splitter.x + 60, splitter.y});
   const float moved = centre("layout/left").x;
   EXPECT_NEAR(moved, splitter.x + 60, 2);
+  click("tabs/tuning");
+  click("tabs/history");
+  frames(2);
   const bool boxes = session().choices().overlays.has(OverlayId::boxes);
   save_test_level("second.talus.json");
   drop(path("second.talus.json"));
@@ -226,6 +229,8 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   EXPECT_EQ(session().choices().overlays.has(OverlayId::boxes), boxes);
   EXPECT_EQ(app().ui().view.canvas, CanvasMode::play);
   EXPECT_NEAR(centre("layout/left").x, moved, 1);
+  EXPECT_NE(find("tuning/fall_speed"), nullptr) << "the chosen tab is shown again";
+  EXPECT_EQ(app().ui().view.tabs, (std::vector<std::string>{"tuning", "history"}));
   EXPECT_EQ(app().ui().view.recent_files,
             (std::vector<std::string>{path("level.talus.json"), path("second.talus.json")}));
   click("menu/File");
