@@ -9,6 +9,7 @@
 #include <SDL_opengl.h>
 #include <backends/imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <filesystem>
@@ -29,6 +30,18 @@ void set_gl_attributes() {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+}
+
+// Four fifths of the display, but no less than the layout is made for where there is room.
+ImVec2 first_size(bool offscreen) {
+  const ImVec2 designed{1280, 720};
+  SDL_Rect room{};
+  if (offscreen || SDL_GetDisplayUsableBounds(0, &room) != 0) return designed;
+  const auto most = [](int whole, float least) {
+    const auto all = static_cast<float>(whole);
+    return std::min(std::max(std::floor(all * 0.8f), least), all);
+  };
+  return {most(room.w, designed.x), most(room.h, designed.y)};
 }
 
 void load_fonts(float scale, float pixel_ratio) {
@@ -69,9 +82,11 @@ std::string GlWindow::start(const WindowOptions& options) {
     return "No screen to open a window on: neither an X server nor a Wayland compositor answers.";
   }
   set_gl_attributes();
-  window_ =
-      SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, options.width,
-                       options.height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  const ImVec2 first = first_size(options.offscreen);
+  const int width = options.width > 0 ? options.width : static_cast<int>(first.x);
+  const int height = options.height > 0 ? options.height : static_cast<int>(first.y);
+  window_ = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
+                             height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
   if (window_ == nullptr) return std::string("Cannot open a window with OpenGL: ") + SDL_GetError() + ".";
   SDL_SetWindowMinimumSize(window_, kLeastWidth, kLeastHeight);
   gl_ = SDL_GL_CreateContext(window_);

@@ -14,8 +14,8 @@ namespace talus {
 
 struct WindowOptions {
   std::string title = "Talus";
-  int width = 1280, height = 720;  // px of the screen
-  bool offscreen = false;          // without any display, by SDL's driver of that name
+  int width = 0, height = 0;  // px of the screen; 0: most of the display, 1280x720 without one
+  bool offscreen = false;     // without any display, by SDL's driver of that name
 };
 
 class GlWindow {
