@@ -7,14 +7,6 @@
 #include "command_table.h"
 
 namespace talus {
-namespace {
-
-bool scope_has_focus(Scope scope, const View& view) {
-  return scope == Scope::everywhere || (scope == Scope::sprites) == (view.focus == Focus::sprites);
-}
-
-}  // namespace
-
 std::span<const Command> commands() {
   static const std::vector<Command> all = joined({general_commands(), tool_commands()});
   return all;
@@ -44,10 +36,15 @@ std::string_view scope_label(Scope scope) {
   }
 }
 
+bool has_focus(const Command& command, const View& view) {
+  return command.scope == Scope::everywhere ||
+         (command.scope == Scope::sprites) == (view.focus == Focus::sprites);
+}
+
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui) {
   for (const Command& command : commands()) {
     if (chord != command.key && chord != command.other_key) continue;
-    if (!scope_has_focus(command.scope, ui.view)) continue;
+    if (!has_focus(command, ui.view)) continue;
     if ((!repeated || command.repeats) && command.is_enabled(session, ui)) command.run(session, actions, ui);
     return true;
   }

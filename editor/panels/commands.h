@@ -36,6 +36,8 @@ const Command& find_command(std::string_view id);
 // "F5", or "Ctrl+Y, Ctrl+Shift+Z".
 std::string keys_of(const Command& command);
 std::string_view scope_label(Scope scope);
+// Whether the command's keys work where the focus is.
+bool has_focus(const Command& command, const View& view);
 
 // Runs the command of a key, if there is one where the focus is. True when there was.
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui);

@@ -83,6 +83,12 @@ std::vector<Command> view_commands() {
             if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::map;
           },
           [](S, const Ui& ui) { return ui.view.focus == Focus::map; }),
+      command("view/reset_layout", ctrl('0'), "Reset layout",
+              "Puts every panel back to its first size, and shows map and play view.",
+              [](S, A, U ui) {
+                ui.view.layout = Layout{};
+                ui.view.canvas = CanvasMode::both;
+              }),
       command("help/commands", ctrl('p'), "Find a command...", "Lists every command; type to find one.",
               [](S, A, U ui) { ui.view.command_palette_open = true; }),
       toggle(
@@ -162,6 +168,7 @@ std::vector<Command> overlay_commands() {
       overlay_command<OverlayId::slope_delta>("overlay/slope_delta"),
       overlay_command<OverlayId::floor_height>("overlay/floor_height"),
       overlay_command<OverlayId::tested_tiles>("overlay/tested_tiles"),
+      overlay_command<OverlayId::answer>("overlay/answer"),
   };
 }
 

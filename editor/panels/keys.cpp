@@ -14,7 +14,6 @@ std::string key_name(int key) {
       return "Del";
     case kKeyHome:
       return "Home";
-      return "End";
     case kKeyLeft:
       return "Left";
     case kKeyRight:
@@ -25,6 +24,12 @@ std::string key_name(int key) {
       return "Down";
     case ' ':
       return "Space";
+    case ',':  // characters that are too small to be seen in a tooltip
+      return "Comma";
+    case '.':
+      return "Period";
+    case '`':
+      return "Backquote";
     default:
       break;
   }

@@ -9,9 +9,18 @@
 namespace talus {
 namespace {
 
+// The key of a command as it works where the focus is: those of the other side of the window need the focus
+// first.
+std::string keys_from_here(const Command& command, const Ui& ui) {
+  const std::string key = to_string(command.key);
+  if (has_focus(command, ui.view)) return key;
+  return to_string(find_command(command.scope == Scope::sprites ? "view/sprites" : "view/map").key) + ", " +
+         key;
+}
+
 void draw_command(std::string_view id, const Session& session, Actions& actions, Ui& ui) {
   const Command& command = find_command(id);
-  const std::string label(command.label), keys = to_string(command.key);
+  const std::string label(command.label), keys = keys_from_here(command, ui);
   const bool enabled = command.is_enabled(session, ui);
   if (ImGui::MenuItem(label.c_str(), keys.c_str(), command.is_checked(session, ui), enabled))
     command.run(session, actions, ui);
@@ -47,15 +56,16 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   if (begin_menu("Edit", ui)) {
     draw_commands(
-        {"edit/undo", "edit/redo", "", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/clear"},
+        {"edit/undo", "edit/redo", "", "map/stamp", "map/pan", "map/rectangle", "map/fill", "map/erase",
+         "map/pick", "", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/clear"},
         session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("View", ui)) {
-    draw_commands(
-        {"view/sprites", "view/map", "", "canvas/map", "canvas/play", "canvas/both", "", "canvas/zoom_in",
-         "canvas/zoom_out", "map/fit", "", "canvas/grid", "canvas/borders", "canvas/flag_tint", ""},
-        session, actions, ui);
+    draw_commands({"view/sprites", "view/map", "", "canvas/map", "canvas/play", "canvas/both", "",
+                   "canvas/zoom_in", "canvas/zoom_out", "map/fit", "", "canvas/grid", "canvas/borders",
+                   "canvas/flag_tint", "", "view/reset_layout"},
+                  session, actions, ui);
     draw_scale_choice(ui);
     ImGui::EndMenu();
   }
@@ -63,7 +73,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_commands({"play/toggle", "play/step", "play/run", "play/reset", "", "play/slower", "play/faster", "",
                    "canvas/paint_in_play", "play/no_body", "", "overlay/boxes", "overlay/normals",
                    "overlay/touch_points", "overlay/velocity", "overlay/slope_delta", "overlay/floor_height",
-                   "overlay/tested_tiles"},
+                   "overlay/tested_tiles", "overlay/answer"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
