@@ -90,9 +90,11 @@ void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions
                                    "Tints the cells whose tile has a flag, in both views.", keys_of(command));
   if (!open) return;
   if (ImGui::Selectable("no tint", !flag)) actions.push_back(action::SetFlagOverlay{});
-  for (int i = 0; i < kFlagCount; ++i)
+  for (int i = 0; i < kFlagCount; ++i) {
     if (ImGui::Selectable(flag_label(session.level(), i).c_str(), flag == i))
       actions.push_back(action::SetFlagOverlay{i});
+    ui.item("canvas/tint" + std::to_string(i));
+  }
   ImGui::EndCombo();
 }
 

@@ -37,20 +37,33 @@ std::string obstacle_text(const Obstacle& other) {
 }
 
 // A number with two decimals, at the right edge; all its digits in the tooltip, and copied by a click.
-void draw_number(const char* id, double value, Ui& ui) {
+// meaning: a sentence below the digits.
+void draw_number(const char* id, double value, Ui& ui, std::string_view meaning = {}) {
   ImGui::PushID(id);
   const std::string text = two_decimals(value), digits = all_digits(value);
   const float width = ImGui::CalcTextSize(text.c_str()).x, room = ImGui::GetContentRegionAvail().x;
   if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
   ImGui::TextUnformatted(text.c_str());
   if (ImGui::IsItemClicked()) ImGui::SetClipboardText(digits.c_str());
-  ui.tooltip(digits, "click to copy");
+  ui.tooltip(meaning.empty() ? digits : digits + "\n" + std::string(meaning), "click to copy");
   ImGui::PopID();
 }
 
-void draw_text_cell(std::string_view text, Ui& ui) {
+void draw_text_cell(std::string_view text, Ui& ui, std::string_view meaning = {}) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ui.tooltip(text);
+  ui.tooltip(meaning.empty() ? text : meaning);
+}
+
+std::string_view meaning_of_impact(const ContactRecord& contact) {
+  if (contact.overlaps)
+    return "The boxes overlapped before the move: minus the area that they shared, px\xc2\xb2.";
+  return "Time of impact: the fraction of the move that was done when they met, from 0 to 1.";
+}
+
+std::string_view meaning_of_done(const ContactRecord& contact) {
+  return contact.handled
+             ? "The step acted on this contact."
+             : "The step found this contact but did nothing with it, as after a correction onto a slope.";
 }
 
 void draw_body_row(const char* label, const char* unit, Vec2 v, Ui& ui) {
@@ -92,7 +105,7 @@ void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
   ImGui::TableNextColumn();
   draw_text_cell(response_label(contact.response), ui);
   ImGui::TableNextColumn();
-  draw_number("t", contact.ti, ui);
+  draw_number("t", contact.ti, ui, meaning_of_impact(contact));
   ImGui::TableNextColumn();
   ui.right_aligned(std::to_string(static_cast<int>(contact.normal.x)) + "," +
                    std::to_string(static_cast<int>(contact.normal.y)));
@@ -101,7 +114,7 @@ void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
   ImGui::TableNextColumn();
   if (contact.slope) draw_number("floor", contact.slope->floor_y, ui);
   ImGui::TableNextColumn();
-  draw_text_cell(contact.handled ? "yes" : "no", ui);
+  draw_text_cell(contact.handled ? "yes" : "no", ui, meaning_of_done(contact));
 }
 
 struct Column {

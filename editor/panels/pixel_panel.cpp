@@ -10,6 +10,8 @@
 namespace talus {
 namespace {
 
+constexpr float kSizeWidth = 92;  // px at scale 1, for "128x128"
+
 void draw_pixels(ImDrawList& list, const SpriteArea& area, ImVec2 at, float zoom, const Ui& ui, bool grid) {
   const float side = 1.0f / kSheetColumns;
   const auto x = static_cast<float>(area.tiles.x), y = static_cast<float>(area.tiles.y);
@@ -74,7 +76,7 @@ void PixelPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) 
     if (&tool != kTools) ui.same_line_if_fits(ui.px(theme::kButton));
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
   }
-  ui.same_line_if_fits(ui.px(60));
+  ui.same_line_if_fits(ui.px(kSizeWidth));
   draw_size_choice(session, actions, ui);
 }
 
@@ -83,7 +85,7 @@ void PixelPanel::draw_size_choice(const Session& session, Actions& actions, Ui& 
   const std::string now = std::to_string(area.width()) +
                           (area.width() == area.height() ? "" : "x" + std::to_string(area.height()));
   const bool open =
-      ui.begin_combo("pixels/size", now, ui.px(60),
+      ui.begin_combo("pixels/size", now, ui.px(kSizeWidth),
                      "How many pixels wide and high the canvas is; a drag on the sheet chooses any size.");
   if (!open) return;
   for (int tiles : {1, 2, 4, 8}) {

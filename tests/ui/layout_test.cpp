@@ -1,4 +1,6 @@
 // Nothing cut off, nothing overlapping, every key at work.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <set>
 
@@ -37,8 +39,10 @@ class UiLayout : public UiTest, public ::testing::WithParamInterface<WindowSize>
     EXPECT_LE(w.max.y, static_cast<float>(size.height)) << what << ": " << w.name;
   }
   static void check_apart(const Widget& a, const Widget& b, const std::string& what) {
-    const bool meet = a.min.x < b.max.x - 0.5f && b.min.x < a.max.x - 0.5f && a.min.y < b.max.y - 0.5f &&
-                      b.min.y < a.max.y - 0.5f;
+    const auto top = [](const Widget& w) { return std::max(w.min.y, w.clip_min.y); };
+    const auto bottom = [](const Widget& w) { return std::min(w.max.y, w.clip_max.y); };
+    const bool meet = a.min.x < b.max.x - 0.5f && b.min.x < a.max.x - 0.5f && top(a) < bottom(b) - 0.5f &&
+                      top(b) < bottom(a) - 0.5f;
     EXPECT_FALSE(meet) << what << ": " << a.name << " and " << b.name << " overlap";
     EXPECT_NE(a.name, b.name) << what;
   }
@@ -161,6 +165,67 @@ TEST_F(UiKeys, TypedTextIsNoShortcut) {
   click("palette/hex");
   key('b');
   EXPECT_TRUE(session().choices().screen_borders);
+}
+
+TEST_F(UiKeys, EscapeClosesAMenuWithItsSubmenu) {
+  start();
+  click("menu/View");
+  frames(2);
+  click("menu/scale");
+  frames(2);
+  ASSERT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 2);
+  key(KeyChord{27});
+  frames(30);
+  EXPECT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 0);
+  EXPECT_EQ(find("menu/scale"), nullptr);
+}
+
+TEST_F(UiKeys, LayoutIsReset) {
+  start();
+  const float before = centre("layout/left").x;
+  drag(centre("layout/left"), {before + 60, 300});
+  EXPECT_NEAR(centre("layout/left").x, before + 60, 2);
+  key(ctrl('0'));
+  frames(2);
+  EXPECT_EQ(centre("layout/left").x, before);
+}
+
+TEST_F(UiKeys, SmallCharactersHaveNames) {
+  EXPECT_EQ(to_string(KeyChord{','}), "Comma");
+  EXPECT_EQ(to_string(ctrl('.')), "Ctrl+Period");
+  EXPECT_EQ(to_string(KeyChord{'`'}), "Backquote");
+}
+
+TEST_F(UiKeys, TintListShowsEveryFlag) {
+  start();
+  click("canvas/flag_tint");
+  frames(2);
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    const Widget* row = find("canvas/tint" + std::to_string(flag));
+    ASSERT_NE(row, nullptr) << flag;
+    EXPECT_LE(row->max.y, row->clip_max.y) << flag;
+  }
+}
+
+TEST_F(UiKeys, TooltipOfABarStaysAboveTheBars) {
+  start();
+  for (std::string_view name : {"transport/step", "overlay/velocity"}) {
+    move(centre(name));
+    frames(60);
+    const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+    ASSERT_TRUE(tooltip != nullptr && tooltip->Active) << name;
+    EXPECT_LE(tooltip->Rect().Max.y, centre("transport/step").y - 12) << name;
+  }
+}
+
+TEST_F(UiKeys, NoTooltipInADialog) {
+  start();
+  key(ctrl('o'));
+  frames(3);
+  move(centre("files/confirm"));
+  frames(60);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active);
 }
 
 TEST_F(UiKeys, TooltipTellsTheKey) {
