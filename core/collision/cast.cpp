@@ -10,6 +10,10 @@
 namespace talus {
 namespace {
 
+// What rounding may make of the rate at which a box that slides along a line approaches it, of its speed.
+template <class Real>
+constexpr Real kRoundedRate = 8 * std::numeric_limits<Real>::epsilon();
+
 template <class Real>
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
@@ -134,7 +138,12 @@ class Caster {
 
   // ---- Which cells ----
 
-  static int cell_of(Real at) { return static_cast<int>(std::floor(at / kTileSide)); }
+  // Of a coordinate within the limits of an int, rounded down.
+  static int cell_of(Real at) {
+    const Real cells = at * (Real(1) / kTileSide);
+    const int towards_zero = static_cast<int>(cells);
+    return towards_zero - (cells < Real(towards_zero) ? 1 : 0);
+  }
 
   void slice(Real from, Real to) {
     const Real x0 = box_.x + from * dx_, x1 = box_.x + to * dx_;
@@ -150,26 +159,34 @@ class Caster {
 
   // Bit i of a word is the cell left of the first one by 1 - i, so that both neighbours are in the word.
   void rows(int first, int count, int top, int bottom) {
+    using Terrain = BasicTerrain<Real>;
+    if (Terrain::OneChunk::covers(first - 1, count + 2, top - 1, bottom + 1)) {
+      const typename Terrain::OneChunk words(terrain_, first - 1, top);
+      if (words) rows_in(words, first, count, top, bottom);
+    } else {
+      rows_in(typename Terrain::Window(terrain_, first - 1, count + 2), first, count, top, bottom);
+    }
+  }
+
+  template <class Words>
+  void rows_in(Words words, int first, int count, int top, int bottom) {
     const std::uint64_t wanted = ((std::uint64_t{1} << count) - 1) << 1;
-    std::uint64_t above = terrain_.solid_bits(first - 1, top - 1);
-    std::uint64_t here = terrain_.solid_bits(first - 1, top);
     for (int row = top; row <= bottom; ++row) {
-      const std::uint64_t below = terrain_.solid_bits(first - 1, row + 1);
-      std::uint64_t plain = here & wanted;
+      const std::uint64_t here = words.solid(row);
+      std::uint64_t detailed = 0;
       if constexpr (Parts != kTiles) {
-        const std::uint64_t detailed = terrain_.detailed_bits(first - 1, row);
-        plain &= ~detailed;
+        detailed = words.detailed(row);
         for (std::uint64_t bits = detailed & wanted; bits != 0; bits &= bits - 1) {
           for (const Piece<Real>& piece : terrain_.pieces_in({first - 1 + std::countr_zero(bits), row})) {
             against_piece(piece);
           }
         }
-        if (plain != 0) tiles(first - 1, row, plain, above, here, below, detailed);
-      } else {
-        if (plain != 0) tiles(first - 1, row, plain, above, here, below, 0);
       }
-      above = here;
-      here = below;
+      if (const std::uint64_t plain = here & ~detailed & wanted; plain != 0) {
+        const std::uint64_t above = dy_ > 0 || dx_ != 0 ? words.solid(row - 1) : 0;
+        const std::uint64_t below = dy_ < 0 || dx_ != 0 ? words.solid(row + 1) : 0;
+        tiles(first - 1, row, plain, above, here, below, detailed);
+      }
     }
   }
 
@@ -210,8 +227,17 @@ class Caster {
   }
 
   void flat(bool up, Real y, Real x0, Real x1, bool open0, bool open1) {
-    const Real limit = up ? y - box_.h : y;
-    flat({x0 - box_.w, x1, limit, limit, open0, open1}, up, nullptr);
+    const Real limit = up ? y - box_.h : y, first = x0 - box_.w;
+    // Most are out of reach, or met well between their ends.
+    const Real gap = up ? limit - box_.y : box_.y - limit, closing = up ? dy_ : -dy_;
+    if (gap > closing || gap < -slack_) return;
+    const Real t = gap <= 0 ? 0 : gap / closing, x = box_.x + t * dx_;
+    if (std::min(box_.x, x) > first + slack_ && std::max(box_.x, x) < x1 - slack_) {
+      offer(
+          {.t = t, .facing = up ? Facing::up : Facing::down, .limit = limit, .first_x = first, .last_x = x1});
+    } else {
+      flat({first, x1, limit, limit, open0, open1}, up, nullptr);
+    }
   }
 
   void flat(const Reach& reach, bool up, const Piece<Real>* piece) {
@@ -297,8 +323,10 @@ class Caster {
   void cap(const Reach& reach, bool up, const Piece<Real>& piece) { flat(reach, up, &piece); }
 
   void sloped(const Reach& reach, bool up, const Piece<Real>& piece) {
-    const Real closing = up ? dy_ - piece.slope * dx_ : piece.slope * dx_ - dy_;
-    if (!(closing > 0)) return;
+    const Real rise = piece.slope * dx_;
+    const Real closing = up ? dy_ - rise : rise - dy_;
+    // A box that slides along the line does not approach it, whatever rounding says.
+    if (!(closing > kRoundedRate<Real> * (std::abs(dy_) + std::abs(rise)))) return;
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
     Real t;
     if (!straight_time(window, closing, t)) return;
@@ -314,8 +342,7 @@ class Caster {
     Window w{0, 1, 0, 0};
     if (dx_ == 0) {
       // Where one stretch is open the next is closed, and has what is on the border between them.
-      const bool in_first =
-          reach.open_first ? box_.x > reach.first + slack_ : box_.x >= reach.first - slack_;
+      const bool in_first = reach.open_first ? box_.x > reach.first + slack_ : box_.x >= reach.first - slack_;
       const bool in_last = reach.open_last ? box_.x < reach.last - slack_ : box_.x <= reach.last + slack_;
       if (!in_first || !in_last) return kNever;
       w.gap = gap_at(rest_at(box_.x), 0);
@@ -326,7 +353,9 @@ class Caster {
     const Real enter = right ? reach.first : reach.last, leave = right ? reach.last : reach.first;
     const bool open_leave = right ? reach.open_last : reach.open_first;
     const Real to_leave = (leave - box_.x) * inverse_;
-    if (open_leave ? to_leave * std::abs(dx_) <= slack_ : to_leave < 0) return kNever;
+    // At its end and on the way out: where the outline goes on, the next piece has it.
+    const bool at_end = to_leave * std::abs(dx_) <= slack_;
+    if (at_end && (open_leave || to_leave <= 1)) return kNever;
     if (right ? box_.x < enter : box_.x > enter) {
       w.from = (enter - box_.x) * inverse_;
       if (w.from > 1) return kNever;
@@ -373,9 +402,11 @@ class Caster {
     };
     const bool dips = stretch.bends_down == up;  // the gap may close and open again
     Real last = window.to;
-    if (window.gap <= 0) {
+    if (window.gap <= slack_) {
+      // On the curve: it depends on the tangent, which rounding makes a little wrong.
       const Real rate = opening(window.from);
-      if (rate < 0 || (rate == 0 && !dips)) return offer_curved(window.from, reach, piece);
+      const Real wrong = kRoundedRate<Real> * (std::abs(dx_) + std::abs(dy_));
+      if (rate < -wrong || (rate <= wrong && !dips)) return offer_curved(window.from, reach, piece);
       if (dips) return;
     }
     if (!(window.last_gap < 0)) {
@@ -491,15 +522,6 @@ class Caster {
 
 }  // namespace
 
-template <class Real>
-Real rounding_slack(const Cast<Real>& cast) {
-  const BasicRect<Real>& b = cast.box;
-  const Real x = std::max(std::abs(b.x), std::abs(b.x + b.w)),
-             y = std::max(std::abs(b.y), std::abs(b.y + b.h));
-  return (x + y + std::abs(cast.motion.x) + std::abs(cast.motion.y)) *
-         (8 * std::numeric_limits<Real>::epsilon());
-}
-
 template <class Real, unsigned Parts>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                        std::span<const BasicRect<Real>> others, const Piece<Real>* ignored) {
@@ -525,7 +547,6 @@ Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stret
 }
 
 #define TALUS_CAST(Real)                                                                                 \
-  template Real rounding_slack(const Cast<Real>&);                                                       \
   template Real rest_on(const Piece<Real>&, std::span<const CurveStretch<Real>>, const BasicRect<Real>&, \
                         Foot);                                                                           \
   template Contact<Real> cast_box<Real, kTiles>(const BasicTerrain<Real>&, const Cast<Real>&,            \

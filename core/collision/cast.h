@@ -39,8 +39,15 @@ struct Cast {
 
 // A few units in the last place of the coordinates involved: what rounding may have put a box into the
 // ground.
+// Alike for mirror images.
 template <class Real>
-Real rounding_slack(const Cast<Real>& cast);
+Real rounding_slack(const Cast<Real>& cast) {
+  const BasicRect<Real>& b = cast.box;
+  const Real half_w = b.w / 2, half_h = b.h / 2;
+  const Real reach = (std::abs(b.x + half_w) + half_w) + (std::abs(b.y + half_h) + half_h) +
+                     (std::abs(cast.motion.x) + std::abs(cast.motion.y));
+  return reach * (8 * std::numeric_limits<Real>::epsilon());
+}
 
 // The first contact. Between contacts at the same time the most opposing one counts, then the one more level;
 // two mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as

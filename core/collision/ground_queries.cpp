@@ -30,10 +30,11 @@ Real slack_of(const BasicRect<Real>& box) {
 template <class Real>
 bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack) {
   const CellBlock block(ground, box, -slack);
-  for (int row = block.top; row <= block.bottom; ++row) {
-    for (int column = block.left; column <= block.right; column += 64) {
-      const int count = std::min(block.right - column + 1, 64);
-      if ((ground.solid_bits(column, row) & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
+  for (int column = block.left; column <= block.right; column += 64) {
+    const int count = std::min(block.right - column + 1, 64);
+    typename BasicTerrain<Real>::Window window(ground, column, count);
+    for (int row = block.top; row <= block.bottom; ++row) {
+      if ((window.solid(row) & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
     }
   }
   return false;
@@ -96,7 +97,7 @@ std::optional<Exit<Real>> exit_past(const BasicTerrain<Real>& ground, const Piec
 // The sides of a full tile that other tiles leave open, as pieces.
 template <class Real, class Use>
 void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
-  const auto solid = [&](int x, int y) { return (ground.solid_bits(x, y) & 1) != 0; };
+  const auto solid = [&](int x, int y) { return ground.is_solid({x, y}); };
   const Real x0 = Real(c.x) * kTileSide, y0 = Real(c.y) * kTileSide, x1 = x0 + kTileSide, y1 = y0 + kTileSide;
   Piece<Real> side;
   const auto put = [&](Facing facing, Real ax, Real ay, Real bx, Real by) {
@@ -160,9 +161,9 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   const CellBlock block(ground, box, slack);
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
-      if ((ground.detailed_bits(c.x, c.y) & 1) != 0) {
+      if (ground.is_detailed(c)) {
         for (const Piece<Real>& piece : ground.pieces_in(c)) consider(piece);
-      } else if ((ground.solid_bits(c.x, c.y) & 1) != 0) {
+      } else if (ground.is_solid(c)) {
         for_open_sides(ground, c, consider);
       }
     }

@@ -226,7 +226,6 @@ void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, Ou
     if (begin.y >= area[0].y && begin.y <= area[1].y) {
       chunk->detailed[row] = (chunk->detailed[row] & ~columns) | details[row];
     }
-    chunk->rank[row] = static_cast<std::uint16_t>(chunk->first.size() - 1);
     for (std::uint64_t word = chunk->detailed[row]; word != 0; word &= word - 1) {
       const Cell cell{begin.x + std::countr_zero(word), begin.y};
       if (inside(cell)) {
@@ -239,6 +238,8 @@ void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, Ou
         const std::span<const Piece<Real>> kept = pieces_of(*old, cell);
         chunk->pieces.insert(chunk->pieces.end(), kept.begin(), kept.end());
       }
+      if (chunk->number.empty()) chunk->number.resize(chunk->tiles.size());
+      chunk->number[index_in_chunk(cell)] = static_cast<std::uint16_t>(chunk->first.size() - 1);
       chunk->first.push_back(static_cast<std::uint32_t>(chunk->pieces.size()));
     }
   }
@@ -253,10 +254,8 @@ std::shared_ptr<typename BasicTerrain<Real>::Chunk> BasicTerrain<Real>::writable
 
 template <class Real>
 std::span<const Piece<Real>> BasicTerrain<Real>::pieces_of(const Chunk& chunk, Cell cell) {
-  const int row = cell.y % kSide;
-  const std::uint64_t bit = std::uint64_t{1} << cell.x % kSide;
-  if ((chunk.detailed[row] & bit) == 0) return {};
-  const int index = chunk.rank[row] + std::popcount(chunk.detailed[row] & (bit - 1));
+  if ((chunk.detailed[cell.y % kSide] >> cell.x % kSide & 1) == 0) return {};
+  const std::size_t index = chunk.number[index_in_chunk(cell)];
   return {chunk.pieces.data() + chunk.first[index], chunk.pieces.data() + chunk.first[index + 1]};
 }
 

@@ -38,13 +38,14 @@ struct TerrainFeatures {
 template <class Real>
 class BasicTerrain {
  public:
-  static constexpr int kChunkSide = 64;  // cells
+  static constexpr int kChunkSide = 64;                 // cells
+  using Words = std::array<std::uint64_t, kChunkSide>;  // by row of a chunk: bit x is the cell in column x
 
   struct Chunk {
     std::array<std::uint8_t, kChunkSide * kChunkSide> tiles{};
-    std::array<std::uint64_t, kChunkSide> solid{};     // bit x of word y: the cell is a full solid tile
-    std::array<std::uint64_t, kChunkSide> detailed{};  // the cell's outline is in `pieces`, not in `solid`
-    std::array<std::uint16_t, kChunkSide> rank{};      // detailed cells in the rows above
+    Words solid{};                        // the cell is a full solid tile
+    Words detailed{};                     // the cell's outline is in `pieces`, not in `solid`
+    std::vector<std::uint16_t> number;    // by cell: which of the detailed cells it is; empty: none is
     std::vector<std::uint32_t> first{0};  // by detailed cell: where its pieces begin; and the end
     std::vector<Piece<Real>> pieces;
   };
@@ -62,9 +63,62 @@ class BasicTerrain {
   std::uint8_t tile_at(Cell cell) const;  // 0 outside
   const TileShape& shape_at(Cell cell) const { return parts_->shapes[tile_at(cell)]; }
 
-  // Bit i tells of the cell (column + i, row); 0 outside of the terrain. Any column and row.
-  std::uint64_t solid_bits(int column, int row) const { return bits(column, row, &Chunk::solid); }
-  std::uint64_t detailed_bits(int column, int row) const { return bits(column, row, &Chunk::detailed); }
+  // Reads words of a few columns, row by row. Bit i tells of the cell (column + i, row); it is 0 outside of
+  // the terrain. Of the cells beyond `count` nothing is said.
+  class Window {
+   public:
+    // column: any; count: 1..64. The terrain must stay as it is.
+    Window(const BasicTerrain& terrain, int column, int count)
+        : terrain_(terrain),
+          chunk_column_(column >> 6),  // rounds down for negative columns too
+          shift_(column & 63),
+          is_split_(shift_ + count > kChunkSide) {}
+    std::uint64_t solid(int row) { return word(row, &Chunk::solid); }
+    std::uint64_t detailed(int row) { return word(row, &Chunk::detailed); }
+
+   private:
+    std::uint64_t word(int row, Words Chunk::*words) {
+      if (row < 0 || row >= terrain_.height_) return 0;
+      if (row >> 6 != chunk_row_) enter(row >> 6);
+      std::uint64_t bits = left_ == nullptr ? 0 : (left_->*words)[row & 63] >> shift_;
+      if (right_ != nullptr) bits |= (right_->*words)[row & 63] << (kChunkSide - shift_);
+      return bits;
+    }
+    void enter(int chunk_row) {
+      chunk_row_ = chunk_row;
+      left_ = terrain_.chunk_at(chunk_column_, chunk_row);
+      right_ = is_split_ ? terrain_.chunk_at(chunk_column_ + 1, chunk_row) : nullptr;
+    }
+
+    const BasicTerrain& terrain_;
+    const int chunk_column_, shift_;
+    const bool is_split_;
+    int chunk_row_ = -1;
+    const Chunk* left_ = nullptr;
+    const Chunk* right_ = nullptr;
+  };
+
+  // The same for a window within one chunk, which most are: quicker.
+  class OneChunk {
+   public:
+    static bool covers(int column, int count, int first_row, int last_row) {
+      return (column & 63) + count <= kChunkSide && first_row >> 6 == last_row >> 6 && column >= 0 &&
+             first_row >= 0;
+    }
+    // The window's column, and any of its rows, which is in the terrain.
+    OneChunk(const BasicTerrain& terrain, int column, int row)
+        : shift_(column & 63), chunk_(terrain.chunk_at(column >> 6, row >> 6)) {}
+    explicit operator bool() const { return chunk_ != nullptr; }  // false: nothing in it
+    std::uint64_t solid(int row) const { return chunk_->solid[row & 63] >> shift_; }
+    std::uint64_t detailed(int row) const { return chunk_->detailed[row & 63] >> shift_; }
+
+   private:
+    int shift_;
+    const Chunk* chunk_;
+  };
+
+  bool is_solid(Cell c) const { return (Window(*this, c.x, 1).solid(c.y) & 1) != 0; }
+  bool is_detailed(Cell c) const { return (Window(*this, c.x, 1).detailed(c.y) & 1) != 0; }
 
   // The outline in a detailed cell; none for other cells. A piece longer than a cell is in each that it
   // meets.
@@ -75,7 +129,6 @@ class BasicTerrain {
   friend bool operator==(const BasicTerrain& a, const BasicTerrain& b) { return a.equals(b); }
 
  private:
-  using Words = std::array<std::uint64_t, kChunkSide>;
   struct CurveInCell {
     std::int32_t cell;    // y * width + x
     std::uint32_t piece;  // into curve_pieces
@@ -96,8 +149,11 @@ class BasicTerrain {
     return static_cast<std::size_t>(c.y / kChunkSide) * chunk_columns_ + c.x / kChunkSide;
   }
   bool equals(const BasicTerrain& other) const;
-  std::uint64_t bits(int column, int row, Words Chunk::*words) const;
-  std::uint64_t word_at(int chunk_column, int row, Words Chunk::*words) const;
+  // Null: outside, or nothing in it.
+  const Chunk* chunk_at(int chunk_column, int chunk_row) const {
+    if (chunk_column < 0 || chunk_column >= chunk_columns_) return nullptr;
+    return chunks_[static_cast<std::size_t>(chunk_row) * chunk_columns_ + chunk_column].get();
+  }
 
   std::vector<CurveInCell> cells_of(std::span<const Piece<double>> pieces,
                                     std::span<const CurveStretch<double>> stretches) const;
@@ -115,22 +171,6 @@ class BasicTerrain {
   std::shared_ptr<const Parts> parts_;
   std::vector<std::shared_ptr<const Chunk>> chunks_;  // row by row; null: nothing in it
 };
-
-template <class Real>
-inline std::uint64_t BasicTerrain<Real>::word_at(int chunk_column, int row, Words Chunk::*words) const {
-  if (chunk_column < 0 || chunk_column >= chunk_columns_) return 0;
-  const Chunk* chunk =
-      chunks_[static_cast<std::size_t>(row / kChunkSide) * chunk_columns_ + chunk_column].get();
-  return chunk == nullptr ? 0 : (chunk->*words)[row % kChunkSide];
-}
-
-template <class Real>
-inline std::uint64_t BasicTerrain<Real>::bits(int column, int row, Words Chunk::*words) const {
-  if (row < 0 || row >= height_) return 0;
-  const int chunk_column = column >> 6, shift = column & 63;  // rounds down for negative columns too
-  const std::uint64_t low = word_at(chunk_column, row, words) >> shift;
-  return shift == 0 ? low : low | word_at(chunk_column + 1, row, words) << (64 - shift);
-}
 
 using Terrain = BasicTerrain<double>;
 

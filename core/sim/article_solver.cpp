@@ -61,7 +61,8 @@ std::optional<SlopeProbe> ArticleSolver::probe_slope(const Body& body, const Pla
   SlopeProbe probe;
   probe.slope = found.what;
   probe.delta = std::max(0.0, std::min((body.box.x + body.box.w / 2) - box.x, box.w)) / box.w;
-  const double offset = found.slope.direction > 0 ? lerp(box.h, 0, probe.delta) : lerp(0.0, box.h, probe.delta);
+  const double offset =
+      found.slope.direction > 0 ? lerp(box.h, 0, probe.delta) : lerp(0.0, box.h, probe.delta);
   const double top = (box.y - box.h) + offset;
   probe.floor_y = top + body.box.h;
   probe.placed_y = std::floor(top);

@@ -64,7 +64,7 @@ class Mover {
     std::optional<Vec> before;  // normal of the contact before
     const Piece<Real>* followed = nullptr;
     Vec after_following;
-    while (motion.x != 0 || motion.y != 0) {
+    while (body.box.x + motion.x != body.box.x || body.box.y + motion.y != body.box.y) {
       if (result.passes == max_passes_) {
         result.capped = true;
         break;
@@ -89,12 +89,13 @@ class Mover {
       body.box.y = contact.position.y;
       surface_ = contact.on_end ? nullptr : contact.piece;
       motion = respond(contact, motion);
-      // Between two planes that close in on the motion there is nowhere to go.
-      if (before && dot(motion, *before) < -tolerance(motion)) break;
+      // Sliding along one plane into the one before, there is nowhere to go.
+      const bool slides = dot(motion, contact.normal) <= tolerance(motion);
+      if (before && slides && dot(motion, *before) < -tolerance(motion)) break;
       before = contact.normal;
       followed = nullptr;
       if constexpr ((Parts & kCurves) != 0) {
-        if (surface_ != nullptr && is_hollow(*surface_) && dot(motion, contact.normal) <= tolerance(motion)) {
+        if (slides && surface_ != nullptr && is_hollow(*surface_)) {
           followed = surface_;
           follow(body, motion, after_following);
         }

@@ -112,9 +112,9 @@ class ExactSolver final : public Solver {
 
   void run(State& state, std::size_t index, Moving<Real>& moving, const Input& input) {
     Gait& gait = state.bodies[index].gait;
-    if (gait.coyote > 0) --gait.coyote;
     PlayerRule<Real> rule(numbers_, moving, gait);
     rule.take(input);
+    if (gait.coyote > 0) --gait.coyote;
     Vec motion = moving.velocity;
     if (gait.grounded) {
       const auto floor = floor_under(state, index, moving, rule.reach_down(0));
