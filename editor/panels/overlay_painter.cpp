@@ -17,7 +17,7 @@ constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so
 constexpr float kReach = 40;       // px at scale 1, of labels from their body
 constexpr float kPull = 12;        // px at scale 1: a label's point further from its body is drawn to it
 constexpr float kApart = 3;        // px at scale 1, between labels and what they keep clear of
-constexpr int kMostPieces = 64;
+constexpr int kRanks = 4, kMostPieces = 64;
 constexpr float kPiece = 16;  // px at scale 1: lines are kept clear in pieces of this length
 
 ImU32 color_of(OverlayId id, int alpha = 255) {
@@ -150,14 +150,23 @@ class Painter {
     const auto paint = [&](const OverlayLabel& label) {
       if (!paint_label(label) && label.body == pointed_at_) without_room.push_back(&label);
     };
-    const auto is_first = [&](const OverlayLabel& label) {
-      return label.important || (label.body != 0 && label.body == pointed_at_);
-    };
-    for (const OverlayLabel& label : labels)
-      if (is_first(label)) paint(label);
-    for (const OverlayLabel& label : labels)
-      if (!is_first(label) && view_.zoom >= kLowZoom * scale_) paint(label);
+    for (int rank = 0; rank < kRanks; ++rank)
+      for (const OverlayLabel& label : labels)
+        if (rank_of(label) == rank) paint(label);
     if (!without_room.empty()) list_labels(without_room);
+  }
+
+  // Which labels come first, and so find room: those of the chosen body and the one under the mouse, then the
+  // rarer ones. kRanks: left out.
+  int rank_of(const OverlayLabel& label) const {
+    if (label.important || (label.body != 0 && label.body == pointed_at_)) return 0;
+    if (view_.zoom < kLowZoom * scale_) return kRanks;
+    if (label.overlay == OverlayId::slope_delta) return 1;
+    if (label.overlay == OverlayId::floor_height) return 2;
+    const Rect& b = label.body_box;
+    const bool too_slow = label.overlay == OverlayId::velocity && label.at.x >= b.x &&
+                          label.at.x <= b.right() && label.at.y >= b.y && label.at.y <= b.bottom();
+    return too_slow ? kRanks : 3;  // an arrow that does not leave its body says enough
   }
 
   // Tries places around the point, near ones first. False when there is no room near the body: then the label
@@ -169,14 +178,15 @@ class Painter {
     for (float gap = 6 * scale_; gap < kReach * scale_; gap += 8 * scale_) {
       const float left = at.x - gap - size.x, right = at.x + gap, middle_x = at.x - size.x / 2;
       const float above = at.y - gap - size.y, below = at.y + gap, middle_y = at.y - size.y / 2;
-      const std::array<ImVec2, 8> corners = {{{right, above},
-                                              {left, above},
-                                              {right, below},
-                                              {left, below},
-                                              {middle_x, above},
-                                              {middle_x, below},
-                                              {right, middle_y},
-                                              {left, middle_y}}};
+      std::array<ImVec2, 8> corners = {{{right, above},
+                                        {left, above},
+                                        {right, below},
+                                        {left, below},
+                                        {middle_x, above},
+                                        {middle_x, below},
+                                        {right, middle_y},
+                                        {left, middle_y}}};
+      if (label.overlay == OverlayId::slope_delta) std::swap(corners[0], corners[4]);  // above its bar
       for (ImVec2 corner : corners) {
         const Box box{corner, {corner.x + size.x, corner.y + size.y}};
         if (!is_free(box) || !box.inside(canvas) || box.distance(body) > kReach * scale_) continue;
