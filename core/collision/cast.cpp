@@ -311,12 +311,13 @@ class Caster {
         cap({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece);
       return;
     }
+    // Beyond a crest the ground goes on, and beside it, unlike beside a ledge, nothing may slip through.
     if ((rises_to_the_right(piece)) == up) {
       if (piece.convex1)
-        cap({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece);
+        cap({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up, piece);
     } else {
       if (piece.convex0)
-        cap({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, true, false}, up, piece);
+        cap({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, false}, up, piece);
     }
   }
 
