@@ -8,51 +8,10 @@
 #include <random>
 #include <tuple>
 
+#include "test_map.h"
+
 namespace talus {
 namespace {
-
-using Kind = TileShape::Kind;
-using Side = TileShape::Side;
-
-constexpr std::uint8_t kSolid = 1, kUp = 2, kDown = 3, kHill = 4, kWide = 5, kCeiling = 6, kPlatform = 7,
-                       kLow = 8, kTall = 9, kHanging = 10;
-
-std::array<TileShape, kTileKinds> test_shapes() {
-  std::array<TileShape, kTileKinds> shapes;
-  shapes[kSolid] = {.kind = Kind::solid};
-  shapes[kUp] = {.kind = Kind::slope, .heights = {0, 8}};
-  shapes[kDown] = {.kind = Kind::slope, .heights = {8, 0}};
-  shapes[kHill] = {.kind = Kind::profile, .heights = {0, 4, 6, 4, 0}};
-  shapes[kWide] = {.kind = Kind::slope, .tiles = 3, .heights = {0, 8}};
-  shapes[kCeiling] = {.kind = Kind::slope, .side = Side::ceiling, .heights = {0, 8}};
-  shapes[kPlatform] = {.kind = Kind::solid, .one_way = true};
-  shapes[kLow] = {.kind = Kind::slope, .heights = {4, 4}};
-  shapes[kTall] = {.kind = Kind::slope, .tiles = 8, .heights = {0, 64}};
-  shapes[kHanging] = {.kind = Kind::profile, .side = Side::ceiling, .tiles = 2, .heights = {20, 3, 7.3}};
-  return shapes;
-}
-
-struct Map {
-  int width, height;
-  std::vector<std::uint8_t> cells;
-  std::vector<Curve> curves = {};
-  Map(int w, int h) : width(w), height(h), cells(static_cast<std::size_t>(w) * h) {}
-  // One row of text a row of cells; a digit is a tile.
-  explicit Map(const std::vector<std::string>& rows)
-      : width(static_cast<int>(rows[0].size())), height(static_cast<int>(rows.size())) {
-    for (const std::string& row : rows) {
-      for (const char c : row) cells.push_back(static_cast<std::uint8_t>(c == '.' ? 0 : c - '0'));
-    }
-  }
-  Terrain compile() const {
-    TerrainSource source;
-    source.width = width, source.height = height;
-    source.cells = cells;
-    source.shapes = test_shapes();
-    source.curves = curves;
-    return Terrain(source);
-  }
-};
 
 // A piece as text: its facing, its ends, "(" or ")" where an end is convex, "|" where nothing goes on.
 std::string text_of(const Piece<double>& p) {
@@ -88,20 +47,16 @@ using testing::UnorderedElementsAre;
 // ---- What is on the outline ----
 
 TEST(Terrain, FullTilesAreBitsAlone) {
-  const Terrain terrain = Map({"....", ".11.", "...."}).compile();
-  EXPECT_EQ(terrain.solid_bits(0, 1), 0b0110u);
-  EXPECT_EQ(terrain.solid_bits(-1, 1), 0b1100u);
-  EXPECT_EQ(terrain.solid_bits(0, 0), 0u);
-  EXPECT_EQ(terrain.solid_bits(0, -1), 0u);
-  EXPECT_EQ(terrain.solid_bits(0, 3), 0u);
-  EXPECT_EQ(terrain.solid_bits(-100, 1), 0u);
-  EXPECT_EQ(terrain.solid_bits(100, 1), 0u);
+  const Terrain terrain = TestMap({"....", ".11.", "...."}).compile();
+  for (Cell c{-1, -1}; c.y <= 3; ++c.y) {
+    for (c.x = -1; c.x <= 4; ++c.x) EXPECT_EQ(terrain.is_solid(c), c.y == 1 && (c.x == 1 || c.x == 2));
+  }
   EXPECT_FALSE(terrain.features().pieces);
   EXPECT_THAT(outline_of(terrain), ElementsAre());
 }
 
 TEST(Terrain, ALoneSlopeIsALineAWallABaseAndATip) {
-  const Terrain terrain = Map({"...", ".2.", "..."}).compile();
+  const Terrain terrain = TestMap({"...", ".2.", "..."}).compile();
   EXPECT_TRUE(terrain.features().pieces);
   EXPECT_FALSE(terrain.features().curves);
   EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("up |(8,16 16,8)|", "right (16,8 16,16)",
@@ -110,7 +65,7 @@ TEST(Terrain, ALoneSlopeIsALineAWallABaseAndATip) {
 
 TEST(Terrain, SlopesJoinTheFloorsBesideThem) {
   // A floor, a slope up to the next floor: no wall between them is left, and only real turns are convex.
-  const Terrain terrain = Map({"....", "..21", "1111"}).compile();
+  const Terrain terrain = TestMap({"....", "..21", "1111"}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down 16,24 24,24", "down 24,24 32,24)|", "down 8,24 16,24", "right (32,8 32,16",
@@ -118,7 +73,7 @@ TEST(Terrain, SlopesJoinTheFloorsBesideThem) {
 }
 
 TEST(Terrain, AHillHasNoEdgesInside) {
-  const Terrain terrain = Map({"....", ".23.", "1111"}).compile();
+  const Terrain terrain = TestMap({"....", ".23.", "1111"}).compile();
   EXPECT_THAT(outline_of(terrain),
               UnorderedElementsAre("down 16,24 24,24", "down 24,24 32,24)|", "down 8,24 16,24",
                                    "down |(0,24 8,24", "left (0,16 0,24)", "right (32,16 32,24)",
@@ -126,7 +81,7 @@ TEST(Terrain, AHillHasNoEdgesInside) {
 }
 
 TEST(Terrain, SlopesAboveOneAnotherHideWhatTheyCover) {
-  const Terrain terrain = Map({"....", "..2.", ".21.", "...."}).compile();
+  const Terrain terrain = TestMap({"....", "..2.", ".21.", "...."}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down 16,24 24,24)|", "down |(8,24 16,24", "left (8,24 8,24)", "right (24,8 24,16",
@@ -134,7 +89,7 @@ TEST(Terrain, SlopesAboveOneAnotherHideWhatTheyCover) {
 }
 
 TEST(Terrain, AProfileIsALineThroughItsHeights) {
-  const Terrain terrain = Map({"...", ".4.", "111"}).compile();
+  const Terrain terrain = TestMap({"...", ".4.", "111"}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down 16,24 24,24)|", "down 8,24 16,24", "down |(0,24 8,24", "left (0,16 0,24)",
@@ -143,7 +98,7 @@ TEST(Terrain, AProfileIsALineThroughItsHeights) {
 }
 
 TEST(Terrain, ASlopeOfManyTilesIsOnePieceACell) {
-  const Terrain terrain = Map({".....", ".5...", "11111"}).compile();
+  const Terrain terrain = TestMap({".....", ".5...", "11111"}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down 16,24 24,24", "down 24,24 32,24", "down 32,24 40,24)|", "down 8,24 16,24",
@@ -153,7 +108,7 @@ TEST(Terrain, ASlopeOfManyTilesIsOnePieceACell) {
 }
 
 TEST(Terrain, ACeilingIsAFloorUpsideDown) {
-  const Terrain terrain = Map({"111", ".6.", "..."}).compile();
+  const Terrain terrain = TestMap({"111", ".6.", "..."}).compile();
   EXPECT_THAT(outline_of(terrain),
               UnorderedElementsAre("down 16,8 24,8)|", "down 8,8 16,16)|", "down |(0,8 8,8", "left (0,0 0,8)",
                                    "right (24,0 24,8)", "right 16,8 16,16)", "up 16,0 24,0)|", "up 8,0 16,0",
@@ -161,18 +116,32 @@ TEST(Terrain, ACeilingIsAFloorUpsideDown) {
 }
 
 TEST(Terrain, FloorAndCeilingThatTouchLeaveNothingBetween) {
-  const Terrain terrain = Map({"...", ".8.", "..."}).compile();
+  const Terrain terrain = TestMap({"...", ".8.", "..."}).compile();
   EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("down |(8,16 16,16)|", "left (8,12 8,16)",
                                                         "right (16,12 16,16)", "up |(8,12 16,12)|"));
 }
 
+TEST(Terrain, AWedgeMayEndInsideOfACell) {
+  Terrain terrain = TestMap({"...", "...", "..."}).compile();
+  terrain.set_cell({1, 1}, kTail);
+  EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("down |(8,16 12,16)|", "left (8,8 8,16)",
+                                                        "right (12,16 12,16)", "up |(8,8 12,16)|"));
+}
+
+TEST(Terrain, ALineThatBoundsNothingJoinsNothing) {
+  Terrain terrain = TestMap({"...", "...", ".4."}).compile();
+  const std::vector<std::string> alone = outline_of(terrain);
+  terrain.set_cell({0, 2}, kFlat);
+  EXPECT_EQ(outline_of(terrain), alone);
+}
+
 TEST(Terrain, OneWayShapesAreThinLines) {
-  const Terrain terrain = Map({"....", ".77.", "...."}).compile();
+  const Terrain terrain = TestMap({"....", ".77.", "...."}).compile();
   EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("up thin 16,8 24,8)|", "up thin |(8,8 16,8"));
 }
 
 TEST(Terrain, GroundHidesOneWayShapesInsideOfIt) {
-  const Terrain terrain = Map({"1..", "71.", "..."}).compile();
+  const Terrain terrain = TestMap({"1..", "71.", "..."}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down |(0,8 8,8)|", "down |(8,16 16,16)|", "left (0,0 0,8)", "left (8,8 8,16)",
@@ -180,7 +149,7 @@ TEST(Terrain, GroundHidesOneWayShapesInsideOfIt) {
 }
 
 TEST(Terrain, ASlopeMayReachOverOtherTiles) {
-  const Terrain terrain = Map({"....", "1...", "2...", "...."}).compile();
+  const Terrain terrain = TestMap({"....", "1...", "2...", "...."}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down |(0,16 8,16)|", "down |(0,24 8,24)|", "left (0,24 0,24)", "left (0,8 0,16)",
@@ -188,7 +157,7 @@ TEST(Terrain, ASlopeMayReachOverOtherTiles) {
 }
 
 TEST(Terrain, SlopesAtTheBordersOfTheMap) {
-  const Terrain terrain = Map({"3.2"}).compile();
+  const Terrain terrain = TestMap({"3.2"}).compile();
   EXPECT_THAT(
       outline_of(terrain),
       UnorderedElementsAre("down |(0,8 8,8)|", "down |(16,8 24,8)|", "left (0,0 0,8)", "left (16,8 16,8)",
@@ -196,7 +165,7 @@ TEST(Terrain, SlopesAtTheBordersOfTheMap) {
 }
 
 TEST(Terrain, ACurveJoinsTheFloor) {
-  Map map({"....", "....", "1..1"});
+  TestMap map({"....", "....", "1..1"});
   map.curves = {{Segment{{8, 16}, {16, 12}}, Curve::Faces::up},
                 {Segment{{16, 12}, {24, 16}}, Curve::Faces::up}};
   EXPECT_THAT(outline_of(map.compile()),
@@ -207,7 +176,7 @@ TEST(Terrain, ACurveJoinsTheFloor) {
 }
 
 TEST(Terrain, ALineThatFacesBothSidesHasTips) {
-  Map map({"....", "....", "...."});
+  TestMap map({"....", "....", "...."});
   map.curves = {{Segment{{8, 16}, {16, 12}}, Curve::Faces::both},
                 {Segment{{20, 4}, {20, 12}}, Curve::Faces::both}};
   EXPECT_THAT(outline_of(map.compile()),
@@ -218,7 +187,7 @@ TEST(Terrain, ALineThatFacesBothSidesHasTips) {
 }
 
 TEST(Terrain, CurvesAreCutWhereTheyTurn) {
-  Map map({"........", "........", "........"});
+  TestMap map({"........", "........", "........"});
   map.curves = {{Arc{{32, 20}, 10, 22, 40, true}, Curve::Faces::up}};
   EXPECT_THAT(outline_of(map.compile()),
               UnorderedElementsAre("up thin (32,10 40,14", "up thin (32,10 40,14)|", "up thin 22,20 32,10",
@@ -252,12 +221,10 @@ bool same(const Piece<double>& a, const Piece<double>& b) {
 void expect_same(const Terrain& edited, const Terrain& fresh) {
   ASSERT_EQ(edited.features(), fresh.features());
   for (Cell c{0, 0}; c.y < fresh.height(); ++c.y) {
-    for (int x = 0; x < fresh.width(); x += 64) {
-      ASSERT_EQ(edited.solid_bits(x, c.y), fresh.solid_bits(x, c.y)) << x << "," << c.y;
-      ASSERT_EQ(edited.detailed_bits(x, c.y), fresh.detailed_bits(x, c.y)) << x << "," << c.y;
-    }
     for (c.x = 0; c.x < fresh.width(); ++c.x) {
       ASSERT_EQ(edited.tile_at(c), fresh.tile_at(c));
+      ASSERT_EQ(edited.is_solid(c), fresh.is_solid(c)) << "cell " << c.x << "," << c.y;
+      ASSERT_EQ(edited.is_detailed(c), fresh.is_detailed(c)) << "cell " << c.x << "," << c.y;
       const auto a = edited.pieces_in(c), b = fresh.pieces_in(c);
       ASSERT_EQ(a.size(), b.size()) << "cell " << c.x << "," << c.y;
       for (std::size_t i = 0; i < a.size(); ++i)
@@ -267,16 +234,16 @@ void expect_same(const Terrain& edited, const Terrain& fresh) {
 }
 
 // Paints random tiles, most of them where chunks meet and at the borders.
-void paint_and_compare(Map map, int edits, unsigned seed) {
+void paint_and_compare(TestMap map, int edits, unsigned seed) {
   std::mt19937 random(seed);
   const auto up_to = [&](int last) { return std::uniform_int_distribution<int>(0, last)(random); };
-  for (std::uint8_t& cell : map.cells) cell = static_cast<std::uint8_t>(up_to(2) == 0 ? up_to(kHanging) : 0);
+  for (std::uint8_t& cell : map.cells) cell = static_cast<std::uint8_t>(up_to(2) == 0 ? up_to(kFlat) : 0);
   Terrain terrain = map.compile();
   for (int i = 0; i < edits; ++i) {
     Cell cell{up_to(map.width - 1), up_to(map.height - 1)};
     if (up_to(1) == 0 && map.width > 70) cell.x = 60 + up_to(7);
     if (up_to(1) == 0 && map.height > 70) cell.y = 60 + up_to(7);
-    const auto tile = static_cast<std::uint8_t>(up_to(kHanging));
+    const auto tile = static_cast<std::uint8_t>(up_to(kFlat));
     map.cells[static_cast<std::size_t>(cell.y) * map.width + cell.x] = tile;
     terrain.set_cell(cell, tile);
     if (i % 8 == 7) expect_same(terrain, map.compile());
@@ -285,38 +252,38 @@ void paint_and_compare(Map map, int edits, unsigned seed) {
 }
 
 TEST(TerrainEdit, GivesWhatCompilingFromScratchGives) {
-  paint_and_compare(Map(12, 12), 240, 1);
-  paint_and_compare(Map(1, 1), 20, 2);
-  paint_and_compare(Map(64, 3), 100, 3);
-  paint_and_compare(Map(65, 70), 64, 4);
-  paint_and_compare(Map(130, 72), 32, 5);
+  paint_and_compare(TestMap(12, 12), 160, 1);
+  paint_and_compare(TestMap(1, 1), 20, 2);
+  paint_and_compare(TestMap(64, 3), 100, 3);
+  paint_and_compare(TestMap(65, 70), 40, 4);
+  paint_and_compare(TestMap(130, 72), 32, 5);
 }
 
 TEST(TerrainEdit, GivesTheSameBesideCurves) {
-  Map map(72, 72);
+  TestMap map(72, 72);
   map.curves = {{Arc{{500, 520}, 60, 445, 550, true}, Curve::Faces::both},
                 {Segment{{0, 0}, {576, 500}}, Curve::Faces::up},
                 {Sine{300, 560, 510, 20, 100, 300}, Curve::Faces::down}};
-  paint_and_compare(map, 48, 6);
+  paint_and_compare(map, 32, 6);
 }
 
 TEST(TerrainEdit, TheLastSlopeTakesTheFeatureWithIt) {
-  Terrain terrain = Map({"...", ".2.", "111"}).compile();
+  Terrain terrain = TestMap({"...", ".2.", "111"}).compile();
   EXPECT_TRUE(terrain.features().pieces);
   terrain.set_cell({1, 1}, 0);
   EXPECT_FALSE(terrain.features().pieces);
-  expect_same(terrain, Map({"...", "...", "111"}).compile());
+  expect_same(terrain, TestMap({"...", "...", "111"}).compile());
 }
 
 TEST(TerrainEdit, CopiesAreValues) {
-  const Terrain before = Map({"...", ".2.", "111"}).compile();
+  const Terrain before = TestMap({"...", ".2.", "111"}).compile();
   Terrain after = before;
   EXPECT_TRUE(after == before);
   after.set_cell({1, 1}, kSolid);
   EXPECT_FALSE(after == before);
   EXPECT_EQ(before.tile_at({1, 1}), kUp);
-  expect_same(before, Map({"...", ".2.", "111"}).compile());
-  expect_same(after, Map({"...", ".1.", "111"}).compile());
+  expect_same(before, TestMap({"...", ".2.", "111"}).compile());
+  expect_same(after, TestMap({"...", ".1.", "111"}).compile());
   after.set_cell({1, 1}, kUp);
   EXPECT_TRUE(after == before);
 }

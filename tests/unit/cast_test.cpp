@@ -1,0 +1,318 @@
+// Boxes cast against every kind of ground: when, where and which way it stops them.
+#include "collision/cast.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test_map.h"
+
+namespace talus {
+namespace {
+
+constexpr double kRoot2 = 0.70710678118654752440;  // half of the root of 2
+
+Contact<double> cast(const Terrain& ground, Rect box, Vec2 motion, Foot foot = Foot::box) {
+  return cast_box(ground, Cast<double>{box, motion, foot});
+}
+
+void expect_contact(const Contact<double>& c, double t, Vec2 position, Vec2 normal) {
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c.t, t);
+  EXPECT_EQ(c.position.x, position.x);
+  EXPECT_EQ(c.position.y, position.y);
+  EXPECT_DOUBLE_EQ(c.normal.x, normal.x);
+  EXPECT_DOUBLE_EQ(c.normal.y, normal.y);
+}
+
+Terrain with_curve(Curve curve) {
+  TestMap map(16, 16);
+  map.curves = {std::move(curve)};
+  return map.compile();
+}
+
+// ---- Full tiles ----
+
+class CastTiles : public testing::Test {
+ protected:
+  const Terrain ground_ = TestMap({".....", ".....", "..1..", ".....", "....."}).compile();  // 16..24
+};
+
+TEST_F(CastTiles, EachSideStops) {
+  expect_contact(cast(ground_, {18, 4, 4, 4}, {0, 16}), 0.5, {18, 12}, {0, -1});
+  expect_contact(cast(ground_, {18, 32, 4, 4}, {0, -16}), 0.5, {18, 24}, {0, 1});
+  expect_contact(cast(ground_, {4, 18, 4, 4}, {16, 0}), 0.5, {12, 18}, {-1, 0});
+  expect_contact(cast(ground_, {32, 18, 4, 4}, {-16, 0}), 0.5, {24, 18}, {1, 0});
+}
+
+TEST_F(CastTiles, WhatDoesNotReachItIsFree) {
+  EXPECT_FALSE(cast(ground_, {18, 4, 4, 4}, {0, 7}));
+  EXPECT_FALSE(cast(ground_, {18, 4, 4, 4}, {0, 0}));
+  EXPECT_FALSE(cast(ground_, {4, 4, 4, 4}, {32, 0}));
+  EXPECT_FALSE(cast(ground_, {-1000, -1000, 4, 4}, {-50, 0}));
+}
+
+TEST_F(CastTiles, EndingAtATouchCounts) {
+  expect_contact(cast(ground_, {18, 4, 4, 4}, {0, 8}), 1, {18, 12}, {0, -1});
+  expect_contact(cast(ground_, {4, 18, 4, 4}, {8, 0}), 1, {12, 18}, {-1, 0});
+}
+
+TEST_F(CastTiles, TouchingBlocksPushingAndNothingElse) {
+  expect_contact(cast(ground_, {18, 12, 4, 4}, {3, 1}), 0, {18, 12}, {0, -1});
+  EXPECT_FALSE(cast(ground_, {18, 12, 4, 4}, {3, 0}));
+  EXPECT_FALSE(cast(ground_, {18, 12, 4, 4}, {3, -1}));
+  expect_contact(cast(ground_, {12, 18, 4, 4}, {1, 3}), 0, {12, 18}, {-1, 0});
+  EXPECT_FALSE(cast(ground_, {12, 18, 4, 4}, {0, 30}));
+}
+
+TEST_F(CastTiles, BesideALedgeABoxFalls) {
+  EXPECT_FALSE(cast(ground_, {12, 4, 4, 4}, {0, 100}));
+  EXPECT_FALSE(cast(ground_, {24, 4, 4, 4}, {0, 100}));
+  EXPECT_TRUE(cast(ground_, {12.001, 4, 4, 4}, {0, 100}));
+}
+
+TEST_F(CastTiles, ACornerAimedAtExactlyIsAFloorOrACeiling) {
+  expect_contact(cast(ground_, {8, 8, 4, 4}, {8, 8}), 0.5, {12, 12}, {0, -1});
+  expect_contact(cast(ground_, {28, 8, 4, 4}, {-8, 8}), 0.5, {24, 12}, {0, -1});
+  expect_contact(cast(ground_, {8, 28, 4, 4}, {8, -8}), 0.5, {12, 24}, {0, 1});
+  expect_contact(cast(ground_, {28, 28, 4, 4}, {-8, -8}), 0.5, {24, 24}, {0, 1});
+}
+
+TEST_F(CastTiles, ABoxLargerThanATile) {
+  expect_contact(cast(ground_, {-30, -84, 100, 60}, {0, 80}), 0.5, {-30, -44}, {0, -1});
+  expect_contact(cast(ground_, {-88, -30, 64, 100}, {80, 0}), 0.5, {-48, -30}, {-1, 0});
+}
+
+TEST_F(CastTiles, APointAndALine) {
+  expect_contact(cast(ground_, {20, 8, 0, 0}, {0, 16}), 0.5, {20, 16}, {0, -1});
+  expect_contact(cast(ground_, {8, 20, 0, 0}, {16, 0}), 0.5, {16, 20}, {-1, 0});
+  expect_contact(cast(ground_, {18, 8, 4, 0}, {0, 16}), 0.5, {18, 16}, {0, -1});
+}
+
+TEST_F(CastTiles, InsideOfTheGroundNothingStops) {
+  EXPECT_FALSE(cast(ground_, {18, 18, 4, 4}, {0, 1}));
+  EXPECT_FALSE(cast(ground_, {14, 18, 4, 4}, {1, 0}));
+}
+
+TEST_F(CastTiles, LongWays) {
+  const Contact<double> down = cast(ground_, {20, -499992, 8, 8}, {0, 1e6});
+  expect_contact(down, 0.5, {20, 8}, {0, -1});
+  expect_contact(cast(ground_, {500024, 18, 4, 4}, {-1e6, 0}), 0.5, {24, 18}, {1, 0});
+  EXPECT_FALSE(cast(ground_, {-500000, -500000, 2, 2}, {1e6, 1e6 + 100}));
+}
+
+TEST(Cast, SeamsDoNotStop) {
+  const Terrain floor = TestMap({"..........", "..........", "1111111111"}).compile();
+  for (int i = 0; i < 64; ++i) EXPECT_FALSE(cast(floor, {0.1 + i, 8, 8, 8}, {7.3, 0}));
+  const Terrain wall = TestMap({"..1", "..1", "..1", "..1", "..1", "..1"}).compile();
+  for (int i = 0; i < 30; ++i) {
+    expect_contact(cast(wall, {8, 0.1 + i, 8, 8}, {3, 5.7}), 0, {8, 0.1 + i}, {-1, 0});
+    EXPECT_FALSE(cast(wall, {8, 0.1 + i, 8, 8}, {0, 5.7}));
+  }
+}
+
+TEST(Cast, SeamsLetNothingThrough) {
+  const Terrain floor = TestMap({"....", "....", "1111"}).compile();
+  expect_contact(cast(floor, {8, 8, 0, 0}, {0, 16}), 0.5, {8, 16}, {0, -1});
+  const Terrain hill = TestMap({"....", ".23.", "1111"}).compile();
+  expect_contact(cast(hill, {16, 0, 0, 0}, {0, 16}), 0.5, {16, 8}, {0, -1});
+  expect_contact(cast(hill, {8, 8, 0, 0}, {0, 16}), 0.5, {8, 16}, {0, -1});
+}
+
+TEST(Cast, AcrossWordsAndChunks) {
+  TestMap map(130, 3);
+  map.cells[2 * 130 + 64] = map.cells[2 * 130 + 63] = kSolid;
+  map.cells[130 + 127] = map.cells[130 + 128] = kSolid;
+  const Terrain ground = map.compile();
+  expect_contact(cast(ground, {500, 0, 24, 8}, {0, 16}), 0.5, {500, 8}, {0, -1});
+  expect_contact(cast(ground, {8, 9, 6, 6}, {2000, 0}), 0.501, {1010, 9}, {-1, 0});
+  expect_contact(cast(ground, {-100, -8, 1300, 8}, {0, 16}), 0.5, {-100, 0}, {0, -1});
+}
+
+TEST(Cast, OtherBoxesStopAsTilesDo) {
+  const Terrain ground = TestMap(4, 4).compile();
+  const std::array<Rect, 2> others = {Rect{20, 0, 4, 4}, Rect{10, 0, 4, 4}};
+  const auto c = cast_box<double, kTiles>(ground, {{0, 0, 4, 4}, {12, 0}}, others);
+  expect_contact(c, 0.5, {6, 0}, {-1, 0});
+  EXPECT_TRUE(c.is_other);
+  EXPECT_EQ(c.origin, -2);
+}
+
+// ---- Slopes ----
+
+class CastSlopes : public testing::Test {
+ protected:
+  // Up from (8,24) to (16,16), down from there to (24,24).
+  const Terrain ground_ = TestMap({".....", ".....", ".23..", "11111"}).compile();
+};
+
+TEST_F(CastSlopes, TheCornerStandsOnTheLine) {
+  expect_contact(cast(ground_, {6, 12, 4, 4}, {0, 8}), 0.75, {6, 18}, {-kRoot2, -kRoot2});
+  expect_contact(cast(ground_, {22, 12, 4, 4}, {0, 8}), 0.75, {22, 18}, {kRoot2, -kRoot2});
+  expect_contact(cast(ground_, {0, 19, 4, 4}, {8, 0}), 0.625, {5, 19}, {-kRoot2, -kRoot2});
+}
+
+TEST_F(CastSlopes, AcrossTheCrestTheBottomStandsOnIt) {
+  const Contact<double> c = cast(ground_, {14, 4, 4, 4}, {0, 16});
+  expect_contact(c, 0.5, {14, 12}, {0, -1});
+  EXPECT_TRUE(c.on_end);
+  expect_contact(cast(ground_, {12, 4, 4, 4}, {0, 16}), 0.5, {12, 12}, {0, -1});
+}
+
+TEST_F(CastSlopes, TheCentreFootStandsOnTheLineByItsMiddle) {
+  expect_contact(cast(ground_, {8, 12, 4, 4}, {0, 16}, Foot::centre), 0.375, {8, 18}, {-kRoot2, -kRoot2});
+  expect_contact(cast(ground_, {14, 4, 4, 4}, {0, 16}, Foot::centre), 0.5, {14, 12}, {0, -1});
+}
+
+TEST_F(CastSlopes, FromTheFloorOntoTheSlopeAndBack) {
+  expect_contact(cast(ground_, {0, 20, 4, 4}, {8, 0}), 0.5, {4, 20}, {-kRoot2, -kRoot2});
+  EXPECT_FALSE(cast(ground_, {28, 20, 4, 4}, {8, 0}));
+  EXPECT_FALSE(cast(ground_, {4, 20, 4, 4}, {8, -8}));  // along it
+  EXPECT_FALSE(cast(ground_, {4, 20, 4, 4}, {-4, 0}));  // down from its foot
+}
+
+TEST(Cast, AtTheEndOfAFloorTheBottomStandsOnTheEdge) {
+  const Terrain ground = TestMap({"...", "..2", "...", "..."}).compile();  // (16,16) to (24,8), open beside
+  expect_contact(cast(ground, {22, -4, 8, 8}, {0, 8}), 0.5, {22, 0}, {0, -1});
+  expect_contact(cast(ground, {22, -4, 8, 8}, {0, 8}, Foot::centre), 0.5, {22, 0}, {0, -1});
+  EXPECT_FALSE(cast(ground, {24, -4, 8, 8}, {0, 80}));
+  expect_contact(cast(ground, {8, 12, 4, 8}, {8, 0}), 0.5, {12, 12}, {-1, 0});  // the tip
+}
+
+TEST(Cast, ATipInsideOfACellStops) {
+  TestMap map(4, 4);
+  map.cells[5] = kTail;  // from (8,8) down to (12,16), nothing from there to (16,16)
+  const Terrain ground = map.compile();
+  expect_contact(cast(ground, {20, 12, 8, 8}, {-16, 0}), 0.5, {12, 12}, {1, 0});
+  EXPECT_FALSE(cast(ground, {20, 16, 8, 8}, {-16, 0}));
+}
+
+TEST(Cast, BetweenTwoSlopesTheNormalIsStraight) {
+  const Terrain valley = TestMap({"....", ".32.", "1111"}).compile();  // deepest at (16,16)
+  expect_contact(cast(valley, {12, -4, 8, 8}, {0, 16}), 0.5, {12, 4}, {0, -1});
+}
+
+TEST(Cast, CeilingsAreFloorsUpsideDown) {
+  const Terrain ground = TestMap({"111", ".6.", "...", "..."}).compile();  // (8,8) to (16,16)
+  expect_contact(cast(ground, {8, 20, 4, 4}, {0, -16}), 0.5, {8, 12}, {kRoot2 * -1, kRoot2});
+  expect_contact(cast(ground, {14, 20, 4, 4}, {0, -8}), 0.5, {14, 16}, {0, 1});
+}
+
+TEST(Cast, SteepAndFlatProfiles) {
+  const Terrain ground = TestMap({"...", "...", ".4.", "111"}).compile();  // (8,24) 20 18 20 (16,24)
+  expect_contact(cast(ground, {11, 6, 2, 4}, {0, 16}), 0.5, {11, 14}, {0, -1});
+  const Contact<double> c = cast(ground, {4, 12, 5, 4}, {0, 12});
+  expect_contact(c, 0.5, {4, 18}, {-2 / std::sqrt(5), -1 / std::sqrt(5)});
+}
+
+TEST(Cast, AnIgnoredPieceStopsNothing) {
+  const Terrain ground = with_curve({Segment{{17, 28}, {23, 28}}, Curve::Faces::up});
+  const Cast<double> fall{{16, 12, 8, 8}, {0, 16}};
+  const Contact<double> c = cast_box(ground, fall);
+  ASSERT_TRUE(c.piece);
+  EXPECT_FALSE((cast_box<double, kSlopes>(ground, fall, {}, c.piece)));
+}
+
+// ---- One-way ----
+
+TEST(Cast, OneWayTilesStopOnlyFromAbove) {
+  const Terrain ground = TestMap({"....", "....", ".77.", "....", "...."}).compile();  // y = 16
+  expect_contact(cast(ground, {10, 4, 4, 4}, {0, 16}), 0.5, {10, 12}, {0, -1});
+  EXPECT_FALSE(cast(ground, {10, 30, 4, 4}, {0, -30}));
+  EXPECT_FALSE(cast(ground, {0, 14, 4, 4}, {30, 0}));
+  EXPECT_FALSE(cast(ground, {10, 14, 4, 4}, {0, 16}));  // half way through it
+  EXPECT_TRUE(cast(ground, {10, 12, 4, 4}, {5, 0.5}));
+}
+
+// ---- Curves ----
+
+TEST(CastCurves, AnArcStopsWhereItsCircleIs) {
+  const Terrain hill = with_curve({Arc{{64, 80}, 50, 24, 104, true}, Curve::Faces::up});
+  expect_contact(cast(hill, {60, 14, 8, 8}, {0, 16}), 0.5, {60, 22}, {0, -1});
+  // The corner (34, y) meets (34, 40): 30-40-50.
+  expect_contact(cast(hill, {26, 24, 8, 8}, {0, 16}), 0.5, {26, 32}, {-0.6, -0.8});
+  expect_contact(cast(hill, {94, 24, 8, 8}, {0, 16}), 0.5, {94, 32}, {0.6, -0.8});
+  EXPECT_FALSE(cast(hill, {60, 90, 8, 8}, {0, -90}));
+  const Terrain bowl = with_curve({Arc{{64, 20}, 50, 14, 114, false}, Curve::Faces::up});
+  expect_contact(cast(bowl, {24, 34, 10, 8}, {0, 16}), 0.5, {24, 42}, {0.8, -0.6});
+}
+
+TEST(CastCurves, AParabola) {
+  // y = 32 + (x - 64)^2 / 32
+  const Terrain hill = with_curve({Parabola{{32, 64}, {96, 64}, 0}, Curve::Faces::both});
+  expect_contact(cast(hill, {60, 16, 8, 8}, {0, 16}), 0.5, {60, 24}, {0, -1});
+  expect_contact(cast(hill, {40, 26, 8, 8}, {0, 12}), 0.5, {40, 32}, {-kRoot2, -kRoot2});
+  expect_contact(cast(hill, {64, 64, 16, 8}, {0, -48}), 0.5, {64, 40}, {-kRoot2, kRoot2});
+  expect_contact(cast(hill, {64, 64, 4, 8}, {0, -64}), 0.4921875, {64, 32.5},
+                 {-0.24253562503633297, 0.97014250014533188});
+}
+
+TEST(CastCurves, ACubic) {
+  // From (0,64) to (64,64) with slopes 1 and 1: y = 64 + u - 3u^2/64 + 2u^3/4096
+  const Terrain wave = with_curve({Cubic{{0, 64}, {64, 64}, 1, 1}, Curve::Faces::up});
+  const Contact<double> c = cast(wave, {32, 40, 8, 8}, {0, 32});
+  ASSERT_TRUE(c);
+  EXPECT_NEAR(c.position.y + 8, 64 + 40 - 3 * 25.0 + 2 * 64000.0 / 4096, 1e-13);
+  EXPECT_EQ(cast(wave, {24, 40, 8, 8}, {0, 32}).position.y, 56);
+}
+
+TEST(CastCurves, ASine) {
+  const Terrain waves = with_curve({Sine{8, 104, 64, 8, 32, 8}, Curve::Faces::up});  // crest at 32, y = 56
+  expect_contact(cast(waves, {28, 40, 8, 8}, {0, 16}), 0.5, {28, 48}, {0, -1});
+  const Contact<double> c = cast(waves, {12, 40, 8, 8}, {0, 32});  // right corner at x = 20: sin(3 pi / 4)
+  ASSERT_TRUE(c);
+  EXPECT_NEAR(c.position.y, 56 + 8 * kRoot2, 1e-13);
+  // Across a trough, symmetrically: both corners at once.
+  EXPECT_EQ(cast(waves, {44, 40, 8, 8}, {0, 40}).normal, (Vec2{0, -1}));
+}
+
+TEST(CastCurves, WhatFacesDownStopsFromBelow) {
+  const Terrain roof = with_curve({Segment{{16, 32}, {48, 32}}, Curve::Faces::down});
+  expect_contact(cast(roof, {24, 48, 8, 8}, {0, -32}), 0.5, {24, 32}, {0, 1});
+  EXPECT_FALSE(cast(roof, {24, 8, 8, 8}, {0, 64}));
+}
+
+TEST(CastCurves, WhatFacesBothSidesStopsAtItsEndsToo) {
+  const Terrain line = with_curve({Segment{{32, 32}, {64, 32}}, Curve::Faces::both});
+  expect_contact(cast(line, {16, 28, 8, 8}, {16, 0}), 0.5, {24, 28}, {-1, 0});
+  expect_contact(cast(line, {72, 28, 8, 8}, {-16, 0}), 0.5, {64, 28}, {1, 0});
+  EXPECT_FALSE(cast(line, {16, 24, 8, 8}, {80, 0}));
+  const Terrain pole = with_curve({Segment{{32, 32}, {32, 64}}, Curve::Faces::both});
+  expect_contact(cast(pole, {28, 16, 8, 8}, {0, 16}), 0.5, {28, 24}, {0, -1});
+  expect_contact(cast(pole, {28, 72, 8, 8}, {0, -16}), 0.5, {28, 64}, {0, 1});
+  expect_contact(cast(pole, {28, 16, 8, 8}, {0, 16}, Foot::centre), 0.5, {28, 24}, {0, -1});
+  expect_contact(cast(pole, {16, 40, 8, 8}, {16, 0}), 0.5, {24, 40}, {-1, 0});
+  EXPECT_FALSE(cast(pole, {24, 16, 8, 8}, {0, 80}));
+}
+
+TEST(CastCurves, OneSidedPolesStopOneWay) {
+  const Terrain left = with_curve({Segment{{32, 32}, {32, 64}}, Curve::Faces::up});
+  EXPECT_TRUE(cast(left, {16, 40, 8, 8}, {16, 0}));
+  EXPECT_FALSE(cast(left, {40, 40, 8, 8}, {-16, 0}));
+}
+
+TEST(CastCurves, APolylineIsJoinedAtItsHeights) {
+  const Terrain line = with_curve({Polyline{16, 48, {64, 48, 64}}, Curve::Faces::up});
+  expect_contact(cast(line, {28, 32, 8, 8}, {0, 16}), 0.5, {28, 40}, {0, -1});
+  expect_contact(cast(line, {32, 24, 0, 0}, {0, 48}), 0.5, {32, 48}, {0, -1});
+}
+
+TEST(CastCurves, ALongWayMeetsAThinLine) {
+  const Terrain line = with_curve({Segment{{0, 64}, {128, 64}}, Curve::Faces::both});
+  expect_contact(cast(line, {60, -499944, 8, 8}, {0, 1e6}), 0.5, {60, 56}, {0, -1});
+}
+
+TEST(Cast, SinglePrecisionToo) {
+  TerrainSource source;
+  source.width = source.height = 4;
+  const std::vector<std::uint8_t> cells = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 1, 1, 1, 1};
+  source.cells = cells;
+  source.shapes = test_shapes();
+  const BasicTerrain<float> ground(source);
+  const auto c = cast_box<float, kAllParts>(ground, {{6, 12, 4, 4}, {0, 8}});
+  EXPECT_EQ(c.t, 0.75f);
+  EXPECT_EQ(c.position, (BasicVec2<float>{6, 18}));
+}
+
+}  // namespace
+}  // namespace talus
