@@ -143,7 +143,11 @@ struct Scene {
 double stretch_of(const Move& m, Vec2 normal) {
   return std::hypot(m.motion.x, m.motion.y) / std::abs(dot(m.motion, normal));
 }
-double steepness(Vec2 normal) { return std::max(1.0, std::abs(normal.x / normal.y)); }
+// How much y changes with x on what was hit.
+double steepness(const Contact<double>& hit) {
+  const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
+  return wall || hit.on_end ? 1 : std::max(1.0, std::abs(hit.normal.x / hit.normal.y));
+}
 
 const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
   constexpr Wide kRounding = 4e-16L;  // of t itself
@@ -163,17 +167,15 @@ const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Mo
   const Wide x = m.box.x + truth.t * m.motion.x, y = m.box.y + truth.t * m.motion.y;
   const double off =
       static_cast<double>(std::max(std::abs(x - hit.position.x), std::abs(y - hit.position.y)));
-  const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
-  return off <= bound * stretch_of(m, hit.normal) * (wall || hit.on_end ? 1 : steepness(hit.normal))
-             ? nullptr
-             : "is in the wrong place";
+  return off <= bound * stretch_of(m, hit.normal) * steepness(hit) ? nullptr : "is in the wrong place";
 }
 
+// The box stands on what it hit, and so may be in other ground by as much as its place is rounded.
 const char* wrong_depth(const Contact<double>& hit, const ExactGround& ground, const Move& m, double slack) {
   const ExactBox box{m.box.x, m.box.y, m.box.w, m.box.h};
   const ExactBox end{hit ? Exact(hit.position.x) : Exact(box.x + m.motion.x),
                      hit ? Exact(hit.position.y) : Exact(box.y + m.motion.y), box.w, box.h};
-  return ground.depth(end) <= (hit ? 2 * ulp_of(m) : slack) ? nullptr : "ends in the ground";
+  return ground.depth(end) <= (hit ? 3 * ulp_of(m) * steepness(hit) : slack) ? nullptr : "ends in the ground";
 }
 
 template <class Check>
