@@ -198,7 +198,7 @@ void InspectorPanel::draw(const Session& session, Actions&, Ui& ui) {
   name += body->origin.spawn >= 0 ? "  (spawn " + std::to_string(body->origin.spawn + 1) + ")"
                                   : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
                                         std::to_string(body->origin.cell.y) + ")";
-  if (session.state().grabbed == body->id) name += ", held";
+  if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
   ImGui::TextUnformatted(name.c_str());
   draw_body(*body, ui);
   ImGui::Spacing();

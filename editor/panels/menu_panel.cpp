@@ -20,7 +20,7 @@ std::string keys_from_here(const Command& command, const Ui& ui) {
 
 void draw_command(std::string_view id, const Session& session, Actions& actions, Ui& ui) {
   const Command& command = find_command(id);
-  const std::string label(command.label), keys = keys_from_here(command, ui);
+  const std::string label(command.label), keys = "    " + keys_from_here(command, ui);  // apart from labels
   const bool enabled = command.is_enabled(session, ui);
   if (ImGui::MenuItem(label.c_str(), keys.c_str(), command.is_checked(session, ui), enabled))
     command.run(session, actions, ui);

@@ -17,7 +17,7 @@ namespace {
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTransport = 32, kStatus = 24;
 constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 198;
-constexpr float kSheetHeader = 40;                       // px at scale 1, of its buttons and margins
+constexpr float kSheetHeader = 44;                       // px at scale 1, of its buttons and margins
 constexpr float kSheetSide = kSheetColumns * kTileSize;  // px of the art
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 
