@@ -69,7 +69,7 @@ TEST(OverlayInfos, AreInTheOrderOfTheirIdsAndFoundByKey) {
     EXPECT_EQ(find_overlay(info.key), info.id);
     colors.insert(info.color);
   }
-  EXPECT_EQ(colors.size(), 7u) << "one colour each";
+  EXPECT_EQ(colors.size(), std::size_t{kOverlayCount}) << "one colour each";
   EXPECT_EQ(find_overlay("floor"), std::nullopt);
 }
 
