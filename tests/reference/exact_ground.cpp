@@ -92,11 +92,10 @@ Overlap overlap_of(const ExactBox& box, const Exact& dx, const Exact& dy, const 
   return overlap;
 }
 
-// Whether an overlap that begins along those directions comes from the side that the part stops.
-bool stops(const Part& part, const Overlap& overlap, const std::vector<Direction>& directions,
-           const Exact& dx, const Exact& dy) {
-  if (part.stops == Part::Stops::everywhere) return true;
-  return std::any_of(overlap.beginning.begin(), overlap.beginning.end(), [&](std::size_t i) {
+// Along how many of the directions with which an overlap begins it comes from the side that the part stops.
+std::size_t stopping_directions(const Part& part, const Overlap& overlap,
+                                const std::vector<Direction>& directions, const Exact& dx, const Exact& dy) {
+  const auto stops = [&](std::size_t i) {
     if (part.a.x == part.b.x) {
       return directions[i].x != 0 && (part.stops == Part::Stops::from_above ? dx > 0 : dx < 0);
     }
@@ -104,7 +103,8 @@ bool stops(const Part& part, const Overlap& overlap, const std::vector<Direction
     // The first direction points down, the last one up.
     const Exact down = directions[i].y > 0 ? directions[i].of(dx, dy) : Exact(-directions[i].of(dx, dy));
     return part.stops == Part::Stops::from_above ? down > 0 : down < 0;
-  });
+  };
+  return static_cast<std::size_t>(std::count_if(overlap.beginning.begin(), overlap.beginning.end(), stops));
 }
 
 }  // namespace
@@ -143,11 +143,10 @@ ExactHit ExactGround::cast(const ExactBox& box, const Exact& dx, const Exact& dy
     const bool inside_at_once = !overlap.from || *overlap.from < 0;
     const Exact t = inside_at_once ? Exact(0) : *overlap.from;
     if (t >= 1 || t >= first.t) continue;
-    if (thin && (inside_at_once || !stops(parts[i], overlap, directions, dx, dy))) {
-      if (!passed || t < *passed) passed = t;
-      continue;
-    }
-    first = ExactHit{t, i};
+    const std::size_t stopping =
+        !thin || inside_at_once ? 0 : stopping_directions(parts[i], overlap, directions, dx, dy);
+    if (thin && stopping < overlap.beginning.size() && (!passed || t < *passed)) passed = t;
+    if (!thin || stopping != 0) first = ExactHit{t, i};
   }
   first.passed_a_line = passed && *passed <= first.t;
   return first;

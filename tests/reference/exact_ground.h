@@ -35,7 +35,8 @@ struct Part {
 struct ExactHit {
   Exact t;           // 0..1 of the motion; above 1: none
   std::size_t part;  // the first of those that are hit then
-  // Whether the box came into a line that stops from one side only without being stopped, before or at t.
+  // Whether the box came, at t at the latest, into a line that stops from one side only and from another
+  // side; or just past its end, so that either is right.
   bool passed_a_line = false;
 };
 
