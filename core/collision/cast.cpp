@@ -177,7 +177,7 @@ class Caster {
       if constexpr (Parts != kTiles) {
         detailed = words.detailed(row);
         for (std::uint64_t bits = detailed & wanted; bits != 0; bits &= bits - 1) {
-          for (const Piece<Real>& piece : terrain_.pieces_in({first - 1 + std::countr_zero(bits), row})) {
+          for (const Piece<Real>& piece : words.pieces(std::countr_zero(bits), row)) {
             against_piece(piece);
           }
         }

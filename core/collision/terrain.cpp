@@ -255,8 +255,7 @@ std::shared_ptr<typename BasicTerrain<Real>::Chunk> BasicTerrain<Real>::writable
 template <class Real>
 std::span<const Piece<Real>> BasicTerrain<Real>::pieces_of(const Chunk& chunk, Cell cell) {
   if ((chunk.detailed[cell.y % kSide] >> cell.x % kSide & 1) == 0) return {};
-  const std::size_t index = chunk.number[index_in_chunk(cell)];
-  return {chunk.pieces.data() + chunk.first[index], chunk.pieces.data() + chunk.first[index + 1]};
+  return chunk.pieces_of(static_cast<std::size_t>(index_in_chunk(cell)));
 }
 
 template <class Real>

@@ -48,6 +48,12 @@ class BasicTerrain {
     std::vector<std::uint16_t> number;    // by cell: which of the detailed cells it is; empty: none is
     std::vector<std::uint32_t> first{0};  // by detailed cell: where its pieces begin; and the end
     std::vector<Piece<Real>> pieces;
+
+    // cell: the index, row by row, of a detailed one.
+    std::span<const Piece<Real>> pieces_of(std::size_t cell) const {
+      const std::size_t i = number[cell];
+      return {pieces.data() + first[i], pieces.data() + first[i + 1]};
+    }
   };
 
   BasicTerrain();  // one empty cell
@@ -75,6 +81,9 @@ class BasicTerrain {
           is_split_(shift_ + count > kChunkSide) {}
     std::uint64_t solid(int row) { return word(row, &Chunk::solid); }
     std::uint64_t detailed(int row) { return word(row, &Chunk::detailed); }
+    std::span<const Piece<Real>> pieces(int bit, int row) const {
+      return terrain_.pieces_in({chunk_column_ * kChunkSide + shift_ + bit, row});
+    }
 
    private:
     std::uint64_t word(int row, Words Chunk::*words) {
@@ -111,6 +120,10 @@ class BasicTerrain {
     explicit operator bool() const { return chunk_ != nullptr; }  // false: nothing in it
     std::uint64_t solid(int row) const { return chunk_->solid[row & 63] >> shift_; }
     std::uint64_t detailed(int row) const { return chunk_->detailed[row & 63] >> shift_; }
+    // bit: of a cell that is detailed.
+    std::span<const Piece<Real>> pieces(int bit, int row) const {
+      return chunk_->pieces_of(static_cast<std::size_t>(row & 63) * kChunkSide + shift_ + bit);
+    }
 
    private:
     int shift_;

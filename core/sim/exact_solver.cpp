@@ -182,14 +182,14 @@ class ExactSolver final : public Solver {
   }
 
   void limit(Moving<Real>& moving) {
-    const Vec2 wanted = widen(moving.velocity);
-    const Vec2 limited = within_limits({}, wanted);
-    moving.velocity = narrow(limited);
-    const Vec2 at = widen(moving.box).position();
-    const Vec2 kept = within_limits(at, at);
-    moving.box.x = static_cast<Real>(kept.x);
-    moving.box.y = static_cast<Real>(kept.y);
-    if (record_ != nullptr && (limited != wanted || kept != at)) record_->paths.back().limited = true;
+    const auto within = [](Vec v, double most) { return std::abs(v.x) <= most && std::abs(v.y) <= most; };
+    if (within(moving.velocity, kMaxBodySpeed) && within(moving.box.position(), kMaxBodyDistance)) return;
+    moving.velocity = narrow(within_limits({}, widen(moving.velocity)));
+    const Vec2 at = widen(moving.box.position());
+    const Vec kept = narrow(within_limits(at, at));
+    moving.box.x = kept.x;
+    moving.box.y = kept.y;
+    if (record_ != nullptr) record_->paths.back().limited = true;
   }
 
   // A pressed button takes the body under it; a released one throws it with the speed of its last frame.

@@ -14,8 +14,13 @@ void Player::load(const Level& level) {
   reset();
 }
 
-void Player::recompile(const Level& edited) {
-  Scene scene = compile_scene(edited);
+void Player::recompile(const Level& edited) { go_on_in(compile_scene(edited)); }
+
+void Player::recompile(const Level& edited, std::span<const Cell> changed) {
+  go_on_in(recompile_scene(*scene_, edited, changed));
+}
+
+void Player::go_on_in(Scene scene) {
   if (scene == *scene_) return;
   compile(std::move(scene));
   state_ = state_.frame == 0 ? initial_state(*scene_) : carry_over(state_, *scene_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "session.h"
 
@@ -13,7 +14,9 @@ class Player {
 
   void load(const Level& level);        // another level: stopped, at frame 0
   void recompile(const Level& edited);  // the same level, edited: the state goes on, see Session::apply
-  void reset();                         // frame 0 of the compiled level; keeps running if it ran
+  void recompile(const Level& edited,
+                 std::span<const Cell> changed);  // edited in these cells of the map alone
+  void reset();                                   // frame 0 of the compiled level; keeps running if it ran
 
   void set_running(bool running);
   void set_speed(double factor);  // clamped; NaN gives kMinSpeed
@@ -31,6 +34,7 @@ class Player {
 
  private:
   void compile(Scene scene);
+  void go_on_in(Scene scene);
 
   std::shared_ptr<const Scene> scene_;
   std::unique_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it

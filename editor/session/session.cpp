@@ -91,12 +91,18 @@ void Session::Impl::carry_out(const action::SelectTiles& a) {
 
 void Session::Impl::note_change(const Edit& edit) {
   ++revision;
-  scene_is_behind = scene_is_behind || std::any_of(edit.changes.begin(), edit.changes.end(),
-                                                   [&](const Change& c) { return changes_scene(level, c); });
+  for (const Change& change : edit.changes) {
+    if (changes_scene(level, change)) scene_changes.add(change);
+  }
 }
 
 void Session::Impl::refresh_scene() {
-  if (std::exchange(scene_is_behind, false)) keep_chosen_body([&] { player.recompile(level); });
+  if (scene_changes.empty()) return;
+  const SceneChanges changes = std::exchange(scene_changes, {});
+  keep_chosen_body([&] {
+    if (changes.whole) return player.recompile(level);
+    player.recompile(level, changes.cells);
+  });
 }
 
 void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {

@@ -103,7 +103,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   history.clear();
   ++revision;
   player.load(level);
-  scene_is_behind = false;
+  scene_changes = {};
   choices.body = 0;
   // An old error no longer holds, but what a saving on the way here dropped is still news.
   if (message && message->is_error) message.reset();

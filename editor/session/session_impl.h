@@ -9,6 +9,20 @@
 
 namespace talus {
 
+// What has changed in the level that the simulation has not seen yet.
+struct SceneChanges {
+  static constexpr std::size_t kMostCells = 1000;  // beyond that the whole level is compiled no slower
+
+  bool whole = false;       // more than single cells of the map
+  std::vector<Cell> cells;  // unless `whole`
+  bool empty() const { return !whole && cells.empty(); }
+  void add(const Change& change) {
+    const auto* cell = std::get_if<CellChange>(&change);
+    whole = whole || cell == nullptr || cells.size() >= kMostCells;
+    if (cell != nullptr && !whole) cells.push_back(cell->cell);
+  }
+};
+
 struct Session::Impl {
   // What loses the changes since the last save, and so is asked about first.
   using Losing = std::variant<action::NewLevel, action::OpenFile, action::Quit>;
@@ -73,7 +87,7 @@ struct Session::Impl {
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
 
   Player player;
-  bool scene_is_behind = false;  // the level has changed in a way that the simulation has not seen
+  SceneChanges scene_changes;
   Choices choices;
 
   std::optional<Message> message;

@@ -234,6 +234,21 @@ TEST(Playback, ShapesRecompileTheGround) {
       set_curves(session.level(), {{"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""}}, "Bend"));
 }
 
+TEST(Playback, UnderTheExactSolverEditsOfCellsGiveTheSceneOfTheEditedLevel) {
+  Level level = ball_over_floor();
+  level.tuning.solver = SolverKind::exact;
+  Session session(level);
+  for (const Cell cell : {Cell{2, 6}, Cell{3, 6}, Cell{2, 2}, Cell{2, 6}}) {
+    session.apply(painted(session, cell, session.level().map.at(cell) == kSolid ? kPlain : kSolid));
+    EXPECT_EQ(session.scene(), compile_scene(session.level()));
+    session.apply(act::StepFrame{});
+  }
+  while (session.history().can_undo()) {
+    session.apply(act::Undo{});
+    EXPECT_EQ(session.scene(), compile_scene(session.level()));
+  }
+}
+
 TEST(Playback, AtFrameZeroTheStateIsTheEditedLevels) {
   Level level = ball_over_floor();
   level.spawns = {Spawn{"hero", {100, 8}, {}, ""}};
