@@ -36,6 +36,10 @@ ImVec2 cell_corner(const CanvasView& view, int x, int y) {
   return view.to_screen({static_cast<double>(x) * kTileSize, static_cast<double>(y) * kTileSize});
 }
 
+bool meet(const Rect& a, const Rect& b) {
+  return a.right() >= b.x && a.x <= b.right() && a.bottom() >= b.y && a.y <= b.bottom();
+}
+
 bool is_one_color(const TileImage& image) {
   return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
 }
@@ -143,9 +147,7 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
 void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha) {
   const Rect visible = view.visible();
   for (const Body& body : session.state().bodies) {
-    const bool outside = body.box.right() < visible.x || body.box.x > visible.right() ||
-                         body.box.bottom() < visible.y || body.box.y > visible.bottom();
-    if (!outside) draw_body(list, session.level(), body, view, ui, alpha);
+    if (meet(body.box, visible)) draw_body(list, session.level(), body, view, ui, alpha);
   }
   if (const Body* chosen = session.state().find(session.choices().body)) {
     const float gap = ui.px(2);
@@ -161,13 +163,18 @@ void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& vie
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
                    float scale, int pointed_at) {
   if (overlays.empty()) return;
-  std::vector<Rect> bodies;
-  for (const Body& body : session.state().bodies) bodies.push_back(body.box);
+  const Rect visible = view.visible();
+  std::vector<Rect> keep_clear;  // of labels: the bodies, and the ramps that they are on
+  for (const Body& body : session.state().bodies) keep_clear.push_back(body.box);
+  for (const SceneItem& item : session.scene().items) {
+    const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
+    if (slope && meet(item.box, visible)) keep_clear.push_back(item.box);
+  }
   OverlayDrawing drawing = make_overlays(session.scene(), session.state(), session.record(), overlays,
-                                         view.visible(), session.choices().body);
+                                         visible, session.choices().body);
   if (overlays.has(OverlayId::answer) && session.hard_case())
     add_answer(*session.hard_case(), session.level(), drawing);
-  paint_overlays(list, drawing, bodies, view, scale, pointed_at);
+  paint_overlays(list, drawing, keep_clear, view, scale, pointed_at);
 }
 
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,

@@ -2,43 +2,23 @@
 #include "overlay_painter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "overlay_labels.h"
 #include "theme.h"
 
 namespace talus {
 namespace {
 
-constexpr float kLowZoom = 2;      // at scale 1; below, labels that are not important are left out
 constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
-constexpr float kReach = 40;       // px at scale 1, of labels from their body
-constexpr float kPull = 12;        // px at scale 1: a label's point further from its body is drawn to it
-constexpr float kApart = 3;        // px at scale 1, between labels and what they keep clear of
-constexpr int kRanks = 4, kMostPieces = 64;
-constexpr float kPiece = 16;  // px at scale 1: lines are kept clear in pieces of this length
+constexpr float kPiece = 16;       // px at scale 1: lines are kept clear in pieces of this length
+constexpr int kMostPieces = 64;
 
 ImU32 color_of(OverlayId id, int alpha = 255) {
   return theme::color(overlay_infos()[static_cast<std::size_t>(id)].color, alpha);
 }
-
-struct Box {
-  ImVec2 min, max;
-  bool meets(const Box& b) const {
-    return min.x < b.max.x && b.min.x < max.x && min.y < b.max.y && b.min.y < max.y;
-  }
-  bool inside(const Box& b) const {
-    return min.x >= b.min.x && min.y >= b.min.y && max.x <= b.max.x && max.y <= b.max.y;
-  }
-  Box grown(float by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
-  ImVec2 nearest(ImVec2 p) const { return {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)}; }
-  float distance(const Box& b) const {
-    return std::hypot(std::max({min.x - b.max.x, b.min.x - max.x, 0.0f}),
-                      std::max({min.y - b.max.y, b.min.y - max.y, 0.0f}));
-  }
-};
 
 class Painter {
  public:
@@ -117,7 +97,7 @@ class Painter {
       taken_.push_back({{at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}});
     }
   }
-  Box screen_box(Rect rect) const {
+  ScreenBox screen_box(Rect rect) const {
     return {view_.to_screen({rect.x, rect.y}), view_.to_screen({rect.right(), rect.bottom()})};
   }
 
@@ -132,7 +112,7 @@ class Painter {
     };
     for (int i = 0; i < pieces; ++i) {
       const ImVec2 a = at(i), b = at(i + 1);
-      const Box box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+      const ScreenBox box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
       taken_.push_back(box.grown(width_));
     }
   }
@@ -145,93 +125,18 @@ class Painter {
     return {from, {from.x + (to.x - from.x) * part, from.y + (to.y - from.y) * part}};
   }
 
-  void paint_labels(const std::vector<OverlayLabel>& labels) {
-    std::vector<const OverlayLabel*> without_room;
-    const auto paint = [&](const OverlayLabel& label) {
-      if (!paint_label(label) && label.body == pointed_at_) without_room.push_back(&label);
-    };
-    for (int rank = 0; rank < kRanks; ++rank)
-      for (const OverlayLabel& label : labels)
-        if (rank_of(label) == rank) paint(label);
-    if (!without_room.empty()) list_labels(without_room);
-  }
-
-  // Which labels come first, and so find room: those of the chosen body and the one under the mouse, then the
-  // rarer ones. kRanks: left out.
-  int rank_of(const OverlayLabel& label) const {
-    if (label.important || (label.body != 0 && label.body == pointed_at_)) return 0;
-    if (view_.zoom < kLowZoom * scale_) return kRanks;
-    if (label.overlay == OverlayId::slope_delta) return 1;
-    if (label.overlay == OverlayId::floor_height) return 2;
-    const Rect& b = label.body_box;
-    const bool too_slow = label.overlay == OverlayId::velocity && label.at.x >= b.x &&
-                          label.at.x <= b.right() && label.at.y >= b.y && label.at.y <= b.bottom();
-    return too_slow ? kRanks : 3;  // an arrow that does not leave its body says enough
-  }
-
-  // Tries places around the point, near ones first. False when there is no room near the body: then the label
-  // is left out.
-  bool paint_label(const OverlayLabel& label) {
-    const ImVec2 size = size_of(label);
-    const Box canvas{view_.min, view_.max}, body = screen_box(label.body_box);
-    const ImVec2 at = body.grown(kPull * scale_).nearest(view_.to_screen(label.at));
-    for (float gap = 6 * scale_; gap < kReach * scale_; gap += 8 * scale_) {
-      const float left = at.x - gap - size.x, right = at.x + gap, middle_x = at.x - size.x / 2;
-      const float above = at.y - gap - size.y, below = at.y + gap, middle_y = at.y - size.y / 2;
-      std::array<ImVec2, 8> corners = {{{right, above},
-                                        {left, above},
-                                        {right, below},
-                                        {left, below},
-                                        {middle_x, above},
-                                        {middle_x, below},
-                                        {right, middle_y},
-                                        {left, middle_y}}};
-      if (label.overlay == OverlayId::slope_delta) std::swap(corners[0], corners[4]);  // above its bar
-      for (ImVec2 corner : corners) {
-        const Box box{corner, {corner.x + size.x, corner.y + size.y}};
-        if (!is_free(box) || !box.inside(canvas) || box.distance(body) > kReach * scale_) continue;
-        const ImVec2 end = box.nearest(at);
-        list_.AddLine(at, end, color_of(label.overlay, 120), std::max(1.0f, std::round(scale_)));
-        write(label, box);
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool is_free(const Box& box) const {
-    const Box wanted = box.grown(kApart * scale_);
-    return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return wanted.meets(other); });
-  }
-
-  ImVec2 padding() const { return {3 * scale_, 1 * scale_}; }
-  ImVec2 size_of(const OverlayLabel& label) const {
-    const ImVec2 text = ImGui::CalcTextSize(label.text.c_str());
-    return {text.x + 2 * padding().x, text.y + 2 * padding().y};
-  }
-
-  void write(const OverlayLabel& label, const Box& box) {
-    list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
-    list_.AddText({std::round(box.min.x + padding().x), std::round(box.min.y + padding().y)},
-                  color_of(label.overlay), label.text.c_str());
-    taken_.push_back(box);
-  }
-
-  // Below one another beside the body under the mouse, over whatever else is there.
-  void list_labels(const std::vector<const OverlayLabel*>& labels) {
-    ImVec2 all{0, 0};
-    for (const OverlayLabel* label : labels) {
-      const ImVec2 size = size_of(*label);
-      all = {std::max(all.x, size.x), all.y + size.y};
-    }
-    const Box body = screen_box(labels.front()->body_box).grown(kPull * scale_);
-    ImVec2 at{body.max.x, body.min.y - all.y};
-    if (at.x + all.x > view_.max.x) at.x = body.min.x - all.x;
-    if (at.y < view_.min.y) at.y = body.max.y;
-    for (const OverlayLabel* label : labels) {
-      const float height = size_of(*label).y;
-      write(*label, {at, {at.x + all.x, at.y + height}});
-      at.y += height;
+  void paint_labels(std::span<const OverlayLabel> labels) {
+    LabelPlacer placer(view_, scale_, pointed_at_, std::move(taken_));
+    for (const PlacedLabel& placed : placer.place(labels)) {
+      const ScreenBox& box = placed.box;
+      const OverlayId id = placed.label->overlay;
+      const ImVec2 pad = placer.padding();
+      if (placed.point)
+        list_.AddLine(*placed.point, box.nearest(*placed.point), color_of(id, 120),
+                      std::max(1.0f, std::round(scale_)));
+      list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
+      list_.AddText({std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(id),
+                    placed.label->text.c_str());
     }
   }
 
@@ -240,7 +145,7 @@ class Painter {
   float scale_;
   int pointed_at_;
   float width_;
-  std::vector<Box> taken_;
+  std::vector<ScreenBox> taken_;
 };
 
 }  // namespace

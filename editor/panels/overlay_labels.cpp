@@ -1,0 +1,129 @@
+// Tries places around a label's point, near ones first.
+#include "overlay_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace talus {
+namespace {
+
+constexpr float kLowZoom = 2;  // at scale 1; below, only the labels that come first are shown
+constexpr float kPull = 12;    // px at scale 1: a label's point further from its body is drawn to it
+constexpr float kApart = 3;    // px at scale 1, between labels and what they keep clear of
+constexpr int kRanks = 4;
+
+}  // namespace
+
+bool ScreenBox::meets(const ScreenBox& b) const {
+  return min.x < b.max.x && b.min.x < max.x && min.y < b.max.y && b.min.y < max.y;
+}
+
+bool ScreenBox::inside(const ScreenBox& b) const {
+  return min.x >= b.min.x && min.y >= b.min.y && max.x <= b.max.x && max.y <= b.max.y;
+}
+
+ScreenBox ScreenBox::grown(float by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
+
+ImVec2 ScreenBox::nearest(ImVec2 p) const {
+  return {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
+}
+
+float ScreenBox::distance(const ScreenBox& b) const {
+  return std::hypot(std::max({min.x - b.max.x, b.min.x - max.x, 0.0f}),
+                    std::max({min.y - b.max.y, b.min.y - max.y, 0.0f}));
+}
+
+std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels) {
+  std::vector<PlacedLabel> placed;
+  std::vector<const OverlayLabel*> without_room;
+  for (int rank = 0; rank < kRanks; ++rank) {
+    for (const OverlayLabel& label : labels) {
+      if (rank_of(label) != rank) continue;
+      if (const auto found = find_room(label)) {
+        taken_.push_back(found->box);
+        placed.push_back(*found);
+      } else if (label.body == pointed_at_) {
+        without_room.push_back(&label);
+      }
+    }
+  }
+  list(without_room, placed);
+  return placed;
+}
+
+// Which labels come first, and so find room: those of the chosen body and of the one under the mouse, then
+// the rarer ones. kRanks: left out.
+int LabelPlacer::rank_of(const OverlayLabel& label) const {
+  if (label.important || (label.body != 0 && label.body == pointed_at_)) return 0;
+  if (view_.zoom < kLowZoom * scale_) return kRanks;
+  if (label.overlay == OverlayId::slope_delta) return 1;
+  if (label.overlay == OverlayId::floor_height) return 2;
+  const Rect& b = label.body_box;
+  const bool too_slow = label.overlay == OverlayId::velocity && label.at.x >= b.x &&
+                        label.at.x <= b.right() && label.at.y >= b.y && label.at.y <= b.bottom();
+  return too_slow ? kRanks : 3;  // an arrow that does not leave its body says enough
+}
+
+std::optional<PlacedLabel> LabelPlacer::find_room(const OverlayLabel& label) const {
+  const ImVec2 size = size_of(label);
+  const ScreenBox canvas{view_.min, view_.max}, body = body_of(label);
+  const ImVec2 at = body.grown(kPull * scale_).nearest(view_.to_screen(label.at));
+  for (float gap = 6 * scale_; gap < kLabelReach * scale_; gap += 8 * scale_) {
+    const float left = at.x - gap - size.x, right = at.x + gap, middle_x = at.x - size.x / 2;
+    const float above = at.y - gap - size.y, below = at.y + gap, middle_y = at.y - size.y / 2;
+    std::array<ImVec2, 8> corners = {{{right, above},
+                                      {left, above},
+                                      {right, below},
+                                      {left, below},
+                                      {middle_x, above},
+                                      {middle_x, below},
+                                      {right, middle_y},
+                                      {left, middle_y}}};
+    if (label.overlay == OverlayId::slope_delta) std::swap(corners[0], corners[4]);  // above its bar
+    for (ImVec2 corner : corners) {
+      const ScreenBox box{corner, {corner.x + size.x, corner.y + size.y}};
+      if (is_free(box) && box.inside(canvas) && box.distance(body) <= kLabelReach * scale_)
+        return PlacedLabel{&label, box, at};
+    }
+  }
+  return std::nullopt;
+}
+
+bool LabelPlacer::is_free(const ScreenBox& box) const {
+  const ScreenBox wanted = box.grown(kApart * scale_);
+  return std::none_of(taken_.begin(), taken_.end(),
+                      [&](const ScreenBox& other) { return wanted.meets(other); });
+}
+
+// Below one another beside the body under the mouse, over whatever else is there.
+void LabelPlacer::list(std::span<const OverlayLabel* const> labels, std::vector<PlacedLabel>& placed) const {
+  if (labels.empty()) return;
+  ImVec2 all{0, 0};
+  for (const OverlayLabel* label : labels) {
+    const ImVec2 size = size_of(*label);
+    all = {std::max(all.x, size.x), all.y + size.y};
+  }
+  const ScreenBox body = body_of(*labels.front()).grown(kPull * scale_);
+  ImVec2 at{body.max.x, body.min.y - all.y};
+  if (at.x + all.x > view_.max.x) at.x = body.min.x - all.x;
+  if (at.y < view_.min.y) at.y = body.max.y;
+  for (const OverlayLabel* label : labels) {
+    const float height = size_of(*label).y;
+    placed.push_back({label, {at, {at.x + all.x, at.y + height}}, {}});
+    at.y += height;
+  }
+}
+
+ImVec2 LabelPlacer::size_of(const OverlayLabel& label) const {
+  const ImVec2 text = ImGui::CalcTextSize(label.text.c_str());
+  return {text.x + 2 * padding().x, text.y + 2 * padding().y};
+}
+
+ScreenBox LabelPlacer::body_of(const OverlayLabel& label) const {
+  const Rect& b = label.body_box;
+  return {view_.to_screen({b.x, b.y}), view_.to_screen({b.right(), b.bottom()})};
+}
+
+}  // namespace talus

@@ -1,0 +1,58 @@
+// Where the labels of the overlays go: near their bodies, apart from one another and from what they label.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "camera.h"
+#include "overlay/overlay.h"
+
+namespace talus {
+
+// A rectangle on the screen, px.
+struct ScreenBox {
+  ImVec2 min, max;
+  bool meets(const ScreenBox& b) const;
+  bool inside(const ScreenBox& b) const;
+  ScreenBox grown(float by) const;
+  ImVec2 nearest(ImVec2 p) const;            // its point that is nearest to p
+  float distance(const ScreenBox& b) const;  // 0 when they touch
+};
+
+struct PlacedLabel {
+  const OverlayLabel* label;
+  ScreenBox box;                // of the plate below the text
+  std::optional<ImVec2> point;  // to draw a line from; nothing in the list of the body under the mouse
+};
+
+inline constexpr float kLabelReach = 40;  // px at scale 1, of labels from their body: no room, no label
+
+class LabelPlacer {
+ public:
+  // taken: what no label may cover. pointed_at: id of the body under the mouse, whose labels come first and
+  // are listed beside it where they find no room; 0: none.
+  LabelPlacer(const CanvasView& view, float scale, int pointed_at, std::vector<ScreenBox> taken)
+      : view_(view), scale_(scale), pointed_at_(pointed_at), taken_(std::move(taken)) {}
+
+  // `labels` must outlive what is returned.
+  std::vector<PlacedLabel> place(std::span<const OverlayLabel> labels);
+  ImVec2 padding() const { return {3 * scale_, 1 * scale_}; }
+
+ private:
+  int rank_of(const OverlayLabel& label) const;
+  std::optional<PlacedLabel> find_room(const OverlayLabel& label) const;
+  bool is_free(const ScreenBox& box) const;
+  void list(std::span<const OverlayLabel* const> labels, std::vector<PlacedLabel>& placed) const;
+  ImVec2 size_of(const OverlayLabel& label) const;
+  ScreenBox body_of(const OverlayLabel& label) const;
+
+  const CanvasView& view_;
+  float scale_;
+  int pointed_at_;
+  std::vector<ScreenBox> taken_;
+};
+
+}  // namespace talus

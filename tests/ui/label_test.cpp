@@ -1,0 +1,82 @@
+// Where the labels of the overlays go.
+#include "harness.h"
+#include "panels/overlay_labels.h"
+
+namespace talus {
+namespace {
+
+// Labels on a canvas of 400 by 300 px, for the sizes of the editor's font.
+class UiLabels : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  static OverlayLabel label(OverlayId id, int body, Rect box, Vec2 at, const char* text) {
+    return {id, at, text, false, body, box};
+  }
+  CanvasView view(float zoom) { return {{0, 0}, {400, 300}, {0, 0}, zoom}; }
+  ScreenBox on_screen(const Rect& r, float zoom) {
+    const CanvasView v = view(zoom);
+    return {v.to_screen({r.x, r.y}), v.to_screen({r.right(), r.bottom()})};
+  }
+};
+
+TEST_F(UiLabels, StayNearTheirBody) {
+  const Rect body{20, 40, 8, 8};
+  const CanvasView canvas = view(4);
+  for (double speed : {0.0, 2.0, 10.0, 40.0}) {
+    const std::vector<OverlayLabel> labels = {
+        label(OverlayId::velocity, 1, body, {24 + speed * 4, 44 + speed}, "10.00, 0.18")};
+    for (const PlacedLabel& placed : LabelPlacer(canvas, 1, 1, {}).place(labels))
+      EXPECT_LE(placed.box.distance(on_screen(body, 4)), kLabelReach) << speed;
+  }
+}
+
+TEST_F(UiLabels, AreApartAndTheRarerComeFirst) {
+  const CanvasView canvas = view(4);
+  std::vector<OverlayLabel> labels;
+  for (int i = 0; i < 6; ++i) {
+    const Rect body{20.0 + 9 * i, 40, 8, 8};
+    labels.push_back(label(OverlayId::velocity, i + 1, body, {body.x + 20, 44}, "10.00, 0.18"));
+  }
+  labels.push_back(label(OverlayId::slope_delta, 3, {38, 40, 8, 8}, {42, 36}, "delta 0.61"));
+  const auto placed = LabelPlacer(canvas, 1, 0, {}).place(labels);
+  ASSERT_GE(placed.size(), 2u);
+  EXPECT_EQ(placed[0].label->text, "delta 0.61");
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_GE(placed[i].box.distance(placed[j].box), 2) << i << ' ' << j;
+}
+
+TEST_F(UiLabels, WithoutRoomAreLeftOutAndListedUnderTheMouse) {
+  const Rect body{40, 40, 8, 8};
+  const CanvasView canvas = view(4);
+  const std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {60, 44}, "5.00, 0.00"),
+                                            label(OverlayId::floor_height, 1, body, {52, 48}, "floor 48.00")};
+  const std::vector<ScreenBox> everything = {{{0, 0}, {400, 300}}};
+  EXPECT_TRUE(LabelPlacer(canvas, 1, 0, everything).place(labels).empty());
+  EXPECT_TRUE(LabelPlacer(canvas, 1, 2, everything).place(labels).empty()) << "another body";
+  const auto listed = LabelPlacer(canvas, 1, 1, everything).place(labels);
+  ASSERT_EQ(listed.size(), 2u);
+  EXPECT_EQ(listed[1].box.min.y, listed[0].box.max.y);
+  EXPECT_FALSE(listed[0].point);
+}
+
+TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasThem) {
+  const Rect body{40, 40, 8, 8};
+  const CanvasView canvas = view(1);
+  const std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {60, 44}, "5.00, 0.00")};
+  EXPECT_TRUE(LabelPlacer(canvas, 1, 0, {}).place(labels).empty());
+  EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
+}
+
+TEST_F(UiLabels, SlowArrowsHaveNoneUnlessPointedAt) {
+  const Rect body{40, 40, 8, 8};
+  const CanvasView canvas = view(4);
+  const std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {44, 43}, "0.00, -0.18")};
+  EXPECT_TRUE(LabelPlacer(canvas, 1, 0, {}).place(labels).empty());
+  EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
+}
+
+}  // namespace
+}  // namespace talus
