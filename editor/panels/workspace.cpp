@@ -17,7 +17,7 @@ namespace {
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTransport = 32, kStatus = 24;
 constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 198;
-constexpr float kSheetHeader = 44;                       // px at scale 1, of its buttons and margins
+constexpr float kMargin = 6;                             // px at scale 1, above and below what is in a region
 constexpr float kSheetSide = kSheetColumns * kTileSize;  // px of the art
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 
@@ -111,9 +111,10 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const float bar = ui.px(kSplitterWidth), flags = ui.px(kFlags), palette = ui.px(kPalette);
   // No higher than the sheet is at the zoom that its width allows.
   const float zoom = std::floor((size.x - ui.px(16)) / kSheetSide);
+  const float header = 2 * ui.px(kMargin) + ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.y;
   const float sheet =
       std::min(part(ui.view.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar),
-               zoom * kSheetSide + ui.px(kSheetHeader));
+               zoom * kSheetSide + header);
   const float pixels = size.y - sheet - flags - bar;
   draw_region(frame, Region::sheet, at, {size.x, sheet});
   ImGui::SetCursorScreenPos({at.x, at.y + sheet});
@@ -141,7 +142,7 @@ void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size)
   Ui& ui = frame.ui;
   const bool bar = region == Region::transport || region == Region::status;
   ImGui::SetCursorScreenPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(bar ? 4 : 6)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(bar ? 4 : kMargin)));
   ImGui::BeginChild(static_cast<ImGuiID>(region) + 1, size, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);
