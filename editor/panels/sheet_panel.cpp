@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "commands.h"
@@ -24,7 +25,8 @@ void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 c
 // The tiles that the stamp paints, where the selection does not show them already.
 void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell, const Ui& ui) {
   if (choices.area.sheet != SheetId::tiles || choices.stamp == stamp_of_sheet(choices.area.tiles)) return;
-  for (const std::uint8_t tile : choices.stamp.tiles)
+  const std::set<std::uint8_t> tiles(choices.stamp.tiles.begin(), choices.stamp.tiles.end());
+  for (const std::uint8_t tile : tiles)
     draw_frame(list, {tile % kSheetColumns, tile / kSheetColumns, 1, 1}, at, cell,
                theme::color(theme::kAccent), ui);
 }

@@ -11,6 +11,8 @@
 namespace talus {
 namespace {
 
+constexpr int kMostShown = 8;  // tiles of the stamp's picture in a row or column: more would be specks
+
 std::string hover_text(const Session& session, const Hover& hover) {
   if (hover.sprite)
     return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
@@ -51,9 +53,10 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
   ImGui::SameLine(ui.px(x));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetTextLineHeight();
-  const float zoom = side / static_cast<float>(std::max(stamp.w, stamp.h) * kTileSize);
+  const CellRect shown{0, 0, std::min(stamp.w, kMostShown), std::min(stamp.h, kMostShown)};
+  const float zoom = side / static_cast<float>(std::max(shown.w, shown.h) * kTileSize);
   const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, at, zoom};
-  draw_stamp(*ImGui::GetWindowDrawList(), stamp, {0, 0, stamp.w, stamp.h}, view, ui, 255);
+  draw_stamp(*ImGui::GetWindowDrawList(), stamp, shown, view, ui, 255);
   ImGui::Dummy({side, side});
   ui.item("status/stamp");
   draw_part(ui, x + 20, stamp_text(stamp), theme::kMuted,
