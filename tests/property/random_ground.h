@@ -1,6 +1,8 @@
 // Random ground for the property tests, and the same ground for the reference.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
