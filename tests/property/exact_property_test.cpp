@@ -306,23 +306,5 @@ RC_GTEST_PROP(ExactProperty, PermutedCurvesGiveTheSameContact, (std::uint64_t se
   }
 }
 
-// A box that fell on something stays there to the last bit, in whole steps as in halves.
-RC_GTEST_PROP(ExactProperty, ABoxAtRestStays, (std::uint64_t seed)) {
-  const GroundKinds kinds{.one_way = true, .segments = true, .curves = true};
-  for_random_moves(seed, kinds, false, [](Dice& dice, const Scene& scene, Move move, const Truth&) {
-    const Contact<double> landed = scene.cast(move);
-    if (!landed || landed.facing != Facing::up) return;
-    move.box.x = landed.position.x, move.box.y = landed.position.y;
-    const double fall = dice.in(0.001, 8);
-    for (const double step : {fall, fall / 2, fall / 2}) {
-      move.motion = {0, step};
-      const Contact<double> rest = scene.cast(move);
-      if (rest.t != 0) RC_LOG() << rc::toString(move) << " does not rest";
-      RC_ASSERT(rest.t == 0);
-      RC_ASSERT(rest.position == move.box.position());
-    }
-  });
-}
-
 }  // namespace
 }  // namespace talus
