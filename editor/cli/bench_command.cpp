@@ -1,13 +1,13 @@
 // talus bench FILE --bodies N --frames N [--pairs] [--solver S] [--set KEY=VALUE] [--threads N] [--seed N]
 
-#include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "bench_kernel.h"
 #include "command.h"
+#include "random.h"
 #include "sim/solver.h"
+#include "timing.h"
 #include "trace.h"
 
 namespace talus {
@@ -22,15 +22,6 @@ struct BenchOptions {
   bool pairs = false;
   PhysicsOptions physics;
 };
-
-// SplitMix64 by Sebastiano Vigna: the same numbers everywhere, unlike the standard's distributions.
-std::uint64_t next_random(std::uint64_t& state) {
-  state += 0x9e3779b97f4a7c15;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
 
 // Cells in which a ball overlaps nothing: neither a tile with a role nor the second half of a slope.
 std::vector<Cell> free_cells(const Level& level) {
@@ -60,19 +51,6 @@ bool spawn_balls(Level& level, int count, std::uint64_t seed) {
     level.spawns.push_back(spawn);
   }
   return true;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-template <class Function>
-double nanoseconds(Function function) {
-  const auto start = std::chrono::steady_clock::now();
-  function();
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
 void bench(CommandContext& context, const BenchOptions& options) {

@@ -15,6 +15,7 @@ class BenchKernel {
  public:
   BenchKernel(const Level& level, const State& start);
   void step();
+  Vec2 position(std::size_t ball) const { return {balls_[ball].x, balls_[ball].y}; }  // px, top-left corner
   double checksum() const;  // of the positions, so that no work can be left out
 
  private:

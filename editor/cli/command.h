@@ -27,6 +27,7 @@ void add_export_command(CLI::App& program, CommandContext& context);
 void add_check_command(CLI::App& program, CommandContext& context);
 void add_shot_command(CLI::App& program, CommandContext& context);
 void add_bench_command(CLI::App& program, CommandContext& context);
+void add_report_command(CLI::App& program, CommandContext& context);
 
 // Reports "FILE:PLACE: error: MESSAGE" (without ":PLACE" when it is empty) and sets the status to kExitBad.
 void fail(CommandContext& context, const std::string& file, const std::string& place,

@@ -1,0 +1,41 @@
+// The levels of the report's scenes, made in code, and what is asked of them.
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+#include "reference.h"
+#include "setup.h"
+
+namespace talus {
+
+// The ground of a row's scene with its tuning; nobody on it yet. Scenes of walls of bodies have no ground.
+Level report_level(const Setup& setup);
+
+// The same ground as the reference has it; not of walls.
+TrueFloor true_floor(const Setup& setup);
+
+// The corner of a scene's ground: near (scale, scale), on the grid.
+Vec2 report_origin(double scale);
+
+// The number in the precision of the row.
+double stored(const Setup& setup, double value);
+Vec2 stored(const Setup& setup, Vec2 value);
+
+// One move, with the exact answer to it.
+struct Drop {
+  Rect start;
+  Vec2 motion;        // px, downwards
+  Wide impact = 0;    // of the motion, 0..1; above 1: it meets nothing
+  Wide x = 0, y = 0;  // px, top-left corner at the impact, or else at the end of the motion
+};
+// The same moves for each solver, and for each scale but for the translation and rounding.
+std::vector<Drop> report_drops(const Setup& setup, std::size_t count);
+
+// px, the left side of the wall of tiles.
+double wall_x(const Setup& setup);
+
+// Adds a body to a level.
+void add_body(Level& level, const Rect& box, Vec2 velocity);
+
+}  // namespace talus

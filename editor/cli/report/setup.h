@@ -1,0 +1,58 @@
+// The rows of the report: which scene, which solver, and how it is set.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "level/tuning.h"
+
+namespace talus {
+
+enum class ReportScene {
+  flat_tiles,
+  slope_tiles,
+  tiny_bodies,
+  segment,
+  arc,
+  sine,
+  wall_of_tiles,
+  wall_of_bodies,
+  roll_flat,
+  roll_slope,
+  bounce_fall,
+  bounce_gravity,
+  bounce_rebound
+};
+
+struct ReportSceneInfo {
+  ReportScene scene;
+  std::string_view name;     // in the tables
+  std::string_view meaning;  // a sentence
+  bool for_all;              // the solvers on boxes can have it too
+  double top_scale;          // the largest coordinate scale that it exists at
+};
+inline constexpr int kReportSceneCount = 13;
+const std::array<ReportSceneInfo, kReportSceneCount>& report_scenes();  // in the order of the enum
+
+struct Setup {
+  ReportScene scene = ReportScene::flat_tiles;
+  std::optional<SolverKind> solver = {};  // none: the hand-written discrete kernel of `talus bench`
+  bool single = false;                    // in float
+  int substeps = 1;
+  int segments = 0;  // of the polyline in place of the curve; 0: the curve itself
+  double scale = 1;  // px: about how far from the origin the scene is, in x and y
+};
+
+inline constexpr std::array kReportSubsteps = {1, 2, 4, 8, 16};
+inline constexpr std::array kReportSegments = {4, 8, 16, 32, 64, 128, 256, 512, 1024};
+
+const ReportSceneInfo& info_of(ReportScene scene);
+std::string_view solver_name(const Setup& setup);
+bool is_curve(ReportScene scene);
+
+// All rows, those of a scene and scale one after the other.
+std::vector<Setup> report_setups();
+
+}  // namespace talus

@@ -1,0 +1,28 @@
+// The report as text: a CSV file of all rows, and a page of those that one wants to read.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "measure.h"
+
+namespace talus {
+
+// What the rows were measured with; "unknown" where it cannot be told.
+struct BuildFacts {
+  std::string commit, compiler, flags, cpu;
+};
+BuildFacts build_facts();
+
+struct PagePicture {
+  std::string_view name;     // of the file beside the page, without ".svg"
+  std::string_view meaning;  // a sentence
+};
+
+std::string csv_of(std::span<const Row> rows, const BuildFacts& facts);
+// In Markdown.
+std::string page_of(std::span<const Row> rows, const BuildFacts& facts,
+                    std::span<const PagePicture> pictures);
+
+}  // namespace talus

@@ -1,0 +1,76 @@
+// talus report [--quick] [--moves N] -o DIR
+
+#include <filesystem>
+#include <ostream>
+
+#include "cli/report/measure.h"
+#include "cli/report/plots.h"
+#include "cli/report/table.h"
+#include "command.h"
+#include "formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+struct ReportOptions {
+  std::string folder;
+  bool quick = false;
+  std::size_t moves = 0;  // 0: as --quick says
+};
+
+Effort effort_of(const ReportOptions& options) {
+  Effort effort = options.quick ? Effort{200, 3} : Effort{4000, 9};
+  if (options.moves != 0) effort.moves = options.moves;
+  return effort;
+}
+
+// Writes a file of the report; false after having failed.
+bool write(CommandContext& context, const std::string& path, const std::string& text) {
+  const FormatResult<void> written = write_file_atomic(path, text);
+  if (!written) fail(context, path, written.error().place, written.error().message);
+  return written.has_value();
+}
+
+void report(CommandContext& context, const ReportOptions& options) {
+  std::error_code problem;
+  std::filesystem::create_directories(options.folder, problem);
+  if (problem) return fail(context, options.folder, "", "cannot be made a folder");
+  const std::string folder = options.folder + '/';
+
+  std::vector<Row> rows;
+  for (const Setup& setup : report_setups()) rows.push_back(measure(setup, effort_of(options)));
+  const BuildFacts facts = build_facts();
+  if (!write(context, folder + "report.csv", csv_of(rows, facts))) return;
+
+  std::vector<PagePicture> pictures;
+  for (const Plot& plot : report_plots()) {
+    const std::string name = folder + std::string(plot.picture.name);
+    if (!write(context, name + ".gnuplot", plot.script(rows))) return;
+    const std::optional<std::string> drawn = run_gnuplot(name + ".gnuplot");
+    if (!drawn) continue;
+    if (!write(context, name + ".svg", *drawn)) return;
+    pictures.push_back(plot.picture);
+  }
+  if (!write(context, folder + "report.md", page_of(rows, facts, pictures))) return;
+  context.out << rows.size() << " rows in " << folder << "report.csv, " << pictures.size() << " plots\n";
+  if (pictures.size() < report_plots().size()) {
+    fail(context, options.folder, "", "gnuplot is missing or failed, so there are tables but not all plots");
+  }
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, CommandContext& context) {
+  CLI::App* command = program.add_subcommand(
+      "report", "Measure what each solver costs and how far it is from the right answers: tables and plots");
+  auto options = std::make_shared<ReportOptions>();
+  command->add_option("-o", options->folder, "The folder to write to; made if there is none")
+      ->required()
+      ->type_name("DIR");
+  command->add_flag("--quick", options->quick, "Fewer moves: less than a minute");
+  command->add_option("--moves", options->moves, "Moves of a row, and balls times 20")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+  command->callback([&context, options] { report(context, *options); });
+}
+
+}  // namespace talus
