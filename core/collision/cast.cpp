@@ -28,6 +28,13 @@ Real foot_offset(bool up, bool rises_to_the_right, Real width, Foot foot) {
   return rises_to_the_right == up ? width : 0;
 }
 
+// Whether two pieces are one: a long piece is in the list of each cell that it meets.
+template <class Real>
+bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
+  return a.origin == b.origin && a.stretch == b.stretch && a.facing == b.facing && a.x0 == b.x0 &&
+         a.y0 == b.y0;
+}
+
 template <class Real>
 bool rises_to_the_right(const Piece<Real>& piece) {
   return piece.y1 < piece.y0;
@@ -270,7 +277,7 @@ class Caster {
   // ---- Pieces ----
 
   void against_piece(const Piece<Real>& piece) {
-    if (&piece == ignored_) return;
+    if (ignored_ != nullptr && is_copy(piece, *ignored_)) return;
     origin_ = piece.origin;
     if (piece.is_wall()) {
       if (piece.facing == Facing::left ? dx_ > 0 : dx_ < 0) {
