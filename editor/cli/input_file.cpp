@@ -10,6 +10,23 @@ using Json = nlohmann::json;
 
 constexpr double kMaxMouse = 1e6;  // px; farther than any level reaches
 
+// The keys that are held; those that the line does not name are up. Returns what is wrong, or an empty text.
+std::string read_keys(const Json& names, Input& input) {
+  input.left = input.right = input.jump = false;
+  for (const Json& name : names) {
+    if (name == "left") {
+      input.left = true;
+    } else if (name == "right") {
+      input.right = true;
+    } else if (name == "jump") {
+      input.jump = true;
+    } else {
+      return "\"keys\" may hold \"left\", \"right\" and \"jump\", not " + name.dump();
+    }
+  }
+  return "";
+}
+
 // Returns what is wrong with the line, or an empty text after having changed `timed`.
 std::string read_line(const Json& line, TimedInput& timed) {
   if (!line.is_object()) return "an input line must be a JSON object";
@@ -30,8 +47,8 @@ std::string read_line(const Json& line, TimedInput& timed) {
       if (!value.is_boolean()) return "\"down\" must be true or false";
       timed.input.mouse_down = value.get<bool>();
     } else if (key == "keys") {
-      // No body of the article listens to keys; they are allowed, so that one recording serves every solver.
       if (!value.is_array()) return "\"keys\" must be a list of names";
+      if (const std::string wrong = read_keys(value, timed.input); !wrong.empty()) return wrong;
     } else {
       return "unknown key " + Json(key).dump();
     }
