@@ -19,7 +19,7 @@ struct ReportOptions {
 };
 
 Effort effort_of(const ReportOptions& options) {
-  Effort effort = options.quick ? Effort{200, 3} : Effort{4000, 9};
+  Effort effort = options.quick ? Effort{200, 3} : Effort{4000, 5};
   if (options.moves != 0) effort.moves = options.moves;
   return effort;
 }
@@ -68,7 +68,8 @@ void add_report_command(CLI::App& program, CommandContext& context) {
       ->required()
       ->type_name("DIR");
   command->add_flag("--quick", options->quick, "Fewer moves: less than a minute");
-  command->add_option("--moves", options->moves, "Moves of a row, and balls times 20")
+  command
+      ->add_option("--moves", options->moves, "Moves of a row; a twentieth of them balls that roll or bounce")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   command->callback([&context, options] { report(context, *options); });
 }

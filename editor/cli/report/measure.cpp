@@ -72,7 +72,8 @@ std::vector<Outcome> outcomes(const BenchKernel& kernel, const std::vector<Drop>
   return found;
 }
 
-double distance(Wide x, Wide y) { return static_cast<double>(std::hypot(x, y)); }
+// The larger of both: rounding has its limits in each coordinate.
+double distance(Wide x, Wide y) { return static_cast<double>(std::max(std::abs(x), std::abs(y))); }
 
 // Sums up drops.
 struct DropTally {
@@ -159,32 +160,31 @@ class WallTally {
   Counts counts;
   std::size_t moves = 0;
 
-  // wall: px, its left side.
-  void run(Run& run, std::size_t mover, double wall) {
-    State state = run.start;
-    const Rect start = state.bodies[mover].box;
-    Rect at = step(run, state, mover, {8, 0});
+  // wall: px, its left side. The mover is the last body of `state`.
+  void run(Solver& solver, State& state, double wall) {
+    const Rect start = state.bodies.back().box;
+    const Rect at = step(solver, state, {8, 0});
     if (at.right() > wall + slack_) ++counts.misses;
     if (at.right() > wall + start.w / 2) ++counts.tunnels;
     geometry.add(distance(Wide(at.x) + at.w - wall, Wide(at.y) - start.y));
-    free_move(run, state, mover, {0, 40});
-    free_move(run, state, mover, {-5, 0});
+    free_move(solver, state, {0, 40});
+    free_move(solver, state, {-5, 0});
   }
 
  private:
-  Rect step(Run& run, State& state, std::size_t mover, Vec2 motion) {
-    Body& body = state.bodies[mover];
+  Rect step(Solver& solver, State& state, Vec2 motion) {
+    Body& body = state.bodies.back();
     const Rect from = body.box;
     body.velocity = motion;
-    run.solver->step(state, {});
+    solver.step(state, {});
     ++moves;
     if (is_teleport(motion.x, motion.y, body.box.x - from.x, body.box.y - from.y)) ++counts.teleports;
     return body.box;
   }
 
-  void free_move(Run& run, State& state, std::size_t mover, Vec2 motion) {
-    const Rect from = state.bodies[mover].box;
-    const Rect to = step(run, state, mover, motion);
+  void free_move(Solver& solver, State& state, Vec2 motion) {
+    const Rect from = state.bodies.back().box;
+    const Rect to = step(solver, state, motion);
     const double error = distance(Wide(to.x) - from.x - motion.x, Wide(to.y) - from.y - motion.y);
     if (error > slack_) ++counts.ghosts;
     geometry.add(error);
@@ -194,29 +194,49 @@ class WallTally {
   const double slack_;
 };
 
-void measure_walls(Row& row, const Effort& effort) {
-  const Setup& setup = row.setup;
-  const Level ground = report_level(setup);
-  const bool of_bodies = setup.scene == S::wall_of_bodies;
-  const Vec2 origin = report_origin(setup.scale);
+// A box left of the upper half of a wall that begins at `wall`.
+Rect beside(const Setup& setup, Vec2 wall, std::uint64_t& random) {
+  const double width = stored(setup, next_between(random, 12, 13));
+  const Vec2 at =
+      stored(setup, {wall.x - width - next_between(random, 1, 4), wall.y + next_between(random, 20, 48)});
+  return {at.x, at.y, width, 14};
+}
+
+void push_into_tiles(const Setup& setup, std::size_t count, WallTally& tally) {
+  Level level = report_level(setup);
+  const Vec2 wall = {wall_x(setup), report_origin(setup.scale).y + 64};
   std::uint64_t random = 1;
-  WallTally tally(setup);
-  for (std::size_t i = 0; i < std::max<std::size_t>(effort.moves / 20, 1); ++i) {
-    Level level = ground;
-    const Vec2 at =
-        stored(setup, {setup.scale * next_between(random, 0, 1), setup.scale * next_between(random, 0, 1)});
-    const double wall = of_bodies ? at.x : wall_x(setup);
-    const double top = of_bodies ? at.y : origin.y + 64;
-    const double width = stored(setup, next_between(random, 12, 13));
-    const Vec2 start =
-        stored(setup, {wall - width - next_between(random, 1, 4), top + next_between(random, 20, 48)});
-    if (of_bodies) {
-      add_body(level, {at.x, at.y, 16, 64}, {});
-      add_body(level, {at.x, stored(setup, at.y + 64), 16, 64}, {});
-    }
-    add_body(level, {start.x, start.y, width, 14}, {});
+  add_body(level, beside(setup, wall, random), {});
+  Run run(level);
+  for (std::size_t i = 0; i < count; ++i) {
+    State state = run.start;
+    state.bodies.back().box = beside(setup, wall, random);
+    tally.run(*run.solver, state, wall.x);
+  }
+}
+
+void push_into_bodies(const Setup& setup, std::size_t count, WallTally& tally) {
+  std::uint64_t random = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    Level level = report_level(setup);
+    const double x = setup.scale * next_between(random, 0, 1), y = setup.scale * next_between(random, 0, 1);
+    const Vec2 wall = stored(setup, {x, y});
+    add_body(level, {wall.x, wall.y, 16, 64}, {});
+    add_body(level, {wall.x, stored(setup, wall.y + 64), 16, 64}, {});
+    add_body(level, beside(setup, wall, random), {});
     Run run(level);
-    tally.run(run, run.start.bodies.size() - 1, wall);
+    State state = run.start;
+    tally.run(*run.solver, state, wall.x);
+  }
+}
+
+void measure_walls(Row& row, const Effort& effort) {
+  WallTally tally(row.setup);
+  const std::size_t count = std::max<std::size_t>(effort.moves / 4, 1);
+  if (row.setup.scene == S::wall_of_bodies) {
+    push_into_bodies(row.setup, count, tally);
+  } else {
+    push_into_tiles(row.setup, count, tally);
   }
   row.moves = tally.moves;
   row.geometry = tally.geometry.spread();

@@ -54,7 +54,7 @@ std::string chart(std::span<const Row> rows, const std::string& title, const Axe
     const std::string block = "$line" + std::to_string(count);
     data += block + " << END\n" + points + "END\n";
     plot += std::string(count == 0 ? "plot " : ", ") + block + " with linespoints pt " +
-            std::to_string(count + 4) + " title '" + one.title + "'";
+            std::to_string(count + 4) + " title \"" + one.title + '"';
     ++count;
   }
   std::string script = data;

@@ -1,0 +1,108 @@
+// The report: its metrics, and the files that the command writes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "cli/cli.h"
+#include "cli/report/measure.h"
+#include "cli/report/reference.h"
+
+namespace talus {
+namespace {
+
+TEST(ReportMetrics, PercentileIsTheLeastValueThatEnoughOthersDoNotExceed) {
+  EXPECT_EQ(percentile({5}, 0.999), 5);
+  EXPECT_EQ(percentile({4, 1, 3, 2}, 0.5), 2);
+  EXPECT_EQ(percentile({4, 1, 3, 2}, 0.51), 3);
+  EXPECT_EQ(percentile({4, 1, 3, 2}, 0), 1);
+  std::vector<double> values;
+  for (int i = 1; i <= 2000; ++i) values.push_back(i);
+  EXPECT_EQ(percentile(values, 0.999), 1998);
+}
+
+TEST(ReportMetrics, SpreadOfErrors) {
+  Errors errors;
+  EXPECT_FALSE(errors.spread().has_value());
+  errors.add(1);
+  errors.add(3);
+  EXPECT_EQ(errors.spread()->max, 3);
+  errors.add(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(errors.spread()->max, std::numeric_limits<double>::infinity());
+}
+
+TEST(ReportMetrics, TeleportsGoFurtherThanAsked) {
+  EXPECT_FALSE(is_teleport(3, 4, 0, 5));
+  EXPECT_FALSE(is_teleport(3, 4, 0, 6));
+  EXPECT_TRUE(is_teleport(3, 4, 0, 6.5));
+}
+
+TEST(ReportReference, KnowsFloorsAndTimes) {
+  EXPECT_EQ(highest(LineFloor{0, 10, 10, 0}, 2, 4), 6);
+  EXPECT_EQ(highest(ArcFloor{0, 64, 64}, -3, 5), 0);
+  EXPECT_EQ(highest(SineFloor{0, 8, 64, 0}, 40, 50), -8);
+  EXPECT_EQ(time_of_impact(LineFloor{0, 10, 10, 10}, {0, 0, 8, 8}, 1, 4), 0.5L);
+  EXPECT_GT(time_of_impact(LineFloor{0, 10, 10, 10}, {0, 0, 8, 8}, 1, 1), 1);
+}
+
+// A drop under g = 1/2 that begins its curve with g/2: y = t/4 + t^2/4, so 5 px take 4 frames.
+TEST(ReportReference, BouncesForEver) {
+  Tuning tuning;
+  tuning.exact.gravity = 0.5;
+  tuning.article.floor_bounce = 1;
+  const std::vector<double> y = bouncing(tuning, -5, 8);
+  EXPECT_EQ(y[0], -5);
+  EXPECT_EQ(y[1], -4.5);
+  EXPECT_NEAR(y[4], 0, 1e-15);
+  EXPECT_NEAR(y[5], -2, 1e-15);
+  EXPECT_NEAR(y[8], -5, 1e-15);
+}
+
+// Coordinates are below 256 px, so that 1 ulp is 2^-45.
+TEST(ReportRows, ExactIsExactOnLines) {
+  for (const ReportScene scene : {ReportScene::flat_tiles, ReportScene::slope_tiles, ReportScene::segment}) {
+    const Row row = measure({.scene = scene, .solver = SolverKind::exact}, {.moves = 500, .repeats = 1});
+    EXPECT_LE(row.geometry->max, 0x1p-45) << info_of(scene).name;
+    EXPECT_EQ(row.counts->misses + row.counts->ghosts + row.counts->tunnels + row.counts->teleports, 0u);
+  }
+}
+
+TEST(ReportRows, TheKernelIsNot) {
+  const Row row = measure({.scene = ReportScene::flat_tiles}, {.moves = 500, .repeats = 1});
+  EXPECT_GT(row.geometry->max, 1);
+  EXPECT_EQ(row.counts->tunnels, 0u);
+}
+
+TEST(ReportRows, PolylinesGetCloser) {
+  const auto error = [](int segments) {
+    return measure({.scene = ReportScene::arc, .solver = SolverKind::exact, .segments = segments},
+                   {.moves = 200, .repeats = 1})
+        .geometry->max;
+  };
+  EXPECT_GT(error(4), 0.5);
+  EXPECT_LT(error(64), 0.01);
+  EXPECT_LT(error(0), 1e-12);
+}
+
+TEST(ReportRows, ArticleSinksIntoSlopes) {
+  const Row row = measure({.scene = ReportScene::slope_tiles, .solver = SolverKind::article}, {.moves = 200});
+  EXPECT_GT(row.geometry->max, 1);
+  EXPECT_GT(row.counts->misses, 0u);
+  EXPECT_FALSE(row.impact.has_value());
+}
+
+TEST(ReportCommand, SaysWhenItCannotWrite) {
+  std::ostringstream out, err;
+  EXPECT_EQ(run_cli({"report"}, out, err), kExitUsage);
+  EXPECT_EQ(run_cli({"report", "--quick", "-o", "/dev/null/there"}, out, err), kExitBad);
+  EXPECT_THAT(err.str(), testing::HasSubstr("/dev/null/there: error: cannot be made a folder"));
+}
+
+}  // namespace
+}  // namespace talus
