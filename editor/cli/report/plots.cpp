@@ -35,7 +35,7 @@ double shown(double error) { return std::max(error, kZero); }
 constexpr std::string_view kStyle =
     "set terminal svg size 1040,440 font 'sans-serif,12' background 'white'\n"
     "set border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd'\n"
-    "set key outside right top\nset format x '10^{%L}'\nset format y '10^{%L}'\n";
+    "set key outside right top\nset format '%g'\n";
 
 std::string chart(std::span<const Row> rows, const std::string& title, const Axes& axes,
                   std::span<const Series> series) {
@@ -58,8 +58,8 @@ std::string chart(std::span<const Row> rows, const std::string& title, const Axe
     ++count;
   }
   std::string script = data;
-  script += axes.log_x ? "set logscale x\n" : "unset logscale x\nset format x '%g'\n";
-  script += axes.log_y ? "set logscale y\n" : "unset logscale y\nset format y '%g'\n";
+  script += axes.log_x ? "set logscale x\n" : "";
+  script += axes.log_y ? "set logscale y\n" : "";
   script += "set title '" + title + "'\nset xlabel '" + axes.x + "'\nset ylabel '" + axes.y + "'\n";
   return std::string(kStyle) + script + plot + '\n';
 }
@@ -100,7 +100,7 @@ std::string curve_script(std::span<const Row> rows) {
   }
   return chart(rows, "An arc of radius 64, and polylines in its place",
                {"largest error, px", "ns a move", [](const Row& r) { return shown(r.geometry->max); },
-                [](const Row& r) { return *r.ns; }, true, false},
+                [](const Row& r) { return *r.ns; }},
                series);
 }
 

@@ -172,25 +172,25 @@ std::string losses_of(std::span<const Row> rows) {
          page + '\n';
 }
 
-constexpr std::string_view kIntroduction =
-    "# Speed against error\n\n"
-    "Written by `talus report`; all rows are in `report.csv`. Errors are in px, largest / 99.9th percentile, "
-    "and have separate meanings:\n\n"
-    "- **geometry**: one move against the exact answer of the stored inputs: the larger of the distance of "
-    "the "
-    "first contact and of the height over the floor in the end; along a wall the distance in the end. "
-    "`impact`: the time of impact times the length of the motion.\n"
-    "- **trajectory**: the same integrator in long double, over all frames.\n"
-    "- **model**: closed-form physics, over all frames. Frames of a free flight lie on its curve, so that "
-    "the "
-    "bounce alone is measured.\n\n"
-    "Where a column is empty, the row has nothing to compare: the article's solver tells no time of impact "
-    "on "
-    "slopes, and with sub-steps the time within the frame is not recorded. `article` and `bump` know no "
-    "segments, no curves, no `float` and no sub-steps, so they have no such rows; maps end at 32,768 px, so "
-    "that only bodies can be further out. All falls are steep enough to have one right answer; grazing ones "
-    "are left to the property tests. What meets or misses something within 1/64 px of the end of its motion "
-    "is not counted.\n\n";
+constexpr std::string_view kIntroduction = R"(# Speed against error
+
+Written by `talus report`; all rows are in `report.csv`. Errors are in px, largest / 99.9th percentile of the larger of
+both coordinates, and have separate meanings:
+
+- **geometry**: one move against the exact answer of the stored inputs: the larger of the distance of the first
+  contact and of the height over the floor in the end; along a wall the distance in the end. `impact`: the time of
+  impact times the length of the motion.
+- **trajectory**: the same integrator in long double, over all frames.
+- **model**: closed-form physics, over all frames. Frames of a free flight lie on its curve, so that the bounce alone
+  is measured.
+
+Where a column is empty, the row has nothing to compare. The article's solver tells no time of impact on slopes, only
+on the full tiles beside them; with sub-steps the time within the frame is not recorded. `article` and `bump` know no
+segments, no curves, no `float` and no sub-steps, so they have no such rows. Maps end at 32,768 px, so only bodies can
+be further out. All falls are steep enough to have one right answer; grazing ones are left to the property tests. What
+meets or misses something within 1/64 px of the end of its motion is not counted.
+
+)";
 
 std::string first_line_with(const std::string& file, const std::string& key) {
   std::ifstream in(file);
