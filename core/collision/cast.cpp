@@ -291,15 +291,16 @@ class Caster {
     const Real lift = up ? box_.h : 0;
     if (level && !centre) {
       const Real limit = piece.y0 - lift;
-      return flat({piece.x0 - box_.w, piece.x1, limit, limit, piece.convex0, piece.convex1}, up, &piece);
+      return flat({piece.x0 - box_.w, piece.x1, limit, limit, piece.is_open0(), piece.is_open1()}, up,
+                  &piece);
     }
     const Real offset = foot_offset(up, rises_to_the_right(piece), box_.w, foot_);
     const Reach reach = {piece.x0 - offset,
                          piece.x1 - offset,
                          piece.y0 - lift,
                          piece.y1 - lift,
-                         centre ? false : piece.convex0,
-                         centre ? false : piece.convex1};
+                         centre ? piece.far0 : piece.is_open0(),
+                         centre ? piece.far1 : piece.is_open1()};
     if (piece.stretch == 0) {
       sloped(reach, up, piece);
     } else {

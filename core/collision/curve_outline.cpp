@@ -56,7 +56,7 @@ class CurveCutter {
                .y0 = a.y,
                .x1 = b.x,
                .y1 = b.y,
-               .stretch = static_cast<std::uint16_t>(outline_.stretches.size())});
+               .stretch = static_cast<std::uint32_t>(outline_.stretches.size())});
   }
 
   void put(const Segment& s) { put_line(weld(s.from), weld(s.to)); }

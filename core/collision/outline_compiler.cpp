@@ -373,6 +373,8 @@ void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   };
   const bool near0 = piece.origin >= 0 || is_near(piece.x0, piece.y0);
   const bool near1 = piece.origin >= 0 || is_near(piece.x1, piece.y1);
+  piece.far0 = !near0;
+  piece.far1 = !near1;
   piece.convex0 = near0 && !goes_on(piece, true, true);
   piece.convex1 = near1 && !goes_on(piece, false, true);
   piece.last0 = near0 && !goes_on(piece, true, false);

@@ -68,7 +68,7 @@ struct Piece {
   // was cut from, so that its pieces lie on one line, and a mirrored one has the mirrored bits.
   Real base_x = 0, base_y = 0, slope = 0;
   std::int32_t origin = 0;    // of a tile's shape, its cell as y * width + x; of a curve, -1 - its number
-  std::uint16_t stretch = 0;  // 1 + the number of the curve's stretch; 0: a line or a wall
+  std::uint32_t stretch = 0;  // 1 + the number of the curve's stretch; 0: a line or a wall
   Facing facing = Facing::up;
   // Whether the outline turns away from the open side at the first and at the second end: a floor's end that
   // a box can stand on with its bottom side alone, a wall's end that a box can pass by.
@@ -76,8 +76,15 @@ struct Piece {
   // Whether no floor goes on at this end.
   bool last0 : 1 = false, last1 : 1 = false;
   bool one_way : 1 = false;
+  // Of a piece in several cells: whether the end is outside of the cell of this copy. The copy that has the
+  // end in its cell knows what is around it, and alone stops a box there.
+  bool far0 : 1 = false, far1 : 1 = false;
 
   bool is_wall() const { return facing == Facing::left || facing == Facing::right; }
+
+  // Whether a box beside the end passes it.
+  bool is_open0() const { return convex0 || far0; }
+  bool is_open1() const { return convex1 || far1; }
 
   // The height at x, clamped to the piece.
   Real y_at(Real x, std::span<const CurveStretch<Real>> stretches) const {

@@ -306,5 +306,31 @@ RC_GTEST_PROP(ExactProperty, PermutedCurvesGiveTheSameContact, (std::uint64_t se
   }
 }
 
+// A box that fell straight down stays to the last bit, in whole steps as in halves. Between a steep line and
+// a floor it is put on the one first and on the other next, as far away as a place on the steep one is
+// rounded.
+RC_GTEST_PROP(ExactProperty, ABoxAtRestStays, (std::uint64_t seed)) {
+  const GroundKinds kinds{.one_way = true, .segments = true, .curves = true};
+  for_random_moves(seed, kinds, false, [](Dice& dice, const Scene& scene, Move move, const Truth&) {
+    move.motion.x = 0;
+    const Contact<double> landed = scene.cast(move);
+    if (!landed || landed.facing != Facing::up) return;
+    move.box.x = landed.position.x, move.box.y = landed.position.y;
+    move.motion = {0, 1};
+    const Contact<double> settled = scene.cast(move);
+    RC_ASSERT(settled.t == 0 && settled.position.x == move.box.x);
+    RC_ASSERT(std::abs(settled.position.y - move.box.y) <= 3 * ulp_of(move) * steepness(landed));
+    move.box.y = settled.position.y;
+    const double fall = dice.in(0.001, 8);
+    for (const double step : {fall, fall / 2, fall / 2}) {
+      move.motion = {0, step};
+      const Contact<double> rest = scene.cast(move);
+      if (rest.t != 0) RC_LOG() << rc::toString(move) << " does not rest";
+      RC_ASSERT(rest.t == 0);
+      RC_ASSERT(rest.position == move.box.position());
+    }
+  });
+}
+
 }  // namespace
 }  // namespace talus
