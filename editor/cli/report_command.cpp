@@ -19,7 +19,7 @@ struct ReportOptions {
 };
 
 Effort effort_of(const ReportOptions& options) {
-  Effort effort = options.quick ? Effort{200, 3} : Effort{4000, 5};
+  Effort effort = options.quick ? Effort{200, 3} : Effort{2000, 5};
   if (options.moves != 0) effort.moves = options.moves;
   return effort;
 }
