@@ -423,7 +423,7 @@ class Caster {
       last = zero_between(window.from, window.to, [&](Real t) { return -opening(t); });
       if (!(gap(last) < 0)) return;
     }
-    offer_curved(closed_form_time(stretch, up, window, last, offset, lift, gap), reach, piece);
+    offer_curved(contact_time(stretch, piece, up, window, last, offset, lift, gap), reach, piece);
   }
 
   void offer_curved(Real t, const Reach& reach, const Piece<Real>& piece) {
@@ -433,8 +433,8 @@ class Caster {
   // The time, between the window's beginning and `last`, at which the gap closes. Circles and parabolas have
   // a closed form; rounding may put it a little outside.
   template <class Gap>
-  Real closed_form_time(const CurveStretch<Real>& s, bool up, const Window& w, Real last, Real offset,
-                        Real lift, Gap gap) const {
+  Real contact_time(const CurveStretch<Real>& s, const Piece<Real>& piece, bool up, const Window& w,
+                    Real last, Real offset, Real lift, Gap gap) const {
     const Real u = box_.x + w.from * dx_ + offset - s.c[0];
     Real t;
     if (s.kind == CurveStretch<Real>::Kind::arc) {
@@ -450,12 +450,35 @@ class Caster {
       const Real root = std::sqrt(std::max<Real>(b * b - 4 * a * w.gap, 0));
       t = b <= 0 ? 2 * w.gap / (root - b) : (-b - root) / (2 * a);
     } else {
-      t = zero_between(w.from, last, gap) - w.from;
+      t = newton_between(w.from, last, gap,
+                         [&](Real at) {
+                           const BasicVec2<Real> along =
+                               s.tangent_at(std::clamp(box_.x + at * dx_ + offset, piece.x0, piece.x1));
+                           return (up ? Real(1) : Real(-1)) * (along.y / along.x * dx_ - dy_);
+                         }) -
+          w.from;
     }
     return std::clamp(w.from + t, w.from, last);  // clamp gives w.from for NaN, of a start on the curve
   }
 
-  // Where f falls through zero between a and b, f(a) >= 0 > f(b): regula falsi by Illinois, which never
+  // Where f falls through zero between a and b, f(a) >= 0 > f(b): Newton's method, halving the bracket when
+  // it would leave it.
+  template <class F, class Derivative>
+  Real newton_between(Real a, Real b, F f, Derivative rate) const {
+    const Real rounding = slack_ / 8;  // what f may be off by
+    Real t = b;
+    for (int i = 0; i < 100; ++i) {
+      const Real ft = f(t);
+      (ft >= 0 ? a : b) = t;
+      Real next = t - ft / rate(t);
+      if (!(next >= a && next <= b)) next = a + (b - a) / 2;
+      if (std::abs(ft) <= rounding || next == t) return next;
+      t = next;
+    }
+    return t;
+  }
+
+  // The same for an f whose derivative is not at hand: regula falsi by Illinois, which never
   // leaves the bracket and never needs a derivative.
   template <class F>
   static Real zero_between(Real a, Real b, F f) {

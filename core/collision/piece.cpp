@@ -9,8 +9,8 @@ template <class Real>
 Real sine_series(Real z) {
   const Real q = z * z;
   Real sum = 0;
-  for (const double k : {16 * 17, 14 * 15, 12 * 13, 10 * 11, 8 * 9, 6 * 7, 4 * 5, 2 * 3}) {
-    sum = (1 - sum) * q / static_cast<Real>(k);
+  for (const double k : {16 * 17., 14 * 15., 12 * 13., 10 * 11., 8 * 9., 6 * 7., 4 * 5., 2 * 3.}) {
+    sum = (1 - sum) * q * static_cast<Real>(1 / k);
   }
   return z * (1 - sum);
 }
@@ -19,8 +19,8 @@ template <class Real>
 Real cosine_series(Real z) {
   const Real q = z * z;
   Real sum = 0;
-  for (const double k : {15 * 16, 13 * 14, 11 * 12, 9 * 10, 7 * 8, 5 * 6, 3 * 4, 1 * 2}) {
-    sum = (1 - sum) * q / static_cast<Real>(k);
+  for (const double k : {15 * 16., 13 * 14., 11 * 12., 9 * 10., 7 * 8., 5 * 6., 3 * 4., 1 * 2.}) {
+    sum = (1 - sum) * q * static_cast<Real>(1 / k);
   }
   return 1 - sum;
 }

@@ -90,8 +90,16 @@ struct Piece {
   Real y_at(Real x, std::span<const CurveStretch<Real>> stretches) const {
     if (x <= x0) return y0;
     if (x >= x1) return y1;
-    const Real y = stretch != 0 ? stretches[stretch - 1].y_at(x) : base_y + (x - base_x) * slope;
+    const Real y = stretch != 0 ? stretches[stretch - 1].y_at(x) : line_at(x);
     return std::clamp(y, std::min(y0, y1), std::max(y0, y1));
+  }
+
+  // A free line is whole, and reckoned from its nearer end, which halves the rounding.
+  Real line_at(Real x) const {
+    const bool is_base0 = base_x == x0;
+    const Real other_x = is_base0 ? x1 : x0;
+    if (origin >= 0 || std::abs(x - base_x) <= std::abs(x - other_x)) return base_y + (x - base_x) * slope;
+    return (is_base0 ? y1 : y0) + (x - other_x) * slope;
   }
 };
 

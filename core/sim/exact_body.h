@@ -52,14 +52,20 @@ class BallRule {
   using Vec = BasicVec2<Real>;
   BallRule(const ExactNumbers<Real>& numbers, Moving<Real>& body) : n_(numbers), body_(body) {}
 
+  // Once in a step: falling as in the article, and rolling to rest.
   void pull() {
     Vec& v = body_.velocity;
-    v.y = n_.gravity > 0 ? v.y + n_.gravity : lerp(v.y, n_.fall_speed, n_.fall_blend);
+    if (!(n_.gravity > 0)) v.y = lerp(v.y, n_.fall_speed, n_.fall_blend);
     v.x = lerp(v.x, n_.drift_speed, n_.drift_blend);
   }
 
+  // Before each of the equal parts, `part` of a step long, that a step is cut into.
+  void begin(Real part) {
+    part_ = time_left_ = part;
+    if (n_.gravity > 0) body_.velocity.y += n_.gravity * part;
+  }
+
   bool grounded() const { return grounded_; }
-  void begin() { time_left_ = 1; }  // before each part of a step that is cut into several
 
   // Turns the velocity round, and gives the motion to go on with: as in the article what is left of the
   // motion slides, or, where the tuning says so, it bounces. motion: of which the contact is a part.
@@ -83,9 +89,9 @@ class BallRule {
   }
 
  private:
-  // Under constant gravity g a ball flies a parabola, on which the frames are points; its velocity at a frame
-  // is v + g/2. It bounces from level ground where the parabola meets it, and not the chord between two
-  // frames, so that no energy is made or lost.
+  // Under constant gravity g a ball flies a parabola, on which the parts' ends are points; its velocity there
+  // is v + g/2 * part. It bounces from level ground where the parabola meets it, and not the chord between
+  // two frames, so that no energy is made or lost.
   Vec rebound(const Contact<Real>& contact, Vec motion, Vec kept, Real into, Real bounce) {
     const Vec normal = contact.normal;
     const Real pull = std::max<Real>(0, -n_.gravity * normal.y);  // into the ground
@@ -99,7 +105,7 @@ class BallRule {
     }
     time_left_ = after;
     const Real away = into * bounce;
-    if (!(away > pull)) {  // too slow to leave the ground for longer than a step: it stays
+    if (!(away > pull * part_)) {  // too slow to leave the ground for longer than a step: it stays
       body_.velocity = kept;
       return kept * after;
     }
@@ -107,14 +113,15 @@ class BallRule {
       body_.velocity = kept + normal * away;
       return body_.velocity * after;
     }
-    body_.velocity = kept + normal * (away - pull * after + pull / 2);
+    body_.velocity = kept + normal * (away - pull * after + pull * part_ / 2);
     return kept * after + normal * (away * after - pull * after * after / 2);
   }
 
   const ExactNumbers<Real>& n_;
   Moving<Real>& body_;
   bool grounded_ = false;
-  Real time_left_ = 1;  // of the step, when the motion under way began
+  Real part_ = 1;       // steps, that the part under way takes
+  Real time_left_ = 1;  // steps, of that part, when the motion under way began
 };
 
 // A player: runs along the ground at the speed that is asked for, and jumps off it.

@@ -82,12 +82,11 @@ class ExactSolver final : public Solver {
     Body& body = state.bodies[index];
     BallRule<Real> rule(numbers_, moving);
     rule.pull();
-    const Vec whole = moving.velocity * (Real(1) / static_cast<Real>(substeps_));
-    note_goal(moving, moving.velocity);
+    const Real part = Real(1) / static_cast<Real>(substeps_);
     for (int i = 0; i < substeps_; ++i) {
-      rule.begin();
-      const Vec part = i == 0 ? whole : moving.velocity * (Real(1) / static_cast<Real>(substeps_));
-      move(state, index, moving, part,
+      rule.begin(part);
+      if (i == 0) note_goal(moving, moving.velocity);
+      move(state, index, moving, moving.velocity * part,
            [&](const auto& contact, Vec motion) { return rule.respond(contact, motion); });
     }
     body.gait.grounded = rule.grounded();
