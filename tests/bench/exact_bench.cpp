@@ -1,0 +1,71 @@
+// What a step of the exact solver costs for a body, feature by feature, and what the step that is built for a
+// scene saves over the one that is built for everything.
+#include <benchmark/benchmark.h>
+
+#include "level/level.h"
+#include "sim/exact_solver.h"
+
+namespace talus {
+namespace {
+
+constexpr int kBodies = 1'000;
+
+enum Ground { kTilesOnly, kSlopesToo, kCurvesToo, kOneWayToo };
+
+// Floors with steps in them over a map of 240 x 136 tiles; every eighth step is a slope, an arc or a one-way
+// tile, if the ground has such.
+Level level_with(Ground ground, BodyKind kind) {
+  Level level;
+  level.tuning.solver = SolverKind::exact;
+  level.tuning.article.balls_block = 0;
+  auto& flags = level.sheet(SheetId::tiles).flags;
+  flags[1] = 1;
+  flags[2] = 4;
+  level.tile_shapes[3] = {TileShape::Kind::solid, TileShape::Side::floor, true, 1, {}};
+  for (Cell c{0, 0}; c.y < 136; ++c.y) {
+    for (c.x = 0; c.x < 240; ++c.x) {
+      if (c.y % 8 == 7) level.map.set(c, 1);
+      if (c.y % 8 != 6 || c.x % 8 != 3) continue;
+      level.map.set(c, ground == kSlopesToo ? 2 : ground == kOneWayToo ? 3 : 1);
+      if (ground != kCurvesToo) continue;
+      const double x = c.x * 8.0, y = c.y * 8.0 + 8;
+      level.map.set(c, 0);
+      level.curves.push_back({"", {Arc{{x + 8, y + 6}, 10, x, x + 16, true}, Curve::Faces::up}, ""});
+    }
+  }
+  for (int i = 0; i < kBodies; ++i) {
+    Spawn spawn;
+    spawn.position = {(i % 50) * 38.0 + 5, (i / 50 % 16) * 64.0 + 20};
+    spawn.velocity = {i % 7 - 3.0, 0};
+    spawn.kind = kind;
+    level.spawns.push_back(spawn);
+  }
+  return level;
+}
+
+// all: the step that can do everything, though the scene does not need it.
+void step(benchmark::State& state, Ground ground, BodyKind kind, bool all) {
+  Scene scene = compile_scene(level_with(ground, kind));
+  if (all) scene.features = {.slopes = true, .curves = true, .pairs = scene.features.pairs, .players = true};
+  const auto shared = std::make_shared<const Scene>(std::move(scene));
+  const auto solver = make_exact_solver(shared);
+  State bodies = initial_state(*shared);
+  Input input;
+  for (auto _ : state) {
+    input.right = bodies.frame % 64 < 32;
+    input.left = !input.right;
+    solver->step(bodies, input, nullptr);
+  }
+  state.counters["per_body"] = benchmark::Counter(static_cast<double>(state.iterations()) * kBodies,
+                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK_CAPTURE(step, tiles, kTilesOnly, BodyKind::ball, false);
+BENCHMARK_CAPTURE(step, tiles_with_a_step_for_everything, kTilesOnly, BodyKind::ball, true);
+BENCHMARK_CAPTURE(step, slopes, kSlopesToo, BodyKind::ball, false);
+BENCHMARK_CAPTURE(step, curves, kCurvesToo, BodyKind::ball, false);
+BENCHMARK_CAPTURE(step, one_way, kOneWayToo, BodyKind::ball, false);
+BENCHMARK_CAPTURE(step, players, kTilesOnly, BodyKind::player, false);
+
+}  // namespace
+}  // namespace talus
