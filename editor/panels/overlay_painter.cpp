@@ -102,8 +102,9 @@ class Painter {
   }
 
   void keep_clear_of(const OverlayLine& line) {
-    const auto [from, to] = ends(line);
-    const float dx = to.x - from.x, dy = to.y - from.y;
+    const auto way = ends(line);
+    const ImVec2 from = way.first;
+    const float dx = way.second.x - from.x, dy = way.second.y - from.y;
     const int pieces =
         std::clamp(static_cast<int>(std::ceil(std::hypot(dx, dy) / (kPiece * scale_))), 1, kMostPieces);
     const auto at = [&](int i) {
