@@ -1,6 +1,7 @@
 // The menus and, at their right, what is open.
 #include "menu_panel.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 
@@ -51,6 +52,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (begin_menu("File", ui)) {
     draw_commands({"file/new", "file/open"}, session, actions, ui);
     draw_recent_files(actions, ui);
+    draw_hard_cases(actions, ui);
     draw_commands({"", "file/save", "file/save_as", "", "file/quit"}, session, actions, ui);
     ImGui::EndMenu();
   }
@@ -102,6 +104,21 @@ void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {
     if (ImGui::MenuItem((name + "##" + std::to_string(i)).c_str()))
       actions.push_back(action::OpenFile{files[i]});
     ui.item("menu/recent" + std::to_string(i), files[i]);
+  }
+  ImGui::EndMenu();
+}
+
+void MenuPanel::draw_hard_cases(Actions& actions, Ui& ui) {
+  const auto& files = ui.view.hard_cases;
+  const bool open = ImGui::BeginMenu("Hard cases", !files.empty());
+  ui.item("menu/hard_cases", "Scenes that break slope code, each with the right answer drawn over it.");
+  if (!open) return;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::string name = std::filesystem::path(files[i]).filename().string();
+    name.erase(std::min(name.find('.'), name.size()));
+    std::replace(name.begin(), name.end(), '-', ' ');
+    if (ImGui::MenuItem(name.c_str())) actions.push_back(action::OpenFile{files[i], true});
+    ui.item("menu/hard_case" + std::to_string(i), files[i]);
   }
   ImGui::EndMenu();
 }

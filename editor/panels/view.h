@@ -48,6 +48,7 @@ struct View {
   bool help_open = false;
   bool command_palette_open = false;
   std::vector<std::string> recent_files;  // absolute paths, the latest first
+  std::vector<std::string> hard_cases;    // paths of the levels that come with the program, in order
   std::vector<std::string> tabs;          // ids of the panels that are shown where several share a region
   int palette_color = 12;                 // 0..15, which the sliders edit
 

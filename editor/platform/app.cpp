@@ -99,6 +99,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.canvas = settings.canvas;
   ui_.view.ui_scale = settings.ui_scale;
   ui_.view.recent_files = settings.recent_files;
+  ui_.view.hard_cases = hard_case_paths();
   ui_.view.tabs = settings.tabs;
   session_->apply(action::SetGrid{settings.grid});
   session_->apply(action::SetScreenBorders{settings.screen_borders});

@@ -1,6 +1,7 @@
 // Looks beside the program first, so that a build can be installed anywhere.
 #include "asset_path.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace talus {
@@ -14,6 +15,16 @@ std::string asset_path(std::string_view name) {
     if (fs::exists(installed, error)) return installed.string();
   }
   return (fs::path(TALUS_ASSET_DIR) / name).string();
+}
+
+std::vector<std::string> hard_case_paths() {
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(asset_path("hard_cases"), error)) {
+    if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
 }
 
 }  // namespace talus

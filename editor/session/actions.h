@@ -33,6 +33,7 @@ struct Redo {};
 struct NewLevel {};
 struct OpenFile {
   std::string path;
+  bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
 };
 struct SaveFile {};  // to its own path and format; without a name: see Session::wants_save_as()
 struct SaveFileAs {

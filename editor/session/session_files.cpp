@@ -77,7 +77,7 @@ void Session::Impl::continue_pending() {
 
 void Session::Impl::go_on(const Losing& losing) {
   if (const auto* file = std::get_if<action::OpenFile>(&losing)) {
-    open(file->path);
+    open(*file);
   } else if (std::holds_alternative<action::NewLevel>(losing)) {
     replace_level(Level(), {}, nullptr);
     name = kUnnamed;
@@ -86,12 +86,16 @@ void Session::Impl::go_on(const Losing& losing) {
   }
 }
 
-void Session::Impl::open(const std::string& opened_path) {
-  FormatResult<LoadedLevel> loaded = load_level(opened_path);
-  if (loaded) {
-    replace_level(std::move(loaded->level), opened_path, loaded->format);
+void Session::Impl::open(const action::OpenFile& file) {
+  FormatResult<LoadedLevel> loaded = load_level(file.path);
+  if (!loaded) {
+    message = Message{to_string(loaded.error(), file.path), true};
+  } else if (file.as_copy) {
+    replace_level(std::move(loaded->level), {}, nullptr);
+    const std::string file_name = std::filesystem::path(file.path).filename().string();
+    name = file_name.substr(0, file_name.find('.')) + " (copy)";
   } else {
-    message = Message{to_string(loaded.error(), opened_path), true};
+    replace_level(std::move(loaded->level), file.path, loaded->format);
   }
 }
 

@@ -69,7 +69,7 @@ struct Session::Impl {
   std::string file_name() const;
   void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
   void go_on(const Losing& losing);
-  void open(const std::string& opened_path);
+  void open(const action::OpenFile& file);
   void read_hard_case();  // of the level as it was opened; shows its answer
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
   bool save();  // false when it failed or a name is needed first

@@ -242,6 +242,20 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   EXPECT_EQ(session().path(), path("second.talus.json"));
 }
 
+TEST_F(UiFile, HardCasesAreOpenedAsCopiesWithTheirAnswer) {
+  click("menu/File");
+  frames(2);
+  click("menu/hard_cases");
+  frames(2);
+  click("menu/hard_case2");
+  frames(2);
+  ASSERT_TRUE(session().hard_case());
+  EXPECT_EQ(session().hard_case()->number, 3);
+  EXPECT_EQ(session().path(), "") << "what comes with the program is not written over";
+  EXPECT_EQ(session().file_name(), "03-step-with-a-slope (copy)");
+  EXPECT_TRUE(session().choices().overlays.has(OverlayId::answer));
+}
+
 TEST_F(UiFile, DamagedSettingsAreIgnoredWithAMessage) {
   stop();
   std::ofstream(path("config/settings.json")) << "{\"width\": 12";
