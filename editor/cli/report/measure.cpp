@@ -154,7 +154,7 @@ void measure_drops(Row& row, const Effort& effort) {
 // Pushes a box into a wall, slides it down and takes it away, and compares each move with its own answer.
 class WallTally {
  public:
-  explicit WallTally(const Setup& setup) : setup_(setup), slack_(kNearEnd + 4 * rounding(setup)) {}
+  explicit WallTally(const Setup& setup) : slack_(kNearEnd + 4 * rounding(setup)) {}
 
   Errors geometry;
   Counts counts;
@@ -190,7 +190,6 @@ class WallTally {
     geometry.add(error);
   }
 
-  const Setup& setup_;
   const double slack_;
 };
 

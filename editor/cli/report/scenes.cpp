@@ -120,7 +120,7 @@ Level report_level(const Setup& setup) {
   const Cell corner = {static_cast<int>(origin.x) / kTileSize, static_cast<int>(origin.y) / kTileSize};
   const int side = corner.x + ground_size(setup.scene) / kTileSize + 2;
   level.map = TileMap(side, side);
-  level.sheet(SheetId::tiles).flags[kSolidTile] = 1 << level.roles.solid;
+  level.sheet(SheetId::tiles).flags[kSolidTile] = static_cast<std::uint8_t>(1 << level.roles.solid);
   level.sheet(SheetId::tiles).flags[kSlopeTile] = static_cast<std::uint8_t>(1 << level.roles.up_slope);
   const auto add = [&](const Curve& curve) { level.curves.push_back({"", curve, ""}); };
   switch (setup.scene) {
