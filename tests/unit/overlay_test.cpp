@@ -17,7 +17,14 @@ OverlaySet only(OverlayId id) {
   return set;
 }
 
-Body body(int id, Rect box, Vec2 velocity = {}) { return {id, {}, box, velocity, box.position()}; }
+Body body(int id, Rect box, Vec2 velocity = {}) {
+  Body made;
+  made.id = id;
+  made.box = box;
+  made.velocity = velocity;
+  made.previous = box.position();
+  return made;
+}
 
 SceneItem item(TileRole role, Rect box) {
   SceneItem made;
