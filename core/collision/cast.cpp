@@ -21,23 +21,11 @@ constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 constexpr double kSliceLength = 2 * kTileSide;  // px
 constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
 
-// How far right of the box's left side the part of it is that touches a sloped floor or ceiling.
-template <class Real>
-Real foot_offset(bool up, bool rises_to_the_right, Real width, Foot foot) {
-  if (up && foot == Foot::centre) return width / 2;
-  return rises_to_the_right == up ? width : 0;
-}
-
 // Whether two pieces are one: a long piece is in the list of each cell that it meets.
 template <class Real>
 bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
   return a.origin == b.origin && a.stretch == b.stretch && a.facing == b.facing && a.x0 == b.x0 &&
          a.y0 == b.y0;
-}
-
-template <class Real>
-bool rises_to_the_right(const Piece<Real>& piece) {
-  return piece.y1 < piece.y0;
 }
 
 template <class Real, unsigned Parts>
@@ -294,7 +282,7 @@ class Caster {
       return flat({piece.x0 - box_.w, piece.x1, limit, limit, piece.is_open0(), piece.is_open1()}, up,
                   &piece);
     }
-    const Real offset = foot_offset(up, rises_to_the_right(piece), box_.w, foot_);
+    const Real offset = foot_offset(piece, box_.w, foot_);
     const Reach reach = {piece.x0 - offset,
                          piece.x1 - offset,
                          piece.y0 - lift,
@@ -314,22 +302,20 @@ class Caster {
     const Real half = box_.w / 2;
     if (up && foot_ == Foot::centre) {
       if (piece.last0)
-        cap({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up, piece);
+        flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up, &piece);
       if (piece.last1)
-        cap({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece);
+        flat({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, &piece);
       return;
     }
     // Beyond a crest the ground goes on, and beside it, unlike beside a ledge, nothing may slip through.
-    if ((rises_to_the_right(piece)) == up) {
+    if (piece.rises_to_the_right() == up) {
       if (piece.convex1)
-        cap({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up, piece);
+        flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up, &piece);
     } else {
       if (piece.convex0)
-        cap({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, false}, up, piece);
+        flat({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, false}, up, &piece);
     }
   }
-
-  void cap(const Reach& reach, bool up, const Piece<Real>& piece) { flat(reach, up, &piece); }
 
   void sloped(const Reach& reach, bool up, const Piece<Real>& piece) {
     const Real rise = piece.slope * dx_;
@@ -517,8 +503,7 @@ class Caster {
       const Real length = std::sqrt(1 + piece.slope * piece.slope);
       return {sign * piece.slope / length, -sign / length};
     }
-    const Real x = std::clamp(
-        box_.x + hit.t * dx_ + foot_offset(up, rises_to_the_right(piece), box_.w, foot_), piece.x0, piece.x1);
+    const Real x = std::clamp(box_.x + hit.t * dx_ + foot_offset(piece, box_.w, foot_), piece.x0, piece.x1);
     const BasicVec2<Real> along = terrain_.stretches()[piece.stretch - 1].tangent_at(x);
     return {sign * along.y, -sign * along.x};
   }
@@ -574,7 +559,7 @@ template <class Real>
 Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches,
              const BasicRect<Real>& box, Foot foot) {
   const bool up = piece.facing == Facing::up;
-  const Real offset = foot_offset(up, rises_to_the_right(piece), box.w, foot);
+  const Real offset = foot_offset(piece, box.w, foot);
   return piece.y_at(box.x + offset, stretches) - (up ? box.h : 0);
 }
 

@@ -60,6 +60,14 @@ Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast
 // The same for whatever the terrain has.
 Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast);
 
+// How far right of a box's left side the part of it is that touches a sloped floor or ceiling.
+template <class Real>
+Real foot_offset(const Piece<Real>& piece, Real width, Foot foot) {
+  const bool up = piece.facing == Facing::up;
+  if (up && foot == Foot::centre) return width / 2;
+  return piece.rises_to_the_right() == up ? width : 0;
+}
+
 // Where the top of a box at x rests on the piece, box.y being of no matter.
 template <class Real>
 Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches,

@@ -80,6 +80,7 @@ struct Piece {
   // end in its cell knows what is around it, and alone stops a box there.
   bool far0 : 1 = false, far1 : 1 = false;
 
+  bool rises_to_the_right() const { return y1 < y0; }
   bool is_wall() const { return facing == Facing::left || facing == Facing::right; }
 
   // Whether a box beside the end passes it.

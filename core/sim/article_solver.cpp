@@ -40,7 +40,7 @@ void ArticleSolver::fall(Body& body, Placed& placed) {
 
 void ArticleSolver::drag(Body& body, Placed& placed, const Input& input) {
   body.previous = body.box.position();
-  move(body, placed, drag_goal(body, input));
+  move(body, placed, drag_goal(tuning(), body, input));
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     if (!entry(hits_[i].other).is_slope()) continue;
     settle_on_slope(body, placed, tuning().drag_probe, contact_of_hit(i));

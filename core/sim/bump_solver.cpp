@@ -65,7 +65,7 @@ void BumpSolver::fall(Body& body, Placed& placed) {
 
 void BumpSolver::drag(Body& body, Placed& placed, const Input& input) {
   body.previous = body.box.position();
-  move(body, placed, drag_goal(body, input));
+  move(body, placed, drag_goal(tuning(), body, input));
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     if (hits_[i].response != Response::cross) note_surface(i);
   }

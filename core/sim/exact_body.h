@@ -74,7 +74,7 @@ class BallRule {
     const Vec rest = motion * (1 - contact.t);
     const bool level = is_level(contact, n_.steepest);
     grounded_ = grounded_ || (level && normal.y < 0);
-    const Vec slide = rest - normal * dot(rest, normal);
+    const Vec slide = slide_along(normal, rest);
     if (contact.t == 1) return slide;  // it has only just arrived: the next step bounces
 
     Vec& v = body_.velocity;
@@ -172,7 +172,7 @@ class PlayerRule {
       return {rest.x, rest.x * slope_of(normal)};
     }
     if (contact.t == 1) return {};
-    const Vec slide = rest - normal * dot(rest, normal);
+    const Vec slide = slide_along(normal, rest);
     const Real into = dot(v, normal);
     if (gait_.grounded || landed_) {
       v.x = normal.x * v.x < 0 ? 0 : v.x;

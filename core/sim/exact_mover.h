@@ -24,6 +24,12 @@ Real slope_of(BasicVec2<Real> normal) {
   return -normal.x / normal.y;
 }
 
+// What a surface with this normal leaves of a motion into it.
+template <class Real>
+BasicVec2<Real> slide_along(BasicVec2<Real> normal, BasicVec2<Real> motion) {
+  return motion - normal * dot(motion, normal);
+}
+
 // Whether a contact is with ground level enough to stand on, or to bounce from as from a floor: |dy/dx| is at
 // most `steepest`, compared exactly.
 template <class Real>
@@ -121,7 +127,7 @@ class Mover {
     const Piece<Real>& piece = *surface_;
     Moving<Real> there = body;
     there.box.x = moved_x(body.box, motion.x);
-    const Real offset = foot_x(piece, body);
+    const Real offset = foot_offset(piece, body.box.w, body.foot);
     there.box.x = std::clamp(there.box.x, std::min(body.box.x, piece.x0 - offset),
                              std::max(body.box.x, piece.x1 - offset));
     const Real y = rest_on(piece, terrain_.stretches(), there.box, body.foot);
@@ -133,12 +139,6 @@ class Mover {
     after = used < 1 ? along * (sign * length) : Vec{};
     goal_ = {there.box.x, y};
     motion = chord;
-  }
-
-  static Real foot_x(const Piece<Real>& piece, const Moving<Real>& body) {
-    const bool up = piece.facing == Facing::up;
-    if (up && body.foot == Foot::centre) return body.box.w / 2;
-    return (piece.y1 < piece.y0) == up ? body.box.w : 0;
   }
 
   static void advance(Moving<Real>& body, Vec motion) {

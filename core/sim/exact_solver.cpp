@@ -94,16 +94,13 @@ class ExactSolver final : public Solver {
 
   // A dragged ball goes part of the way to the mouse, and slides along what it meets.
   void drag(State& state, std::size_t index, Moving<Real>& moving, const Input& input) {
-    const ArticleTuning& t = scene_->tuning.article;
     Body& body = state.bodies[index];
     body.previous = body.box.position();
-    const Vec2 goal = {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
-                       lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
+    const Vec2 goal = drag_goal(scene_->tuning.article, body, input);
     const Vec way = narrow(within_limits(body.previous, goal) - body.previous);
     note_goal(moving, way);
     move(state, index, moving, way, [](const auto& contact, Vec motion) {
-      const Vec rest = motion * (1 - contact.t);
-      return rest - contact.normal * dot(rest, contact.normal);
+      return slide_along(contact.normal, motion * (1 - contact.t));
     });
   }
 

@@ -5,6 +5,7 @@
 #include "article_solver.h"
 #include "bump_solver.h"
 #include "exact_solver.h"
+#include "lerp.h"
 
 namespace talus {
 
@@ -14,6 +15,11 @@ Vec2 within_limits(Vec2 from, Vec2 goal) {
     return std::clamp(reachable, -kMaxBodyDistance, kMaxBodyDistance);
   };
   return {limit(from.x, goal.x), limit(from.y, goal.y)};
+}
+
+Vec2 drag_goal(const ArticleTuning& t, const Body& body, const Input& input) {
+  return {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
+          lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
 }
 
 std::unique_ptr<Solver> make_solver(std::shared_ptr<const Scene> scene) {

@@ -117,12 +117,6 @@ void WorldSolver::pull(Body& body) const {
   body.velocity.x = lerp(body.velocity.x, t.drift_speed, t.drift_blend);
 }
 
-Vec2 WorldSolver::drag_goal(const Body& body, const Input& input) const {
-  const ArticleTuning& t = tuning();
-  return {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
-          lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
-}
-
 void WorldSolver::limit_velocity(Body& body) {
   const Vec2 wanted = body.velocity;
   body.velocity = {std::clamp(wanted.x, -kMaxBodySpeed, kMaxBodySpeed),

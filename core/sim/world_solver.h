@@ -45,8 +45,7 @@ class WorldSolver : public Solver {
   // The world is only a cache of the state: whatever differs is brought up to date, so that a step depends on
   // nothing but its arguments.
   void synchronise(const State& state);
-  void pull(Body& body) const;  // gravity and drag change the velocity
-  Vec2 drag_goal(const Body& body, const Input& input) const;
+  void pull(Body& body) const;                         // gravity and drag change the velocity
   void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_, and the record
   Vec2 check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
              std::vector<Collision>& hits) const;
