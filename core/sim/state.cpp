@@ -57,7 +57,10 @@ State carry_over(const State& state, const Scene& edited) {
     if (item.role != TileRole::ball) continue;
     const auto old = by_origin.find(origin_key(item.origin()));
     next.bodies.push_back(old != by_origin.end() ? *old->second : body_at_start(item, next.next_id++));
-    next.bodies.back().is_clear = false;
+    Body& body = next.bodies.back();
+    body.kind = item.kind;
+    body.foot = item.foot;
+    body.is_clear = false;
   }
   std::sort(next.bodies.begin(), next.bodies.end(), [](const Body& a, const Body& b) { return a.id < b.id; });
   if (next.find(next.grabbed) == nullptr) next.grabbed = 0;

@@ -48,8 +48,9 @@ struct Input {
 
 State initial_state(const Scene& scene);
 
-// The state that goes on in an edited scene: a body stays as it is while its origin stays; a new origin makes
-// a new body with the next free id; a body whose origin is gone goes too.
+// The state that goes on in an edited scene: a body stays where and as fast as it is while its origin stays,
+// and is of the kind and foot that the origin has now; a new origin makes a new body with the next free id; a
+// body whose origin is gone goes too.
 State carry_over(const State& state, const Scene& edited);
 
 // 64-bit FNV-1a over the frame and the bits of every body, equal on every machine.

@@ -55,10 +55,25 @@ int image_of(const Level& level, const Body& body) {
   return -1;
 }
 
+// A box with a face, and the foot that it stands on: its whole bottom side, or the middle of it.
+void draw_player(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
+  const float w = to.x - from.x, h = to.y - from.y;
+  const ImU32 dark = theme::color(theme::kDark, alpha);
+  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
+  list.AddRect(from, to, dark);
+  for (const float x : {0.3f, 0.6f})
+    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
+                       dark);
+  const float inset = foot == Foot::centre ? w * 0.38f : 0;
+  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
+                     theme::color(theme::kText, alpha));
+}
+
 void draw_body(ImDrawList& list, const Level& level, const Body& body, const CanvasView& view, const Ui& ui,
                int alpha) {
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
   const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
+  if (body.kind == BodyKind::player) return draw_player(list, from, to, body.foot, alpha);
   const int tile = image_of(level, body);
   if (tile >= 0) {
     const SheetUv uv = uv_of(tile);
@@ -141,6 +156,17 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
   for (int y = 0; y < map.height() + kScreenRows; y += kScreenRows) {
     const float sy = cell_corner(view, 0, std::min(y, map.height())).y;
     if (sy >= view.min.y - width && sy <= view.max.y) line({from.x, sy}, {to.x, sy + width});
+  }
+}
+
+void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui) {
+  const Rect visible = view.visible();
+  for (const Spawn& spawn : level.spawns) {
+    const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
+    if (!meet(box, visible)) continue;
+    const ImVec2 from = view.to_screen({box.x, box.y}), to = view.to_screen({box.right(), box.bottom()});
+    list.AddRect(from, to, theme::color(theme::kDark, 200), 0, 0, ui.px(1) + 2);
+    list.AddRect(from, to, theme::color(theme::kMuted), 0, 0, ui.px(1));
   }
 }
 

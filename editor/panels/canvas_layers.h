@@ -14,6 +14,8 @@ void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view
 ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the flags panel
 void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale);
+// Where the bodies placed by hand start.
+void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui);
 // The bodies where they are now; the chosen one is framed. `alpha`: 0 to 255.
 void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha);
 // The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: none.

@@ -59,11 +59,12 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
   ImGui::SameLine();
   draw_mode("canvas/both", "Map + Play", "canvas/both", session, actions, ui);
-  constexpr ToolButton kTools[] = {{"map/stamp", Icon::stamp},         {"map/pan", Icon::pan},
-                                   {"map/rectangle", Icon::rectangle}, {"map/fill", Icon::fill},
-                                   {"map/erase", Icon::erase},         {"map/pick", Icon::pick}};
+  constexpr ToolButton kTools[] = {
+      {"map/stamp", Icon::stamp}, {"map/pan", Icon::pan},     {"map/rectangle", Icon::rectangle},
+      {"map/fill", Icon::fill},   {"map/erase", Icon::erase}, {"map/pick", Icon::pick},
+      {"map/body", Icon::body}};
   const float button = ui.px(theme::kButton);
-  ui.same_line_if_fits(6 * (button + ui.px(4)), ui.px(8));
+  ui.same_line_if_fits(7 * (button + ui.px(4)), ui.px(8));
   for (const ToolButton& tool : kTools) {
     if (&tool != kTools) ui.same_line_if_fits(button);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);

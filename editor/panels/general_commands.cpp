@@ -1,5 +1,6 @@
 // The commands that work everywhere.
 #include "command_table.h"
+#include "play_keys.h"
 
 namespace talus {
 namespace {
@@ -45,9 +46,16 @@ void change_speed(S session, A actions, U) {
   actions.push_back(action::SetSpeed{direction > 0 ? now * 2 : now / 2});
 }
 
-void run_from_start(S, A actions, U) {
+// For the commands that play: whoever plays means to steer.
+template <class T>
+void emit_and_steer(S session, A actions, U ui) {
+  actions.push_back(T{});
+  let_keys_steer(session, ui.view);
+}
+
+void run_from_start(S session, A actions, U ui) {
   actions.push_back(action::ResetPlay{});
-  actions.push_back(action::Play{});
+  emit_and_steer<action::Play>(session, actions, ui);
 }
 
 std::vector<Command> file_commands() {
@@ -134,10 +142,12 @@ std::vector<Command> canvas_commands() {
 std::vector<Command> play_commands() {
   return {
       toggle("play/toggle", KeyChord{kKeyF5}, "Play or pause",
-             "Runs the simulation, or stops it where it is.", emit<action::TogglePlay>,
-             [](S s, const Ui&) { return s.playback().running; }),
+             "Runs the simulation, or stops it where it is. A player runs with Left and Right, and jumps "
+             "with Up, Space or Z.",
+             emit_and_steer<action::TogglePlay>, [](S s, const Ui&) { return s.playback().running; }),
       repeating(command("play/step", KeyChord{kKeyF10}, "Step one frame",
-                        "Pauses and makes exactly one step.", emit<action::StepFrame>)),
+                        "Pauses and makes exactly one step, with the players' keys that are held.",
+                        emit_and_steer<action::StepFrame>)),
       command("play/run", ctrl('r'), "Run from the start", "Goes back to frame 0 and runs.", run_from_start),
       command("play/reset", KeyChord{kKeyHome}, "Back to frame 0",
               "Puts every body back where the level has it.", emit<action::ResetPlay>),

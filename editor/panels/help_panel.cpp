@@ -1,7 +1,10 @@
 // The window of keys, from the table of commands.
 #include "help_panel.h"
 
+#include <array>
+
 #include "commands.h"
+#include "play_keys.h"
 
 namespace talus {
 namespace {
@@ -12,7 +15,8 @@ struct MouseHelp {
 };
 constexpr MouseHelp kMouse[] = {
     {"left button on the map", "the chosen tool"},
-    {"right or middle button, or Space and left", "drags the view"},
+    {"right or middle button, or Space and left",
+     "drags the view; with a player, Space jumps in the play view"},
     {"wheel on the map or play view", "zooms at the mouse"},
     {"left button on a ball in the play view", "chooses it and holds it"},
     {"left and right button on the pixels", "draw with their two colours"},
@@ -63,6 +67,30 @@ void draw_mouse(Ui& ui) {
   ImGui::EndTable();
 }
 
+void draw_player_keys(Ui& ui) {
+  ImGui::Spacing();
+  ui.heading("Players (of the exact solver), while it plays or after the play view was clicked");
+  if (!begin_help_table("players", ui, 150)) return;
+  struct Row {
+    std::string_view keys, does, help;
+  };
+  constexpr std::array<Row, 2> kRows = {
+      {{kRunKeys, "Run", "Those that are held count in the next step, also when it is made by hand."},
+       {kJumpKeys, "Jump", "Let go early for a lower jump."}}};
+  for (const Row& row : kRows) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
+    ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
+    ImGui::PopStyleColor();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.does.data(), row.does.data() + row.does.size());
+    ImGui::TableNextColumn();
+    ui.hint(row.help);
+  }
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
@@ -74,6 +102,7 @@ void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
   if (ImGui::Begin("Keys and mouse", &ui.view.help_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
+    draw_player_keys(ui);
     for (Scope scope : {Scope::everywhere, Scope::map, Scope::sprites}) draw_scope(scope, ui);
     ui.place("help/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),

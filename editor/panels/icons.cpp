@@ -89,6 +89,10 @@ void draw_map_tool_icon(const Pen& pen, Icon icon) {
       pen.stroke({{.5f, .2f}, {.85f, .5f}, {.55f, .8f}, {.35f, .8f}, {.12f, .58f}}, true);
       pen.solid({{.31f, .39f}, {.66f, .69f}, {.55f, .8f}, {.35f, .8f}, {.12f, .58f}});
       break;
+    case Icon::body:
+      pen.box(.28f, .12f, .72f, .66f);
+      pen.stroke({{.14f, .82f}, {.86f, .82f}});
+      break;
     default:  // pick
       pen.stroke({{.15f, .85f}, {.2f, .66f}, {.6f, .26f}, {.74f, .4f}, {.34f, .8f}}, true);
       pen.stroke({{.52f, .2f}, {.8f, .48f}});
@@ -153,7 +157,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
   const Pen pen(list, at, size, color);
   if (icon == Icon::none) return;
   if (icon <= Icon::step) return draw_play_icon(pen, icon);
-  if (icon <= Icon::pick) return draw_map_tool_icon(pen, icon);
+  if (icon <= Icon::body) return draw_map_tool_icon(pen, icon);
   if (icon <= Icon::clear) return draw_sprite_icon(pen, icon);
   draw_view_icon(pen, icon);
 }

@@ -17,6 +17,7 @@ enum class Icon {
   fill,
   erase,
   pick,
+  body,
   pencil,
   flip_horizontal,
   flip_vertical,

@@ -2,9 +2,13 @@
 #include "inspector_panel.h"
 
 #include <array>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
+#include "spawn_gesture.h"
 
 namespace talus {
 namespace {
@@ -117,6 +121,52 @@ void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
   draw_text_cell(contact.handled ? "yes" : "no", ui, meaning_of_done(contact));
 }
 
+// A list of two; the index of what was chosen now, or nothing.
+std::optional<int> draw_choice(std::string_view name, std::array<std::string_view, 2> labels, bool second,
+                               std::string_view help, Ui& ui) {
+  std::optional<int> chosen;
+  if (!ui.begin_combo(name, std::string(labels[second]), ui.px(76), help)) return chosen;
+  for (int i = 0; i < 2; ++i) {
+    const std::string label(labels[static_cast<std::size_t>(i)]);
+    if (ImGui::Selectable(label.c_str(), second == (i == 1))) chosen = i;
+    ui.item(std::string(name) + "_" + label);
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+// What a body placed by hand is, and a button that takes it away.
+void draw_spawn(const Session& session, int index, Actions& actions, Ui& ui) {
+  Spawn spawn = session.level().spawns[static_cast<std::size_t>(index)];
+  const auto change = [&](std::string label) {
+    actions.push_back(action::EditLevel{change_spawn(session.level(), index, spawn, std::move(label))});
+  };
+  const auto kind = draw_choice("inspector/kind", {"ball", "player"}, spawn.kind == BodyKind::player,
+                                "A ball falls and bounces; a player runs and jumps by the keys, with the "
+                                "exact solver.",
+                                ui);
+  ImGui::SameLine();
+  ui.label("foot");
+  ImGui::SameLine();
+  const auto foot = draw_choice("inspector/foot", {"box", "centre"}, spawn.used_foot() == Foot::centre,
+                                "What stands on slopes: the whole bottom side of the box, or its centre, "
+                                "which sinks the box into them.",
+                                ui);
+  ImGui::SameLine();
+  if (ui.text_button("inspector/remove", "Remove", false, "Takes the body out of the level."))
+    actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});
+  if (kind) {
+    spawn.kind = *kind == 1 ? BodyKind::player : BodyKind::ball;
+    change("Make a body a " + std::string(*kind == 1 ? "player" : "ball"));
+  }
+  if (foot) {
+    spawn.foot = *foot == 1 ? Foot::centre : Foot::box;
+    change("Change a body's foot");
+  }
+  if (spawn.kind == BodyKind::player && session.level().tuning.solver != SolverKind::exact)
+    ui.hint("Players run with the exact solver alone: see Tuning.");
+}
+
 struct Column {
   const char* title;
   float width;   // px at scale 1; 0 takes what is left
@@ -186,12 +236,13 @@ int count_contacts(const StepRecord& record, int body) {
 
 }  // namespace
 
-void InspectorPanel::draw(const Session& session, Actions&, Ui& ui) {
+void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const Body* body = session.state().find(session.choices().body);
   if (body == nullptr) {
-    ui.hint(session.state().bodies.empty()
-                ? "No body in this level: paint a tile that has the ball flag on the map."
-                : "No body chosen: click one in the play view.");
+    ui.hint(
+        session.state().bodies.empty()
+            ? "No body in this level: paint a tile that has the ball flag on the map, or place a body (7)."
+            : "No body chosen: click one in the play view.");
     return;
   }
   std::string name = "Body " + std::to_string(body->id);
@@ -201,6 +252,7 @@ void InspectorPanel::draw(const Session& session, Actions&, Ui& ui) {
   if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
   ImGui::TextUnformatted(name.c_str());
   draw_body(*body, ui);
+  if (const int spawn = chosen_spawn(session); spawn >= 0) draw_spawn(session, spawn, actions, ui);
   ImGui::Spacing();
   if (session.state().frame == 0) {
     ui.hint("No step yet: F10 makes one, and its contacts are listed here.");

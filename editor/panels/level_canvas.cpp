@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "flag_label.h"
 #include "overlay_painter.h"
+#include "play_keys.h"
 
 namespace talus {
 namespace {
@@ -117,9 +118,12 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
       ui.view.play_active = is_play();
   }
   const bool paints = !is_play() || ui.view.paint_in_play;
-  if (handle_panning(session, paints, hovered)) return;
+  if (handle_panning(session, ui, paints, hovered)) return;
   if (!paints) {
     handle_play_mouse(session, actions, view, hovered);
+  } else if (session.choices().map_tool == MapTool::body && !gesture_.active()) {
+    spawn_gesture_.update(session, actions, view.to_level(io.MousePos), hovered && ImGui::IsMouseClicked(0),
+                          io.MouseDown[0]);
   } else {
     gesture_.update(session, actions, cell, hovered && ImGui::IsMouseClicked(0), io.MouseDown[0]);
   }
@@ -133,10 +137,10 @@ void LevelCanvas::zoom_by_wheel(ImVec2 at) {
   if (steps != 0) camera_.zoom_at(at, steps);
 }
 
-bool LevelCanvas::handle_panning(const Session& session, bool paints, bool hovered) {
+bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool hand = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) ||
-                    (session.choices().map_tool == MapTool::pan && paints);
+  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view);
+  const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
   if (hovered && (ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) || (hand && ImGui::IsMouseClicked(0))))
     panning_ = true;
   if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
@@ -168,8 +172,9 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (choices.flag_overlay) draw_flag_tint(list, level, view, *choices.flag_overlay);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
-  if (!is_play() && session.state().frame == 0) return;  // the ball tiles are where the bodies are
-  draw_bodies(list, session, view, ui, is_play() ? 255 : 130);
+  if (!is_play()) draw_spawns(list, level, view, ui);
+  const bool at_start = session.state().frame == 0;
+  draw_bodies(list, session, view, ui, is_play() || at_start ? 255 : 130);
   if (!is_play()) return;
   const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
@@ -195,16 +200,17 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap = ui.px(4);
-  draw_plate(list, {view.min.x + gap, view.min.y + gap},
-             std::string(is_play() ? "Play" : "Map") + "  " + zoom_text(view.zoom),
-             theme::color(theme::kMuted), ui);
+  std::string title = std::string(is_play() ? "Play" : "Map") + "  " + zoom_text(view.zoom);
+  if (is_play() && keys_steer(session, ui.view))
+    title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
+  draw_plate(list, {view.min.x + gap, view.min.y + gap}, title, theme::color(theme::kMuted), ui);
   if (const auto flag = session.choices().flag_overlay) {
     const std::string text = "tinted: " + flag_label(session.level(), *flag);
     const float height = ImGui::GetTextLineHeight() + ui.px(4);
     draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(*flag, 255), ui);
   }
   if (is_play() && session.state().bodies.empty()) {
-    const std::string text = "No body yet: paint a tile that has the ball flag";
+    const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (7)";
     const float width = ImGui::CalcTextSize(text.c_str()).x + ui.px(12);
     draw_plate(list,
                {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},

@@ -5,6 +5,7 @@
 #include "camera.h"
 #include "map_gesture.h"
 #include "session/session.h"
+#include "spawn_gesture.h"
 #include "ui.h"
 
 namespace talus {
@@ -25,7 +26,7 @@ class LevelCanvas {
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
   void zoom_by_wheel(ImVec2 at);
-  bool handle_panning(const Session& session, bool paints, bool hovered);
+  bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const;
   void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
@@ -34,6 +35,7 @@ class LevelCanvas {
   Kind kind_;
   Camera camera_;
   MapGesture gesture_;
+  SpawnGesture spawn_gesture_;
   int level_number_ = -1;  // of the level that the camera was set for
   float wheel_ = 0;        // clicks of the wheel that made no whole step yet
   ImVec2 size_;            // px, of the canvas in the last frame

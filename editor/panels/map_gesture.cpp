@@ -64,7 +64,7 @@ void MapGesture::draw_preview(ImDrawList& list, const Session& session, const Ca
   const MapTool tool = session.choices().map_tool;
   const Stamp& stamp = session.choices().stamp;
   if (tool == MapTool::pan) return;
-  CellRect cells{cell.x, cell.y, 1, 1};
+  CellRect cells{cell.x, cell.y, 1, 1};  // of the body tool: where a new one goes
   if (tool == MapTool::stamp) cells = {cell.x, cell.y, stamp.w, stamp.h};
   if (selects_a_rectangle(tool) && from_) cells = spanned(*from_, cell);
   if (tool == MapTool::stamp && !from_) draw_stamp(list, stamp, cells, view, ui, kGhostAlpha);

@@ -59,7 +59,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (begin_menu("Edit", ui)) {
     draw_commands(
         {"edit/undo", "edit/redo", "", "map/stamp", "map/pan", "map/rectangle", "map/fill", "map/erase",
-         "map/pick", "", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/clear"},
+         "map/pick", "map/body", "", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/clear"},
         session, actions, ui);
     ImGui::EndMenu();
   }

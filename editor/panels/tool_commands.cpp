@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "command_table.h"
+#include "edit/spawn_tools.h"
+#include "spawn_gesture.h"
 
 namespace talus {
 namespace {
@@ -75,6 +77,11 @@ void scroll_map(S, A, U ui) {
 }
 
 void erase_hovered(S session, A actions, U ui) {
+  if (session.choices().map_tool == MapTool::body) {
+    const int chosen = chosen_spawn(session);
+    if (chosen >= 0) edit(actions, remove_spawn(session.level(), chosen));
+    return;
+  }
   const Stamp& stamp = session.choices().stamp;
   if (const auto cell = ui.view.hover.cell)
     edit(actions, erase_cells(session.level(), {cell->x, cell->y, stamp.w, stamp.h}));
@@ -137,7 +144,7 @@ std::vector<Command> map_commands() {
           toggle("map/stamp", KeyChord{'1'}, "Stamp", "Paints the selected tiles.",
                  choose_map_tool<MapTool::stamp>, is_map_tool<MapTool::stamp>),
           toggle("map/pan", KeyChord{'2'}, "Move the view",
-                 "Drags the view; so do the middle and the right button, and Space.",
+                 "Drags the view; so do the middle and the right button, and Space where it is no player's.",
                  choose_map_tool<MapTool::pan>, is_map_tool<MapTool::pan>),
           toggle("map/rectangle", KeyChord{'3'}, "Rectangle",
                  "Fills a dragged rectangle with the selected tiles.", choose_map_tool<MapTool::rectangle>,
@@ -149,8 +156,13 @@ std::vector<Command> map_commands() {
           toggle("map/pick", KeyChord{'6'}, "Pick tiles",
                  "Takes the tiles of a dragged rectangle as the stamp.", choose_map_tool<MapTool::pick>,
                  is_map_tool<MapTool::pick>),
+          toggle("map/body", KeyChord{'7'}, "Place bodies",
+                 "Places a ball or a player, as the inspector says, or moves one that is there.",
+                 choose_map_tool<MapTool::body>, is_map_tool<MapTool::body>),
           repeating(command("map/delete", KeyChord{kKeyDelete}, "Erase at the mouse",
-                            "Paints tile 0 under the mouse, as large as the stamp.", erase_hovered)),
+                            "Paints tile 0 under the mouse, as large as the stamp; with the body tool, "
+                            "removes the chosen body.",
+                            erase_hovered)),
           command("map/fit", KeyChord{kKeyTab}, "World view",
                   "Shows the whole map, or goes back to where you were.",
                   [](S, A, U ui) { ui.view.fit_map = true; }),

@@ -205,6 +205,7 @@ void App::handle_events() {
       actions.push_back(action::OpenFile{event.drop.file});
       SDL_free(event.drop.file);
     }
+    release(event, actions);
     session_->apply(actions);
   }
 }
@@ -212,7 +213,27 @@ void App::handle_events() {
 void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   if (key.keysym.sym == SDLK_ESCAPE && ui_.view.help_open) ui_.view.help_open = false;
   const KeyChord chord = chord_of(key.keysym);
-  if (chord && !keys_are_taken(chord)) run_key(chord, key.repeat != 0, *session_, actions, ui_);
+  if (!chord || keys_are_taken(chord) || steer(chord, actions)) return;
+  run_key(chord, key.repeat != 0, *session_, actions, ui_);
+}
+
+// Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the
+// next step and runs its command too.
+bool App::steer(KeyChord chord, Actions& actions) {
+  const bool theirs = !chord.ctrl && !chord.alt && ui_.view.focus == Focus::map && has_players(*session_);
+  if (!theirs || !play_keys_.set(chord.key, true)) return false;
+  actions.push_back(play_keys_.held());
+  return keys_steer(*session_, ui_.view);
+}
+
+// A key that goes up is let go whoever has the keys by then; with the window's focus all do.
+void App::release(const SDL_Event& event, Actions& actions) {
+  if (event.type == SDL_KEYUP) {
+    if (play_keys_.set(chord_of(event.key.keysym).key, false)) actions.push_back(play_keys_.held());
+  } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+    play_keys_.release_all();
+    actions.push_back(play_keys_.held());
+  }
 }
 
 // While a dialog is open or a text is typed, keys belong there.

@@ -11,6 +11,7 @@
 #include "file_browser.h"
 #include "gl_window.h"
 #include "panels/keys.h"
+#include "panels/play_keys.h"
 #include "panels/workspace.h"
 #include "session/session.h"
 #include "settings.h"
@@ -53,6 +54,8 @@ class App {
   void handle_events();
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);
   bool keys_are_taken(KeyChord chord) const;
+  bool steer(KeyChord chord, Actions& actions);
+  void release(const SDL_Event& event, Actions& actions);
   void draw(Actions& actions);
   void draw_file_dialog(Actions& actions);
   void note_dialog_result();
@@ -67,6 +70,7 @@ class App {
   Workspace workspace_;
   FileBrowser browser_;
   EventQueue events_;
+  HeldPlayKeys play_keys_;
   Ui ui_;
 
   double last_time_ = 0;    // s, of the last frame

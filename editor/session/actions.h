@@ -14,8 +14,8 @@
 
 namespace talus {
 
-// The tools of the map, in the order of their keys 1 to 6; 1, 2 and 4 as in TIC-80.
-enum class MapTool { stamp, pan, rectangle, fill, erase, pick };
+// The tools of the map, in the order of their keys 1 to 7; 1, 2 and 4 as in TIC-80.
+enum class MapTool { stamp, pan, rectangle, fill, erase, pick, body };
 // The tools of the sprite canvas, in the order of their keys 1, 2 and 4, as in TIC-80.
 enum class SpriteTool { pencil, pick, fill };
 
@@ -64,10 +64,16 @@ struct HoldMouse {  // the mouse over the play view, in level pixels; drags the 
   Vec2 position;
   bool down = false;
 };
+struct HoldKeys {  // the keys of the players, as they are held from now on
+  bool left = false, right = false, jump = false;
+};
 
 // --- what is chosen and shown
 struct SelectBody {
   int id = 0;  // 0, or the id of no body: none
+};
+struct SelectSpawn {  // the body of a spawn of the level
+  int spawn = 0;      // its index; of none: no body
 };
 struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp
   SpriteArea area;
@@ -101,14 +107,13 @@ struct SetScreenBorders {
 
 }  // namespace action
 
-using Action =
-    std::variant<action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile,
-                 action::SaveFile, action::SaveFileAs, action::Quit, action::AnswerQuestion,
-                 action::CancelSaveAs, action::ShowMessage, action::DismissMessage, action::Play,
-                 action::Pause, action::TogglePlay, action::StepFrame, action::ResetPlay, action::SetSpeed,
-                 action::HoldMouse, action::SelectBody, action::SelectTiles, action::SetStamp,
-                 action::SetMapTool, action::SetSpriteTool, action::SetColor, action::SetOverlay,
-                 action::SetFlagOverlay, action::SetGrid, action::SetScreenBorders>;
+using Action = std::variant<
+    action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile, action::SaveFile,
+    action::SaveFileAs, action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::ShowMessage,
+    action::DismissMessage, action::Play, action::Pause, action::TogglePlay, action::StepFrame,
+    action::ResetPlay, action::SetSpeed, action::HoldMouse, action::HoldKeys, action::SelectBody,
+    action::SelectSpawn, action::SelectTiles, action::SetStamp, action::SetMapTool, action::SetSpriteTool,
+    action::SetColor, action::SetOverlay, action::SetFlagOverlay, action::SetGrid, action::SetScreenBorders>;
 using Actions = std::vector<Action>;
 
 }  // namespace talus

@@ -34,6 +34,7 @@ void Player::reset() {
 
 void Player::set_running(bool running) {
   playback_.running = running;
+  tapped_ = {};
   due_ = 0;
 }
 
@@ -41,19 +42,34 @@ void Player::set_speed(double factor) {
   playback_.speed = factor >= kMinSpeed ? std::min(factor, kMaxSpeed) : kMinSpeed;
 }
 
-void Player::hold(const Input& input, int body) {
-  const bool was_down = std::exchange(playback_.input, input).mouse_down;
-  if (input.mouse_down && !was_down && state_.find(body) != nullptr) {
+void Player::hold_mouse(const action::HoldMouse& mouse, int body) {
+  playback_.input.mouse = mouse.position;
+  const bool was_down = std::exchange(playback_.input.mouse_down, mouse.down);
+  if (mouse.down && !was_down && state_.find(body) != nullptr) {
     state_.grabbed = body;
     held_since_ = state_.frame;
   }
   const bool not_moved_yet = state_.frame == held_since_;
-  if (!input.mouse_down && was_down && not_moved_yet) state_.grabbed = 0;  // nothing to throw it with
+  if (!mouse.down && was_down && not_moved_yet) state_.grabbed = 0;  // nothing to throw it with
+}
+
+void Player::hold_keys(const action::HoldKeys& keys) {
+  Input& input = playback_.input;
+  input.left = keys.left;
+  input.right = keys.right;
+  input.jump = keys.jump;
+  if (!playback_.running) return;
+  tapped_ = {tapped_.left || keys.left, tapped_.right || keys.right, tapped_.jump || keys.jump};
 }
 
 void Player::step() {
   if (solver_ == nullptr) solver_ = make_solver(scene_);
-  solver_->step(state_, playback_.input, &record_);
+  Input input = playback_.input;
+  input.left |= tapped_.left;
+  input.right |= tapped_.right;
+  input.jump |= tapped_.jump;
+  tapped_ = {};
+  solver_->step(state_, input, &record_);
 }
 
 void Player::advance(double seconds) {

@@ -22,7 +22,9 @@ class Player {
   void set_speed(double factor);  // clamped; NaN gives kMinSpeed
   // Input for the steps to come. Where the button goes down on a ball, `body` is its id (0: none): it is held
   // from then on, though the mouse may be elsewhere by the next step.
-  void hold(const Input& input, int body);
+  void hold_mouse(const action::HoldMouse& mouse, int body);
+  // A key that is held and let go between two steps of a running simulation counts in the next one.
+  void hold_keys(const action::HoldKeys& keys);
 
   void step();
   void advance(double seconds);  // see Session::advance
@@ -41,6 +43,7 @@ class Player {
   State state_;
   StepRecord record_;
   Playback playback_;
+  action::HoldKeys tapped_;      // held at any time since the last step; of a running simulation alone
   std::int64_t held_since_ = 0;  // frame in which the button went down
   double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
 };

@@ -84,6 +84,14 @@ void Session::Impl::carry_out(const action::SelectBody& a) {
   choices.body = player.state().find(a.id) != nullptr ? a.id : 0;
 }
 
+void Session::Impl::carry_out(const action::SelectSpawn& a) {
+  refresh_scene();
+  choices.body = 0;
+  for (const Body& body : player.state().bodies) {
+    if (a.spawn >= 0 && body.origin.spawn == a.spawn) choices.body = body.id;
+  }
+}
+
 void Session::Impl::carry_out(const action::SelectTiles& a) {
   choices.area = a.area;
   if (a.area.sheet == SheetId::tiles) choices.stamp = stamp_of_sheet(a.area.tiles);

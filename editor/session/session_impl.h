@@ -48,8 +48,10 @@ struct Session::Impl {
   void carry_out(const action::StepFrame&);
   void carry_out(const action::ResetPlay&);
   void carry_out(const action::SetSpeed& a) { player.set_speed(a.factor); }
-  void carry_out(const action::HoldMouse& a) { player.hold({a.position, a.down}, choices.body); }
+  void carry_out(const action::HoldMouse& a) { player.hold_mouse(a, choices.body); }
+  void carry_out(const action::HoldKeys& a) { player.hold_keys(a); }
   void carry_out(const action::SelectBody& a);
+  void carry_out(const action::SelectSpawn& a);
   void carry_out(const action::SelectTiles& a);
   void carry_out(const action::SetStamp& a) { choices.stamp = a.stamp; }
   void carry_out(const action::SetMapTool& a) { choices.map_tool = a.tool; }

@@ -236,6 +236,16 @@ void UiTest::key(KeyChord chord) {
   frames();
 }
 
+void UiTest::hold(int key_code) {
+  push_key(keysym_of({key_code}), true);
+  frames();
+}
+
+void UiTest::let_go(int key_code) {
+  push_key(keysym_of({key_code}), false);
+  frames();
+}
+
 void UiTest::type(const std::string& text) {
   for (char c : text) push_text(c);
   frames(2);

@@ -1,0 +1,42 @@
+// Tools for the bodies placed by hand.
+#include "spawn_tools.h"
+
+#include <cassert>
+#include <utility>
+
+#include "sprite_tools.h"
+
+namespace talus {
+
+Edit add_spawn(const Level& level, Spawn spawn) {
+  std::vector<Spawn> spawns = level.spawns;
+  spawns.push_back(std::move(spawn));
+  return set_spawns(level, std::move(spawns), "Place a body");
+}
+
+Edit change_spawn(const Level& level, int index, Spawn spawn, std::string label) {
+  assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
+  std::vector<Spawn> spawns = level.spawns;
+  spawns[static_cast<std::size_t>(index)] = std::move(spawn);
+  return set_spawns(level, std::move(spawns), std::move(label));
+}
+
+Edit remove_spawn(const Level& level, int index) {
+  assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
+  std::vector<Spawn> spawns = level.spawns;
+  spawns.erase(spawns.begin() + index);
+  return set_spawns(level, std::move(spawns), "Remove a body");
+}
+
+int spawn_at(const Level& level, Vec2 point) {
+  int found = -1;
+  for (std::size_t i = 0; i < level.spawns.size(); ++i) {
+    const Vec2 corner = level.spawns[i].position, size = level.spawns[i].size;
+    if (point.x >= corner.x && point.x < corner.x + size.x && point.y >= corner.y &&
+        point.y < corner.y + size.y)
+      found = static_cast<int>(i);
+  }
+  return found;
+}
+
+}  // namespace talus
