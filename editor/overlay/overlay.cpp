@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "number_label.h"
+#include "outline.h"
 
 namespace talus {
 namespace {
@@ -57,6 +58,7 @@ class Drawer {
   OverlayDrawing draw() {
     if (overlays_.has(OverlayId::tested_tiles)) draw_tested();
     if (overlays_.has(OverlayId::boxes)) draw_boxes();
+    if (overlays_.has(OverlayId::outline)) add_outline(scene_, visible_, out_);
     for (const Body& body : state_.bodies) {
       if (overlays_.has(OverlayId::velocity)) draw_velocity(body);
     }

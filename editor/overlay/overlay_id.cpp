@@ -7,7 +7,7 @@ namespace talus {
 
 const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
   // Colours of Okabe and Ito, which stay apart for colour-blind eyes, less their black and dark blue, plus
-  // white and a light green.
+  // white, a light green and a light violet.
   static constexpr std::array<OverlayInfo, kOverlayCount> kInfos = {{
       {OverlayId::boxes, "boxes", "boxes",
        "Outlines of solids, slopes and bodies as the collision sees them.", 0x56b4e9},
@@ -28,6 +28,9 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
       {OverlayId::answer, "answer", "right answer",
        "Of a hard case: where bodies start, where they should be, and the floor they should keep to.",
        0xa7f070},
+      {OverlayId::outline, "outline", "outline",
+       "The outline of the ground as the exact solver sees it, with short normals where it stops bodies.",
+       0xb39dff},
   }};
   return kInfos;
 }

@@ -17,9 +17,10 @@ enum class OverlayId {
   slope_delta,
   floor_height,
   tested_tiles,
-  answer
+  answer,
+  outline
 };
-inline constexpr int kOverlayCount = 8;
+inline constexpr int kOverlayCount = 9;
 
 struct OverlayInfo {
   OverlayId id;

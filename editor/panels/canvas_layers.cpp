@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "overlay/answer.h"
+#include "overlay/outline.h"
 #include "overlay_painter.h"
 
 namespace talus {
@@ -109,6 +110,19 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
                     uv.from, uv.to);
     }
   }
+}
+
+void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale) {
+  if (level.curves.empty()) return;
+  const std::vector<CurveLine> lines = curve_lines(level, view.visible());
+  const float width = std::max(1.0f, std::round(scale * 2));
+  const bool counts = level.tuning.solver == SolverKind::exact;
+  const auto stroke = [&](ImU32 color, float of_width) {
+    for (const CurveLine& line : lines)
+      list.AddLine(view.to_screen(line.from), view.to_screen(line.to), color, of_width);
+  };
+  stroke(theme::color(theme::kDark), width + 2);
+  stroke(theme::color(counts ? theme::kText : theme::kMuted), width);
 }
 
 ImU32 flag_color(int flag, int alpha) {

@@ -9,6 +9,8 @@ namespace talus {
 
 // The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as play does.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
+// The level's curves; muted where the solver takes no notice of them.
+void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale);
 // Tints the cells whose tile has the flag.
 void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, int flag);
 ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the flags panel

@@ -179,6 +179,7 @@ std::vector<Command> overlay_commands() {
       overlay_command<OverlayId::floor_height>("overlay/floor_height"),
       overlay_command<OverlayId::tested_tiles>("overlay/tested_tiles"),
       overlay_command<OverlayId::answer>("overlay/answer"),
+      overlay_command<OverlayId::outline>("overlay/outline"),
   };
 }
 

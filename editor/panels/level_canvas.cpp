@@ -169,6 +169,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   const Level& level = session.level();
   const Choices& choices = session.choices();
   draw_tiles(list, level, view, ui, is_play());
+  draw_curves(list, level, view, ui.scale);
   if (choices.flag_overlay) draw_flag_tint(list, level, view, *choices.flag_overlay);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);

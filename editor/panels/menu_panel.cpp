@@ -73,10 +73,10 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   if (begin_menu("Play", ui)) {
     draw_commands({"play/toggle", "play/step", "play/run", "play/reset", "", "play/slower", "play/faster", "",
-                   "canvas/paint_in_play", "play/no_body", "", "overlay/boxes", "overlay/normals",
-                   "overlay/touch_points", "overlay/velocity", "overlay/slope_delta", "overlay/floor_height",
-                   "overlay/tested_tiles", "overlay/answer"},
+                   "canvas/paint_in_play", "play/no_body", ""},
                   session, actions, ui);
+    for (const OverlayInfo& info : overlay_infos())
+      draw_command("overlay/" + std::string(info.key), session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("Help", ui)) {

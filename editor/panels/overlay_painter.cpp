@@ -90,7 +90,9 @@ class Painter {
   // What a label is about must stay visible.
   void keep_clear_of(const OverlayDrawing& drawing) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
-    for (const OverlayLine& line : drawing.lines) keep_clear_of(line);
+    for (const OverlayLine& line : drawing.lines) {
+      if (line.overlay != OverlayId::outline) keep_clear_of(line);  // else no label would be near the ground
+    }
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
       const float arm = 4 * scale_;
@@ -183,6 +185,10 @@ void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size)
       break;
     case OverlayId::tested_tiles:
       sample.boxes.push_back({id, {0.5, 0.5, 7, 7}, true});
+      break;
+    case OverlayId::outline:
+      sample.lines.push_back({id, {0, 6.5}, {8, 3.5}});
+      sample.lines.push_back({id, {4, 5}, {3, 2}});
       break;
     case OverlayId::answer:
       sample.boxes.push_back({id, {3, 1, 4, 4}, true});

@@ -41,6 +41,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
       zoom};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   draw_tiles(list, session.level(), view, ui, true);
+  draw_curves(list, session.level(), view, ui.scale);
   draw_bodies(list, session, view, ui, 255);
   draw_overlays(list, session, options.overlays, view, ui.scale);
   ImGui::Render();

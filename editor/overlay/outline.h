@@ -1,0 +1,21 @@
+// The ground's outline and the level's curves, as lines in level pixels.
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+#include "overlay.h"
+
+namespace talus {
+
+// Adds the merged outline of the scene's ground where it is visible (level px), with short normals on the
+// sides from which it stops bodies. The scene of a solver that compiles no ground has none.
+void add_outline(const Scene& scene, Rect visible, OverlayDrawing& drawing);
+
+struct CurveLine {
+  Vec2 from, to;  // px
+};
+// The visible part of the level's curves, left to right each. Those that cannot be used are left out.
+std::vector<CurveLine> curve_lines(const Level& level, Rect visible);
+
+}  // namespace talus

@@ -1,0 +1,130 @@
+// The outline of the ground and the curves, as lines.
+#include "overlay/outline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace talus {
+namespace {
+
+using ::testing::UnorderedElementsAre;
+
+constexpr Rect kEverything{-1000, -1000, 4000, 4000};
+
+using Ends = std::pair<std::pair<double, double>, std::pair<double, double>>;
+Ends ends(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
+
+// 8x4 cells; tile 1 is solid, tile 2 a slope from 0 to 8 px, tile 3 a one-way solid tile.
+Level empty_level() {
+  Level level;
+  level.tuning.solver = SolverKind::exact;
+  level.map = TileMap(8, 4);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  level.tile_shapes[3] = {.kind = TileShape::Kind::solid, .one_way = true};
+  return level;
+}
+
+std::vector<Ends> outline(const Level& level, Rect visible = kEverything) {
+  OverlayDrawing drawing;
+  add_outline(compile_scene(level), visible, drawing);
+  std::vector<Ends> lines;
+  for (const OverlayLine& l : drawing.lines) {
+    EXPECT_EQ(l.overlay, OverlayId::outline);
+    lines.push_back(ends(l.from.x, l.from.y, l.to.x, l.to.y));
+  }
+  return lines;
+}
+
+TEST(Outline, FullTilesHaveTheirOpenSidesAlone) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 1);
+  level.map.set({3, 1}, 1);
+  EXPECT_THAT(outline(level),
+              UnorderedElementsAre(ends(16, 8, 24, 8), ends(20, 8, 20, 5),      // the top, then its normal
+                                   ends(24, 8, 32, 8), ends(28, 8, 28, 5),      //
+                                   ends(16, 16, 24, 16), ends(20, 16, 20, 19),  // the bottom
+                                   ends(24, 16, 32, 16), ends(28, 16, 28, 19),  //
+                                   ends(16, 8, 16, 16), ends(16, 12, 13, 12),   // the sides
+                                   ends(32, 8, 32, 16), ends(32, 12, 35, 12)));
+}
+
+TEST(Outline, OneWayTileStopsFromAboveAlone) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 3);
+  EXPECT_THAT(outline(level), UnorderedElementsAre(ends(16, 8, 24, 8), ends(20, 8, 20, 5)));
+}
+
+TEST(Outline, SlopesHaveTheirTrueNormal) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 2);
+  const auto lines = outline(level);
+  EXPECT_THAT(lines, ::testing::Contains(ends(16, 16, 24, 8)));
+  const double n = 3 / std::sqrt(2.0);
+  bool found = false;
+  for (const auto& [from, to] : lines) {
+    found |= from == std::pair(20.0, 12.0) && std::abs(to.first - (20 - n)) < 1e-12 &&
+             std::abs(to.second - (12 - n)) < 1e-12;
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Outline, LongSegmentIsOneLineAndTheFloatGroundHasItToo) {
+  Level level = empty_level();
+  level.curves.push_back({"", {Segment{{4, 20}, {60, 20}}, Curve::Faces::up}, ""});
+  std::vector<Ends> lines = outline(level);
+  ASSERT_EQ(lines.size(), 1u + 4u);  // a normal for each 16 px or less
+  EXPECT_EQ(lines[0], ends(4, 20, 60, 20));
+  EXPECT_EQ(lines[1], ends(11, 20, 11, 17));
+  level.tuning.exact.single_precision = 1;
+  EXPECT_EQ(outline(level), lines);
+}
+
+TEST(Outline, WhatIsOutOfSightIsLeftOut) {
+  Level level = empty_level();
+  for (int x = 0; x < 8; ++x) level.map.set({x, 3}, 1);
+  level.curves.push_back({"", {Segment{{4, 4}, {60, 4}}, Curve::Faces::up}, ""});
+  for (const auto& [from, to] : outline(level, {17, 0, 6, 30})) {
+    EXPECT_GE(to.first, 16);
+    EXPECT_LE(from.first, 24);
+  }
+  EXPECT_TRUE(outline(level, {17, 10, 6, 6}).empty());
+}
+
+TEST(Outline, OtherSolversHaveNone) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 1);
+  level.tuning.solver = SolverKind::article;
+  EXPECT_TRUE(outline(level).empty());
+}
+
+TEST(CurveLines, FollowAnArcAndShowOneThatFacesBothWaysOnce) {
+  Level level = empty_level();
+  level.curves.push_back({"", {Arc{{32, 28}, 20, 12, 52, true}, Curve::Faces::both}, ""});
+  const auto lines = curve_lines(level, kEverything);
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines.front().from, (Vec2{12, 28}));
+  EXPECT_EQ(lines.back().to, (Vec2{52, 28}));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_NEAR(std::hypot(lines[i].from.x - 32, lines[i].from.y - 28), 20, 1e-9);
+    if (i > 0) {
+      EXPECT_EQ(lines[i].from, lines[i - 1].to);
+    }
+  }
+}
+
+TEST(CurveLines, HaveVerticalSegmentsAndLeaveOutWhatCannotBeUsed) {
+  Level level = empty_level();
+  level.curves.push_back({"", {Segment{{30, 2}, {30, 22}}, Curve::Faces::down}, ""});
+  level.curves.push_back({"", {Arc{{32, 28}, -1, 12, 52, true}, Curve::Faces::up}, ""});
+  const auto lines = curve_lines(level, kEverything);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].from, (Vec2{30, 2}));
+  EXPECT_EQ(lines[0].to, (Vec2{30, 22}));
+  EXPECT_TRUE(curve_lines(level, {40, 0, 8, 8}).empty());
+}
+
+}  // namespace
+}  // namespace talus
