@@ -58,7 +58,7 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   ImGui::SameLine();
   draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
   ImGui::SameLine();
-  draw_mode("canvas/both", "Map + Play", "canvas/both", session, actions, ui);
+  draw_mode("canvas/both", "Both", "canvas/both", session, actions, ui);
   constexpr ToolButton kTools[] = {
       {"map/stamp", Icon::stamp}, {"map/pan", Icon::pan},     {"map/rectangle", Icon::rectangle},
       {"map/fill", Icon::fill},   {"map/erase", Icon::erase}, {"map/pick", Icon::pick},
