@@ -144,8 +144,12 @@ HardCase read_case(const Json& json) {
     for (std::size_t i = 0; i < list.size(); ++i)
       read(list[i], std::string(key) + "[" + std::to_string(i) + "]");
   };
-  each("input",
-       [&](const Json& entry, const std::string& path) { hard.input.push_back(read_input(entry, path)); });
+  each("input", [&](const Json& entry, const std::string& path) {
+    hard.input.push_back(read_input(entry, path));
+    const std::size_t count = hard.input.size();
+    if (count > 1 && hard.input[count - 1].frame < hard.input[count - 2].frame)
+      fail(path + ".frame", "goes backwards");
+  });
   each("floor", [&](const Json& part, const std::string& path) { read_floor_part(part, path, hard.floor); });
   each("checks", [&](const Json& check, const std::string& path) {
     hard.checks.push_back(read_check(check, path, hard.frames));

@@ -66,7 +66,7 @@ struct HardCase {
   int number = 0;                           // of the list of hard cases
   std::string title, set_up, right_answer;  // sentences
   std::int64_t frames = 0;                  // steps of a run
-  std::vector<CaseInput> input;             // by frame
+  std::vector<CaseInput> input;             // by frame; each holds until the next one
   CaseFloor floor;
   std::vector<CaseCheck> checks;
 };

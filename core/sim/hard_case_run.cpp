@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../level/transform.h"
+#include "case_input.h"
 #include "solver.h"
 
 namespace talus {
@@ -31,26 +33,22 @@ class InputAt {
  public:
   InputAt(const HardCase& hard, bool mirrored, Vec2 by, double width)
       : hard_(hard), mirrored_(mirrored), by_(by), width_(width) {}
-  Input operator()(std::int64_t frame) {
-    while (next_ < hard_.input.size() && hard_.input[next_].frame <= frame) take(hard_.input[next_++]);
-    return held_;
+  Input operator()(std::int64_t frame) const {
+    Input held = case_input(hard_.input, frame);
+    if (mirrored_) {
+      std::swap(held.left, held.right);
+      held.mouse.x = width_ - held.mouse.x;
+    } else {
+      held.mouse = held.mouse + by_;
+    }
+    return held;
   }
 
  private:
-  void take(const CaseInput& input) {
-    held_.mouse = mirrored_ ? Vec2{width_ - input.mouse.x, input.mouse.y} : input.mouse + by_;
-    held_.mouse_down = input.mouse_down;
-    held_.left = mirrored_ ? input.right : input.left;
-    held_.right = mirrored_ ? input.left : input.right;
-    held_.jump = input.jump;
-  }
-
   const HardCase& hard_;
   bool mirrored_;
   Vec2 by_;
   double width_;  // px of the map
-  std::size_t next_ = 0;
-  Input held_;
 };
 
 std::vector<Sample> sample(const State& state, const StepRecord& record) {

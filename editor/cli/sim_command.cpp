@@ -9,6 +9,7 @@
 #include "formats/hard_case.h"
 #include "formats/number_text.h"
 #include "input_file.h"
+#include "sim/case_input.h"
 #include "sim/hard_case_run.h"
 #include "sim/solver.h"
 #include "trace.h"
@@ -65,6 +66,9 @@ void simulate(CommandContext& context, const SimOptions& options) {
   if (options.verify) return verify(context, options, *level);
   std::optional<std::vector<TimedInput>> inputs = load_input(context, options.input);
   if (!inputs) return;
+  const auto hard = hard_case_of(*level);
+  if (!hard) return fail(context, options.file, hard.error().place, hard.error().message);
+  const std::vector<CaseInput> script = *hard ? (*hard)->input : std::vector<CaseInput>();
 
   std::ofstream trace_file;
   std::ostream* trace = options.trace == "-" ? &context.out : nullptr;
@@ -81,7 +85,8 @@ void simulate(CommandContext& context, const SimOptions& options) {
   StepRecord record;
   StepRecord* wanted = trace != nullptr && !options.no_contacts ? &record : nullptr;
   for (std::int64_t i = 0; i < options.frames; ++i) {
-    solver->step(state, player.at(state.frame + 1), wanted);
+    const std::int64_t frame = state.frame + 1;
+    solver->step(state, added(case_input(script, frame), player.at(frame)), wanted);
     if (trace != nullptr) *trace << trace_line(state, wanted) << '\n';
   }
   if (trace_file.is_open() && !trace_file.flush())
@@ -101,7 +106,8 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
       command->add_flag("--verify", options->verify,
                         "Run a hard case as its file says, and print each check of its right answer");
   add_physics_options(*command, options->physics);
-  command->add_option("--input", options->input, "Recorded mouse and keys (JSON lines)");
+  command->add_option("--input", options->input,
+                      "Recorded mouse and keys (JSON lines), besides those of a hard case");
   command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
   command->add_flag("--no-contacts", options->no_contacts, "Leave the contacts out of the trace");
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");

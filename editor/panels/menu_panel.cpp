@@ -111,7 +111,8 @@ void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {
 void MenuPanel::draw_hard_cases(Actions& actions, Ui& ui) {
   const auto& files = ui.view.hard_cases;
   const bool open = ImGui::BeginMenu("Hard cases", !files.empty());
-  ui.item("menu/hard_cases", "Scenes that break slope code, each with the right answer drawn over it.");
+  ui.item("menu/hard_cases",
+          "Scenes that break slope code, each with its own input, and the right answer drawn over it.");
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     std::string name = std::filesystem::path(files[i]).filename().string();

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "sim/case_input.h"
+
 namespace talus {
 
 void Player::load(const Level& level) {
@@ -69,7 +71,7 @@ void Player::step() {
   input.right |= tapped_.right;
   input.jump |= tapped_.jump;
   tapped_ = {};
-  solver_->step(state_, input, &record_);
+  solver_->step(state_, added(case_input(script_, state_.frame + 1), input), &record_);
 }
 
 void Player::advance(double seconds) {

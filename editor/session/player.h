@@ -18,6 +18,9 @@ class Player {
                  std::span<const Cell> changed);  // edited in these cells of the map alone
   void reset();                                   // frame 0 of the compiled level; keeps running if it ran
 
+  // What is held in each frame besides what the user holds; stays until set again.
+  void set_script(std::vector<CaseInput> script) { script_ = std::move(script); }
+
   void set_running(bool running);
   void set_speed(double factor);  // clamped; NaN gives kMinSpeed
   // Input for the steps to come. Where the button goes down on a ball, `body` is its id (0: none): it is held
@@ -43,8 +46,9 @@ class Player {
   State state_;
   StepRecord record_;
   Playback playback_;
-  action::HoldKeys tapped_;      // held at any time since the last step; of a running simulation alone
-  std::int64_t held_since_ = 0;  // frame in which the button went down
+  std::vector<CaseInput> script_;  // by frame
+  action::HoldKeys tapped_;        // held at any time since the last step; of a running simulation alone
+  std::int64_t held_since_ = 0;    // frame in which the button went down
   double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
 };
 

@@ -81,7 +81,7 @@ class Session {
   std::string file_name() const;                     // for titles: "demo.talus.json"
   bool modified() const;                             // differs from the file
   const std::vector<Problem>& problems() const;      // lint of the level as it is
-  const std::optional<HardCase>& hard_case() const;  // that the opened level is; nothing when it is none
+  const std::optional<HardCase>& hard_case() const;  // that the opened level is, whose input is played too
 
   const Scene& scene() const;        // of the level as it is
   const State& state() const;        // after the last finished step

@@ -115,6 +115,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
 
 void Session::Impl::read_hard_case() {
   hard_case = hard_case_of(level).value_or(std::nullopt);
+  player.set_script(hard_case ? hard_case->input : std::vector<CaseInput>());
   if (hard_case) choices.overlays.set(OverlayId::answer, true);
 }
 

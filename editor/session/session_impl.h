@@ -72,7 +72,7 @@ struct Session::Impl {
   void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
   void go_on(const Losing& losing);
   void open(const action::OpenFile& file);
-  void read_hard_case();  // of the level as it was opened; shows its answer
+  void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
   bool save();  // false when it failed or a name is needed first
   bool save_to(const std::string& saved_path, const Format& saved_format);

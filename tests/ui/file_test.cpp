@@ -256,6 +256,20 @@ TEST_F(UiFile, HardCasesAreOpenedAsCopiesWithTheirAnswer) {
   EXPECT_TRUE(session().choices().overlays.has(OverlayId::answer));
 }
 
+TEST_F(UiFile, HardCasePlaysWithItsOwnKeys) {
+  click("menu/File");
+  frames(2);
+  click("menu/hard_cases");
+  frames(2);
+  click("menu/hard_case8");
+  frames(2);
+  ASSERT_TRUE(session().hard_case());
+  ASSERT_EQ(session().hard_case()->number, 9);
+  click("transport/play");
+  frames(130);
+  EXPECT_NEAR(session().state().bodies.at(0).box.right(), 96, 1e-9) << "it ran up the ramp, to the wall";
+}
+
 TEST_F(UiFile, DamagedSettingsAreIgnoredWithAMessage) {
   stop();
   std::ofstream(path("config/settings.json")) << "{\"width\": 12";

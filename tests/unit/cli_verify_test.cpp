@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "cli/cli.h"
@@ -46,6 +47,18 @@ TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
   EXPECT_EQ(none.status, kExitBad);
   EXPECT_THAT(none.err, HasSubstr("hard_case"));
   EXPECT_EQ(verify(kStep, {"--frames", "3"}).status, kExitUsage);
+}
+
+// A player that runs right by the case's keys alone stands at the wall, its right side at 96.
+TEST(CliSim, PlaysAHardCaseWithItsInput) {
+  std::ostringstream out, err;
+  const std::string ramp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
+  ASSERT_EQ(run_cli({"sim", ramp, "--frames", "120", "--trace", "-", "--no-contacts"}, out, err), kExitGood);
+  const std::string text = out.str();
+  const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  const auto frame = nlohmann::json::parse(last);
+  EXPECT_EQ(frame["frame"], 120);
+  EXPECT_NEAR(frame["bodies"][0]["x"].get<double>(), 88, 1e-9);
 }
 
 }  // namespace

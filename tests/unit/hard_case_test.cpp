@@ -70,6 +70,7 @@ TEST(HardCase, ErrorsNameTheirKey) {
   EXPECT_EQ(place_of(case_text(R"(,"floor":[{"arc":[1]}])")), "key hard_case.floor[0].arc");
   EXPECT_EQ(place_of(case_text(R"(,"input":[{"frame":1,"keys":["fly"]}])")), "key hard_case.input[0].keys");
   EXPECT_EQ(place_of(case_text(R"(,"input":[{"frame":1,"keys":"left"}])")), "key hard_case.input[0].keys");
+  EXPECT_EQ(place_of(case_text(R"(,"input":[{"frame":2},{"frame":1}])")), "key hard_case.input[1].frame");
 }
 
 TEST(CaseFloor, IsHighestAtAnEndOrAtACrestBetween) {
