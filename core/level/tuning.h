@@ -64,7 +64,7 @@ struct PlayerTuning {
 };
 
 struct Tuning {
-  SolverKind solver = SolverKind::article;
+  SolverKind solver = SolverKind::exact;
   ArticleTuning article;
   ExactTuning exact;
   PlayerTuning player;

@@ -96,7 +96,7 @@ std::optional<Level> load_or_fail(CommandContext& context, const std::string& fi
 }
 
 void add_physics_options(CLI::App& command, PhysicsOptions& options) {
-  command.add_option("--solver", options.solver, "The solver; without it, the level's own")
+  command.add_option("--solver", options.solver, "The solver; without it, the level's own, of a cart: exact")
       ->check(CLI::IsMember(solver_names()));
   command.add_option("--set", options.settings, "Change a number of the tuning: --set fall_speed=3")
       ->type_name("KEY=VALUE")

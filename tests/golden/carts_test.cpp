@@ -50,6 +50,11 @@ TEST_P(CartsTest, NativeLevelsLoseNoByte) {
   }
 }
 
+TEST_P(CartsTest, HaveTheExactSolver) {
+  for (const char* extension : {"tic", "lua"})
+    EXPECT_EQ(load(extension).tuning.solver, SolverKind::exact);
+}
+
 TEST_P(CartsTest, BothFormsShowTheSameLevel) {
   Level tic = load("tic"), text = load("lua");
   tic.cart = text.cart = nullptr;

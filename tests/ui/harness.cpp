@@ -52,6 +52,7 @@ void UiTest::start(const std::string& file, int width, int height) {
 
 Level UiTest::test_level() {
   Level level;
+  level.tuning.solver = SolverKind::article;
   level.map = TileMap(30, 17);
   for (int x = 0; x < 30; ++x) level.map.set({x, 16}, 1);
   level.map.set({5, 10}, 2);

@@ -28,7 +28,7 @@ class UiTest : public ::testing::Test {
   void stop() { app_.reset(); }
 
   // 30x17 cells with a floor in row 16. Tiles: 1 solid, 2 ball, 3 and 4 up-slope, 5 and 6 down-slope. A ball
-  // lies in cell (5,10).
+  // lies in cell (5,10). The solver is the article's.
   static Level test_level();
   std::string save_test_level(const std::string& name);
   std::string path(const std::string& name) const { return (folder_ / name).string(); }

@@ -153,6 +153,7 @@ class SixBalls : public testing::Test {
  protected:
   SixBalls() {
     auto loaded = load_level(TALUS_SOURCE_DIR "/tests/golden/article/six.lua");
+    loaded.value().level.tuning.solver = SolverKind::article;
     scene_ = scene_of(loaded.value().level);
   }
   State run(int frames, StepRecord* record) {

@@ -9,9 +9,11 @@
 namespace talus {
 
 // '#' solid, 'o' ball, '/' the flagged tile of an up-slope, '\' of a down-slope, '-' a slope's second half,
-// anything else empty. The tiles have the article's flags; the map is as large as the picture.
+// anything else empty. The tiles have the article's flags and the level its solver; the map is as large as
+// the picture.
 inline Level level_of(std::initializer_list<std::string_view> rows) {
   Level level;
+  level.tuning.solver = SolverKind::article;
   auto& flags = level.sheet(SheetId::tiles).flags;
   flags[1] = 1;  // solid
   flags[2] = 2;  // ball

@@ -30,6 +30,7 @@ void expect_error(const std::string& text, const std::string& place, const std::
 
 Level small_level() {
   Level level;
+  level.tuning.solver = SolverKind::article;
   level.map = TileMap(3, 4);
   level.map.set({1, 1}, 0x2a);
   level.sheet(SheetId::tiles).images[3].fill(14);

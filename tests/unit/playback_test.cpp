@@ -15,9 +15,10 @@ namespace act = action;
 constexpr std::uint8_t kSolid = 1, kBall = 2, kPlain = 3, kOtherSolid = 4;
 constexpr double kFrame = 1.0 / 60;
 
-// A ball high above a floor: a body at (16, 8), the floor's top at 64.
+// A ball of the article high above a floor: a body at (16, 8), the floor's top at 64.
 Level ball_over_floor() {
   Level level;
+  level.tuning.solver = SolverKind::article;
   level.map = TileMap(30, 17);
   level.sheet(SheetId::tiles).flags[kSolid] = 1 << 0;
   level.sheet(SheetId::tiles).flags[kOtherSolid] = 1 << 0;

@@ -54,5 +54,7 @@ TEST(Tuning, SolversAreKnownByName) {
   EXPECT_EQ(solver_of_name(""), std::nullopt);
 }
 
+TEST(Tuning, NewLevelsHaveTheExactSolver) { EXPECT_EQ(Tuning().solver, SolverKind::exact); }
+
 }  // namespace
 }  // namespace talus
