@@ -12,10 +12,20 @@ struct Conversion {
   std::string input, output, format;
 };
 
+// A file named as another format's would be taken for that. An error's message, or nothing.
+std::string wrong_name(const std::string& output, const Format& format) {
+  const Format* named = output == "-" ? nullptr : format_for_file(output);
+  if (named == nullptr || named == &format) return "";
+  return "has the name of a " + std::string(named->label) + ", but a " + std::string(format.label) +
+         " would be written: use talus export --to " + std::string(named->id) + ", or another name";
+}
+
 void convert(CommandContext& context, const Conversion& conversion) {
   const std::optional<Level> level = load_or_fail(context, conversion.input);
   if (!level) return;
   const Format& format = *find_format(conversion.format);
+  if (const std::string wrong = wrong_name(conversion.output, format); !wrong.empty())
+    return fail(context, conversion.output, "", wrong);
   std::vector<std::string> dropped;
   if (conversion.output == "-") {
     FormatResult<WrittenLevel> written = format.write(*level, {});

@@ -153,6 +153,21 @@ TEST(CliConvert, WhatCannotBeWrittenIsAnErrorAndLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+TEST(CliConvert, RefusesTheNameOfAnotherFormat) {
+  for (const char* name : {"named.tic", "named.lua"}) {
+    const std::string path = testing::TempDir() + name;
+    const Answer answer = run({"import", kOne, "-o", path});
+    EXPECT_EQ(answer.status, kExitBad);
+    EXPECT_THAT(answer.err, StartsWith(path + ": error: has the name of a TIC-80 "));
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  const std::string json = testing::TempDir() + "named.talus.json";
+  EXPECT_THAT(run({"export", kOne, "--to", "tic", "-o", json}).err,
+              HasSubstr("has the name of a Talus level, but a TIC-80 cartridge would be written: use talus "
+                        "export --to native, or another name"));
+  EXPECT_FALSE(std::filesystem::exists(json));
+}
+
 TEST(CliBench, PrintsOneJsonLineAndTheSameHashForTheSameSeed) {
   const std::vector<std::string> arguments = {"bench",    kSix, "--bodies", "50",
                                               "--frames", "20", "--solver", "article"};
