@@ -5,7 +5,9 @@
 
 #include "canvas_layers.h"
 #include "commands.h"
+#include "edit/shape_tools.h"
 #include "flag_label.h"
+#include "shape_editor.h"
 
 namespace talus {
 namespace {
@@ -20,14 +22,20 @@ void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lam
   list.AddCircle(centre, radius, flag_color(flag, 200), 20);
 }
 
-std::string lamp_help(FlagLamp lamp, int flag, const FlagRoleInfo* role) {
+std::string lamp_help(FlagLamp lamp, int flag, const FlagRoleInfo* role, const TileShape& shape) {
   std::string help = "Flag " + std::to_string(flag) + ", ";
   help += lamp == FlagLamp::all    ? "set"
           : lamp == FlagLamp::some ? "set in some of the selected tiles"
                                    : "not set";
-  help += role ? "; its role is " + std::string(role->label) + "." : "; it has no role.";
+  if (role != nullptr)
+    help += "; its role is " + std::string(role->label) + ".";
+  else if (shape.kind != TileShape::Kind::none)
+    help += "; its shape is " + std::string(kind_label(shape)) + ".";
+  else
+    help += "; it has no role.";
   return help +
-         " A click sets it, or clears it where any tile has it. A right click names it and chooses its role.";
+         " A click sets it, or clears it where any tile has it. A right click names it and chooses its "
+         "role or shape.";
 }
 
 }  // namespace
@@ -46,6 +54,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const Level& level = session.level();
   const std::string number = std::to_string(flag), name = "flags/lamp" + number;
   const FlagRoleInfo* role = role_of_flag(level.roles, flag);
+  const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
   const FlagLamp lamp = flag_lamp(level, session.choices().area, flag);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ui.px(20), menu = ui.px(20);
@@ -53,13 +62,14 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   if (ImGui::Button(("##" + name).c_str(), {width - menu, height}))
     actions.push_back(action::EditLevel{toggle_flag(level, session.choices().area, flag)});
   bool opens = ImGui::IsItemClicked(1);
-  ui.item(name, lamp_help(lamp, flag, role));
+  ui.item(name, lamp_help(lamp, flag, role, shape));
   ImGui::SameLine();
   opens |= ImGui::Button(("...##menu" + number).c_str(), {menu, height});
-  ui.item("flags/menu" + number, "Names flag " + number + " and chooses its role.");
+  ui.item("flags/menu" + number, "Names flag " + number + " and chooses its role or shape.");
   ImGui::PopStyleVar();
   if (opens) {
     menu_flag_ = flag;
+    menu_x_ = ImGui::GetIO().MousePos.x;
     new_name_ = level.flag_names[static_cast<std::size_t>(flag)];
     ImGui::OpenPopup("flag menu");
   }
@@ -67,13 +77,17 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_lamp_light(list, {at.x + ui.px(11), at.y + height / 2}, ui.px(6), lamp, flag);
   const std::string label = number + " " + flag_name(level, flag);
+  const bool has_physics = role != nullptr || shape.kind != TileShape::Kind::none;
   const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
   list.PushClipRect(at, {at.x + width - menu, at.y + height}, true);
-  list.AddText({at.x + ui.px(22), y}, theme::color(role ? theme::kText : theme::kMuted), label.c_str());
+  list.AddText({at.x + ui.px(22), y}, theme::color(has_physics ? theme::kText : theme::kMuted),
+               label.c_str());
   list.PopClipRect();
 }
 
 void FlagsPanel::draw_menu(const Session& session, Actions& actions, Ui& ui, int flag) {
+  // It grows with the shape: upwards, where there is room.
+  ImGui::SetNextWindowPos({menu_x_, ui.bars_top}, ImGuiCond_Always, {0, 1});
   if (!ImGui::BeginPopup("flag menu")) return;
   const Level& level = session.level();
   ui.heading("Flag " + std::to_string(flag));
@@ -103,6 +117,7 @@ void FlagsPanel::draw_menu(const Session& session, Actions& actions, Ui& ui, int
     }
     ui.item("flags/role_" + std::string(info.key), "Tiles with this flag are this to the physics.");
   }
+  draw_flag_shape(session, actions, ui, flag);
   if (ui.text_button("flags/tint", "Tint on the map", session.choices().flag_overlay == flag,
                      "Tints the cells whose tile has this flag.",
                      keys_of(find_command("canvas/flag_tint")))) {
@@ -110,6 +125,14 @@ void FlagsPanel::draw_menu(const Session& session, Actions& actions, Ui& ui, int
     actions.push_back(action::SetFlagOverlay{on ? std::optional<int>(flag) : std::optional<int>()});
   }
   ImGui::EndPopup();
+}
+
+void FlagsPanel::draw_flag_shape(const Session& session, Actions& actions, Ui& ui, int flag) {
+  const Level& level = session.level();
+  ui.heading("Shape of tiles without a role");
+  const TileShape& now = level.flag_shapes[static_cast<std::size_t>(flag)];
+  if (const auto shape = draw_shape("flags/shape", now, session, shape_stroke_, ui))
+    actions.push_back(action::EditLevel{set_flag_shape(level, flag, *shape), shape_stroke_});
 }
 
 }  // namespace talus

@@ -308,5 +308,25 @@ TEST_F(UiEdit, ProblemIsShownOnTheMap) {
   EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 4}));
 }
 
+TEST_F(UiEdit, FlagGetsAShapeWithHeights) {
+  click("flags/menu6");
+  click("flags/shape");
+  click("flags/shape_slope");
+  TileShape slope{.kind = TileShape::Kind::slope};
+  slope.heights = {0, 8};
+  EXPECT_EQ(level().flag_shapes[6], slope);
+  const ImVec2 right = centre("flags/shape_right");
+  drag(right, {right.x - 40, right.y});
+  EXPECT_LT(level().flag_shapes[6].heights[1], 8);
+  click("flags/shape_one_way");
+  EXPECT_TRUE(level().flag_shapes[6].one_way);
+  key(ctrl('z'));
+  EXPECT_FALSE(level().flag_shapes[6].one_way);
+  key(ctrl('z'));
+  EXPECT_EQ(level().flag_shapes[6], slope);  // the drag was one change
+  key(ctrl('z'));
+  EXPECT_EQ(level().flag_shapes[6], TileShape());
+}
+
 }  // namespace
 }  // namespace talus
