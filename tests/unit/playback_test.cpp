@@ -109,6 +109,39 @@ TEST(Playback, StepFramePausesAndMakesOneStep) {
   EXPECT_EQ(session.state(), state_after(session.level(), 3));
 }
 
+TEST(Playback, KeysAreHeldAndATapWhileItRunsCountsOnce) {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.spawns.resize(1);
+  level.spawns[0].kind = BodyKind::player;
+  Session session(level);
+  const auto vx = [&] { return session.state().bodies[0].velocity.x; };
+  session.apply({act::HoldKeys{.right = true}, act::HoldKeys{}, act::StepFrame{}});
+  EXPECT_EQ(vx(), 0);  // paused: only what is held now
+  session.apply({act::HoldKeys{.right = true}, act::HoldMouse{{200, 100}, false}, act::StepFrame{}});
+  EXPECT_EQ(vx(), level.tuning.player.air_gain);
+  session.apply({act::HoldKeys{}, act::ResetPlay{}, act::Play{}});
+  session.apply({act::HoldKeys{.left = true}, act::HoldKeys{}});
+  session.advance(kFrame);
+  EXPECT_EQ(vx(), -level.tuning.player.air_gain);
+  const double after_tap = vx();
+  session.advance(kFrame);
+  EXPECT_GT(vx(), after_tap);
+}
+
+TEST(Playback, SelectSpawnChoosesItsBody) {
+  Level level = ball_over_floor();
+  level.spawns.resize(2);
+  Session session(level);
+  session.apply(act::SelectSpawn{1});
+  ASSERT_NE(session.state().find(session.choices().body), nullptr);
+  EXPECT_EQ(session.state().find(session.choices().body)->origin.spawn, 1);
+  session.apply(act::SelectSpawn{2});
+  EXPECT_EQ(session.choices().body, 0);
+  session.apply(act::SelectSpawn{-1});  // a ball of the map has no spawn
+  EXPECT_EQ(session.choices().body, 0);
+}
+
 TEST(Playback, TogglePauseAndPlay) {
   Session session;
   session.apply(act::TogglePlay{});

@@ -48,6 +48,18 @@ TEST(CarryOver, IdsAreNotReusedAndAGoneBodyIsLetGo) {
   EXPECT_EQ(state.bodies[1].id, 3);
 }
 
+TEST(CarryOver, KindAndFootFollowTheSpawn) {
+  Level level = level_of({"..."});
+  level.spawns.resize(1);
+  State state = initial_state(compile_scene(level));
+  state.bodies[0].box.y = 20;
+  level.spawns[0].kind = BodyKind::player;
+  const State next = carry_over(state, compile_scene(level));
+  EXPECT_EQ(next.bodies[0].kind, BodyKind::player);
+  EXPECT_EQ(next.bodies[0].foot, Foot::centre);
+  EXPECT_EQ(next.bodies[0].box, state.bodies[0].box);
+}
+
 TEST(StateHash, ChangesWithTheLastBitOfAnyNumber) {
   const State state = initial_state(compile_scene(level_of({"o"})));
   const std::uint64_t hash = state_hash(state);

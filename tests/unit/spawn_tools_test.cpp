@@ -1,0 +1,49 @@
+// Placing, changing and removing bodies, and finding the one under the mouse.
+#include "edit/spawn_tools.h"
+
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+Spawn spawn_at_x(double x) {
+  Spawn spawn;
+  spawn.position = {x, 0};
+  return spawn;
+}
+
+TEST(SpawnTools, AddChangeAndRemoveCanBeTakenBack) {
+  Level level;
+  const Edit added = add_spawn(level, spawn_at_x(8));
+  apply_edit(level, added);
+  apply_edit(level, add_spawn(level, spawn_at_x(16)));
+  ASSERT_EQ(level.spawns.size(), 2u);
+  EXPECT_EQ(level.spawns[1].position.x, 16);
+  Spawn player = level.spawns[0];
+  player.kind = BodyKind::player;
+  const Edit changed = change_spawn(level, 0, player, "Make a body a player");
+  apply_edit(level, changed);
+  EXPECT_EQ(level.spawns[0].kind, BodyKind::player);
+  const Edit removed = remove_spawn(level, 0);
+  apply_edit(level, removed);
+  ASSERT_EQ(level.spawns.size(), 1u);
+  EXPECT_EQ(level.spawns[0].position.x, 16);
+  revert_edit(level, removed);
+  revert_edit(level, changed);
+  EXPECT_EQ(level.spawns[0], spawn_at_x(8));
+  EXPECT_TRUE(change_spawn(level, 0, level.spawns[0], "").empty());
+}
+
+TEST(SpawnTools, TheLastOfThoseUnderThePointIsFound) {
+  Level level;
+  level.spawns = {spawn_at_x(0), spawn_at_x(4), spawn_at_x(40)};
+  level.spawns[2].size = {2, 20};
+  EXPECT_EQ(spawn_at(level, {2, 2}), 0);
+  EXPECT_EQ(spawn_at(level, {6, 2}), 1);
+  EXPECT_EQ(spawn_at(level, {12, 2}), -1);  // the right side is outside
+  EXPECT_EQ(spawn_at(level, {41, 19}), 2);
+  EXPECT_EQ(spawn_at(level, {41, 20}), -1);
+}
+
+}  // namespace
+}  // namespace talus
