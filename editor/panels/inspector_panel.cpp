@@ -146,10 +146,8 @@ void draw_spawn(const Session& session, int index, Actions& actions, Ui& ui) {
                                 "exact solver.",
                                 ui);
   ImGui::SameLine();
-  const float row = ImGui::GetCursorPosY();
-  ui.label("foot");
+  ui.heading("foot");
   ImGui::SameLine();
-  ImGui::SetCursorPosY(row);
   const auto foot = draw_choice("inspector/foot", {"box", "centre"}, spawn.used_foot() == Foot::centre,
                                 "What stands on slopes: the whole bottom side of the box, or its centre, "
                                 "which sinks the box into them.",

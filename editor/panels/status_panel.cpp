@@ -69,7 +69,8 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string hover = hover_text(session, ui.view.hover);
   ImGui::TextUnformatted(hover.empty() ? "Point at the map, the sheet or the pixels" : hover.c_str());
   draw_stamp_part(session.choices().stamp, 360, ui);
-  draw_part(ui, 570, std::to_string(session.state().bodies.size()) + " bodies", theme::kMuted,
+  const std::size_t bodies = session.state().bodies.size();
+  draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
             "Bodies of the simulation.");
   const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
   draw_part(ui, 670, file, session.modified() ? theme::kWarning : theme::kMuted,
