@@ -43,7 +43,9 @@ TEST(Tic, DecodesTheSectionsOfBankZero) {
 }
 
 TEST(Tic, FlagsBehindTheTilesAreTheSprites) {
-  const Level level = read(chunk(kFlags, std::string(256, '\0') + "\x80"));
+  std::string flags(257, '\0');
+  flags.back() = '\x80';
+  const Level level = read(chunk(kFlags, flags));
   EXPECT_EQ(level.sheet(SheetId::sprites).flags[0], 0x80);
   EXPECT_EQ(level.tile_flags(0), 0);
 }
