@@ -14,9 +14,6 @@ namespace {
 template <class Real>
 constexpr Real kRoundedRate = 8 * std::numeric_limits<Real>::epsilon();
 
-template <class Real>
-constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
-
 // Longer motions are cut into slices of this length, so that only cells near the way are looked at.
 constexpr double kSliceLength = 2 * kTileSide;  // px
 constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
@@ -91,7 +88,7 @@ class Caster {
 
  private:
   struct Hit {
-    Real t = kInfinity<Real>;
+    Real t = std::numeric_limits<Real>::infinity();
     Facing facing = Facing::up;
     bool cap = false;       // a flat side of the box on the end of a slope
     bool mirrored = false;  // two hits at once, mirror images of one another

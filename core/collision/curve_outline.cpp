@@ -10,8 +10,6 @@ namespace {
 
 using Stretch = CurveStretch<double>;
 
-Vec2 weld(Vec2 p) { return {talus::weld(p.x), talus::weld(p.y)}; }
-
 class CurveCutter {
  public:
   void cut(const Curve& curve, std::int32_t number) {
@@ -62,7 +60,7 @@ class CurveCutter {
   void put(const Segment& s) { put_line(weld(s.from), weld(s.to)); }
 
   void put(const Polyline& p) {
-    const double x0 = talus::weld(p.x0), x1 = talus::weld(p.x1);
+    const double x0 = weld(p.x0), x1 = weld(p.x1);
     const double parts = static_cast<double>(p.ys.size() - 1);
     const auto point = [&](std::size_t i) {
       return weld(Vec2{x0 + (x1 - x0) * (static_cast<double>(i) / parts), p.ys[i]});
@@ -75,16 +73,15 @@ class CurveCutter {
     const Vec2 center = weld(a.center);
     s.c[0] = center.x;
     s.c[1] = center.y;
-    s.c[2] = talus::weld(a.radius);
+    s.c[2] = weld(a.radius);
     s.bends_down = a.upper;
-    const double x0 = std::max(talus::weld(a.x0), s.c[0] - s.c[2]),
-                 x1 = std::min(talus::weld(a.x1), s.c[0] + s.c[2]);
+    const double x0 = std::max(weld(a.x0), s.c[0] - s.c[2]), x1 = std::min(weld(a.x1), s.c[0] + s.c[2]);
     put_cut(s, {x0, s.y_at(x0)}, {x1, s.y_at(x1)}, {center.x});
   }
 
   void put(const Parabola& p) {
     const Vec2 a = weld(p.from), b = weld(p.to);
-    const double control = talus::weld(p.control_y), half = (b.x - a.x) / 2;
+    const double control = weld(p.control_y), half = (b.x - a.x) / 2;
     put_polynomial(a, b, ((a.y + b.y) / 2 + control) / 2, (b.y - a.y) / (b.x - a.x),
                    ((a.y + b.y) / 2 - control) / 2 / (half * half), 0);
   }
@@ -116,7 +113,7 @@ class CurveCutter {
   }
 
   void put(const Sine& w) {
-    const double x0 = talus::weld(w.x0), x1 = talus::weld(w.x1), quarter = w.wavelength / 4;
+    const double x0 = weld(w.x0), x1 = weld(w.x1), quarter = w.wavelength / 4;
     double x = x0;
     for (double k = std::floor((x0 - w.origin) / quarter); x < x1; ++k) {
       const double end = std::min(x1, w.origin + (k + 1) * quarter);

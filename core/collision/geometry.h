@@ -41,6 +41,7 @@ struct BasicRect {
   BasicVec2<Real> position() const { return {x, y}; }
   Real right() const { return x + w; }
   Real bottom() const { return y + h; }
+  BasicVec2<Real> center() const { return {x + w / 2, y + h / 2}; }
   friend bool operator==(const BasicRect&, const BasicRect&) = default;
 };
 using Rect = BasicRect<double>;

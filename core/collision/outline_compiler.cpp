@@ -10,8 +10,6 @@
 namespace talus {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 double left_of(int column) { return static_cast<double>(column) * kTileSide; }
 
 int tiles_of(const TileShape& shape) { return shape.kind == TileShape::Kind::solid ? 1 : shape.tiles; }
@@ -323,7 +321,8 @@ void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<doubl
 
 // Whether a body has more than a line right (or left) beside x.
 bool OutlineCompiler::is_thick(const Body& body, double x, bool to_the_right) {
-  double far = to_the_right ? kInfinity : -kInfinity;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double far = to_the_right ? infinity : -infinity;
   for (const std::vector<Line>* lines : {&body.top, &body.bottom}) {
     for (const Line& line : *lines) {
       if (to_the_right && line.x0 <= x && x < line.x1) far = std::min(far, line.x1);

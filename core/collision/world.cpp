@@ -320,8 +320,8 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
     Clip cut{0, 1, {}};
     if (!clip_line(box, from, d, cut)) continue;
     if (!((0 < cut.ti1 && cut.ti1 < 1) || (0 < cut.ti2 && cut.ti2 < 1))) continue;
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Clip line{-kInfinity, kInfinity, {}};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Clip line{-infinity, infinity, {}};
     clip_line(box, from, d, line);
     found->push_back({std::min(line.ti1, line.ti2),
                       w.items[slot].serial,

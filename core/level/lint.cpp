@@ -41,8 +41,6 @@ std::string with_article(TileRole role) {
   return (role == TileRole::up_slope ? "an " : "a ") + label;
 }
 
-int cell_of(double px) { return static_cast<int>(std::floor(px / kTileSize)); }
-
 class Linter {
  public:
   explicit Linter(const Level& level) : level_(level), tuning_(level.tuning.article) {

@@ -28,7 +28,6 @@ struct Line {
   bool is_straight_over(double x0, double x1) const { return from.y == to.y || (x0 >= from.x && x1 <= to.x); }
 };
 
-int cell_of(double px) { return static_cast<int>(std::floor(px / kTileSize)); }
 int cells_up_to(double px) { return static_cast<int>(std::ceil(px / kTileSize)); }
 
 // The height of a floor above its cell's bottom, at a distance from its left side; of good shapes only.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -12,6 +13,9 @@ inline constexpr int kTileCount = 256;  // images in a sheet
 inline constexpr int kSheetColumns = 16;
 inline constexpr int kColorCount = 16;
 inline constexpr int kFlagCount = 8;
+
+// The column or the row of the cell that holds a coordinate of px.
+inline int cell_of(double px) { return static_cast<int>(std::floor(px / kTileSize)); }
 
 struct Rgb {
   std::uint8_t r = 0, g = 0, b = 0;

@@ -6,11 +6,8 @@ namespace talus {
 namespace {
 
 constexpr OverlayId kId = OverlayId::answer;
-constexpr int kCurveLines = 24;           // drawn for a curve of the floor
-constexpr double kPathStep = 8;           // px between the points of a way along the floor
-constexpr double kPixelsPerVelocity = 4;  // px of arrow for each px/frame, as for the bodies' own velocities
-
-Vec2 center(const Rect& r) { return {r.x + r.w / 2, r.y + r.h / 2}; }
+constexpr int kCurveLines = 24;  // drawn for a curve of the floor
+constexpr double kPathStep = 8;  // px between the points of a way along the floor
 
 class AnswerDrawer {
  public:
@@ -60,7 +57,7 @@ class AnswerDrawer {
       if (check.measure == CaseCheck::Measure::reaches && check.x && !stands)
         draw_way(start_of(body), *check.x);
       if (check.measure == CaseCheck::Measure::velocity)
-        line(center(at), center(at) + Vec2{check.x.value_or(0), check.y.value_or(0)} * kPixelsPerVelocity,
+        line(at.center(), at.center() + Vec2{check.x.value_or(0), check.y.value_or(0)} * kPixelsPerVelocity,
              true);
     }
   }
@@ -74,7 +71,7 @@ class AnswerDrawer {
       any = any || check.x || check.right;
       if (next == at || !(check.x || check.right || check.y)) continue;
       out_.boxes.push_back({kId, next, true});
-      line(center(at), center(next), true);
+      line(at.center(), next.center(), true);
       at = next;
     }
     return any;
@@ -83,7 +80,7 @@ class AnswerDrawer {
   // The way of the body's centre along the floor, to where it should get.
   void draw_way(const Rect& start, double x) {
     const double step = x < start.x ? -kPathStep : kPathStep;
-    Vec2 from = center(start);
+    Vec2 from = start.center();
     for (double left = start.x + step; step > 0 ? left <= x : left >= x; left += step) {
       const auto top = hard_.floor.top(left, left + start.w);
       if (!top) continue;

@@ -12,13 +12,10 @@
 namespace talus {
 namespace {
 
-constexpr double kNormalLength = 8;       // px
-constexpr double kPixelsPerVelocity = 4;  // px of arrow for each px/frame
-constexpr double kBarHeight = 2;          // px
-constexpr double kBarGap = 2;             // px between the bar and the body below it
-constexpr double kFloorMargin = 4;        // px by which the floor line sticks out on both sides of the body
-
-Vec2 center(const Rect& r) { return {r.x + r.w / 2, r.y + r.h / 2}; }
+constexpr double kNormalLength = 8;  // px
+constexpr double kBarHeight = 2;     // px
+constexpr double kBarGap = 2;        // px between the bar and the body below it
+constexpr double kFloorMargin = 4;   // px by which the floor line sticks out on both sides of the body
 
 // The middle of what two intervals share; of the gap between them when they are apart.
 double shared_middle(double a_min, double a_max, double b_min, double b_max) {
@@ -108,7 +105,7 @@ class Drawer {
 
   void draw_velocity(const Body& body) {
     if (body.velocity == Vec2{}) return;
-    const Vec2 from = center(body.box), to = from + body.velocity * kPixelsPerVelocity;
+    const Vec2 from = body.box.center(), to = from + body.velocity * kPixelsPerVelocity;
     line(OverlayId::velocity, from, to, true);
     label(OverlayId::velocity, to, two_decimals(body.velocity.x) + ", " + two_decimals(body.velocity.y),
           body);
@@ -139,7 +136,7 @@ class Drawer {
 
   void draw_probe(const SlopeProbe& probe, const Body& body) {
     const Rect& b = body.box;
-    const double x = center(b).x;
+    const double x = b.center().x;
     if (overlays_.has(OverlayId::normals)) {
       const Vec2 floor{x, probe.floor_y};
       line(OverlayId::normals, floor, floor + probe.normal * kNormalLength, true);

@@ -11,6 +11,8 @@
 
 namespace talus {
 
+inline constexpr double kPixelsPerVelocity = 4;  // px of a velocity's arrow for each px/frame
+
 struct OverlayLine {
   OverlayId overlay;
   Vec2 from, to;
