@@ -135,14 +135,14 @@ class World::Checker {
   bool append_first(Vec2 from, Vec2 goal) {
     std::uint32_t first = Impl::kNoSlot;
     Response first_response{};
-    Contact first_contact{};
+    SweepContact first_contact{};
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
       const double da = square_distance(sweep.box, impl_.rects[a]);
       const double db = square_distance(sweep.box, impl_.rects[b]);
       return da != db ? da < db : impl_.items[a].serial < impl_.items[b].serial;
     };
-    const auto take = [&](std::uint32_t slot, Response response, const Contact& contact) {
+    const auto take = [&](std::uint32_t slot, Response response, const SweepContact& contact) {
       if (first == Impl::kNoSlot || contact.ti < first_contact.ti ||
           (contact.ti == first_contact.ti && before(slot, first))) {
         first = slot;
@@ -174,7 +174,7 @@ class World::Checker {
       const Sides difference = minkowski_difference(sweep.box, near.rect);
       if (misses(difference, sweep.d)) continue;
       if (seen_bits_ != 0 && impl_.items[near.slot].visited == impl_.depth) continue;
-      Contact contact;
+      SweepContact contact;
       if (!detect_faithful(sweep, difference, contact)) continue;
       if (range == near_cells_ || impl_.items[near.slot].cells.meets(range)) {
         found(near.slot, near.response, contact);
@@ -208,7 +208,7 @@ class World::Checker {
     ScratchPool<Collision>::Lease contacts(impl_.collisions);
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
     impl_.for_contacts(sweep, self_, reaction(),
-                       [&](std::uint32_t slot, Response response, const Contact& contact) {
+                       [&](std::uint32_t slot, Response response, const SweepContact& contact) {
                          contacts->push_back(impl_.collision(sweep, item_, slot, response, contact));
                        });
     impl_.sort_contacts(*contacts);

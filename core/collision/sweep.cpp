@@ -31,7 +31,7 @@ double nearest(double a, double b) { return std::abs(a) < std::abs(b) ? a : b; }
 
 double sign(double v) { return v > 0 ? 1 : v == 0 ? 0 : -1; }
 
-bool leave_overlap(const Sweep& sweep, const Sides& difference, Contact& contact) {
+bool leave_overlap(const Sweep& sweep, const Sides& difference, SweepContact& contact) {
   const Rect& box = sweep.box;
   Vec2 push{nearest(difference.left, difference.right), nearest(difference.top, difference.bottom)};
   contact.overlaps = true;
@@ -97,7 +97,7 @@ bool clip_line(const Sides& box, Vec2 from, Vec2 d, Clip& clip) {
          clip_side(d.y, box.bottom - from.y, {0, 1}, clip);
 }
 
-bool detect_faithful(const Sweep& sweep, const Sides& difference, Contact& contact) {
+bool detect_faithful(const Sweep& sweep, const Sides& difference, SweepContact& contact) {
   if (contains(difference, {})) return leave_overlap(sweep, difference, contact);
   Clip clip{-kInfinity, kInfinity, {}};
   if (!clip_line(difference, {}, sweep.d, clip)) return false;
@@ -109,7 +109,7 @@ bool detect_faithful(const Sweep& sweep, const Sides& difference, Contact& conta
   return true;
 }
 
-bool detect_robust(const Sweep& sweep, const Rect& other, Contact& contact) {
+bool detect_robust(const Sweep& sweep, const Rect& other, SweepContact& contact) {
   const Rect& box = sweep.box;
   const Axis x{box.x, box.w, other.x, other.w};
   const Axis y{box.y, box.h, other.y, other.h};

@@ -52,7 +52,7 @@ inline Rect swept_bounds(const Sweep& sweep) {
   return {left, top, right - left, bottom - top};
 }
 
-struct Contact {
+struct SweepContact {
   bool overlaps;
   double ti;
   Vec2 normal;
@@ -82,11 +82,11 @@ inline bool misses(const Sides& difference, Vec2 d) {
 }
 
 // bump's contact of a sweep whose Minkowski difference did not miss; false when there is none.
-bool detect_faithful(const Sweep& sweep, const Sides& difference, Contact& contact);
+bool detect_faithful(const Sweep& sweep, const Sides& difference, SweepContact& contact);
 
 // The contact with exact touch coordinates: flush boxes stay flush and an overlap is left by its shortest
 // way.
-bool detect_robust(const Sweep& sweep, const Rect& other, Contact& contact);
+bool detect_robust(const Sweep& sweep, const Rect& other, SweepContact& contact);
 
 // Squared distance of the centres, px².
 inline double square_distance(const Rect& a, const Rect& b) {

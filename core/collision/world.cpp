@@ -112,7 +112,7 @@ void World::Impl::place(std::uint32_t slot, const Rect& rect) {
 }
 
 Collision World::Impl::collision(const Sweep& sweep, ItemId item, std::uint32_t slot, Response response,
-                                 const Contact& contact) const {
+                                 const SweepContact& contact) const {
   Collision hit;
   hit.item = item;
   hit.other = id_of(slot);
@@ -191,7 +191,7 @@ void World::project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vecto
   const Sweep sweep(rect, goal);
   w.for_contacts(
       sweep, w.slot_of(item), [&](const CellEntry& entry) { return filter(item, entry.id()); },
-      [&](std::uint32_t slot, Response response, const Contact& contact) {
+      [&](std::uint32_t slot, Response response, const SweepContact& contact) {
         hits.push_back(w.collision(sweep, item, slot, response, contact));
       });
   w.sort_contacts(hits);

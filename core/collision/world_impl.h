@@ -133,7 +133,7 @@ struct World::Impl {
               [this](ItemId a, ItemId b) { return items[a.index - 1].serial < items[b.index - 1].serial; });
   }
   Collision collision(const Sweep& sweep, ItemId item, std::uint32_t slot, Response response,
-                      const Contact& contact) const;
+                      const SweepContact& contact) const;
 };
 
 // Candidates are picked without branches, by writing each and counting it or not: which ones count is as good
@@ -185,7 +185,7 @@ void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction 
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto [slot, response] = tested[i];
-      Contact contact;
+      SweepContact contact;
       if (mode == Mode::robust) {
         if (detect_robust(sweep, rects[slot], contact)) found(slot, response, contact);
         continue;

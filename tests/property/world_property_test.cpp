@@ -66,7 +66,7 @@ RC_GTEST_PROP(WorldProperty, EarlyRejectNeverHidesAContact, (std::uint64_t seed)
     const NearTouch y(random);
     const Sweep sweep({x.at, y.at, x.size, y.size}, {x.at + x.motion, y.at + y.motion});
     const Sides difference = minkowski_difference(sweep.box, {x.other, y.other, x.extent, y.extent});
-    Contact contact;
+    SweepContact contact;
     RC_ASSERT(!(misses(difference, sweep.d) && detect_faithful(sweep, difference, contact)));
   }
 }
@@ -87,7 +87,7 @@ RC_GTEST_PROP(WorldProperty, EarlyRejectHoldsForEveryScale, (std::uint64_t seed)
     Vec2 d;
     axis(sides.left, sides.right, d.x);
     axis(sides.top, sides.bottom, d.y);
-    Contact contact;
+    SweepContact contact;
     RC_ASSERT(!(misses(sides, d) && detect_faithful(Sweep({0, 0, 1, 1}, d), sides, contact)));
   }
 }
@@ -124,7 +124,7 @@ RC_GTEST_PROP(WorldProperty, GridFindsWhatLookingAtEveryItemFinds, (std::uint64_
       if (!cells_meet(from.x, size.x, other.x, other.w, cell)) continue;
       if (!cells_meet(from.y, size.y, other.y, other.h, cell)) continue;
       ++candidates;
-      Contact contact;
+      SweepContact contact;
       contacts += detect_faithful(sweep, minkowski_difference(box, other), contact);
     }
     std::size_t asked = 0;
