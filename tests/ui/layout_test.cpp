@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <set>
 
+#include "formats/format.h"
 #include "harness.h"
 #include "panels/commands.h"
+#include "panels/theme.h"
 #include "platform/picture.h"
 #include "platform/sdl_keys.h"
 
@@ -24,6 +26,12 @@ class UiLayout : public UiTest, public ::testing::WithParamInterface<WindowSize>
     for (const Widget& w : all) check_inside(w, what);
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = i + 1; j < all.size(); ++j) check_apart(all[i], all[j], what);
+  }
+
+  static Rgb color_at(const Picture& picture, ImVec2 at) {
+    const std::size_t pixel = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(picture.width) +
+                              static_cast<std::size_t>(at.x);
+    return {picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1], picture.rgba[4 * pixel + 2]};
   }
 
  private:
@@ -68,17 +76,36 @@ TEST_P(UiLayout, PictureShowsTheLevel) {
   ASSERT_TRUE(picture) << picture.error();
   EXPECT_EQ(picture->width, GetParam().width);
   EXPECT_EQ(picture->height, GetParam().height);
-  const auto color_at = [&](ImVec2 at) {
-    const auto* p =
-        &picture->rgba[(static_cast<std::size_t>(at.y) * static_cast<std::size_t>(picture->width) +
-                        static_cast<std::size_t>(at.x)) *
-                       4];
-    return Rgb{p[0], p[1], p[2]};
-  };
   const Rgb solid = level().palette[13], ball = level().palette[3];
-  EXPECT_EQ(color_at(on_canvas("play", {100, 132})), solid);
-  EXPECT_EQ(color_at(on_canvas("play", {44, 82})), ball);
-  EXPECT_EQ(color_at(on_sheet(1)), solid);
+  EXPECT_EQ(color_at(*picture, on_canvas("play", {100, 132})), solid);
+  EXPECT_EQ(color_at(*picture, on_canvas("play", {44, 82})), ball);
+  EXPECT_EQ(color_at(*picture, on_sheet(1)), solid);
+}
+
+TEST_P(UiLayout, CurvesAndPlayersAreDrawnWithoutOverlays) {
+  Level drawn = test_level();
+  drawn.tuning.solver = SolverKind::exact;
+  drawn.curves.push_back({"", {Segment{{60, 44}, {200, 44}}, Curve::Faces::up}, ""});
+  drawn.spawns.resize(1);
+  drawn.spawns[0].kind = BodyKind::player;
+  drawn.spawns[0].position = {80, 80};
+  const std::string file = path("drawn.talus.json");
+  ASSERT_TRUE(save_level(drawn, *format_for_file(file), file));
+  start(file, GetParam().width, GetParam().height);
+  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, false});
+  session().apply(action::SelectSpawn{0});
+  frames(3);
+  check_all("a chosen player");
+  const auto picture = draw_picture();
+  ASSERT_TRUE(picture) << picture.error();
+  const auto rgb = [](std::uint32_t c) {
+    return Rgb{static_cast<std::uint8_t>(c >> 16), static_cast<std::uint8_t>(c >> 8),
+               static_cast<std::uint8_t>(c)};
+  };
+  for (const char* canvas : {"map", "play"}) {
+    EXPECT_EQ(color_at(*picture, on_canvas(canvas, {101, 44})), rgb(theme::kText)) << canvas;
+    EXPECT_EQ(color_at(*picture, on_canvas(canvas, {84, 85})), rgb(theme::kAccent)) << canvas;
+  }
 }
 
 TEST_P(UiLayout, ArtIsAtAWholeZoom) {
