@@ -29,7 +29,7 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
   const bool open =
       ui.begin_combo("tuning/solver", std::string(solver_name(tuning.solver)), ui.px(120),
                      "Which solver moves the bodies: the article's own, with its defects; bump, "
-                     "with slopes as one more response; or exact.");
+                     "with slopes as one more response; or exact, the default.");
   if (!open) return;
   for (const SolverKind solver : solver_kinds()) {
     const std::string name(solver_name(solver));
