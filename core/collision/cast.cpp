@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "twofold.h"
+
 namespace talus {
 namespace {
 
@@ -32,7 +34,7 @@ class Caster {
       : terrain_(terrain),
         ignored_(ignored),
         box_(cast.box),
-        dx_(std::abs(cast.motion.x) < Real(1e-30) ? 0 : cast.motion.x),
+        dx_(moves_sideways(cast) ? cast.motion.x : 0),
         dy_(cast.motion.y),
         foot_(cast.foot),
         inverse_(dx_ == 0 ? 0 : 1 / dx_),
@@ -74,13 +76,7 @@ class Caster {
     c.piece = best_.piece;
     c.is_other = best_.is_other;
     c.on_end = best_.cap;
-    c.position = {best_.t == 0 ? box_.x : moved_x(box_, best_.t * dx_), box_.y + best_.t * dy_};
-    if (best_.facing == Facing::left || best_.facing == Facing::right) {
-      c.position.x = best_.limit;
-    } else {
-      c.position.x = std::clamp(c.position.x, best_.first_x, best_.last_x);
-      c.position.y = best_.cap || best_.piece == nullptr ? best_.limit : rest(*best_.piece, c.position.x);
-    }
+    c.position = position();
     c.normal =
         best_.mirrored ? BasicVec2<Real>{0, best_.facing == Facing::up ? Real(-1) : Real(1)} : normal(best_);
     return c;
@@ -95,9 +91,53 @@ class Caster {
     bool is_other = false;
     std::int32_t origin = 0;
     const Piece<Real>* piece = nullptr;
-    Real limit = 0;                // of a wall the box's x, of a flat piece its y
+    Real at = 0;                   // a wall's x, a flat piece's y
     Real first_x = 0, last_x = 0;  // of a floor or ceiling: where the box may be
+    bool is_level() const { return cap || piece == nullptr; }
   };
+
+  // Where the box is then: on what it hit, and along it exact to the rounding of the result, however flatly
+  // their ways cross.
+  BasicVec2<Real> position() const {
+    const bool is_wall = best_.facing == Facing::left || best_.facing == Facing::right;
+    const bool is_curve = best_.piece != nullptr && !best_.cap && best_.piece->stretch != 0;
+    const Twofold<Real> t = best_.t == 0 || is_curve ? Twofold<Real>(best_.t) : exact_time();
+    if (is_wall) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
+    const Real x = std::clamp(best_.t == 0 ? box_.x : exact_x(t * dx_), best_.first_x, best_.last_x);
+    return {x, best_.is_level() ? limit(best_.facing, best_.at) : rest(*best_.piece, x)};
+  }
+
+  // When the box meets the line, or the side, that it hit.
+  Twofold<Real> exact_time() const {
+    using Exact = Twofold<Real>;
+    switch (best_.facing) {
+      case Facing::left:
+        return (Exact(best_.at) - box_.w - box_.x) / dx_;
+      case Facing::right:
+        return (Exact(best_.at) - box_.x) / dx_;
+      case Facing::up:
+      case Facing::down:
+        break;
+    }
+    const Real lift = best_.facing == Facing::up ? box_.h : 0;
+    if (best_.is_level()) return (Exact(best_.at) - lift - box_.y) / dy_;
+    const Piece<Real>& piece = *best_.piece;
+    const Real offset = foot_offset(piece, box_.w, foot_);
+    const BasicVec2<Real> base = piece.base_near(box_.x + best_.t * dx_ + offset);
+    const Exact x = Exact(box_.x) + offset - base.x;
+    return (x * piece.slope + base.y - lift - box_.y) / (Exact(dy_) - Exact(piece.slope) * dx_);
+  }
+
+  // As moved_x, rounded once.
+  Real exact_x(Twofold<Real> dx) const {
+    const Twofold<Real> left = box_.x + dx, right = left + box_.w;
+    return std::abs(right.rounded()) > std::abs(left.rounded()) ? right.rounded() - box_.w : left.rounded();
+  }
+
+  // Where the box's left side, or its top, is when it touches.
+  Real limit(Facing facing, Real at) const {
+    return facing == Facing::left ? at - box_.w : facing == Facing::up ? at - box_.h : at;
+  }
 
   // The stretch of a floor or ceiling in terms of the box's left side.
   struct Reach {
@@ -130,133 +170,162 @@ class Caster {
 
   // ---- Which cells ----
 
-  // Of a coordinate within the limits of an int, rounded down.
-  static int cell_of(Real at) {
-    const Real cells = at * (Real(1) / kTileSide);
-    const int towards_zero = static_cast<int>(cells);
-    return towards_zero - (cells < Real(towards_zero) ? 1 : 0);
+  // The bits from the first to the last, of which those outside of a word are left out.
+  static std::uint64_t bits(int first, int last) {
+    if (last < 0 || first > 63) return 0;
+    return (~std::uint64_t{0} >> (63 - std::min(last, 63))) & (~std::uint64_t{0} << std::max(first, 0));
   }
 
+  // Of a coordinate within the limits of an int; 0 for what is before the first cell.
+  static int cell_of(Real at) { return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide)); }
+
+  // Cells from the first to the last.
+  struct Range {
+    int first, last;
+    bool contains(int i) const { return first <= i && i <= last; }
+  };
+  static Range between(Real first, Real last, int count) {
+    return {cell_of(first), std::min(cell_of(last), count - 1)};
+  }
+
+  // A box meets the ground with its leading sides alone, or with the centre of its bottom.
   void slice(Real from, Real to) {
     const Real x0 = box_.x + from * dx_, x1 = box_.x + to * dx_;
     const Real y0 = box_.y + from * dy_, y1 = box_.y + to * dy_;
-    const int first = std::max(cell_of(std::min(x0, x1) - slack_), 0);
-    const int last = std::min(cell_of(std::max(x0, x1) + box_.w + slack_), terrain_.width() - 1);
-    const int top = std::max(cell_of(std::min(y0, y1) - slack_), 0);
-    const int bottom = std::min(cell_of(std::max(y0, y1) + box_.h + slack_), terrain_.height() - 1);
-    for (int column = first; column <= last; column += kMostColumns) {
-      rows(column, std::min(last - column + 1, kMostColumns), top, bottom);
-    }
+    const Real left = std::min(x0, x1) - slack_, right = std::max(x0, x1) + slack_;
+    const Real top = std::min(y0, y1) - slack_, bottom = std::max(y0, y1) + slack_;
+    const Real lead_y = dy_ < 0 ? 0 : box_.h, lead_x = dx_ > 0 ? box_.w : 0;
+    const Range columns = between(left, right + box_.w, terrain_.width());
+    const Range lead_rows = between(top + lead_y, bottom + lead_y, terrain_.height());
+    if (dx_ == 0) return cells<true>(columns, columns, lead_rows, lead_rows);
+    const Range lead_columns =
+        foot_ == Foot::centre ? columns : between(left + lead_x, right + lead_x, terrain_.width());
+    cells<false>(columns, lead_columns, between(top, bottom + box_.h, terrain_.height()), lead_rows);
   }
 
-  // Bit i of a word is the cell left of the first one by 1 - i, so that both neighbours are in the word.
-  void rows(int first, int count, int top, int bottom) {
+  // The cells of `rows`: of the leading ones in all columns, of the others in the leading columns.
+  template <bool kVertical>
+  void cells(Range columns, Range lead_columns, Range rows, Range lead_rows) {
     using Terrain = BasicTerrain<Real>;
-    if (Terrain::OneChunk::covers(first - 1, count + 2, top - 1, bottom + 1)) {
-      const typename Terrain::OneChunk words(terrain_, first - 1, top);
-      if (words) rows_in(words, first, count, top, bottom);
-    } else {
-      rows_in(typename Terrain::Window(terrain_, first - 1, count + 2), first, count, top, bottom);
+    for (int first = columns.first; first <= columns.last; first += kMostColumns) {
+      // Bit i of a word is the cell left of the first one by 1 - i, so that both neighbours are in the word.
+      const int count = std::min(columns.last - first + 1, kMostColumns);
+      const std::uint64_t all = ((std::uint64_t{1} << count) - 1) << 1;
+      std::uint64_t lead = all;
+      if constexpr (!kVertical) lead &= bits(lead_columns.first - first + 1, lead_columns.last - first + 1);
+      const auto wanted = [=](int row) { return kVertical || lead_rows.contains(row) ? all : lead; };
+      if (Terrain::OneChunk::covers(first - 1, count + 2, rows.first - 1, rows.last + 1)) {
+        const typename Terrain::OneChunk words(terrain_, first - 1, rows.first);
+        if (words) cells_in<kVertical>(words, first - 1, rows, wanted);
+      } else {
+        cells_in<kVertical>(typename Terrain::Window(terrain_, first - 1, count + 2), first - 1, rows,
+                            wanted);
+      }
     }
   }
 
-  template <class Words>
-  void rows_in(Words words, int first, int count, int top, int bottom) {
-    const std::uint64_t wanted = ((std::uint64_t{1} << count) - 1) << 1;
-    for (int row = top; row <= bottom; ++row) {
-      const std::uint64_t here = words.solid(row);
-      std::uint64_t detailed = 0;
+  // column: of bit 0. wanted(row): the bits of the cells to look at.
+  template <bool kVertical, class Words, class Wanted>
+  void cells_in(Words words, int column, Range rows, Wanted wanted) {
+    const bool up = dy_ > 0, right = dx_ > 0;
+    const Facing floor = up ? Facing::up : Facing::down, side = right ? Facing::left : Facing::right;
+    for (int row = rows.first; row <= rows.last; ++row) {
+      const auto here = words.row(row);
+      const std::uint64_t cells = wanted(row);
       if constexpr (Parts != kTiles) {
-        detailed = words.detailed(row);
-        for (std::uint64_t bits = detailed & wanted; bits != 0; bits &= bits - 1) {
-          for (const Piece<Real>& piece : words.pieces(std::countr_zero(bits), row)) {
-            against_piece(piece);
-          }
+        std::uint64_t pieces = here.faced(floor);
+        if constexpr (!kVertical) pieces |= here.faced(up ? Facing::down : Facing::up) | here.faced(side);
+        for (pieces &= cells; pieces != 0; pieces &= pieces - 1) {
+          for (const Piece<Real>& piece : words.pieces(std::countr_zero(pieces), row)) against_piece(piece);
         }
       }
-      if (const std::uint64_t plain = here & ~detailed & wanted; plain != 0) {
-        const std::uint64_t above = dy_ > 0 || dx_ != 0 ? words.solid(row - 1) : 0;
-        const std::uint64_t below = dy_ < 0 || dx_ != 0 ? words.solid(row + 1) : 0;
-        tiles(first - 1, row, plain, above, here, below, detailed);
+      const std::uint64_t open = dy_ == 0 ? 0 : here.open(floor) & cells;
+      if (open != 0) surface(up, column, row, open, here);
+      if constexpr (!kVertical) {
+        const std::uint64_t open_sides = here.open(side) & cells;
+        if (open_sides != 0) walls(side, column, row, open_sides, words);
       }
     }
   }
 
   // ---- Full tiles ----
 
-  void tiles(int column, int row, std::uint64_t plain, std::uint64_t above, std::uint64_t here,
-             std::uint64_t below, std::uint64_t detailed) {
-    const Real top = Real(row) * kTileSide, bottom = top + kTileSide;
-    if (dy_ > 0) surface(true, column, row, top, plain & ~above, here, detailed);
-    if (dy_ < 0) surface(false, column, row, bottom, plain & ~below, here, detailed);
-    if (dx_ == 0) return;
-    for (std::uint64_t walls = plain & ~(dx_ > 0 ? here << 1 : here >> 1); walls != 0; walls &= walls - 1) {
-      const int i = std::countr_zero(walls);
-      const Real left = Real(column + i) * kTileSide;
+  template <class Words>
+  void walls(Facing facing, int column, int row, std::uint64_t open, Words& words) {
+    const Real top = Real(row) * kTileSide;
+    const std::uint64_t above = words.row(row - 1).solid(), below = words.row(row + 1).solid();
+    for (; open != 0; open &= open - 1) {
+      const int i = std::countr_zero(open);
       origin_ = row * terrain_.width() + column + i;
-      wall(dx_ > 0 ? Facing::left : Facing::right, dx_ > 0 ? left : left + kTileSide, top, bottom,
+      wall(facing, Real(column + i + (facing == Facing::left ? 0 : 1)) * kTileSide, top, top + kTileSide,
            (above >> i & 1) == 0, (below >> i & 1) == 0);
     }
   }
 
   // Tiles side by side with an open top, or bottom, are one.
-  void surface(bool up, int column, int row, Real y, std::uint64_t open, std::uint64_t here,
-               std::uint64_t detailed) {
+  template <class Row>
+  void surface(bool up, int column, int row, std::uint64_t open, Row here) {
+    const Real y = Real(up ? row : row + 1) * kTileSide;
     while (open != 0) {
       const int first = std::countr_zero(open);
       const int length = std::countr_one(open >> first);
       open &= ~(((std::uint64_t{1} << length) - 1) << first);
       Real x0 = Real(column + first) * kTileSide, x1 = Real(column + first + length) * kTileSide;
-      const bool open0 = (here >> (first - 1) & 1) == 0, open1 = (here >> (first + length) & 1) == 0;
+      const bool open0 = (here.solid() >> (first - 1) & 1) == 0;
+      const bool open1 = (here.solid() >> (first + length) & 1) == 0;
       if (foot_ == Foot::centre && up) {
         // Where slopes may go on, the centre alone counts; over a ledge the whole bottom does.
-        if ((here & detailed) >> (first - 1) & 1) x0 += box_.w / 2;
-        if ((here & detailed) >> (first + length) & 1) x1 -= box_.w / 2;
+        const std::uint64_t sloped = here.solid() & here.detailed();
+        if (sloped >> (first - 1) & 1) x0 += box_.w / 2;
+        if (sloped >> (first + length) & 1) x1 -= box_.w / 2;
       }
       origin_ = row * terrain_.width() + column + first;
       flat(up, y, x0, x1, open0, open1);
     }
   }
 
-  void flat(bool up, Real y, Real x0, Real x1, bool open0, bool open1) {
-    const Real limit = up ? y - box_.h : y, first = x0 - box_.w;
+  void flat(bool up, Real y, Real x0, Real x1, bool open0, bool open1, const Piece<Real>* piece = nullptr) {
+    const Facing facing = up ? Facing::up : Facing::down;
+    const Real limit = this->limit(facing, y), first = x0 - box_.w;
     // Most are out of reach, or met well between their ends.
     const Real gap = up ? limit - box_.y : box_.y - limit, closing = up ? dy_ : -dy_;
     if (gap > closing || gap < -slack_) return;
     const Real t = gap <= 0 ? 0 : gap / closing, x = box_.x + t * dx_;
     if (std::min(box_.x, x) > first + slack_ && std::max(box_.x, x) < x1 - slack_) {
-      offer(
-          {.t = t, .facing = up ? Facing::up : Facing::down, .limit = limit, .first_x = first, .last_x = x1});
+      offer_flat(t, {first, x1, limit, limit, open0, open1}, up, y, piece);
     } else {
-      flat({first, x1, limit, limit, open0, open1}, up, nullptr);
+      flat({first, x1, limit, limit, open0, open1}, up, y, piece);
     }
   }
 
-  void flat(const Reach& reach, bool up, const Piece<Real>* piece) {
+  void flat(const Reach& reach, bool up, Real y, const Piece<Real>* piece) {
     const Real closing = up ? dy_ : -dy_;
     if (!(closing > 0)) return;
     const auto window = window_of(reach, up, [&](Real) { return reach.first_y; });
     Real t;
-    if (!straight_time(window, closing, t)) return;
+    if (straight_time(window, closing, t)) offer_flat(t, reach, up, y, piece);
+  }
+
+  void offer_flat(Real t, const Reach& reach, bool up, Real y, const Piece<Real>* piece) {
     offer({.t = t,
            .facing = up ? Facing::up : Facing::down,
            .cap = piece != nullptr,
            .piece = piece,
-           .limit = reach.first_y,
+           .at = y,
            .first_x = reach.first,
            .last_x = reach.last});
   }
 
   void wall(Facing facing, Real at, Real y0, Real y1, bool open0, bool open1,
             const Piece<Real>* piece = nullptr) {
-    const Real limit = facing == Facing::left ? at - box_.w : at;
+    const Real limit = this->limit(facing, at);
     const Real gap = facing == Facing::left ? limit - box_.x : box_.x - limit;
     if (gap < -slack_) return;
     const Real t = std::max<Real>(gap, 0) * std::abs(inverse_);
     if (t > 1 || t > best_.t) return;
     const Real y = box_.y + t * dy_;
     if (!(y + box_.h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
-    offer({.t = t, .facing = facing, .piece = piece, .limit = limit});
+    offer({.t = t, .facing = facing, .piece = piece, .at = at});
   }
 
   // ---- Pieces ----
@@ -275,9 +344,9 @@ class Caster {
     const bool centre = up && foot_ == Foot::centre;
     const Real lift = up ? box_.h : 0;
     if (level && !centre) {
-      const Real limit = piece.y0 - lift;
-      return flat({piece.x0 - box_.w, piece.x1, limit, limit, piece.is_open0(), piece.is_open1()}, up,
-                  &piece);
+      if (up ? dy_ > 0 : dy_ < 0)
+        flat(up, piece.y0, piece.x0, piece.x1, piece.is_open0(), piece.is_open1(), &piece);
+      return;
     }
     const Real offset = foot_offset(piece, box_.w, foot_);
     const Reach reach = {piece.x0 - offset,
@@ -299,18 +368,22 @@ class Caster {
     const Real half = box_.w / 2;
     if (up && foot_ == Foot::centre) {
       if (piece.last0)
-        flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up, &piece);
+        flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up,
+             piece.y0, &piece);
       if (piece.last1)
-        flat({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, &piece);
+        flat({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece.y1,
+             &piece);
       return;
     }
     // Beyond a crest the ground goes on, and beside it, unlike beside a ledge, nothing may slip through.
     if (piece.rises_to_the_right() == up) {
       if (piece.convex1)
-        flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up, &piece);
+        flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up,
+             piece.y1, &piece);
     } else {
       if (piece.convex0)
-        flat({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, false}, up, &piece);
+        flat({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, false}, up,
+             piece.y0, &piece);
     }
   }
 
@@ -507,6 +580,7 @@ class Caster {
 
   void offer(Hit hit) {
     if (!(hit.t <= best_.t)) return;
+    if (hit.t == best_.t && hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
     hit.origin = origin_;
     hit.is_other = is_other_;
     if (hit.t < best_.t) {

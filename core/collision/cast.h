@@ -37,15 +37,20 @@ struct Cast {
   Foot foot = Foot::box;   // what of the box stands on floors: the whole bottom, or its centre alone
 };
 
+// Whether the motion is large enough to move the box at all; a smaller one counts as none.
+template <class Real>
+bool moves_sideways(const Cast<Real>& cast) {
+  return moved_x(cast.box, cast.motion.x) != cast.box.x;
+}
+
 // A few units in the last place of the coordinates involved: what rounding may have put a box into the
-// ground.
-// Alike for mirror images.
+// ground. Alike for mirror images, and for all motions of up to two cells.
 template <class Real>
 Real rounding_slack(const Cast<Real>& cast) {
   const BasicRect<Real>& b = cast.box;
   const Real half_w = b.w / 2, half_h = b.h / 2;
   const Real reach = (std::abs(b.x + half_w) + half_w) + (std::abs(b.y + half_h) + half_h) +
-                     (std::abs(cast.motion.x) + std::abs(cast.motion.y));
+                     std::max(std::abs(cast.motion.x) + std::abs(cast.motion.y), Real(2 * kTileSide));
   return reach * (8 * std::numeric_limits<Real>::epsilon());
 }
 

@@ -34,7 +34,7 @@ bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
     const int count = std::min(block.right - column + 1, 64);
     typename BasicTerrain<Real>::Window window(ground, column, count);
     for (int row = block.top; row <= block.bottom; ++row) {
-      if ((window.solid(row) & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
+      if ((window.row(row).solid() & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
     }
   }
   return false;

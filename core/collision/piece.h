@@ -95,12 +95,17 @@ struct Piece {
     return std::clamp(y, std::min(y0, y1), std::max(y0, y1));
   }
 
-  // A free line is whole, and reckoned from its nearer end, which halves the rounding.
-  Real line_at(Real x) const {
+  // The point from which the line's height at x is reckoned. A free line is whole, and has that of its nearer
+  // end, which halves the rounding.
+  BasicVec2<Real> base_near(Real x) const {
     const bool is_base0 = base_x == x0;
     const Real other_x = is_base0 ? x1 : x0;
-    if (origin >= 0 || std::abs(x - base_x) <= std::abs(x - other_x)) return base_y + (x - base_x) * slope;
-    return (is_base0 ? y1 : y0) + (x - other_x) * slope;
+    if (origin >= 0 || std::abs(x - base_x) <= std::abs(x - other_x)) return {base_x, base_y};
+    return {other_x, is_base0 ? y1 : y0};
+  }
+  Real line_at(Real x) const {
+    const BasicVec2<Real> base = base_near(x);
+    return base.y + (x - base.x) * slope;
   }
 };
 

@@ -93,7 +93,7 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
           used = used || tile != 0;
           chunk->tiles[index_in_chunk(c)] = tile;
           if (!is_full(parts_->shapes[tile])) continue;
-          chunk->solid[c.y % kSide] |= std::uint64_t{1} << c.x % kSide;
+          chunk->rows[c.y % kSide].solid |= std::uint64_t{1} << c.x % kSide;
           used = true;
         }
       }
@@ -130,7 +130,7 @@ void BasicTerrain<Real>::set_cell(Cell cell, std::uint8_t tile) {
   auto chunk = writable_chunk(cell);
   chunk->tiles[index_in_chunk(cell)] = tile;
   const std::uint64_t bit = std::uint64_t{1} << cell.x % kSide;
-  std::uint64_t& word = chunk->solid[cell.y % kSide];
+  std::uint64_t& word = chunk->rows[cell.y % kSide].solid;
   word = is_full(parts_->shapes[tile]) ? word | bit : word & ~bit;
   chunks_[chunk_index(cell)] = std::move(chunk);
   compile(compiler().reach_of(cell));
@@ -157,9 +157,7 @@ void BasicTerrain<Real>::compile(std::array<Cell, 2> area) {
                     outlines);
     }
   }
-  features_.pieces = std::any_of(chunks_.begin(), chunks_.end(), [](const auto& chunk) {
-    return chunk != nullptr && !chunk->pieces.empty();
-  });
+  features_.pieces = pieces_ != 0;
 }
 
 // Which cells of an area within one chunk have an outline that bits cannot tell.
@@ -205,46 +203,103 @@ std::span<const typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cu
 
 template <class Real>
 void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, OutlineCompiler& compiler) {
+  const auto& old = chunks_[chunk_index(corner)];
   const Words details = details_in(area, compiler);
-  const Chunk* old = chunks_[chunk_index(corner)].get();
-  const auto inside = [&](Cell c) {
-    return c.x >= area[0].x && c.x <= area[1].x && c.y >= area[0].y && c.y <= area[1].y;
-  };
-  bool changes = std::any_of(details.begin(), details.end(), [](std::uint64_t word) { return word != 0; });
   const std::uint64_t columns = columns_mask(area[0].x % kSide, area[1].x % kSide);
-  for (int y = area[0].y; old != nullptr && y <= area[1].y; ++y) {
-    changes = changes || (old->detailed[y % kSide] & columns) != 0;
+  std::array<TerrainRow, kSide> rows = old == nullptr ? std::array<TerrainRow, kSide>{} : old->rows;
+  std::uint64_t has_pieces = 0;  // by row
+  for (int y = area[0].y; y <= area[1].y; ++y) {
+    TerrainRow& row = rows[y % kSide];
+    if (((row.detailed & columns) | details[y % kSide]) != 0) has_pieces |= std::uint64_t{1} << y % kSide;
+    row.detailed = (row.detailed & ~columns) | details[y % kSide];
+    row.open = open_sides(row, {corner.x, y});
   }
-  if (!changes) return;
+  if (has_pieces == 0 && rows == (old == nullptr ? std::array<TerrainRow, kSide>{} : old->rows)) return;
 
   auto chunk = writable_chunk(corner);
-  chunk->first = {0};
-  chunk->pieces.clear();
-  std::vector<Piece<double>> exact;
-  std::vector<std::uint32_t> curves;
-  for (int row = 0; row < kSide; ++row) {
-    const Cell begin{corner.x, corner.y + row};
-    if (begin.y >= area[0].y && begin.y <= area[1].y) {
-      chunk->detailed[row] = (chunk->detailed[row] & ~columns) | details[row];
-    }
-    for (std::uint64_t word = chunk->detailed[row]; word != 0; word &= word - 1) {
-      const Cell cell{begin.x + std::countr_zero(word), begin.y};
-      if (inside(cell)) {
-        exact.clear();
-        curves.clear();
-        for (const CurveInCell& c : curves_between(cell, cell)) curves.push_back(c.piece);
-        compiler.compile(cell, curves, exact);
-        for (const Piece<double>& piece : exact) chunk->pieces.push_back(narrow<Real>(piece));
-      } else {
-        const std::span<const Piece<Real>> kept = pieces_of(*old, cell);
-        chunk->pieces.insert(chunk->pieces.end(), kept.begin(), kept.end());
-      }
-      if (chunk->number.empty()) chunk->number.resize(chunk->tiles.size());
-      chunk->number[index_in_chunk(cell)] = static_cast<std::uint16_t>(chunk->first.size() - 1);
-      chunk->first.push_back(static_cast<std::uint32_t>(chunk->pieces.size()));
-    }
+  chunk->rows = rows;
+  constexpr std::uint64_t kBand = (std::uint64_t{1} << kBandRows) - 1;
+  for (int band = 0; band < kSide / kBandRows; ++band) {
+    if ((has_pieces >> band * kBandRows & kBand) != 0) compile_band(*chunk, corner, band, area, compiler);
   }
   chunks_[chunk_index(corner)] = std::move(chunk);
+}
+
+// The pieces of a band: those in the area anew, the others as they were.
+template <class Real>
+void BasicTerrain<Real>::compile_band(Chunk& chunk, Cell corner, int band, std::array<Cell, 2> area,
+                                      OutlineCompiler& compiler) {
+  const std::shared_ptr<const Band> old = chunk.bands[band];
+  auto fresh = std::make_shared<Band>();
+  std::vector<Piece<double>> exact;
+  std::vector<std::uint32_t> curves;
+  const int begin = band * kBandRows;
+  for (int i = 0; i < kBandRows * kSide; ++i) {
+    const Cell in_chunk{i % kSide, begin + i / kSide};
+    const Cell cell{corner.x + in_chunk.x, corner.y + in_chunk.y};
+    const std::uint64_t bit = std::uint64_t{1} << in_chunk.x;
+    TerrainRow& row = chunk.rows[in_chunk.y];
+    if (in_chunk.x == 0) row.faced = {};
+    const bool inside =
+        cell.x >= area[0].x && cell.x <= area[1].x && cell.y >= area[0].y && cell.y <= area[1].y;
+    if (!inside) {
+      const std::span<const Piece<Real>> kept = chunk.pieces_in(in_chunk.x, in_chunk.y);
+      fresh->pieces.insert(fresh->pieces.end(), kept.begin(), kept.end());
+    } else if ((row.detailed & bit) != 0) {
+      exact.clear();
+      curves.clear();
+      for (const CurveInCell& c : curves_between(cell, cell)) curves.push_back(c.piece);
+      compiler.compile(cell, curves, exact);
+      for (const Piece<double>& piece : exact) fresh->pieces.push_back(narrow<Real>(piece));
+    }
+    for (std::size_t n = fresh->first[i]; n < fresh->pieces.size(); ++n) {
+      row.faced[static_cast<int>(fresh->pieces[n].facing)] |= bit;
+    }
+    fresh->first[i + 1] = static_cast<std::uint32_t>(fresh->pieces.size());
+  }
+  pieces_ += fresh->pieces.size() - (old == nullptr ? 0 : old->pieces.size());
+  chunk.bands[band] = std::move(fresh);
+}
+
+// By Facing, the full tiles of a row that are open there. begin: the row's first cell.
+template <class Real>
+std::array<std::uint64_t, 4> BasicTerrain<Real>::open_sides(const TerrainRow& row, Cell begin) const {
+  const int column = begin.x / kSide;
+  const std::uint64_t plain = row.solid & ~row.detailed;
+  const std::uint64_t left = row.solid << 1 | solid_word(column - 1, begin.y) >> (kSide - 1);
+  const std::uint64_t right = row.solid >> 1 | solid_word(column + 1, begin.y) << (kSide - 1);
+  std::array<std::uint64_t, 4> open;
+  open[static_cast<int>(Facing::up)] = plain & ~solid_word(column, begin.y - 1);
+  open[static_cast<int>(Facing::down)] = plain & ~solid_word(column, begin.y + 1);
+  open[static_cast<int>(Facing::left)] = plain & ~left;
+  open[static_cast<int>(Facing::right)] = plain & ~right;
+  return open;
+}
+
+// 0 outside.
+template <class Real>
+std::uint64_t BasicTerrain<Real>::solid_word(int chunk_column, int row) const {
+  const Chunk* chunk = chunk_at(chunk_column, row >> 6);
+  return chunk == nullptr ? 0 : chunk->rows[row & 63].solid;
+}
+
+template <class Real>
+typename BasicTerrain<Real>::RowWindow BasicTerrain<Real>::Window::row(int row) {
+  const Chunk* left = terrain_.chunk_at(chunk_column_, row >> 6);
+  const Chunk* right = is_split_ ? terrain_.chunk_at(chunk_column_ + 1, row >> 6) : nullptr;
+  if (right == nullptr) return left == nullptr ? RowWindow() : RowWindow(left->rows[row & 63], shift_);
+  const TerrainRow& a = left == nullptr ? kEmptyRow : left->rows[row & 63];
+  const TerrainRow& b = right->rows[row & 63];
+  const auto join = [this](std::uint64_t first, std::uint64_t next) {
+    return first >> shift_ | next << (kChunkSide - shift_);  // split: shift_ > 0
+  };
+  joined_.solid = join(a.solid, b.solid);
+  joined_.detailed = join(a.detailed, b.detailed);
+  for (std::size_t f = 0; f < a.open.size(); ++f) {
+    joined_.open[f] = join(a.open[f], b.open[f]);
+    joined_.faced[f] = join(a.faced[f], b.faced[f]);
+  }
+  return {joined_, 0};
 }
 
 template <class Real>
@@ -254,16 +309,11 @@ std::shared_ptr<typename BasicTerrain<Real>::Chunk> BasicTerrain<Real>::writable
 }
 
 template <class Real>
-std::span<const Piece<Real>> BasicTerrain<Real>::pieces_of(const Chunk& chunk, Cell cell) {
-  if ((chunk.detailed[cell.y % kSide] >> cell.x % kSide & 1) == 0) return {};
-  return chunk.pieces_of(static_cast<std::size_t>(index_in_chunk(cell)));
-}
-
-template <class Real>
 std::span<const Piece<Real>> BasicTerrain<Real>::pieces_in(Cell cell) const {
   if (!contains(cell)) return {};
   const Chunk* chunk = chunks_[chunk_index(cell)].get();
-  return chunk == nullptr ? std::span<const Piece<Real>>{} : pieces_of(*chunk, cell);
+  if (chunk == nullptr) return {};
+  return chunk->pieces_in(cell.x % kSide, cell.y % kSide);
 }
 
 template <class Real>

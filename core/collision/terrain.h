@@ -34,25 +34,41 @@ struct TerrainFeatures {
   friend bool operator==(const TerrainFeatures&, const TerrainFeatures&) = default;
 };
 
+// A row of a terrain's chunk: bit x of a word is the cell in column x.
+struct TerrainRow {
+  std::uint64_t solid = 0;     // a full solid tile
+  std::uint64_t detailed = 0;  // its outline is in pieces
+  // By Facing: a full tile that is not detailed and has no full tile on that side.
+  std::array<std::uint64_t, 4> open{};
+  // By Facing: a detailed cell with a piece that faces so.
+  std::array<std::uint64_t, 4> faced{};
+  friend bool operator==(const TerrainRow&, const TerrainRow&) = default;
+};
+inline constexpr TerrainRow kEmptyRow;
+
 // A terrain is a value: a copy shares the chunks that are equal, and takes time by the number of chunks.
 template <class Real>
 class BasicTerrain {
  public:
-  static constexpr int kChunkSide = 64;                 // cells
-  using Words = std::array<std::uint64_t, kChunkSide>;  // by row of a chunk: bit x is the cell in column x
+  static constexpr int kChunkSide = 64;  // cells
+  static constexpr int kBandRows = 8;    // of a chunk
 
+  // The pieces of some rows of a chunk. Bands are shared by the copies of a chunk that differ elsewhere.
+  struct Band {
+    std::array<std::uint32_t, kBandRows * kChunkSide + 1> first{};  // by cell, row by row; and the end
+    std::vector<Piece<Real>> pieces;
+  };
   struct Chunk {
     std::array<std::uint8_t, kChunkSide * kChunkSide> tiles{};
-    Words solid{};                        // the cell is a full solid tile
-    Words detailed{};                     // the cell's outline is in `pieces`, not in `solid`
-    std::vector<std::uint16_t> number;    // by cell: which of the detailed cells it is; empty: none is
-    std::vector<std::uint32_t> first{0};  // by detailed cell: where its pieces begin; and the end
-    std::vector<Piece<Real>> pieces;
+    std::array<TerrainRow, kChunkSide> rows{};
+    std::array<std::shared_ptr<const Band>, kChunkSide / kBandRows> bands;  // null: no pieces
 
-    // cell: the index, row by row, of a detailed one.
-    std::span<const Piece<Real>> pieces_of(std::size_t cell) const {
-      const std::size_t i = number[cell];
-      return {pieces.data() + first[i], pieces.data() + first[i + 1]};
+    // x, y: in the chunk.
+    std::span<const Piece<Real>> pieces_in(int x, int y) const {
+      const Band* band = bands[y / kBandRows].get();
+      if (band == nullptr) return {};
+      const auto first = band->first.begin() + (y % kBandRows * kChunkSide + x);
+      return {band->pieces.data() + first[0], band->pieces.data() + first[1]};
     }
   };
 
@@ -69,8 +85,23 @@ class BasicTerrain {
   std::uint8_t tile_at(Cell cell) const;  // 0 outside
   const TileShape& shape_at(Cell cell) const { return parts_->shapes[tile_at(cell)]; }
 
-  // Reads words of a few columns, row by row. Bit i tells of the cell (column + i, row); it is 0 outside of
-  // the terrain. Of the cells beyond `count` nothing is said.
+  // What is in a few columns of a row. Bit i tells of the cell in the window's column + i; it is 0 outside of
+  // the terrain.
+  class RowWindow {
+   public:
+    RowWindow() = default;
+    RowWindow(const TerrainRow& row, int shift) : row_(&row), shift_(shift) {}
+    std::uint64_t solid() const { return row_->solid >> shift_; }
+    std::uint64_t detailed() const { return row_->detailed >> shift_; }
+    std::uint64_t open(Facing f) const { return row_->open[static_cast<int>(f)] >> shift_; }
+    std::uint64_t faced(Facing f) const { return row_->faced[static_cast<int>(f)] >> shift_; }
+
+   private:
+    const TerrainRow* row_ = &kEmptyRow;
+    int shift_ = 0;
+  };
+
+  // Reads a few columns, row by row. Of the cells beyond `count` nothing is said.
   class Window {
    public:
     // column: any; count: 1..64. The terrain must stay as it is.
@@ -79,32 +110,17 @@ class BasicTerrain {
           chunk_column_(column >> 6),  // rounds down for negative columns too
           shift_(column & 63),
           is_split_(shift_ + count > kChunkSide) {}
-    std::uint64_t solid(int row) { return word(row, &Chunk::solid); }
-    std::uint64_t detailed(int row) { return word(row, &Chunk::detailed); }
+    // Good until the next call.
+    RowWindow row(int row);
     std::span<const Piece<Real>> pieces(int bit, int row) const {
       return terrain_.pieces_in({chunk_column_ * kChunkSide + shift_ + bit, row});
     }
 
    private:
-    std::uint64_t word(int row, Words Chunk::*words) {
-      if (row < 0 || row >= terrain_.height_) return 0;
-      if (row >> 6 != chunk_row_) enter(row >> 6);
-      std::uint64_t bits = left_ == nullptr ? 0 : (left_->*words)[row & 63] >> shift_;
-      if (right_ != nullptr) bits |= (right_->*words)[row & 63] << (kChunkSide - shift_);
-      return bits;
-    }
-    void enter(int chunk_row) {
-      chunk_row_ = chunk_row;
-      left_ = terrain_.chunk_at(chunk_column_, chunk_row);
-      right_ = is_split_ ? terrain_.chunk_at(chunk_column_ + 1, chunk_row) : nullptr;
-    }
-
     const BasicTerrain& terrain_;
     const int chunk_column_, shift_;
     const bool is_split_;
-    int chunk_row_ = -1;
-    const Chunk* left_ = nullptr;
-    const Chunk* right_ = nullptr;
+    TerrainRow joined_;  // of two chunks
   };
 
   // The same for a window within one chunk, which most are: quicker.
@@ -118,11 +134,9 @@ class BasicTerrain {
     OneChunk(const BasicTerrain& terrain, int column, int row)
         : shift_(column & 63), chunk_(terrain.chunk_at(column >> 6, row >> 6)) {}
     explicit operator bool() const { return chunk_ != nullptr; }  // false: nothing in it
-    std::uint64_t solid(int row) const { return chunk_->solid[row & 63] >> shift_; }
-    std::uint64_t detailed(int row) const { return chunk_->detailed[row & 63] >> shift_; }
-    // bit: of a cell that is detailed.
+    RowWindow row(int row) const { return {chunk_->rows[row & 63], shift_}; }
     std::span<const Piece<Real>> pieces(int bit, int row) const {
-      return chunk_->pieces_of(static_cast<std::size_t>(row & 63) * kChunkSide + shift_ + bit);
+      return chunk_->pieces_in(shift_ + bit, row & 63);
     }
 
    private:
@@ -130,8 +144,8 @@ class BasicTerrain {
     const Chunk* chunk_;
   };
 
-  bool is_solid(Cell c) const { return (Window(*this, c.x, 1).solid(c.y) & 1) != 0; }
-  bool is_detailed(Cell c) const { return (Window(*this, c.x, 1).detailed(c.y) & 1) != 0; }
+  bool is_solid(Cell c) const { return (Window(*this, c.x, 1).row(c.y).solid() & 1) != 0; }
+  bool is_detailed(Cell c) const { return (Window(*this, c.x, 1).row(c.y).detailed() & 1) != 0; }
 
   // The outline in a detailed cell; none for other cells. A piece longer than a cell is in each that it
   // meets.
@@ -142,6 +156,7 @@ class BasicTerrain {
   friend bool operator==(const BasicTerrain& a, const BasicTerrain& b) { return a.equals(b); }
 
  private:
+  using Words = std::array<std::uint64_t, kChunkSide>;  // by row of a chunk
   struct CurveInCell {
     std::int32_t cell;    // y * width + x
     std::uint32_t piece;  // into curve_pieces
@@ -164,7 +179,8 @@ class BasicTerrain {
   bool equals(const BasicTerrain& other) const;
   // Null: outside, or nothing in it.
   const Chunk* chunk_at(int chunk_column, int chunk_row) const {
-    if (chunk_column < 0 || chunk_column >= chunk_columns_) return nullptr;
+    if (chunk_column < 0 || chunk_column >= chunk_columns_ || chunk_row < 0) return nullptr;
+    if (chunk_row * kChunkSide >= height_) return nullptr;
     return chunks_[static_cast<std::size_t>(chunk_row) * chunk_columns_ + chunk_column].get();
   }
 
@@ -175,14 +191,17 @@ class BasicTerrain {
   void compile(std::array<Cell, 2> area);
   void compile_chunk(Cell corner, std::array<Cell, 2> area, OutlineCompiler& compiler);
   Words details_in(std::array<Cell, 2> area, const OutlineCompiler& compiler) const;
+  void compile_band(Chunk& chunk, Cell corner, int band, std::array<Cell, 2> area, OutlineCompiler& compiler);
+  std::array<std::uint64_t, 4> open_sides(const TerrainRow& row, Cell begin) const;
+  std::uint64_t solid_word(int chunk_column, int row) const;
   std::shared_ptr<Chunk> writable_chunk(Cell cell) const;
-  static std::span<const Piece<Real>> pieces_of(const Chunk& chunk, Cell cell);
 
   int width_ = 1, height_ = 1;
   int chunk_columns_ = 1;
   TerrainFeatures features_;
   std::shared_ptr<const Parts> parts_;
   std::vector<std::shared_ptr<const Chunk>> chunks_;  // row by row; null: nothing in it
+  std::size_t pieces_ = 0;                            // in all of them
 };
 
 using Terrain = BasicTerrain<double>;

@@ -49,6 +49,33 @@ bool is_level(const Contact<Real>& contact, Real steepest) {
   return std::fma(-steepest, std::abs(dx), std::abs(dy)) <= 0;
 }
 
+// What a box met that fell straight down from where it already touched the ground. Of a fall of up to two
+// cells the answer depends on neither its length nor its speed, so a box at rest need not ask again.
+template <class Real>
+class RestMemo {
+ public:
+  static bool is_fall(const Cast<Real>& cast) {
+    return cast.motion.y > 0 && cast.motion.y <= 2 * kTileSide && !moves_sideways(cast);
+  }
+  // The answer to a fall, or null.
+  const Contact<Real>* find(const Cast<Real>& fall) const {
+    return known_ && foot_ == fall.foot && box_ == fall.box ? &contact_ : nullptr;
+  }
+  void keep(const Cast<Real>& fall, const Contact<Real>& contact) {
+    known_ = contact.t == 0;
+    if (!known_) return;
+    box_ = fall.box;
+    foot_ = fall.foot;
+    contact_ = contact;
+  }
+
+ private:
+  bool known_ = false;
+  Foot foot_ = Foot::box;
+  BasicRect<Real> box_;
+  Contact<Real> contact_;
+};
+
 template <class Real, unsigned Parts>
 class Mover {
  public:
@@ -58,8 +85,10 @@ class Mover {
     bool capped = false;  // the passes were used up, and the rest of the motion dropped
   };
 
-  Mover(const BasicTerrain<Real>& terrain, std::span<const BasicRect<Real>> others, int max_passes)
-      : terrain_(terrain), others_(others), max_passes_(max_passes) {}
+  // rest: what this body met before, in this terrain and without others; null: nothing is remembered.
+  Mover(const BasicTerrain<Real>& terrain, std::span<const BasicRect<Real>> others, int max_passes,
+        RestMemo<Real>* rest = nullptr)
+      : terrain_(terrain), others_(others), max_passes_(max_passes), rest_(rest) {}
 
   // Moves the body by `motion`. respond(contact, motion) is called for each contact, a part of that motion;
   // it may change the body's velocity, and returns the motion to go on with. seen(contact, motion) is told of
@@ -75,8 +104,7 @@ class Mover {
         result.capped = true;
         break;
       }
-      const Contact<Real> contact =
-          cast_box<Real, Parts>(terrain_, {body.box, motion, body.foot}, others_, followed);
+      const Contact<Real>& contact = first_contact({body.box, motion, body.foot}, followed);
       if (!contact) {
         if (followed == nullptr) {
           advance(body, motion);
@@ -112,6 +140,17 @@ class Mover {
   }
 
  private:
+  // Good until the next call.
+  const Contact<Real>& first_contact(const Cast<Real>& cast, const Piece<Real>* followed) {
+    const bool may_rest = rest_ != nullptr && followed == nullptr && RestMemo<Real>::is_fall(cast);
+    if (may_rest) {
+      if (const Contact<Real>* known = rest_->find(cast)) return *known;
+    }
+    contact_ = cast_box<Real, Parts>(terrain_, cast, others_, followed);
+    if (may_rest) rest_->keep(cast, contact_);
+    return contact_;
+  }
+
   static Real tolerance(Vec motion) {
     return (std::abs(motion.x) + std::abs(motion.y)) * (8 * std::numeric_limits<Real>::epsilon());
   }
@@ -157,6 +196,8 @@ class Mover {
   const BasicTerrain<Real>& terrain_;
   const std::span<const BasicRect<Real>> others_;
   const int max_passes_;
+  RestMemo<Real>* const rest_;
+  Contact<Real> contact_;                 // the last one
   const Piece<Real>* surface_ = nullptr;  // of the last contact
   Vec goal_;                              // where following a curve leads
 };

@@ -28,12 +28,17 @@ class ExactSolver final : public Solver {
         ground_(*ground_of<Real>(*scene_)),
         numbers_(scene_->tuning),
         max_passes_(static_cast<int>(scene_->tuning.exact.max_passes)),
-        substeps_(static_cast<int>(scene_->tuning.exact.substeps)) {}
+        substeps_(static_cast<int>(scene_->tuning.exact.substeps)),
+        part_(Real(1) / static_cast<Real>(substeps_)) {}
 
   void step(State& state, const Input& input, StepRecord* record) override {
     record_ = record;
     if (record_ != nullptr) record_->clear();
-    if constexpr (Pairs) grid_.synchronise(state.bodies);
+    if constexpr (Pairs) {
+      grid_.synchronise(state.bodies);
+    } else {
+      rests_.resize(state.bodies.size());
+    }
     take_mouse(state, input);
     for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
     ++state.frame;
@@ -82,11 +87,10 @@ class ExactSolver final : public Solver {
     Body& body = state.bodies[index];
     BallRule<Real> rule(numbers_, moving);
     rule.pull();
-    const Real part = Real(1) / static_cast<Real>(substeps_);
     for (int i = 0; i < substeps_; ++i) {
-      rule.begin(part);
+      rule.begin(part_);
       if (i == 0) note_goal(moving, moving.velocity);
-      move(state, index, moving, moving.velocity * part,
+      move(state, index, moving, moving.velocity * part_,
            [&](const auto& contact, Vec motion) { return rule.respond(contact, motion); });
     }
     body.gait.grounded = rule.grounded();
@@ -147,7 +151,7 @@ class ExactSolver final : public Solver {
   template <class Respond>
   void move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
     gather(state, index, moving, motion);
-    Mover<Real, Parts> mover(ground_, others_, max_passes_);
+    Mover<Real, Parts> mover(ground_, others_, max_passes_, Pairs ? nullptr : &rests_[index]);
     const auto result = mover.move(moving, motion, respond, [&](const Contact<Real>& contact, Vec way) {
       if (record_ != nullptr) note(state.bodies[index], contact, way);
     });
@@ -262,10 +266,12 @@ class ExactSolver final : public Solver {
   const BasicTerrain<Real>& ground_;
   const ExactNumbers<Real> numbers_;
   const int max_passes_, substeps_;
+  const Real part_;  // of a step, that a sub-step takes
   BodyGrid grid_;
   std::vector<std::uint32_t> near_;        // indices of bodies
   std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves
   std::vector<const Body*> other_bodies_;  // theirs
+  std::vector<RestMemo<Real>> rests_;      // by index of the body; not with pairs
   StepRecord* record_ = nullptr;           // of the step under way; null when nobody wants it
   int order_ = 0;                          // of the next contact of the body that moves
 };

@@ -1,0 +1,46 @@
+// Sums and products of twice the precision: a number and what rounding took from it (T. J. Dekker 1971;
+// D. E. Knuth, The Art of Computer Programming, 4.2.2). Where a small difference of large numbers decides.
+#pragma once
+
+#include <cmath>
+
+namespace talus {
+
+template <class Real>
+struct Twofold {
+  Real high = 0, low = 0;  // the value is their sum
+
+  Twofold() = default;
+  Twofold(Real value) : high(value) {}  // NOLINT: a number is one of twice the precision
+  Twofold(Real large, Real small) : high(large + small), low(small - (high - large)) {}
+
+  Real rounded() const { return high + low; }
+  Twofold operator-() const { return negated(high, low); }
+
+  friend Twofold operator+(Twofold a, Twofold b) {
+    const Real sum = a.high + b.high, part = sum - a.high;
+    const Real lost = (a.high - (sum - part)) + (b.high - part);
+    return {sum, lost + (a.low + b.low)};
+  }
+  friend Twofold operator-(Twofold a, Twofold b) { return a + -b; }
+  friend Twofold operator*(Twofold a, Twofold b) {
+    const Real product = a.high * b.high;
+    const Real lost = std::fma(a.high, b.high, -product);
+    return {product, lost + (a.high * b.low + a.low * b.high)};
+  }
+  friend Twofold operator/(Twofold a, Twofold b) {
+    const Real quotient = a.high / b.high;
+    const Twofold rest = a - b * Twofold(quotient);
+    return {quotient, rest.rounded() / b.high};
+  }
+
+ private:
+  static Twofold negated(Real high, Real low) {
+    Twofold n;
+    n.high = -high;
+    n.low = -low;
+    return n;
+  }
+};
+
+}  // namespace talus
