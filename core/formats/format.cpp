@@ -37,6 +37,12 @@ const Format* format_of_name(std::string_view lower_name) {
 
 }  // namespace
 
+tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t offset, std::string message) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
+  const auto line = 1 + std::count(text.begin(), end, '\n');
+  return tl::unexpected(FormatError{"line " + std::to_string(line), std::move(message)});
+}
+
 std::string to_string(const FormatError& error, std::string_view file) {
   return std::string(file) + (error.place.empty() ? "" : ":" + error.place) + ": error: " + error.message;
 }

@@ -23,6 +23,9 @@ std::string to_string(const FormatError& error, std::string_view file);
 template <class T>
 using FormatResult = tl::expected<T, FormatError>;
 
+// An error on the line of a text that holds the byte at `offset`.
+tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t offset, std::string message);
+
 // A written level, and what the format could not hold.
 struct WrittenLevel {
   std::string bytes;

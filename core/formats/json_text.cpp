@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::size_t kMaxInline = 140;  // a tile with all its flags fits
 
-tl::unexpected<FormatError> error_at(std::string_view text, std::size_t offset, std::string message) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
-  const auto line = 1 + std::count(text.begin(), end, '\n');
-  return tl::unexpected(FormatError{"line " + std::to_string(line), std::move(message)});
-}
-
 FormatResult<void> check_limits(std::string_view text) {
   int depth = 0, values = 1;
   bool in_string = false;
@@ -30,9 +24,9 @@ FormatResult<void> check_limits(std::string_view text) {
     const bool opens = c == '[' || c == '{';
     if (c == ']' || c == '}') --depth;
     if (opens && ++depth > kMaxJsonDepth)
-      return error_at(text, i, "JSON is nested deeper here than 64 levels");
+      return error_at_line(text, i, "JSON is nested deeper here than 64 levels");
     if ((opens || c == ',') && ++values > kMaxJsonValues)
-      return error_at(text, i, "JSON has too many values");
+      return error_at_line(text, i, "JSON has too many values");
   }
   return {};
 }
@@ -134,7 +128,7 @@ FormatResult<Json> parse_json(std::string_view text) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    return error_at(text, error.byte == 0 ? 0 : error.byte - 1, "this is not valid JSON");
+    return error_at_line(text, error.byte == 0 ? 0 : error.byte - 1, "this is not valid JSON");
   } catch (const Json::exception&) {  // a number that no double holds; nlohmann does not say where
     return tl::unexpected(FormatError{"", "has a number that is too large"});
   }

@@ -29,11 +29,6 @@ constexpr std::array<Language, 11> kLanguages = {{{"lua", "--"},
 constexpr std::array<std::string_view, 4> kComments = {"--", "//", ";;", "#"};
 constexpr SectionInfo kLang = {Section::tiles, "LANG", kTicLang, 1, 1};  // its id means nothing
 
-tl::unexpected<FormatError> error_at(std::string_view bytes, std::size_t offset, std::string message) {
-  const auto line = 1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
-  return tl::unexpected(FormatError{"line " + std::to_string(line), std::move(message)});
-}
-
 std::string tag_start(std::string_view comment) { return std::string(comment) + " <"; }
 
 std::string_view without_trailing_space(std::string_view line) {
@@ -80,13 +75,13 @@ FormatResult<void> locate(std::string_view bytes, std::string_view comment, Text
   const std::string open = tag_start(comment) + section.tag + ">";
   const std::size_t first = bytes.find(open);
   if (first != section.begin) {
-    return error_at(bytes, first,
-                    "\"" + open + "\" stands before its section, and TIC-80 would read it from here");
+    return error_at_line(bytes, first,
+                         "\"" + open + "\" stands before its section, and TIC-80 would read it from here");
   }
   const std::size_t opened = line_end(bytes, section.begin);
   const std::size_t close = bytes.find("\n" + std::string(comment) + " </" + section.tag + ">", opened);
   if (close == std::string_view::npos)
-    return error_at(bytes, section.begin, "the section " + section.tag + " has no end");
+    return error_at_line(bytes, section.begin, "the section " + section.tag + " has no end");
   section.rows = next_line(bytes, section.begin);
   section.rows_end = close + 1;
   section.end = next_line(bytes, section.rows_end);
@@ -104,21 +99,22 @@ FormatResult<void> read_row(std::string_view bytes, std::size_t offset, std::str
   const bool has_head = line.size() >= head.size() + 4 && line.starts_with(head) &&
                         line[head.size() + 3] == ':' &&
                         std::all_of(&line[head.size()], &line[head.size() + 3], is_digit);
-  if (!has_head) return error_at(bytes, offset, "this is no row of " + std::string(info.tag));
+  if (!has_head) return error_at_line(bytes, offset, "this is no row of " + std::string(info.tag));
   const int row = std::stoi(std::string(line.substr(head.size(), 3)));
   if (row >= info.rows) {
-    return error_at(bytes, offset, std::string(info.tag) + " has rows 0 to " + std::to_string(info.rows - 1));
+    return error_at_line(bytes, offset,
+                         std::string(info.tag) + " has rows 0 to " + std::to_string(info.rows - 1));
   }
   line.remove_prefix(head.size() + 4);
   if (line.size() != 2 * static_cast<std::size_t>(info.row_bytes)) {
-    return error_at(bytes, offset,
-                    "a row of " + std::string(info.tag) + " has " + std::to_string(2 * info.row_bytes) +
-                        " digits, and this one " + std::to_string(line.size()));
+    return error_at_line(bytes, offset,
+                         "a row of " + std::string(info.tag) + " has " + std::to_string(2 * info.row_bytes) +
+                             " digits, and this one " + std::to_string(line.size()));
   }
   for (int i = 0; i < info.row_bytes; ++i) {
     int high = hex_value(line[2 * i]), low = hex_value(line[2 * i + 1]);
     if (high < 0 || low < 0)
-      return error_at(bytes, offset, "this row has a character that is no hexadecimal digit");
+      return error_at_line(bytes, offset, "this row has a character that is no hexadecimal digit");
     if (info.id != Section::palette) std::swap(high, low);
     data[static_cast<std::size_t>(row) * info.row_bytes + i] = static_cast<char>(high << 4 | low);
   }
@@ -246,7 +242,7 @@ std::span<const std::string_view> text_extensions() {
 FormatResult<TextProject> parse_text(std::string_view bytes, std::string_view comment) {
   if (bytes.size() > kMaxCartBytes) return tl::unexpected(FormatError{"", "is larger than a cart can be"});
   if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos) {
-    return error_at(bytes, nul, "a text project has no NUL bytes");
+    return error_at_line(bytes, nul, "a text project has no NUL bytes");
   }
   TextProject project;
   const std::string start = tag_start(comment);

@@ -11,6 +11,7 @@ namespace talus {
 inline constexpr int kTileSize = 8;     // px, side of a tile
 inline constexpr int kTileCount = 256;  // images in a sheet
 inline constexpr int kSheetColumns = 16;
+inline constexpr int kSheetSide = kSheetColumns * kTileSize;  // px, of the square that a sheet fills
 inline constexpr int kColorCount = 16;
 inline constexpr int kFlagCount = 8;
 

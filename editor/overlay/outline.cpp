@@ -8,9 +8,9 @@
 namespace talus {
 namespace {
 
-constexpr double kNormalLength = 3;  // px
-constexpr double kNormalGap = 16;    // px, at most, from one normal of a piece to the next
-constexpr double kMostLines = 1024;  // for a curve that crosses the whole view
+constexpr double kOutwardLength = 3;  // px
+constexpr double kNormalGap = 16;     // px, at most, from one normal of a piece to the next
+constexpr double kMostLines = 1024;   // for a curve that crosses the whole view
 
 bool meets(Vec2 a, Vec2 b, const Rect& r) {
   return std::max(a.x, b.x) >= r.x && std::min(a.x, b.x) <= r.right() && std::max(a.y, b.y) >= r.y &&
@@ -146,7 +146,7 @@ class OutlineDrawer {
   void line(Vec2 from, Vec2 to) {
     if (meets(from, to, visible_)) out_.lines.push_back({OverlayId::outline, from, to});
   }
-  void normal(Vec2 at, Vec2 n) { line(at, at + n * kNormalLength); }
+  void normal(Vec2 at, Vec2 n) { line(at, at + n * kOutwardLength); }
 
   const BasicTerrain<Real>& ground_;
   const Rect& visible_;

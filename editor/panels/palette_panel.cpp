@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr int kColumns = 4;
+constexpr int kColorsInRow = 4;
 
 // Black or white, whichever is read better on the colour.
 ImU32 readable_on(Rgb c) {
@@ -80,12 +80,12 @@ void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void PalettePanel::draw_swatches(const Session& session, Actions& actions, Ui& ui) {
-  const float side = std::floor(ImGui::GetContentRegionAvail().x / kColumns);
+  const float side = std::floor(ImGui::GetContentRegionAvail().x / kColorsInRow);
   const float height = std::min(side, ui.px(24));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   for (int color = 0; color < kColorCount; ++color) {
     const std::string number = std::to_string(color);
-    if (color % kColumns != 0) ImGui::SameLine();
+    if (color % kColorsInRow != 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(number.c_str(), {height, height},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);

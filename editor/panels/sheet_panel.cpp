@@ -12,8 +12,6 @@
 namespace talus {
 namespace {
 
-constexpr float kSheetSide = kSheetColumns * kTileSize;  // px
-
 void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 color, const Ui& ui) {
   const ImVec2 from{at.x + static_cast<float>(tiles.x) * cell, at.y + static_cast<float>(tiles.y) * cell};
   const ImVec2 to{from.x + static_cast<float>(tiles.w) * cell, from.y + static_cast<float>(tiles.h) * cell};

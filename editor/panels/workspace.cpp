@@ -17,8 +17,7 @@ namespace {
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTransport = 32, kStatus = 24;
 constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 198;
-constexpr float kMargin = 6;                             // px at scale 1, above and below what is in a region
-constexpr float kSheetSide = kSheetColumns * kTileSize;  // px of the art
+constexpr float kMargin = 6;  // px at scale 1, above and below what is in a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 
 // A part of `whole`, with `least` kept for itself and `rest` for the others where there is room for both.

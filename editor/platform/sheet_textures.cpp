@@ -8,18 +8,16 @@
 namespace talus {
 namespace {
 
-constexpr int kSide = kSheetColumns * kTileSize;  // px
-
 std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bool clear_zero) {
-  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(kSide) * kSide * 4);
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(kSheetSide) * kSheetSide * 4);
+  for (int y = 0; y < kSheetSide; ++y) {
+    for (int x = 0; x < kSheetSide; ++x) {
       const int tile = y / kTileSize * kSheetColumns + x / kTileSize;
       const int pixel = y % kTileSize * kTileSize + x % kTileSize;
       const std::uint8_t index =
           sheet.images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(pixel)];
       const Rgb color = palette[index];
-      std::uint8_t* out = &rgba[(static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)) * 4];
+      std::uint8_t* out = &rgba[(static_cast<std::size_t>(y) * kSheetSide + static_cast<std::size_t>(x)) * 4];
       out[0] = color.r;
       out[1] = color.g;
       out[2] = color.b;
@@ -55,7 +53,8 @@ void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const auto rgba = to_rgba(level.sheets[i % 2], level.palette, i == 2);
     glBindTexture(GL_TEXTURE_2D, names_[i]);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSide, kSide, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSheetSide, kSheetSide, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 rgba.data());
   }
 }
 
