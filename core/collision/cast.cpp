@@ -125,7 +125,8 @@ class Caster {
     const Real offset = foot_offset(piece, box_.w, foot_);
     const BasicVec2<Real> base = piece.base_near(box_.x + best_.t * dx_ + offset);
     const Exact x = Exact(box_.x) + offset - base.x;
-    return (x * piece.slope + base.y - lift - box_.y) / (Exact(dy_) - Exact(piece.slope) * dx_);
+    const Exact slope(piece.slope, piece.slope_rest);
+    return (x * slope + base.y - lift - box_.y) / (Exact(dy_) - slope * dx_);
   }
 
   // As moved_x, rounded once.

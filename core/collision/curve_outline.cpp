@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "outline_compiler.h"
+#include "twofold.h"
 
 namespace talus {
 namespace {
@@ -43,9 +44,15 @@ class CurveCutter {
   void put_line(Vec2 a, Vec2 b) {
     const bool first_is_base = a.y <= b.y;
     const Vec2 base = first_is_base ? a : b;
-    const double slope = a.x == b.x ? 0 : (b.y - a.y) / (b.x - a.x);
-    put_piece(
-        {.x0 = a.x, .y0 = a.y, .x1 = b.x, .y1 = b.y, .base_x = base.x, .base_y = base.y, .slope = slope});
+    const auto slope = a.x == b.x ? Twofold<double>() : Twofold<double>(b.y - a.y) / (b.x - a.x);
+    put_piece({.x0 = a.x,
+               .y0 = a.y,
+               .x1 = b.x,
+               .y1 = b.y,
+               .base_x = base.x,
+               .base_y = base.y,
+               .slope = slope.high,
+               .slope_rest = slope.low});
   }
 
   void put_stretch(const Stretch& stretch, Vec2 a, Vec2 b) {
@@ -169,7 +176,7 @@ class CurveCutter {
 
   void put_tip(Piece<double> tip, bool first, Facing facing) {
     tip.stretch = 0;
-    tip.slope = 0;
+    tip.slope = tip.slope_rest = 0;
     tip.facing = facing;
     tip.x0 = tip.x1 = tip.base_x = first ? tip.x0 : tip.x1;
     tip.y0 = tip.y1 = tip.base_y = first ? tip.y0 : tip.y1;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "twofold.h"
+
 namespace talus {
 namespace {
 
@@ -111,7 +113,8 @@ double OutlineCompiler::Line::at(double x) const {
 
 OutlineCompiler::Line OutlineCompiler::line_between(double x0, double y0, double x1, double y1) {
   const bool first_is_base = y0 <= y1;
-  return {x0, y0, x1, y1, first_is_base ? x0 : x1, first_is_base ? y0 : y1, (y1 - y0) / (x1 - x0)};
+  const auto slope = Twofold<double>(y1 - y0) / (x1 - x0);
+  return {x0, y0, x1, y1, first_is_base ? x0 : x1, first_is_base ? y0 : y1, slope.high, slope.low};
 }
 
 double OutlineCompiler::height_at(const std::vector<Line>& lines, double x, bool to_the_right) {
@@ -231,6 +234,7 @@ void OutlineCompiler::compile_surface(std::size_t number, bool top, Cell cell,
                .base_x = line.base_x,
                .base_y = line.base_y,
                .slope = line.slope,
+               .slope_rest = line.slope_rest,
                .origin = body.origin,
                .stretch = 0,
                .facing = top ? Facing::up : Facing::down};

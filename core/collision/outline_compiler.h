@@ -49,7 +49,7 @@ class OutlineCompiler {
   // The line of a slope or profile between two of its heights, or a flat side of a body.
   struct Line {
     double x0, y0, x1, y1;
-    double base_x, base_y, slope;
+    double base_x, base_y, slope, slope_rest;
     double at(double x) const;
   };
   // What covers a strip one cell wide, from its top down to its bottom; or a one-way line, which covers

@@ -67,6 +67,7 @@ struct Piece {
   // A line is y = base_y + (x - base_x) * slope. The base is the upper end of the whole slope that the piece
   // was cut from, so that its pieces lie on one line, and a mirrored one has the mirrored bits.
   Real base_x = 0, base_y = 0, slope = 0;
+  Real slope_rest = 0;        // what rounding took from the slope
   std::int32_t origin = 0;    // of a tile's shape, its cell as y * width + x; of a curve, -1 - its number
   std::uint32_t stretch = 0;  // 1 + the number of the curve's stretch; 0: a line or a wall
   Facing facing = Facing::up;

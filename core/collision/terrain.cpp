@@ -18,6 +18,7 @@ Piece<Real> narrow(const Piece<double>& p) {
   n.x1 = static_cast<Real>(p.x1), n.y1 = static_cast<Real>(p.y1);
   n.base_x = static_cast<Real>(p.base_x), n.base_y = static_cast<Real>(p.base_y);
   n.slope = static_cast<Real>(p.slope);
+  n.slope_rest = static_cast<Real>(p.slope - static_cast<double>(n.slope) + p.slope_rest);
   n.origin = p.origin, n.stretch = p.stretch, n.facing = p.facing;
   n.convex0 = p.convex0, n.convex1 = p.convex1, n.last0 = p.last0, n.last1 = p.last1, n.one_way = p.one_way,
   n.far0 = p.far0, n.far1 = p.far1;

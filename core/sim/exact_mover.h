@@ -40,13 +40,7 @@ bool is_level(const Contact<Real>& contact, Real steepest) {
     return std::abs(contact.normal.x) <= steepest * std::abs(contact.normal.y);
   }
   const Real slope = std::abs(p->slope);
-  if (slope != steepest) return slope < steepest;
-  // The quotient was rounded; the remainder of the division tells to which side.
-  const Real dx =
-      std::abs(p->x1 - p->base_x) > std::abs(p->x0 - p->base_x) ? p->x1 - p->base_x : p->x0 - p->base_x;
-  const Real dy =
-      std::abs(p->x1 - p->base_x) > std::abs(p->x0 - p->base_x) ? p->y1 - p->base_y : p->y0 - p->base_y;
-  return std::fma(-steepest, std::abs(dx), std::abs(dy)) <= 0;
+  return slope != steepest ? slope < steepest : p->slope * p->slope_rest <= 0;
 }
 
 // What a box met that fell straight down from where it already touched the ground. Of a fall of up to two

@@ -51,10 +51,11 @@ void showValue(const Move& m, std::ostream& out) {
 
 // The distance of doubles at the largest coordinate that the move meets.
 double ulp_of(const Move& m) {
-  const double x0 = std::abs(m.box.x), x1 = std::abs(m.box.x + m.box.w), y0 = std::abs(m.box.y),
-               y1 = std::abs(m.box.y + m.box.h);
-  const double most =
-      std::max({x0, x1, y0, y1, std::abs(m.box.x + m.motion.x), std::abs(m.box.y + m.motion.y)});
+  double most = 0;
+  for (const double t : {0.0, 1.0}) {
+    const double x = m.box.x + t * m.motion.x, y = m.box.y + t * m.motion.y;
+    most = std::max({most, std::abs(x), std::abs(x + m.box.w), std::abs(y), std::abs(y + m.box.h)});
+  }
   return std::nextafter(most, std::numeric_limits<double>::infinity()) - most;
 }
 
@@ -143,10 +144,10 @@ struct Scene {
 double stretch_of(const Move& m, Vec2 normal) {
   return std::hypot(m.motion.x, m.motion.y) / std::abs(dot(m.motion, normal));
 }
-// How much y changes with x on what was hit.
+// What a rounding of x and y is worth in y on what was hit.
 double steepness(const Contact<double>& hit) {
   const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
-  return wall || hit.on_end ? 1 : std::max(1.0, std::abs(hit.normal.x / hit.normal.y));
+  return wall || hit.on_end ? 1 : 1 + std::abs(hit.normal.x / hit.normal.y);
 }
 
 const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
@@ -157,17 +158,20 @@ const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
   return truth.smaller <= 1 && hit.t > truth.smaller + kRounding ? "is late" : nullptr;
 }
 
-// The place: at most `bound` px from where the exact time puts the box, at right angles to the surface; along
-// it and the motion what that is worth there.
+// The place: of what meets a line on its way one unit in the last place from where the exact time puts the
+// box, however flatly the two cross. Else, on the spot or at a curve, at most `bound` px at right angles to
+// the surface; along it and the motion what that is worth there.
 const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Move& m, double bound,
                         double allowance) {
   // A box that grazes a corner meets it or does not: where it goes on then is another matter.
   const Wide band = (truth.smaller - truth.larger) * std::hypot(m.motion.x, m.motion.y);
   if (!hit || truth.t > 1 || band > 8 * allowance * stretch_of(m, hit.normal)) return nullptr;
   const Wide x = m.box.x + truth.t * m.motion.x, y = m.box.y + truth.t * m.motion.y;
-  const double off =
-      static_cast<double>(std::max(std::abs(x - hit.position.x), std::abs(y - hit.position.y)));
-  return off <= bound * stretch_of(m, hit.normal) * steepness(hit) ? nullptr : "is in the wrong place";
+  const auto off_x = static_cast<double>(std::abs(x - hit.position.x));
+  const auto off_y = static_cast<double>(std::abs(y - hit.position.y));
+  const bool crosses_a_line = hit.t > 0 && (hit.piece == nullptr || hit.piece->stretch == 0);
+  const double most = crosses_a_line ? ulp_of(m) : bound * stretch_of(m, hit.normal);
+  return off_x <= most && off_y <= most * steepness(hit) ? nullptr : "is in the wrong place";
 }
 
 // The box stands on what it hit, and so may be in other ground by as much as its place is rounded.
