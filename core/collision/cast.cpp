@@ -7,14 +7,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "curve_time.h"
 #include "twofold.h"
 
 namespace talus {
 namespace {
-
-// What rounding may make of the rate at which a box that slides along a line approaches it, of its speed.
-template <class Real>
-constexpr Real kRoundedRate = 8 * std::numeric_limits<Real>::epsilon();
 
 // Longer motions are cut into slices of this length, so that only cells near the way are looked at.
 constexpr double kSliceLength = 2 * kTileSide;  // px
@@ -392,7 +389,7 @@ class Caster {
     const Real rise = piece.slope * dx_;
     const Real closing = up ? dy_ - rise : rise - dy_;
     // A box that slides along the line does not approach it, whatever rounding says.
-    if (!(closing > kRoundedRate<Real> * (std::abs(dy_) + std::abs(rise)))) return;
+    if (!(closing > kRounding<Real> * (std::abs(dy_) + std::abs(rise)))) return;
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
     Real t;
     if (!straight_time(window, closing, t)) return;
@@ -471,7 +468,7 @@ class Caster {
     if (window.gap <= slack_) {
       // On the curve: it depends on the tangent, which rounding makes a little wrong.
       const Real rate = opening(window.from);
-      const Real wrong = kRoundedRate<Real> * (std::abs(dx_) + std::abs(dy_));
+      const Real wrong = kRounding<Real> * (std::abs(dx_) + std::abs(dy_));
       if (rate < -wrong || (rate <= wrong && !dips)) return offer_curved(window.from, reach, piece);
       if (dips) return;
     }
@@ -492,66 +489,21 @@ class Caster {
   template <class Gap>
   Real contact_time(const CurveStretch<Real>& s, const Piece<Real>& piece, bool up, const Window& w,
                     Real last, Real offset, Real lift, Gap gap) const {
-    const Real u = box_.x + w.from * dx_ + offset - s.c[0];
+    const Real u = box_.x + w.from * dx_ + offset - s.c[0], sign = up ? 1 : -1;
     Real t;
     if (s.kind == CurveStretch<Real>::Kind::arc) {
       const Real v = box_.y + w.from * dy_ + lift - s.c[1];
-      const bool outside = up == (s.sign < 0);
-      const Real a = dx_ * dx_ + dy_ * dy_, b = u * dx_ + v * dy_;
-      const Real c = (u - s.c[2]) * (u + s.c[2]) + v * v;
-      const Real root = std::sqrt(std::max<Real>(b * b - a * c, 0));
-      t = outside ? (b < 0 ? c / (root - b) : (-b - root) / a) : (b < 0 ? (root - b) / a : -c / (root + b));
+      t = circle_time<Real>({u, v}, {dx_, dy_}, s.c[2], up == (s.sign < 0));
     } else if (s.kind == CurveStretch<Real>::Kind::polynomial && s.c[4] == 0) {
-      const Real sign = up ? 1 : -1;
-      const Real a = sign * s.c[3] * dx_ * dx_, b = sign * ((s.c[2] + 2 * s.c[3] * u) * dx_ - dy_);
-      const Real root = std::sqrt(std::max<Real>(b * b - 4 * a * w.gap, 0));
-      t = b <= 0 ? 2 * w.gap / (root - b) : (-b - root) / (2 * a);
+      t = parabola_time(w.gap, sign * ((s.c[2] + 2 * s.c[3] * u) * dx_ - dy_), sign * s.c[3] * dx_ * dx_);
     } else {
-      t = newton_between(w.from, last, gap,
-                         [&](Real at) {
-                           const BasicVec2<Real> along =
-                               s.tangent_at(std::clamp(box_.x + at * dx_ + offset, piece.x0, piece.x1));
-                           return (up ? Real(1) : Real(-1)) * (along.y / along.x * dx_ - dy_);
-                         }) -
-          w.from;
+      const auto rate = [&](Real at) {
+        const auto along = s.tangent_at(std::clamp(box_.x + at * dx_ + offset, piece.x0, piece.x1));
+        return sign * (along.y / along.x * dx_ - dy_);
+      };
+      t = newton_between(w.from, last, gap, rate, slack_ / 8) - w.from;
     }
     return std::clamp(w.from + t, w.from, last);  // clamp gives w.from for NaN, of a start on the curve
-  }
-
-  // Where f falls through zero between a and b, f(a) >= 0 > f(b): Newton's method, halving the bracket when
-  // it would leave it.
-  template <class F, class Derivative>
-  Real newton_between(Real a, Real b, F f, Derivative rate) const {
-    const Real rounding = slack_ / 8;  // what f may be off by
-    Real t = b;
-    for (int i = 0; i < 100; ++i) {
-      const Real ft = f(t);
-      (ft >= 0 ? a : b) = t;
-      Real next = t - ft / rate(t);
-      if (!(next >= a && next <= b)) next = a + (b - a) / 2;
-      if (std::abs(ft) <= rounding || next == t) return next;
-      t = next;
-    }
-    return t;
-  }
-
-  // The same for an f whose derivative is not at hand: regula falsi by Illinois, which never
-  // leaves the bracket and never needs a derivative.
-  template <class F>
-  static Real zero_between(Real a, Real b, F f) {
-    Real fa = f(a), fb = f(b);
-    for (int i = 0; i < 100 && fa > 0; ++i) {
-      Real t = (a * fb - b * fa) / (fb - fa);
-      if (!(t > a && t < b)) t = a + (b - a) / 2;
-      if (!(t > a && t < b)) break;
-      const Real ft = f(t);
-      if (ft >= 0) {
-        a = t, fa = ft, fb /= 2;
-      } else {
-        b = t, fb = ft, fa /= 2;
-      }
-    }
-    return a;
   }
 
   // ---- The first ----
@@ -615,6 +567,7 @@ template <class Real, unsigned Parts>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                        std::span<const BasicRect<Real>> others, const Piece<Real>* ignored) {
   assert(std::isfinite(cast.motion.x) && std::isfinite(cast.motion.y));
+  assert(std::isfinite(cast.box.x) && std::isfinite(cast.box.y) && cast.box.w >= 0 && cast.box.h >= 0);
   Caster<Real, Parts> caster(terrain, cast, ignored);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
   caster.against_terrain();

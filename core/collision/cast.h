@@ -29,13 +29,17 @@ struct Contact {
 };
 
 // A moving box. Every piece stops only what comes from the side that it faces; a box that is further behind
-// one than `slack` goes through it, so a box that starts inside of the ground can leave.
+// one than rounding_slack() goes through it, so a box that starts inside of the ground can leave.
 template <class Real>
 struct Cast {
-  BasicRect<Real> box;     // px
-  BasicVec2<Real> motion;  // px; finite
+  BasicRect<Real> box;     // px; finite, its sizes 0 or more (asserted)
+  BasicVec2<Real> motion;  // px; finite (asserted)
   Foot foot = Foot::box;   // what of the box stands on floors: the whole bottom, or its centre alone
 };
+
+// What a few roundings may have made of a number, of its size.
+template <class Real>
+inline constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
 
 // Whether the motion is large enough to move the box at all; a smaller one counts as none.
 template <class Real>
@@ -51,7 +55,7 @@ Real rounding_slack(const Cast<Real>& cast) {
   const Real half_w = b.w / 2, half_h = b.h / 2;
   const Real reach = (std::abs(b.x + half_w) + half_w) + (std::abs(b.y + half_h) + half_h) +
                      std::max(std::abs(cast.motion.x) + std::abs(cast.motion.y), Real(2 * kTileSide));
-  return reach * (8 * std::numeric_limits<Real>::epsilon());
+  return reach * kRounding<Real>;
 }
 
 // The first contact. Between contacts at the same time the most opposing one counts, then the one more level;

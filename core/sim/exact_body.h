@@ -132,7 +132,7 @@ class PlayerRule {
   PlayerRule(const ExactNumbers<Real>& numbers, Moving<Real>& body, Gait& gait)
       : n_(numbers), body_(body), gait_(gait) {}
 
-  // The keys change the velocity. Without `pressed` jump, a jump under way is cut.
+  // The keys change the velocity. When the jump key is let go, a jump under way is cut.
   void take(const Input& input) {
     Vec& v = body_.velocity;
     const int direction = (input.right ? 1 : 0) - (input.left ? 1 : 0);

@@ -145,9 +145,7 @@ class Mover {
     return contact_;
   }
 
-  static Real tolerance(Vec motion) {
-    return (std::abs(motion.x) + std::abs(motion.y)) * (8 * std::numeric_limits<Real>::epsilon());
-  }
+  static Real tolerance(Vec motion) { return (std::abs(motion.x) + std::abs(motion.y)) * kRounding<Real>; }
 
   // A curve that bends towards the box: whoever slides along it meets it again at once.
   bool is_hollow(const Piece<Real>& piece) const {
