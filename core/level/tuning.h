@@ -36,7 +36,7 @@ struct ArticleTuning {
   friend bool operator==(const ArticleTuning&, const ArticleTuning&) = default;
 };
 
-// The exact solver's own numbers; what it shares with the article is above.
+// The exact solver's own numbers; what it shares with the article is above. Ranges: tuning_fields().
 struct ExactTuning {
   double gravity = 0;     // px/frame^2, added to vy; 0: balls fall as the article's do
   double steepest = 2;    // the largest |dy/dx| that counts as floor
@@ -48,7 +48,7 @@ struct ExactTuning {
   friend bool operator==(const ExactTuning&, const ExactTuning&) = default;
 };
 
-// How a player runs and jumps.
+// How a player runs and jumps. Ranges: tuning_fields().
 struct PlayerTuning {
   double run_speed = 1.5;    // px/frame, the speed that running tends to
   double run_gain = 0.25;    // px/frame^2, towards run_speed
