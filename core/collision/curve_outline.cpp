@@ -1,6 +1,7 @@
 // Cuts curves where they turn or change the side that they bend to.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "outline_compiler.h"
@@ -24,27 +25,32 @@ class CurveCutter {
   }
 
  private:
-  bool faces(Facing facing) const {
-    const bool first = facing == Facing::up || facing == Facing::left;
-    return faces_ == Curve::Faces::both || (faces_ == Curve::Faces::up) == first;
-  }
-
-  void put_piece(Piece<double> piece) {
+  // upper, lower: the ways that the piece faces if its curve faces up and down.
+  void put_piece(Piece<double> piece, Facing upper = Facing::up, Facing lower = Facing::down) {
+    assert(piece.x0 < piece.x1 || (piece.x0 == piece.x1 && piece.y0 < piece.y1));
     piece.origin = origin_;
-    const bool wall = piece.x0 == piece.x1;
-    for (const Facing facing : {wall ? Facing::left : Facing::up, wall ? Facing::right : Facing::down}) {
-      if (!faces(facing)) continue;
-      piece.facing = facing;
-      piece.convex0 = piece.convex1 = wall;
-      piece.one_way = faces_ != Curve::Faces::both;
+    piece.one_way = faces_ != Curve::Faces::both;
+    piece.convex0 = piece.convex1 = piece.x0 == piece.x1;
+    for (const bool up : {true, false}) {
+      if (faces_ == (up ? Curve::Faces::down : Curve::Faces::up)) continue;
+      piece.facing = up ? upper : lower;
       outline_.pieces.push_back(piece);
     }
   }
 
+  void put_wall(double x, double y0, double y1, bool faces_left) {
+    const Facing upper = faces_left ? Facing::left : Facing::right;
+    const Facing lower = faces_left ? Facing::right : Facing::left;
+    put_piece({.x0 = x, .y0 = y0, .x1 = x, .y1 = y1, .base_x = x, .base_y = y0}, upper, lower);
+  }
+
+  // a.x <= b.x; what is too short for its ends to differ is nothing.
   void put_line(Vec2 a, Vec2 b) {
-    const bool first_is_base = a.y <= b.y;
-    const Vec2 base = first_is_base ? a : b;
-    const auto slope = a.x == b.x ? Twofold<double>() : Twofold<double>(b.y - a.y) / (b.x - a.x);
+    if (a == b) return;
+    // Steep lines that rise to the right face left on their upper side, and those that fall, right.
+    if (a.x == b.x) return put_wall(a.x, std::min(a.y, b.y), std::max(a.y, b.y), b.y < a.y);
+    const Vec2 base = a.y <= b.y ? a : b;
+    const auto slope = Twofold<double>(b.y - a.y) / (b.x - a.x);
     put_piece({.x0 = a.x,
                .y0 = a.y,
                .x1 = b.x,
@@ -64,7 +70,11 @@ class CurveCutter {
                .stretch = static_cast<std::uint32_t>(outline_.stretches.size())});
   }
 
-  void put(const Segment& s) { put_line(weld(s.from), weld(s.to)); }
+  void put(const Segment& s) {
+    const Vec2 a = weld(s.from), b = weld(s.to);
+    if (s.from.x == s.to.x) return put_wall(a.x, a.y, b.y, true);
+    put_line(a, b);
+  }
 
   void put(const Polyline& p) {
     const double x0 = weld(p.x0), x1 = weld(p.x1);

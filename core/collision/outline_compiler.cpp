@@ -55,8 +55,6 @@ std::vector<T> without(const std::vector<T>& parts, double from, double to) {
 
 }  // namespace
 
-double weld(double coordinate) { return std::round(coordinate * 256) / 256; }
-
 bool is_full(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
 
 bool is_line_shape(const TileShape& shape) { return shape.kind != TileShape::Kind::none && !is_full(shape); }

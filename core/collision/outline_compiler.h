@@ -12,10 +12,6 @@
 
 namespace talus {
 
-// Rounds to 1/256 px, halves away from zero: ends that ought to meet do, and mirrored ones are mirrored.
-double weld(double coordinate);
-inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }
-
 // Cuts the curves into their stretches and lines. Curve n has the pieces whose origin is -1 - n.
 struct CurveOutline {
   std::vector<Piece<double>> pieces;

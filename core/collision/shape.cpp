@@ -9,6 +9,8 @@ namespace {
 
 using Problem = std::optional<std::string>;
 
+constexpr const char* kWeldedAway = "has a width of zero when rounded to 1/256 px";
+
 bool is_finite(double number) { return std::isfinite(number); }
 bool is_finite(Vec2 point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
@@ -28,7 +30,8 @@ Problem problem_of_reach(Points... points) {
 
 Problem problem_of_width(double x0, double x1) {
   if (x0 == x1) return "has a width of zero";
-  return x0 < x1 ? Problem() : "has its right end left of its left end";
+  if (x0 > x1) return "has its right end left of its left end";
+  return weld(x0) < weld(x1) ? Problem() : kWeldedAway;
 }
 
 Problem first_of(Problem a, Problem b) { return a ? a : b; }
@@ -38,6 +41,7 @@ Problem problem_of_form(const Segment& s) {
   if (s.from == s.to) return "has a length of zero";
   if (s.from.x > s.to.x) return "has its right end left of its left end";
   if (s.from.x == s.to.x && s.from.y > s.to.y) return "is vertical and has its lower end above its upper end";
+  if (weld(s.from) == weld(s.to)) return "has a length of zero when rounded to 1/256 px";
   return problem_of_reach(s.from, s.to);
 }
 
@@ -46,6 +50,8 @@ Problem problem_of_form(const Arc& a) {
   if (!(a.radius > 0)) return "has a radius that is not above zero";
   if (const Problem bad = problem_of_width(a.x0, a.x1)) return bad;
   if (a.x0 < a.center.x - a.radius || a.x1 > a.center.x + a.radius) return "has an end beyond its circle";
+  const double center = weld(a.center.x), radius = weld(a.radius);
+  if (weld(a.x0) >= center + radius || weld(a.x1) <= center - radius) return kWeldedAway;
   const double far_y = a.center.y + (a.upper ? -a.radius : a.radius);
   return problem_of_reach(a.center, a.x0, a.x1, far_y);
 }
@@ -79,12 +85,13 @@ Problem problem_of_form(const Polyline& p) {
     if (const Problem bad = first_of(problem_of_numbers(y), problem_of_reach(y))) return bad;
   }
   if (const Problem bad = first_of(problem_of_width(p.x0, p.x1), problem_of_reach(p.x0, p.x1))) return bad;
-  const double step = (p.x1 - p.x0) / static_cast<double>(p.ys.size() - 1);
-  const bool apart = p.x0 + step > p.x0 && p.x1 - step < p.x1;
-  return apart ? Problem() : "has its heights too close to one another";
+  const double step = (weld(p.x1) - weld(p.x0)) / static_cast<double>(p.ys.size() - 1);
+  return step * 256 >= 1 ? Problem() : "has its heights closer to one another than 1/256 px";
 }
 
 }  // namespace
+
+double weld(double coordinate) { return std::round(coordinate * 256) / 256; }
 
 std::optional<std::string> problem_of(const TileShape& shape) {
   using Kind = TileShape::Kind;

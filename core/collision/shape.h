@@ -43,30 +43,39 @@ struct TileShape {
 // Why a shape cannot be used, as the end of a sentence ("has a height that is no number"); none: it can.
 std::optional<std::string> problem_of(const TileShape& shape);
 
-// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces.
+// Rounds to 1/256 px, halves away from zero: ends that ought to meet do, and mirrored ones are mirrored.
+double weld(double coordinate);
+inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }
+
+// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces. Their points, and the
+// radius of an arc, are welded to 1/256 px; so are the heights of a polyline, but neither slopes nor the
+// middle, the amplitude, the wavelength and the origin of a sine. What has no width left then (a segment: no
+// length) is bad.
 struct Segment {  // between any two points
-  Vec2 from, to;  // from.x <= to.x; a vertical one has from.y < to.y
+  // Welded. from.x <= to.x; a vertical one has from.y < to.y. One that only welding makes vertical may have
+  // any.
+  Vec2 from, to;
   friend bool operator==(const Segment&, const Segment&) = default;
 };
-struct Arc {  // of a circle
-  Vec2 center;
+struct Arc {              // of a circle
+  Vec2 center;            // welded, as are the next three
   double radius = 0;      // > 0
   double x0 = 0, x1 = 0;  // ends, within the circle, x0 < x1
   bool upper = true;      // the upper half of the circle (a hill), else the lower (a bowl)
   friend bool operator==(const Arc&, const Arc&) = default;
 };
-struct Parabola {  // the quadratic Bezier curve whose control point is half way between the ends in x
-  Vec2 from, to;   // from.x < to.x
-  double control_y = 0;
+struct Parabola {        // the quadratic Bezier curve whose control point is half way between the ends in x
+  Vec2 from, to;         // welded, from.x < to.x
+  double control_y = 0;  // welded
   friend bool operator==(const Parabola&, const Parabola&) = default;
 };
 struct Cubic {                          // Hermite form
-  Vec2 from, to;                        // from.x < to.x
+  Vec2 from, to;                        // welded, from.x < to.x
   double from_slope = 0, to_slope = 0;  // dy/dx at the ends
   friend bool operator==(const Cubic&, const Cubic&) = default;
 };
 struct Sine {             // y = middle + amplitude * sin(2 pi (x - origin) / wavelength)
-  double x0 = 0, x1 = 0;  // ends, x0 < x1
+  double x0 = 0, x1 = 0;  // ends, welded, x0 < x1
   double middle = 0;
   double amplitude = 0;   // any sign
   double wavelength = 0;  // > 0; x0..x1 holds kMaxWaves at most
@@ -74,13 +83,14 @@ struct Sine {             // y = middle + amplitude * sin(2 pi (x - origin) / wa
   friend bool operator==(const Sine&, const Sine&) = default;
 };
 struct Polyline {          // through heights at equal distances
-  double x0 = 0, x1 = 0;   // ends, x0 < x1
-  std::vector<double> ys;  // 2..kMaxPolylineHeights, at distances that doubles can tell apart
+  double x0 = 0, x1 = 0;   // ends, welded, x0 < x1
+  std::vector<double> ys;  // welded; 2..kMaxPolylineHeights, at distances of 1/256 px or more, welded too
   friend bool operator==(const Polyline&, const Polyline&) = default;
 };
 
 struct Curve {
   // Which way its normals point. A vertical segment that faces up faces left, and one that faces down, right.
+  // One that only welding makes vertical keeps the side that it was given.
   enum class Faces : std::uint8_t { up, down, both };
   std::variant<Segment, Arc, Parabola, Cubic, Sine, Polyline> form;
   Faces faces = Faces::up;

@@ -291,6 +291,29 @@ TEST(CastCurves, OneSidedPolesStopOneWay) {
   EXPECT_FALSE(cast(left, {40, 40, 8, 8}, {-16, 0}));
 }
 
+// 80.001 is 80 when rounded to 1/256 px. Rising to the right, the line's upper side is its left one.
+TEST(CastCurves, WhatRoundingMakesAPoleStopsOnTheSideThatItFaces) {
+  using Faces = Curve::Faces;
+  const Segment rising{{80, 104}, {80.001, 40}}, falling{{80, 40}, {80.001, 104}}, pole{{80, 40}, {80, 104}};
+  const auto stops = [](Segment segment, Faces faces, bool from_left) {
+    const Terrain ground = with_curve({segment, faces});
+    const Contact<double> c =
+        from_left ? cast(ground, {60, 60, 8, 8}, {24, 0}) : cast(ground, {92, 60, 8, 8}, {-24, 0});
+    if (c) expect_contact(c, 0.5, {from_left ? 72.0 : 80.0, 60}, {from_left ? -1.0 : 1.0, 0});
+    return static_cast<bool>(c);
+  };
+  for (const bool from_left : {true, false}) {
+    EXPECT_TRUE(stops(rising, Faces::both, from_left));
+    EXPECT_TRUE(stops(falling, Faces::both, from_left));
+    EXPECT_EQ(stops(rising, Faces::up, from_left), from_left);
+    EXPECT_EQ(stops(rising, Faces::down, from_left), !from_left);
+    EXPECT_EQ(stops(falling, Faces::up, from_left), !from_left);
+    EXPECT_EQ(stops(falling, Faces::down, from_left), from_left);
+    EXPECT_EQ(stops(pole, Faces::up, from_left), from_left);
+    EXPECT_EQ(stops(pole, Faces::down, from_left), !from_left);
+  }
+}
+
 TEST(CastCurves, APolylineIsJoinedAtItsHeights) {
   const Terrain line = with_curve({Polyline{16, 48, {64, 48, 64}}, Curve::Faces::up});
   expect_contact(cast(line, {28, 32, 8, 8}, {0, 16}), 0.5, {28, 40}, {0, -1});

@@ -78,6 +78,21 @@ TEST(Curve, EndsMustBeInOrder) {
   EXPECT_EQ(problem(Polyline{8, 8, {1, 2}}), zero);
 }
 
+TEST(Curve, WhatRoundingLeavesNothingOfIsBad) {
+  const std::string why = "has a width of zero when rounded to 1/256 px";
+  EXPECT_EQ(problem(Segment{{8, 8}, {8.0001, 8}}), "has a length of zero when rounded to 1/256 px");
+  EXPECT_EQ(problem(Segment{{8, 8}, {8, 8.0001}}), "has a length of zero when rounded to 1/256 px");
+  EXPECT_EQ(problem(Segment{{80, 104}, {80.001, 40}}), "");
+  EXPECT_EQ(problem(Arc{{8, 8}, 8, 8, 8.001, true}), why);
+  EXPECT_EQ(problem(Arc{{8, 8}, 0.0015, 7.999, 8.001, true}), why);
+  EXPECT_EQ(problem(Arc{{8.0019, 8}, 8.0019, 16.001, 16.003, true}), why);
+  EXPECT_EQ(problem(Parabola{{8, 8}, {8.001, 40}, 8}), why);
+  EXPECT_EQ(problem(Cubic{{8, 8}, {8.001, 40}, 0, 0}), why);
+  EXPECT_EQ(problem(Sine{8, 8.001, 8, 4, 8, 0}), why);
+  EXPECT_EQ(problem(Polyline{8, 8.001, {8, 40}}), why);
+  EXPECT_EQ(problem(Parabola{{8, 8}, {8.003, 40}, 8}), "");  // 1/256 px wide
+}
+
 TEST(Curve, FormsHaveTheirOwnLimits) {
   EXPECT_EQ(problem(Arc{{0, 0}, 0, -1, 1, true}), "has a radius that is not above zero");
   EXPECT_EQ(problem(Arc{{0, 0}, 8, -8.001, 8, true}), "has an end beyond its circle");
@@ -87,8 +102,9 @@ TEST(Curve, FormsHaveTheirOwnLimits) {
   EXPECT_EQ(problem(Sine{0, 4097, 0, 1, 1, 0}), "has more than 4096 waves");
   EXPECT_EQ(problem(Polyline{0, 8, {1}}), "needs at least 2 heights");
   EXPECT_EQ(problem(Polyline{0, 8, std::vector<double>(65537)}), "has more than 65536 heights");
-  EXPECT_EQ(problem(Polyline{1, std::nextafter(1.0, 2.0), {1, 2, 3}}),
-            "has its heights too close to one another");
+  EXPECT_EQ(problem(Polyline{0, 8, std::vector<double>(2049)}), "");
+  EXPECT_EQ(problem(Polyline{0, 8, std::vector<double>(2050)}),
+            "has its heights closer to one another than 1/256 px");
 }
 
 TEST(Curve, NothingReachesTooFar) {
