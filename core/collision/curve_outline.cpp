@@ -169,12 +169,11 @@ class CurveCutter {
 
   // A line that stops bodies on both sides also stops them at its ends.
   void put_tips() {
+    outline_.ends = CurveEnds(outline_.pieces);
     const std::vector<Piece<double>> pieces = outline_.pieces;
     const auto goes_on = [&](const Piece<double>& piece, bool first) {
       const Vec2 end = first ? Vec2{piece.x0, piece.y0} : Vec2{piece.x1, piece.y1};
-      return std::any_of(pieces.begin(), pieces.end(), [&](const Piece<double>& p) {
-        return !p.is_wall() && (first ? p.x1 == end.x && p.y1 == end.y : p.x0 == end.x && p.y0 == end.y);
-      });
+      return !outline_.ends.at(end, !first).empty();
     };
     for (const Piece<double>& piece : pieces) {
       if (piece.one_way || piece.facing == Facing::down || piece.facing == Facing::right) continue;
@@ -199,7 +198,31 @@ class CurveCutter {
   Curve::Faces faces_ = Curve::Faces::up;
 };
 
+bool is_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
 }  // namespace
+
+CurveEnds::CurveEnds(std::span<const Piece<double>> pieces) {
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+    const Piece<double>& p = pieces[n];
+    if (p.is_wall()) continue;
+    begins_.push_back({{p.x0, p.y0}, n});
+    ends_.push_back({{p.x1, p.y1}, n});
+  }
+  const auto by_point = [](const End& a, const End& b) {
+    return a.point == b.point ? a.piece < b.piece : is_before(a.point, b.point);
+  };
+  std::sort(begins_.begin(), begins_.end(), by_point);
+  std::sort(ends_.begin(), ends_.end(), by_point);
+}
+
+std::span<const CurveEnds::End> CurveEnds::at(Vec2 point, bool first) const {
+  const std::vector<End>& all = first ? begins_ : ends_;
+  const auto begin = std::lower_bound(all.begin(), all.end(), point,
+                                      [](const End& end, Vec2 p) { return is_before(end.point, p); });
+  const auto end = std::find_if(begin, all.end(), [&](const End& e) { return e.point != point; });
+  return {begin, end};
+}
 
 CurveOutline cut_curves(std::span<const Curve> curves) {
   CurveCutter cutter;

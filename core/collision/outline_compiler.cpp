@@ -67,8 +67,9 @@ std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell) {
 }
 
 OutlineCompiler::OutlineCompiler(int width, std::span<const TileShape> shapes,
-                                 std::span<const Piece<double>> curves, ShapeAt shape_at)
-    : width_(width), curves_(curves), shape_at_(std::move(shape_at)) {
+                                 std::span<const Piece<double>> curves, const CurveEnds& curve_ends,
+                                 ShapeAt shape_at)
+    : width_(width), curves_(curves), curve_ends_(curve_ends), shape_at_(std::move(shape_at)) {
   for (const TileShape& shape : shapes) {
     if (!is_line_shape(shape)) continue;
     most_tiles_ = std::max(most_tiles_, tiles_of(shape));
@@ -401,10 +402,9 @@ bool OutlineCompiler::goes_on(const Piece<double>& piece, bool first, bool only_
       }
     }
   }
-  for (const Piece<double>& curve : curves_) {
-    if (curve.facing != piece.facing || curve.x0 == curve.x1) continue;
-    const double end_x = first ? curve.x1 : curve.x0, end_y = first ? curve.y1 : curve.y0;
-    if (end_x != x || end_y != y) continue;
+  for (const CurveEnds::End& end : curve_ends_.at({x, y}, !first)) {
+    const Piece<double>& curve = curves_[end.piece];
+    if (curve.facing != piece.facing) continue;
     const double dy = first ? curve.y0 - curve.y1 : curve.y1 - curve.y0;
     if (!only_outward || outward(dy)) return true;
   }

@@ -12,9 +12,27 @@
 
 namespace talus {
 
+// Where the pieces of curves end, walls apart, so that what goes on at a point is found without a scan of
+// all.
+class CurveEnds {
+ public:
+  struct End {
+    Vec2 point;
+    std::uint32_t piece;
+  };
+  CurveEnds() = default;
+  explicit CurveEnds(std::span<const Piece<double>> pieces);
+  // The pieces, by number, that begin (`first`) or that end exactly there.
+  std::span<const End> at(Vec2 point, bool first) const;
+
+ private:
+  std::vector<End> begins_, ends_;  // by x, y, then piece
+};
+
 // Cuts the curves into their stretches and lines. Curve n has the pieces whose origin is -1 - n.
 struct CurveOutline {
   std::vector<Piece<double>> pieces;
+  CurveEnds ends;  // of the pieces
   std::vector<CurveStretch<double>> stretches;
 };
 CurveOutline cut_curves(std::span<const Curve> curves);
@@ -30,9 +48,10 @@ class OutlineCompiler {
  public:
   using ShapeAt = std::function<const TileShape&(Cell)>;  // any cell; a shape of kind none outside of the map
 
-  // width: of the map, cells, for Piece::origin. The spans must outlive the compiler.
+  // width: of the map, cells, for Piece::origin. curve_ends: those of `curves`. The spans and the ends must
+  // outlive the compiler.
   OutlineCompiler(int width, std::span<const TileShape> shapes, std::span<const Piece<double>> curves,
-                  ShapeAt shape_at);
+                  const CurveEnds& curve_ends, ShapeAt shape_at);
 
   // The cells whose outline depends on what the given cell is, from the first to the last.
   std::array<Cell, 2> reach_of(Cell cell) const;
@@ -81,6 +100,7 @@ class OutlineCompiler {
 
   int width_;
   std::span<const Piece<double>> curves_;
+  const CurveEnds& curve_ends_;
   ShapeAt shape_at_;
   int most_tiles_ = 1, most_up_ = 0, most_down_ = 0;  // reach of the shapes in cells, beside their own
 

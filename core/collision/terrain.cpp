@@ -78,6 +78,7 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
   CurveOutline curves = cut_curves(source.curves);
   for (const auto& stretch : curves.stretches) parts->stretches.push_back(narrow<Real>(stretch));
   parts->curve_pieces = std::move(curves.pieces);
+  parts->curve_ends = std::move(curves.ends);
   parts->cells_of_curves = cells_of(parts->curve_pieces, curves.stretches);
   parts->has_lines = std::any_of(source.shapes.begin(), source.shapes.end(), is_line_shape);
   features_.curves = !parts->stretches.empty();
@@ -140,7 +141,7 @@ void BasicTerrain<Real>::set_cell(Cell cell, std::uint8_t tile) {
 template <class Real>
 OutlineCompiler BasicTerrain<Real>::compiler() const {
   static const TileShape kNothing;
-  return OutlineCompiler(width_, parts_->shapes, parts_->curve_pieces,
+  return OutlineCompiler(width_, parts_->shapes, parts_->curve_pieces, parts_->curve_ends,
                          [this](Cell c) -> const TileShape& { return contains(c) ? shape_at(c) : kNothing; });
 }
 

@@ -1,5 +1,11 @@
 // Terrain: the ground compiled for collision. Full tiles are bits, 64 to a word; everything else is pieces of
 // one merged outline: what lies inside the ground, or where two shapes touch, is gone.
+//
+// The outline is no linked chains. Each cell keeps its pieces, and their ends are marked with how the outline
+// goes on there: it turns away from the open side (convex), no floor goes on (last), or the end is in another
+// cell, whose copy of the piece knows (far). So a cell can be compiled from its surroundings alone. Free
+// curves are merged with tiles, and with one another, only where their ends meet: one that crosses a tile
+// stays whole, inside of the ground too.
 #pragma once
 
 #include <array>
@@ -167,6 +173,7 @@ class BasicTerrain {
     std::vector<Curve> curves;
     bool has_lines = false;  // any slope or the like among them
     std::vector<Piece<double>> curve_pieces;
+    CurveEnds curve_ends;
     std::vector<CurveStretch<Real>> stretches;
     std::vector<CurveInCell> cells_of_curves;  // by cell, then by piece
   };

@@ -186,6 +186,21 @@ TEST(Terrain, ALineThatFacesBothSidesHasTips) {
                                    "up |(20,4 20,4)|", "up |(8,16 16,12", "up |(8,16 16,12)|"));
 }
 
+// Looking for what goes on at each end among all the others would take seconds here.
+TEST(Terrain, ALongPolylineHasTipsAtItsEndsAlone) {
+  Polyline line{0, 16384, {}};
+  for (int i = 0; i <= 16384; ++i) line.ys.push_back(i % 2);
+  const std::vector<Curve> curves = {{line, Curve::Faces::both}};
+  const std::vector<Piece<double>> pieces = cut_curves(curves).pieces;
+  ASSERT_EQ(pieces.size(), 2 * 16384 + 2);
+  for (std::size_t i = 0; i < 2 * 16384; ++i) ASSERT_FALSE(pieces[i].is_wall()) << i;
+  const Piece<double>&first = pieces[2 * 16384], &last = pieces[2 * 16384 + 1];
+  EXPECT_EQ(first.facing, Facing::left);
+  EXPECT_EQ((Vec2{first.x0, first.y0}), (Vec2{0, 0}));
+  EXPECT_EQ(last.facing, Facing::right);
+  EXPECT_EQ((Vec2{last.x0, last.y0}), (Vec2{16384, 0}));
+}
+
 TEST(Terrain, CurvesAreCutWhereTheyTurn) {
   TestMap map({"........", "........", "........"});
   map.curves = {{Arc{{32, 20}, 10, 22, 40, true}, Curve::Faces::up}};
