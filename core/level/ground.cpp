@@ -12,7 +12,7 @@ TerrainSource ground_of(const Level& level) {
     if (!problem_of(shape)) source.shapes[tile] = std::move(shape);
   }
   for (const LevelCurve& c : level.curves) {
-    if (!problem_of(c.curve)) source.curves.push_back(c.curve);
+    if (!problem_of(c.curve, level.map)) source.curves.push_back(c.curve);
   }
   return source;
 }

@@ -1,6 +1,7 @@
 // Which shape a tile has, and which curves a level may have.
 #include <gtest/gtest.h>
 
+#include "level/ground.h"
 #include "level/level.h"
 
 namespace talus {
@@ -104,6 +105,17 @@ TEST(LevelCurve, EndsMustBeOnTheMap) {
   EXPECT_EQ(problem(Sine{0, 32, 0, 8, 32, 0}), "") << "its ends are on the map's upper side";
   EXPECT_EQ(problem(Sine{0, 24, 4, 8, 32, 0}), last);
   EXPECT_EQ(problem(Segment{{3, 3}, {3, 3}}), "has a length of zero");
+}
+
+// A curve may be good when it is drawn, and off the map after the map has been cut.
+TEST(LevelCurve, OffTheMapItIsNoGround) {
+  Level level;
+  level.map = TileMap(4, 2);
+  const Curve kept{Segment{{0, 0}, {32, 16}}, Curve::Faces::up};
+  level.curves = {{"", {Segment{{0, 0}, {40, 16}}, Curve::Faces::up}, ""}, {"", kept, ""}};
+  EXPECT_EQ(ground_of(level).curves, std::vector<Curve>{kept});
+  level.map = TileMap(5, 2);
+  EXPECT_EQ(ground_of(level).curves.size(), 2);
 }
 
 }  // namespace
