@@ -48,6 +48,10 @@ class Linter {
       roles_[tile] = role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles);
       const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
       solid_[tile] = shape.kind == TileShape::Kind::solid && !shape.one_way;
+      if (!is_line_shape(shape) || problem_of(shape)) continue;
+      // The neighbours that it touches are not covered by it.
+      const std::array<Cell, 2> touched = cells_touched_by(shape, {0, 0});
+      covered_[tile] = {Cell{touched[0].x + 1, touched[0].y + 1}, Cell{touched[1].x - 1, touched[1].y - 1}};
     }
   }
 
@@ -139,6 +143,7 @@ class Linter {
     seen_[tile] = true;
     const TileRole role = roles_[tile];
     if (is_slope(role)) check_slope(cell, role);
+    if (!is_slope(role) || has_own_shape(cell)) check_covered(cell);
     if (role != TileRole::ball) return;
     ++balls_;
     const Vec2 corner = {static_cast<double>(cell.x) * kTileSize, static_cast<double>(cell.y) * kTileSize};
@@ -190,6 +195,21 @@ class Linter {
         return add(Severity::error, "slope-overlap", subject + where + why, cell, level_.map.at(cell));
       }
     }
+  }
+
+  // Of a shape that its flags alone give, check_slope says it.
+  void check_covered(Cell cell) {
+    const int tile = level_.map.at(cell);
+    const auto& [first, last] = covered_[tile];
+    const std::string where = cell.x + last.x >= level_.map.width()    ? "right"
+                              : cell.y + first.y < 0                   ? "upper"
+                              : cell.y + last.y >= level_.map.height() ? "lower"
+                                                                       : "";
+    if (where.empty()) return;
+    add(Severity::warning, "shape-leaves-map",
+        "tile " + std::to_string(tile) + " at " + text_of(cell) + " reaches over the map's " + where +
+            " edge, where it stops nothing",
+        cell, tile);
   }
 
   bool is_empty(int tile) const {
@@ -275,6 +295,8 @@ class Linter {
   const ArticleTuning& tuning_;
   std::array<TileRole, kTileCount> roles_{};
   std::array<bool, kTileCount> solid_{};  // by shape_of_tile, and from all sides
+  // By shape_of_tile: the first and the last cell that a slope or the like reaches over, from its own.
+  std::array<std::array<Cell, 2>, kTileCount> covered_{};
   std::array<bool, kTileCount> seen_{};
   int balls_ = 0;
   std::size_t left_out_ = 0;  // problems over kMaxProblems

@@ -73,6 +73,27 @@ TEST(Lint, NothingWillMove) {
   EXPECT_THAT(problems(level), IsEmpty());
 }
 
+TEST(Lint, AShapeReachesOverTheMapsEdge) {
+  Level level = level_of({"o.........", "..........", ".........."});
+  level.tile_shapes[100] = {.kind = TileShape::Kind::slope, .tiles = 8, .heights = {0, 8}};
+  level.tile_shapes[101] = {.kind = TileShape::Kind::slope, .heights = {0, 16}};
+  level.tile_shapes[102] = level.tile_shapes[101];
+  level.tile_shapes[102].side = TileShape::Side::ceiling;
+  for (const Cell cell : {Cell{2, 1}, Cell{3, 1}, Cell{9, 2}}) level.map.set(cell, 100);
+  level.map.set({4, 0}, 101);
+  level.map.set({5, 0}, 102);
+  level.map.set({6, 2}, 101);
+  level.map.set({7, 2}, 102);
+  EXPECT_THAT(problems(level), ElementsAre("W shape-leaves-map (4, 0) 101: tile 101 at (4, 0) reaches over "
+                                           "the map's upper edge, where it stops nothing",
+                                           "W shape-leaves-map (3, 1) 100: tile 100 at (3, 1) reaches over "
+                                           "the map's right edge, where it stops nothing",
+                                           "W shape-leaves-map (7, 2) 102: tile 102 at (7, 2) reaches over "
+                                           "the map's lower edge, where it stops nothing",
+                                           "W shape-leaves-map (9, 2) 100: tile 100 at (9, 2) reaches over "
+                                           "the map's right edge, where it stops nothing"));
+}
+
 TEST(Lint, HalfOfASlopeIsNotDrawn) {
   EXPECT_THAT(problems(level_of({"o./.\\?", "..-../"})),
               ElementsAre("E slope-half-missing (2, 0) 3: tile 3 at (2, 0) is an up-slope, but the tile to "
