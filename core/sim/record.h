@@ -18,14 +18,15 @@ struct Obstacle {
   int curve = -1;                   // number of a curve of the level; -1: none
 };
 
-// The article's slope correction: the floor height is interpolated at the body's centre.
+// How a body met a slope: of the article, its correction, for which the floor is interpolated at the body's
+// centre; of the other solvers, which round nothing, their contact with a sloped line.
 struct SlopeProbe {
   Obstacle slope;          // the slope that the probe found, not always the contact's own
   double delta = 0;        // how far along the slope the centre is, 0 at its left end to 1 at its right end
-  double floor_y = 0;      // px, the line under the body: where the probe puts its feet, before rounding
-  double placed_y = 0;     // px, the body's top after the article's floor(); it is put there if it was lower
-  Vec2 normal;             // unit, up and out of the slope
-  bool corrected = false;  // the body was below and has been put at placed_y
+  double floor_y = 0;      // px, where the body's feet are put, before rounding; at a ceiling, its top
+  double placed_y = 0;     // px, the body's top: of the article after its floor()
+  Vec2 normal;             // unit, out of the slope
+  bool corrected = false;  // the body has been put at placed_y; false only where the article found it above
 };
 
 struct ContactRecord {
@@ -33,16 +34,17 @@ struct ContactRecord {
   int order = 0;  // from 0, within the body's step
   Obstacle other;
   Response response = Response::slide;
-  bool overlaps = false;            // the boxes overlapped before the move
-  double ti = 0;                    // time of impact, fraction of `move`; minus the overlap area if overlaps
-  Vec2 move;                        // px, what the body wanted when this contact was found
-  Vec2 normal;                      // unit axis vector out of the obstacle
-  Vec2 touch;                       // px, the body's top-left corner at the contact
+  bool overlaps = false;  // the boxes overlapped before the move
+  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
+  Vec2 move;              // px, what the body wanted when this contact was found
+  Vec2 normal;            // unit, out of the obstacle; along an axis but on slopes of exact and bump
+  Vec2 touch;             // px, the body's top-left corner at the contact
   std::optional<SlopeProbe> slope;  // when the contact led to a look for the slope's floor
   bool handled = false;             // false: found, but the solver did nothing more with it
 };
 
-// A candidate of the broad phase whose box was tested against the body's way.
+// A candidate of the broad phase whose box was tested against the body's way. Only the solvers on World,
+// article and bump, note them.
 struct TestedBox {
   int body = 0;
   Obstacle other;
