@@ -190,6 +190,9 @@ segments, no curves, no `float` and no sub-steps, so they have no such rows. Map
 be further out. All falls are steep enough to have one right answer; grazing ones are left to the property tests. What
 meets or misses something within 1/64 px of the end of its motion is not counted.
 
+Misses, ghosts, tunnels and teleports are of single moves, each of which has its own exact answer. Rows of a trajectory
+or of a model have none: there a ball that fell through the ground, or left the scene, is a large error of its row.
+
 )";
 
 std::string first_line_with(const std::string& file, const std::string& key) {
