@@ -179,10 +179,22 @@ TEST(CliBench, PrintsOneJsonLineAndTheSameHashForTheSameSeed) {
   EXPECT_EQ(json["frames"], 20);
   EXPECT_EQ(json["threads"], 1);
   EXPECT_GT(json["ns_per_body_step"], 0);
+  EXPECT_GT(json["ratio_to_kernel"], 0);
   EXPECT_EQ(nlohmann::json::parse(run(arguments).out)["hash"], json["hash"]);
   auto other_seed = arguments;
   other_seed.insert(other_seed.end(), {"--seed", "2"});
   EXPECT_NE(nlohmann::json::parse(run(other_seed).out)["hash"], json["hash"]);
+}
+
+TEST(CliBench, RestingIsTheShareOfBallStepsWithoutMotion) {
+  const auto resting = [](const std::string& frames) {
+    return nlohmann::json::parse(run({"bench", kSix, "--bodies", "50", "--frames", frames}).out)["resting"]
+        .get<double>();
+  };
+  EXPECT_EQ(resting("1"), 0) << "all fall at first";
+  const double later = resting("2000");
+  EXPECT_GT(later, 0) << "some lie still by then";
+  EXPECT_LT(later, 1);
 }
 
 TEST(CliBench, BallsBlockOneAnotherOnlyWithPairs) {
