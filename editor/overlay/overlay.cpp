@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "collision/ground_queries.h"
 #include "number_label.h"
 #include "outline.h"
 
@@ -16,6 +17,8 @@ constexpr double kNormalLength = 8;  // px
 constexpr double kBarHeight = 2;     // px
 constexpr double kBarGap = 2;        // px between the bar and the body below it
 constexpr double kFloorMargin = 4;   // px by which the floor line sticks out on both sides of the body
+
+constexpr double kFloorReach = 64;  // px below a body at which a floor is looked for; of the chosen one, all
 
 // The middle of what two intervals share; of the gap between them when they are apart.
 double shared_middle(double a_min, double a_max, double b_min, double b_max) {
@@ -58,6 +61,7 @@ class Drawer {
     if (overlays_.has(OverlayId::outline)) add_outline(scene_, visible_, out_);
     for (const Body& body : state_.bodies) {
       if (overlays_.has(OverlayId::velocity)) draw_velocity(body);
+      if (overlays_.has(OverlayId::floor_height) && scene_.ground) draw_floor(body);
     }
     for (const ContactRecord& contact : record_.contacts) {
       // An edit may have taken the body away since the step.
@@ -111,6 +115,20 @@ class Drawer {
           body);
   }
 
+  // The floor straight below, as the ground has it.
+  void draw_floor(const Body& body) {
+    const Rect& b = body.box;
+    if (!sees(b)) return;
+    const double reach = body.id == chosen_ ? scene_.ground->height() * double{kTileSide} : kFloorReach;
+    const auto floor = floor_below(*scene_.ground, b, reach, body.foot);
+    if (!floor) return;
+    const double x = b.center().x;
+    const Vec2 end{b.right() + kFloorMargin, floor->y};
+    line(OverlayId::floor_height, {b.x - kFloorMargin, floor->y}, end);
+    if (floor->y > b.bottom()) line(OverlayId::floor_height, {x, b.bottom()}, {x, floor->y});
+    label(OverlayId::floor_height, end, "floor " + two_decimals(floor->y), body);
+  }
+
   void draw_contact(const ContactRecord& contact, const Body& body) {
     const Vec2 point = touched_point(contact, body.box);
     if (overlays_.has(OverlayId::normals) && contact.normal != Vec2{}) {
@@ -146,7 +164,7 @@ class Drawer {
       if (sees(bar)) out_.bars.push_back({OverlayId::slope_delta, bar, probe.delta});
       label(OverlayId::slope_delta, {x, bar.y}, "delta " + two_decimals(probe.delta), body);
     }
-    if (overlays_.has(OverlayId::floor_height)) {
+    if (overlays_.has(OverlayId::floor_height) && !scene_.ground) {
       const auto [left, right] = slope_surface(probe.slope);
       const Vec2 end{b.right() + kFloorMargin, probe.floor_y};
       line(OverlayId::floor_height, left, right);

@@ -21,10 +21,14 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        "Gauges of how far along a slope a body's centre is, from 0 at the left end to 1 at the right.",
        0xcc79a7},
       {OverlayId::floor_height, "floor_height", "floor height",
-       "The floor computed under a body on a slope, before and after rounding, and the slope's surface.",
+       "The floor straight below each body, as the exact solver's ground has it; of the others, the floor "
+       "computed "
+       "on a slope, before and after rounding, and the slope's surface.",
        0xd55e00},
       {OverlayId::tested_tiles, "tested_tiles", "tested tiles",
-       "Tinted boxes that the last step tested against the bodies' ways.", 0xf4f4f4},
+       "Tinted boxes that the last step of article or bump tested against the bodies' ways; exact has no "
+       "boxes.",
+       0xf4f4f4},
       {OverlayId::answer, "answer", "right answer",
        "Of a hard case: where bodies start, where they should be, and the floor they should keep to.",
        0xa7f070},

@@ -271,5 +271,30 @@ TEST(Overlays, ABodyThatAnEditTookAwayLeavesNothing) {
               drawing.labels.empty());
 }
 
+// A slope of 16x8 px from (16, 96) up to (32, 88), and level ground from there; two balls in the air.
+TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.tile_shapes[1] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 8}};
+  level.tile_shapes[2].kind = TileShape::Kind::solid;
+  level.map.set({2, 11}, 1);
+  for (int x = 4; x < 10; ++x) level.map.set({x, 11}, 2);
+  const Scene scene = compile_scene(level);
+  Body over_slope = body(1, {18, 70, 8, 8}), high = body(2, {50, 10, 8, 8});
+  over_slope.foot = Foot::centre;
+  const State state = state_of({over_slope, high});
+  const auto drawing = make_overlays(scene, state, {}, only(OverlayId::floor_height), kEverything, 1);
+  ASSERT_EQ(drawing.lines.size(), 2u) << "the floor of the other one is too far below to be of interest";
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{14, 93}));
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{30, 93}));
+  EXPECT_EQ(drawing.lines[1].from, (Vec2{22, 78}));
+  EXPECT_EQ(drawing.lines[1].to, (Vec2{22, 93}));
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "floor 93.00");
+  const auto chosen = make_overlays(scene, state, {}, only(OverlayId::floor_height), kEverything, 2);
+  ASSERT_EQ(chosen.labels.size(), 2u);
+  EXPECT_EQ(chosen.labels[1].text, "floor 88.00");
+}
+
 }  // namespace
 }  // namespace talus
