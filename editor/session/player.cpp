@@ -5,12 +5,14 @@
 #include <cassert>
 #include <utility>
 
+#include "edit/spawn_tools.h"
 #include "sim/case_input.h"
 
 namespace talus {
 
 void Player::load(const Level& level) {
   compile(compile_scene(level));
+  spawns_ = level.spawns;
   set_running(false);
   playback_.input = {};
   reset();
@@ -20,6 +22,17 @@ void Player::recompile(const Level& edited) { go_on_in(compile_scene(edited)); }
 
 void Player::recompile(const Level& edited, std::span<const Cell> changed) {
   go_on_in(recompile_scene(*scene_, edited, changed));
+}
+
+void Player::follow_spawns(const std::vector<Spawn>& edited) {
+  if (edited == spawns_) return;
+  std::erase_if(state_.bodies, [&](Body& body) {
+    if (body.origin.spawn < 0) return false;
+    const auto now = followed_spawn(spawns_, edited, body.origin.spawn);
+    body.origin.spawn = now.value_or(-1);
+    return !now;
+  });
+  spawns_ = edited;
 }
 
 void Player::go_on_in(Scene scene) {

@@ -16,7 +16,10 @@ class Player {
   void recompile(const Level& edited);  // the same level, edited: the state goes on, see Session::apply
   void recompile(const Level& edited,
                  std::span<const Cell> changed);  // edited in these cells of the map alone
-  void reset();                                   // frame 0 of the compiled level; keeps running if it ran
+  // Bodies keep to their spawns, wherever those are now in the list; those of spawns that are gone go too. To
+  // be called before recompile().
+  void follow_spawns(const std::vector<Spawn>& edited);
+  void reset();  // frame 0 of the compiled level; keeps running if it ran
 
   // What is held in each frame besides what the user holds; stays until set again.
   void set_script(std::vector<CaseInput> script) { script_ = std::move(script); }
@@ -44,6 +47,7 @@ class Player {
   std::shared_ptr<const Scene> scene_;
   std::unique_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it
   State state_;
+  std::vector<Spawn> spawns_;  // that the origins of the bodies are numbers of
   StepRecord record_;
   Playback playback_;
   std::vector<CaseInput> script_;  // by frame

@@ -107,6 +107,7 @@ void Session::Impl::note_change(const Edit& edit) {
 void Session::Impl::refresh_scene() {
   if (scene_changes.empty()) return;
   const SceneChanges changes = std::exchange(scene_changes, {});
+  if (changes.whole) player.follow_spawns(level.spawns);
   keep_chosen_body([&] {
     if (changes.whole) return player.recompile(level);
     player.recompile(level, changes.cells);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "edit/shape_tools.h"
+#include "edit/spawn_tools.h"
 #include "session/session.h"
 
 namespace talus {
@@ -325,6 +326,40 @@ TEST(Playback, TheMouseDragsABall) {
   session.apply({act::HoldMouse{{30, 12}, false}, act::StepFrame{}});
   EXPECT_EQ(session.state().grabbed, 0);
   EXPECT_GT(session.state().bodies[0].velocity.x, 2) << "thrown";
+}
+
+// Three bodies placed by hand, high above the floor, side by side.
+Level three_spawns() {
+  Level level = ball_over_floor();
+  level.map.set({2, 1}, 0);
+  for (const double x : {40.0, 80.0, 120.0}) level.spawns.emplace_back().position = {x, 8};
+  return level;
+}
+
+TEST(Playback, BodiesKeepToTheirSpawnsWhenOneIsRemoved) {
+  Session session(three_spawns());
+  for (int i = 0; i < 5; ++i) session.apply(act::StepFrame{});
+  session.apply(act::SelectSpawn{2});
+  const State before = session.state();
+  session.apply(act::EditLevel{remove_spawn(session.level(), 0)});
+  ASSERT_EQ(session.state().bodies.size(), 2u);
+  EXPECT_EQ(session.state().bodies[0].box, before.bodies[1].box);
+  EXPECT_EQ(session.state().bodies[1].box, before.bodies[2].box);
+  EXPECT_EQ(session.state().bodies[1].id, 3);
+  EXPECT_EQ(session.choices().body, 3) << "the same body stays chosen";
+  session.apply(act::Undo{});
+  ASSERT_EQ(session.state().bodies.size(), 3u);
+  EXPECT_EQ(session.state().find(2)->box, before.bodies[1].box);
+  EXPECT_EQ(session.state().find(3)->box, before.bodies[2].box);
+  EXPECT_EQ(session.state().find(4)->box, (Rect{40, 8, 8, 8})) << "the one that came back starts anew";
+}
+
+TEST(Playback, TheChosenBodyStaysChosenAtFrameZero) {
+  Session session(three_spawns());
+  session.apply(act::SelectSpawn{2});
+  session.apply(act::EditLevel{remove_spawn(session.level(), 0)});
+  ASSERT_EQ(session.choices().body, 2);
+  EXPECT_EQ(session.state().find(2)->box.x, 120);
 }
 
 }  // namespace

@@ -45,5 +45,22 @@ TEST(SpawnTools, TheLastOfThoseUnderThePointIsFound) {
   EXPECT_EQ(spawn_at(level, {41, 20}), -1);
 }
 
+TEST(SpawnTools, SpawnsAreFollowedAcrossAnEdit) {
+  const Spawn a = spawn_at_x(8), b = spawn_at_x(16), c = spawn_at_x(24), other = spawn_at_x(99);
+  const auto followed = [](const std::vector<Spawn>& before, const std::vector<Spawn>& after) {
+    std::vector<std::optional<int>> now;
+    for (int i = 0; i < static_cast<int>(before.size()); ++i) now.push_back(followed_spawn(before, after, i));
+    return now;
+  };
+  using Now = std::vector<std::optional<int>>;
+  EXPECT_EQ(followed({a, b, c}, {b, c}), (Now{std::nullopt, 0, 1}));
+  EXPECT_EQ(followed({a, b, c}, {a, c}), (Now{0, std::nullopt, 1}));
+  EXPECT_EQ(followed({a, b, c}, {a, b}), (Now{0, 1, std::nullopt}));
+  EXPECT_EQ(followed({a, c}, {a, b, c}), (Now{0, 2}));
+  EXPECT_EQ(followed({a, b, c}, {a, other, c}), (Now{0, 1, 2})) << "changed, it is the same one";
+  EXPECT_EQ(followed({a, a, b}, {a, b}), (Now{0, std::nullopt, 1})) << "which of two equal ones is gone?";
+  EXPECT_EQ(followed({a, b}, {}), (Now{std::nullopt, std::nullopt}));
+}
+
 }  // namespace
 }  // namespace talus
