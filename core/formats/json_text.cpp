@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace talus {
 namespace {
@@ -29,6 +30,83 @@ FormatResult<void> check_limits(std::string_view text) {
       return error_at_line(text, i, "JSON has too many values");
   }
   return {};
+}
+
+// Finds the value that cannot be read, by its keys and its numbers in lists: "curves[2].radius".
+class PlaceFinder : public nlohmann::json_sax<Json> {
+ public:
+  std::string path() const {
+    std::string path;
+    for (const Level& level : levels_) {
+      if (level.is_array) {
+        path.append("[").append(std::to_string(level.index)).append("]");
+      } else {
+        path.append(path.empty() ? "" : ".").append(level.key);
+      }
+    }
+    return path;
+  }
+  std::size_t offset() const { return offset_; }
+
+  bool null() override { return next(); }
+  bool boolean(bool) override { return next(); }
+  bool number_integer(number_integer_t) override { return next(); }
+  bool number_unsigned(number_unsigned_t) override { return next(); }
+  bool number_float(number_float_t, const string_t&) override { return next(); }
+  bool string(string_t&) override { return next(); }
+  bool binary(binary_t&) override { return next(); }
+  bool start_object(std::size_t) override { return begin(false); }
+  bool start_array(std::size_t) override { return begin(true); }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool key(string_t& key) override {
+    levels_.back().key = key;
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
+    offset_ = position == 0 ? 0 : position - 1;
+    return false;
+  }
+
+ private:
+  struct Level {
+    bool is_array;
+    std::size_t index;
+    std::string key;
+  };
+
+  bool next() {
+    if (!levels_.empty()) ++levels_.back().index;
+    return true;
+  }
+  bool begin(bool is_array) {
+    levels_.push_back({is_array, 0, ""});
+    return true;
+  }
+  bool end() {
+    levels_.pop_back();
+    return next();
+  }
+
+  std::vector<Level> levels_;
+  std::size_t offset_ = 0;
+};
+
+tl::unexpected<FormatError> invalid_json(std::string_view text, std::size_t offset) {
+  auto error = error_at_line(text, offset, "this is not valid JSON");
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_break = before.rfind('\n');
+  const std::size_t column = line_break == before.npos ? before.size() + 1 : before.size() - line_break;
+  error.value().place += ", column " + std::to_string(column);
+  return error;
+}
+
+FormatError too_large_number(std::string_view text) {
+  PlaceFinder finder;
+  Json::sax_parse(text, &finder);
+  FormatError error = error_at_line(text, finder.offset(), "has a number that is too large").value();
+  if (const std::string path = finder.path(); !path.empty()) error.place += ", key " + path;
+  return error;
 }
 
 bool is_row(const Json& value) {
@@ -128,9 +206,9 @@ FormatResult<Json> parse_json(std::string_view text) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    return error_at_line(text, error.byte == 0 ? 0 : error.byte - 1, "this is not valid JSON");
+    return invalid_json(text, error.byte == 0 ? 0 : error.byte - 1);
   } catch (const Json::exception&) {  // a number that no double holds; nlohmann does not say where
-    return tl::unexpected(FormatError{"", "has a number that is too large"});
+    return tl::unexpected(too_large_number(text));
   }
 }
 

@@ -149,6 +149,18 @@ TEST(NativeShapes, CurveErrorsSayWhere) {
   expect(R"({"kind": "segment", "faces": "left"})", ".faces", R"(must be "up", "down" or "both")");
 }
 
+TEST(NativeShapes, NumbersThatNoDoubleHoldsSayWhere) {
+  const std::string why = "has a number that is too large";
+  expect_error(
+      "\n\"curves\": [{\"kind\": \"segment\", \"from\": [0, 0], \"to\": [1, 1]},\n"
+      "{\"kind\": \"arc\", \"center\": [1, -1e400]}]",
+      "line 3, key curves[1].center[1]", why);
+  expect_error(R"("tile_shapes": {"7": {"kind": "solid"}, "8": {"tiles": 1e400}})",
+               "line 1, key tile_shapes.8.tiles", why);
+  expect_error("\n\n\"a\": [],\n  \"b\": NaN", "line 4, column 8", "this is not valid JSON");
+  EXPECT_EQ(read_native("1e400", {}).error().place, "line 1");
+}
+
 TEST(NativeShapes, TheMapMayStandBehindItsCurves) {
   const std::string curve = R"("curves": [{"kind": "segment", "from": [0, 0], "to": [2400, 1]}])";
   EXPECT_EQ(read(with(curve + R"(, "map": {"width": 300})")).curves.size(), 1u);

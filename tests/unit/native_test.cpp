@@ -166,8 +166,8 @@ TEST(Native, ANewerVersionIsRefused) {
 }
 
 TEST(Native, ErrorsSayWhere) {
-  expect_error("{\n\"talus\": 1,\n]", "line 3", "this is not valid JSON");
-  expect_error("{\"talus\": 1e999}", "", "has a number that is too large");
+  expect_error("{\n\"talus\": 1,\n]", "line 3, column 1", "this is not valid JSON");
+  expect_error("{\"talus\": 1e999}", "line 1, key talus", "has a number that is too large");
   expect_error(with(R"("tuning": {"fall_speed": 900})"), "key tuning.fall_speed",
                "must be a number from -64 to 64 px/frame");
   expect_error(with(R"("tuning": {"fall_blend": "x"})"), "key tuning.fall_blend",

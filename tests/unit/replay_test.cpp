@@ -78,7 +78,7 @@ TEST(Replay, TellsWhereAScenarioIsMalformed) {
     const auto answers = replay_scenario(text);
     return answers ? "none" : answers.error().place + ": " + answers.error().message;
   };
-  EXPECT_EQ(error("{\"ops\":["), "line 1: this is not valid JSON");
+  EXPECT_EQ(error("{\"ops\":["), "line 1, column 9: this is not valid JSON");
   EXPECT_EQ(error("[]"), ": A scenario must be an object.");
   EXPECT_EQ(error("{}"), ": \"ops\" is missing.");
   EXPECT_EQ(error(R"({"ops":4})"), ": \"ops\" must be an array.");
