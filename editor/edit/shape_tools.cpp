@@ -7,6 +7,11 @@
 #include "single_change.h"
 
 namespace talus {
+namespace {
+
+constexpr const char* kNoLength = "drag from one end to the other";
+
+}  // namespace
 
 Edit set_tile_shape(const Level& level, int tile, TileShape shape) {
   assert(tile >= 0 && tile < kTileCount);
@@ -26,6 +31,10 @@ Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string 
 
 Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles) {
   Edit edit{"Lay a slope", {}};
+  for (const SlopeTiles::Placed& placed : tiles.placed) {
+    const std::uint8_t before = level.map.at(placed.cell);
+    if (before != placed.tile) edit.changes.emplace_back(CellChange{placed.cell, before, placed.tile});
+  }
   for (const SlopeTiles::Drawn& drawn : tiles.drawn) {
     const TileImage& before = level.sheet(SheetId::tiles).images[drawn.tile];
     for (int pixel = 0; pixel < kTileSize * kTileSize; ++pixel) {
@@ -36,11 +45,38 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles) {
     const TileShape& shape = level.tile_shapes[drawn.tile];
     if (shape != drawn.shape) edit.changes.emplace_back(TileShapeChange{drawn.tile, shape, drawn.shape});
   }
-  for (const SlopeTiles::Placed& placed : tiles.placed) {
-    const std::uint8_t before = level.map.at(placed.cell);
-    if (before != placed.tile) edit.changes.emplace_back(CellChange{placed.cell, before, placed.tile});
-  }
   return edit;
+}
+
+tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
+                                          std::uint8_t line_color) {
+  if (a == b) return tl::unexpected<std::string>(kNoLength);
+  SlopeTilesOptions options;
+  options.line_color = line_color;
+  bool has_slope = false;
+  for (const std::uint8_t tile : stamp.tiles) {
+    const TileShape shape = shape_of_tile(level, tile);
+    if (shape.kind == TileShape::Kind::solid && !shape.one_way && !options.below) options.below = tile;
+    has_slope = has_slope || (shape.kind >= TileShape::Kind::slope && shape.side == TileShape::Side::floor);
+  }
+  if (has_slope) options.set = stamp.tiles;
+  return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
+    return put_slope_tiles(level, tiles);
+  });
+}
+
+tl::expected<Edit, std::string> add_segment(const Level& level, Vec2 a, Vec2 b) {
+  if (a == b) return tl::unexpected<std::string>(kNoLength);
+  const bool forwards = a.x != b.x ? a.x < b.x : b.y < a.y;
+  const bool in_order = a.x != b.x ? a.x < b.x : a.y < b.y;
+  LevelCurve added;
+  added.curve.form = in_order ? Segment{a, b} : Segment{b, a};
+  added.curve.faces = forwards ? Curve::Faces::up : Curve::Faces::down;
+  if (const auto problem = problem_of(added.curve, level.map))
+    return tl::unexpected("the segment " + *problem);
+  std::vector<LevelCurve> curves = level.curves;
+  curves.push_back(std::move(added));
+  return set_curves(level, std::move(curves), "Add a segment");
 }
 
 }  // namespace talus

@@ -1,8 +1,8 @@
 // Tools for the shapes of the ground. Each makes an Edit and changes nothing itself.
 #pragma once
 
-#include "edit.h"
 #include "level/slope_tiles.h"
+#include "map_tools.h"
 
 namespace talus {
 
@@ -13,5 +13,14 @@ Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string 
 
 // Puts the tiles along a slope on the map; they must have been made for this level.
 Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles);
+
+// The slope tool: tiles along the line between two points, px. The tiles of `stamp` that are floors other
+// than full ones are laid; without any, blank tiles are drawn, their edge in `line_color` (0..15). The first
+// full tile of `stamp` goes below. The error is one clear sentence.
+tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
+                                          std::uint8_t line_color);
+// The segment tool: a new segment between two points, px, which stops bodies on the left of the way from a to
+// b: drawn to the right it is a floor, to the left a ceiling. The error is one clear sentence.
+tl::expected<Edit, std::string> add_segment(const Level& level, Vec2 a, Vec2 b);
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 #include "canvas_panel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "commands.h"
@@ -54,6 +55,8 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
+  // Half the usual gap, so that all of it has room in one line of a window 1280 px wide.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
   draw_mode("canvas/map", "Map", "canvas/map", session, actions, ui);
   ImGui::SameLine();
   draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
@@ -62,9 +65,9 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   constexpr ToolButton kTools[] = {
       {"map/stamp", Icon::stamp}, {"map/pan", Icon::pan},     {"map/rectangle", Icon::rectangle},
       {"map/fill", Icon::fill},   {"map/erase", Icon::erase}, {"map/pick", Icon::pick},
-      {"map/body", Icon::body}};
+      {"map/body", Icon::body},   {"map/slope", Icon::slope}, {"map/segment", Icon::segment}};
   const float button = ui.px(theme::kButton);
-  ui.same_line_if_fits(7 * (button + ui.px(4)), ui.px(8));
+  ui.same_line_if_fits(static_cast<float>(std::size(kTools)) * (button + ui.px(2)), ui.px(8));
   for (const ToolButton& tool : kTools) {
     if (&tool != kTools) ui.same_line_if_fits(button);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
@@ -81,6 +84,7 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   }
   ui.same_line_if_fits(ui.px(84));
   draw_flag_tint_choice(session, actions, ui);
+  ImGui::PopStyleVar();
 }
 
 void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {

@@ -93,6 +93,14 @@ void draw_map_tool_icon(const Pen& pen, Icon icon) {
       pen.box(.28f, .12f, .72f, .66f);
       pen.stroke({{.14f, .82f}, {.86f, .82f}});
       break;
+    case Icon::slope:
+      pen.solid({{.1f, .84f}, {.9f, .3f}, {.9f, .84f}});
+      break;
+    case Icon::segment:
+      pen.stroke({{.16f, .78f}, {.84f, .24f}});
+      pen.box(.08f, .7f, .24f, .86f);
+      pen.box(.76f, .16f, .92f, .32f);
+      break;
     default:  // pick
       pen.stroke({{.15f, .85f}, {.2f, .66f}, {.6f, .26f}, {.74f, .4f}, {.34f, .8f}}, true);
       pen.stroke({{.52f, .2f}, {.8f, .48f}});
@@ -157,7 +165,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
   const Pen pen(list, at, size, color);
   if (icon == Icon::none) return;
   if (icon <= Icon::step) return draw_play_icon(pen, icon);
-  if (icon <= Icon::body) return draw_map_tool_icon(pen, icon);
+  if (icon <= Icon::segment) return draw_map_tool_icon(pen, icon);
   if (icon <= Icon::clear) return draw_sprite_icon(pen, icon);
   draw_view_icon(pen, icon);
 }

@@ -18,6 +18,8 @@ enum class Icon {
   erase,
   pick,
   body,
+  slope,
+  segment,
   pencil,
   flip_horizontal,
   flip_vertical,

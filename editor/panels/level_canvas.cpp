@@ -67,11 +67,20 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
     draw_cell_frame(list, {ui.view.marked_cell->x, ui.view.marked_cell->y, 1, 1}, view,
                     theme::color(theme::kWarning), ui.px(2));
   const bool paints = !is_play() || ui.view.paint_in_play;
-  if (paints && !panning_ && (ImGui::IsItemHovered() || gesture_.active()))
-    gesture_.draw_preview(list, session, view, ui, view.to_cell(ImGui::GetIO().MousePos));
+  if (paints && !panning_) draw_preview(session, view, ui);
   if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
   list.PopClipRect();
+}
+
+void LevelCanvas::draw_preview(const Session& session, const CanvasView& view, const Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool hovered = ImGui::IsItemHovered();
+  if (line_gesture_.active() || (hovered && draws_lines(session.choices().map_tool)))
+    line_gesture_.draw_preview(list, view, ui, view.to_level(mouse));
+  else if (hovered || gesture_.active())
+    gesture_.draw_preview(list, session, view, ui, view.to_cell(mouse));
 }
 
 // Shows the first screen of another level, and shows it as large as a changed window allows until the user
@@ -119,13 +128,17 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   }
   const bool paints = !is_play() || ui.view.paint_in_play;
   if (handle_panning(session, ui, paints, hovered)) return;
-  if (!paints) {
+  const MapTool tool = session.choices().map_tool;
+  const bool pressed = hovered && ImGui::IsMouseClicked(0);
+  const Vec2 at = view.to_level(io.MousePos);
+  if (!paints && !line_gesture_.active()) {
     handle_play_mouse(session, actions, view, hovered);
-  } else if (session.choices().map_tool == MapTool::body && !gesture_.active()) {
-    spawn_gesture_.update(session, actions, view.to_level(io.MousePos), hovered && ImGui::IsMouseClicked(0),
-                          io.MouseDown[0]);
+  } else if (line_gesture_.active() || (draws_lines(tool) && !gesture_.active())) {
+    line_gesture_.update(session, actions, at, pressed, io.MouseDown[0]);
+  } else if (tool == MapTool::body && !gesture_.active()) {
+    spawn_gesture_.update(session, actions, at, pressed, io.MouseDown[0]);
   } else {
-    gesture_.update(session, actions, cell, hovered && ImGui::IsMouseClicked(0), io.MouseDown[0]);
+    gesture_.update(session, actions, cell, pressed, io.MouseDown[0]);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "camera.h"
+#include "line_gesture.h"
 #include "map_gesture.h"
 #include "session/session.h"
 #include "spawn_gesture.h"
@@ -29,6 +30,7 @@ class LevelCanvas {
   bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const;
+  void draw_preview(const Session& session, const CanvasView& view, const Ui& ui) const;
   void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
   void draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const;
 
@@ -36,6 +38,7 @@ class LevelCanvas {
   Camera camera_;
   MapGesture gesture_;
   SpawnGesture spawn_gesture_;
+  LineGesture line_gesture_;
   int level_number_ = -1;  // of the level that the camera was set for
   float wheel_ = 0;        // clicks of the wheel that made no whole step yet
   ImVec2 size_;            // px, of the canvas in the last frame

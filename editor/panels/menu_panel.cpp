@@ -57,10 +57,10 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::EndMenu();
   }
   if (begin_menu("Edit", ui)) {
-    draw_commands(
-        {"edit/undo", "edit/redo", "", "map/stamp", "map/pan", "map/rectangle", "map/fill", "map/erase",
-         "map/pick", "map/body", "", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/clear"},
-        session, actions, ui);
+    draw_commands({"edit/undo", "edit/redo", "", "map/stamp", "map/pan", "map/rectangle", "map/fill",
+                   "map/erase", "map/pick", "map/body", "map/slope", "map/segment", "", "pixels/flip_h",
+                   "pixels/flip_v", "pixels/rotate", "pixels/clear"},
+                  session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("View", ui)) {

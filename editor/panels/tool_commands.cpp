@@ -159,6 +159,13 @@ std::vector<Command> map_commands() {
           toggle("map/body", KeyChord{'7'}, "Place bodies",
                  "Places a ball or a player, as the inspector says, or moves one that is there.",
                  choose_map_tool<MapTool::body>, is_map_tool<MapTool::body>),
+          toggle("map/slope", KeyChord{'8'}, "Lay a slope",
+                 "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn.",
+                 choose_map_tool<MapTool::slope>, is_map_tool<MapTool::slope>),
+          toggle("map/segment", KeyChord{'9'}, "Add a segment",
+                 "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
+                 "ceiling. For the exact solver.",
+                 choose_map_tool<MapTool::segment>, is_map_tool<MapTool::segment>),
           repeating(command("map/delete", KeyChord{kKeyDelete}, "Erase at the mouse",
                             "Paints tile 0 under the mouse, as large as the stamp; with the body tool, "
                             "removes the chosen body.",

@@ -14,8 +14,8 @@
 
 namespace talus {
 
-// The tools of the map, in the order of their keys 1 to 7; 1, 2 and 4 as in TIC-80.
-enum class MapTool { stamp, pan, rectangle, fill, erase, pick, body };
+// The tools of the map, in the order of their keys 1 to 9; 1, 2 and 4 as in TIC-80.
+enum class MapTool { stamp, pan, rectangle, fill, erase, pick, body, slope, segment };
 // The tools of the sprite canvas, in the order of their keys 1, 2 and 4, as in TIC-80.
 enum class SpriteTool { pencil, pick, fill };
 

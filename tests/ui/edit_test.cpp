@@ -328,5 +328,53 @@ TEST_F(UiEdit, FlagGetsAShapeWithHeights) {
   EXPECT_EQ(level().flag_shapes[6], TileShape());
 }
 
+// Along whole pixels: the corners of cells are beside the middle of the mouse's pixel.
+TEST_F(UiEdit, SlopeToolDrawsTilesAlongADraggedLine) {
+  click(on_sheet(0));
+  key(kKeyF3);
+  key('8');
+  EXPECT_EQ(session().choices().map_tool, MapTool::slope);
+  drag(on_canvas("map", {16, 40}), on_canvas("map", {32, 32}));
+  const std::uint8_t low = tile_at({2, 4}), high = tile_at({3, 4});
+  EXPECT_EQ(level().tile_shapes[low], (TileShape{.kind = TileShape::Kind::slope, .heights = {0, 4}}));
+  EXPECT_EQ(level().tile_shapes[high], (TileShape{.kind = TileShape::Kind::slope, .heights = {4, 8}}));
+  EXPECT_EQ(describe(session().history().edits().back()), "Lay a slope: 2 tiles at (2, 4)");
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  key(ctrl('z'));
+  EXPECT_FALSE(session().modified());
+  EXPECT_EQ(tile_at({2, 4}), 0);
+  EXPECT_EQ(level().tile_shapes[low], TileShape());
+}
+
+TEST_F(UiEdit, SlopeToolLaysTheSelectedSlopes) {
+  drag(on_sheet(3), on_sheet(4));
+  click("map/slope");
+  drag(on_canvas("map", {16, 40}), on_canvas("map", {48, 24}));
+  for (Cell cell : {Cell{2, 4}, Cell{4, 3}}) EXPECT_EQ(tile_at(cell), 3);
+  for (Cell cell : {Cell{3, 4}, Cell{5, 3}}) EXPECT_EQ(tile_at(cell), 4);
+  EXPECT_EQ(level().tile_shapes, test_level().tile_shapes);
+}
+
+TEST_F(UiEdit, SlopeThatCannotBeLaidSaysWhy) {
+  click("map/slope");
+  drag(on_canvas("map", {16, 40}), on_canvas("map", {16, 80}));
+  ASSERT_TRUE(session().message());
+  EXPECT_TRUE(session().message()->is_error);
+  EXPECT_EQ(session().message()->text, "Slope from 16, 40 to 16, 80: the slope is vertical.");
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiEdit, SegmentToolAddsACurveBetweenTwoPoints) {
+  click("map/segment");
+  drag(on_canvas("map", {16, 40}), on_canvas("map", {51, 27}));
+  ASSERT_EQ(level().curves.size(), 1u);
+  EXPECT_EQ(level().curves[0].curve, (Curve{Segment{{16, 40}, {51, 27}}, Curve::Faces::up}));
+  drag(on_canvas("map", {90, 60}), on_canvas("map", {60, 60}));
+  ASSERT_EQ(level().curves.size(), 2u);
+  EXPECT_EQ(level().curves[1].curve, (Curve{Segment{{60, 60}, {90, 60}}, Curve::Faces::down}));
+  key(ctrl('z'));
+  EXPECT_EQ(level().curves.size(), 1u);
+}
+
 }  // namespace
 }  // namespace talus
