@@ -21,6 +21,15 @@ std::string two_decimals(double value) {
   return text == "-0.00" ? "0.00" : text;
 }
 
+std::string one_decimal(double value) {
+  std::string text = formatted("%.1f", value);
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  if (text == "-0") return "0";
+  if (text.starts_with("0.")) text.erase(0, 1);
+  if (text.starts_with("-0.")) text.erase(1, 1);
+  return text;
+}
+
 std::string all_digits(double value) { return formatted("%.17g", value); }
 
 }  // namespace talus

@@ -7,6 +7,7 @@ namespace talus {
 
 std::string two_decimals(double value);  // "0.84"; never "-0.00"
 std::string no_decimals(double value);   // "92"
+std::string one_decimal(double value);   // "-.4", "1", "0": for the parts of unit vectors
 std::string all_digits(double value);    // the 17 digits that a double may need
 
 }  // namespace talus

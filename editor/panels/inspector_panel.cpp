@@ -111,8 +111,9 @@ void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
   ImGui::TableNextColumn();
   draw_number("t", contact.ti, ui, meaning_of_impact(contact));
   ImGui::TableNextColumn();
-  ui.right_aligned(std::to_string(static_cast<int>(contact.normal.x)) + "," +
-                   std::to_string(static_cast<int>(contact.normal.y)));
+  const Vec2 n = contact.normal;
+  ui.right_aligned(one_decimal(n.x) + "," + one_decimal(n.y));
+  ui.tooltip(all_digits(n.x) + "\n" + all_digits(n.y));
   ImGui::TableNextColumn();
   if (contact.slope) draw_number("delta", contact.slope->delta, ui);
   ImGui::TableNextColumn();
@@ -180,7 +181,7 @@ constexpr std::array<Column, 8> kColumns = {{
     {"resp.", 44, false, "How the body reacted."},
     {"t", 44, true,
      "Time of impact, a fraction of the move; minus the overlap area, px\xc2\xb2, if the boxes overlapped."},
-    {"n", 30, true, "The normal out of the other."},
+    {"n", 40, true, "The normal out of the other."},
     {"delta", 34, true, "How far along the slope the centre is, from 0 to 1."},
     {"floor", 48, true, "The computed floor height, px, before rounding."},
     {"done", 32, false, "Whether it was handled; a slope correction skips the contacts after it."},

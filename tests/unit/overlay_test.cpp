@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "overlay/number_label.h"
+
 namespace talus {
 namespace {
 
@@ -294,6 +296,14 @@ TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
   const auto chosen = make_overlays(scene, state, {}, only(OverlayId::floor_height), kEverything, 2);
   ASSERT_EQ(chosen.labels.size(), 2u);
   EXPECT_EQ(chosen.labels[1].text, "floor 88.00");
+}
+
+TEST(NumberLabel, PartsOfNormalsAreShort) {
+  EXPECT_EQ(one_decimal(-0.44721), "-.4");
+  EXPECT_EQ(one_decimal(0.894), ".9");
+  EXPECT_EQ(one_decimal(-1), "-1");
+  EXPECT_EQ(one_decimal(-0.04), "0");
+  EXPECT_EQ(one_decimal(0.96), "1");
 }
 
 }  // namespace
