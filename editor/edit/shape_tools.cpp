@@ -1,7 +1,10 @@
 // Tools for the shapes of the ground.
 #include "shape_tools.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "single_change.h"
@@ -10,6 +13,13 @@ namespace talus {
 namespace {
 
 constexpr const char* kNoLength = "drag from one end to the other";
+
+double distance(const Segment& segment, Vec2 p) {
+  const Vec2 along = segment.to - segment.from, to = p - segment.from;
+  const double squared = along.x * along.x + along.y * along.y;
+  const double part = squared > 0 ? std::clamp((to.x * along.x + to.y * along.y) / squared, 0.0, 1.0) : 0;
+  return std::hypot(to.x - along.x * part, to.y - along.y * part);
+}
 
 }  // namespace
 
@@ -77,6 +87,19 @@ tl::expected<Edit, std::string> add_segment(const Level& level, Vec2 a, Vec2 b) 
   std::vector<LevelCurve> curves = level.curves;
   curves.push_back(std::move(added));
   return set_curves(level, std::move(curves), "Add a segment");
+}
+
+Edit remove_segment(const Level& level, Vec2 at, double reach) {
+  const auto nearness = [&](const LevelCurve& curve) {
+    const Segment* segment = std::get_if<Segment>(&curve.curve.form);
+    return segment != nullptr ? distance(*segment, at) : std::numeric_limits<double>::infinity();
+  };
+  std::vector<LevelCurve> curves = level.curves;
+  const auto nearest = std::min_element(
+      curves.begin(), curves.end(), [&](const auto& a, const auto& b) { return nearness(a) < nearness(b); });
+  if (nearest == curves.end() || !(nearness(*nearest) <= reach)) return {};
+  curves.erase(nearest);
+  return set_curves(level, std::move(curves), "Remove a segment");
 }
 
 }  // namespace talus

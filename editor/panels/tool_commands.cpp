@@ -2,11 +2,14 @@
 #include <algorithm>
 
 #include "command_table.h"
+#include "edit/shape_tools.h"
 #include "edit/spawn_tools.h"
 #include "spawn_gesture.h"
 
 namespace talus {
 namespace {
+
+constexpr double kSegmentReach = 4;  // px, from the mouse to the segment that Delete takes away
 
 using S = const Session&;
 using A = Actions&;
@@ -80,6 +83,11 @@ void erase_hovered(S session, A actions, U ui) {
   if (session.choices().map_tool == MapTool::body) {
     const int chosen = chosen_spawn(session);
     if (chosen >= 0) edit(actions, remove_spawn(session.level(), chosen));
+    return;
+  }
+  if (session.choices().map_tool == MapTool::segment) {
+    if (const auto at = ui.view.hover.pixel)
+      edit(actions, remove_segment(session.level(), *at, kSegmentReach));
     return;
   }
   const Stamp& stamp = session.choices().stamp;
@@ -166,10 +174,11 @@ std::vector<Command> map_commands() {
                  "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
                  "ceiling. For the exact solver.",
                  choose_map_tool<MapTool::segment>, is_map_tool<MapTool::segment>),
-          repeating(command("map/delete", KeyChord{kKeyDelete}, "Erase at the mouse",
-                            "Paints tile 0 under the mouse, as large as the stamp; with the body tool, "
-                            "removes the chosen body.",
-                            erase_hovered)),
+          repeating(
+              command("map/delete", KeyChord{kKeyDelete}, "Erase at the mouse",
+                      "Paints tile 0 under the mouse, as large as the stamp; with the body tool, "
+                      "removes the chosen body, and with the segment tool, the segment under the mouse.",
+                      erase_hovered)),
           command("map/fit", KeyChord{kKeyTab}, "World view",
                   "Shows the whole map, or goes back to where you were.",
                   [](S, A, U ui) { ui.view.fit_map = true; }),

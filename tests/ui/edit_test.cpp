@@ -374,6 +374,9 @@ TEST_F(UiEdit, SegmentToolAddsACurveBetweenTwoPoints) {
   EXPECT_EQ(level().curves[1].curve, (Curve{Segment{{60, 60}, {90, 60}}, Curve::Faces::down}));
   key(ctrl('z'));
   EXPECT_EQ(level().curves.size(), 1u);
+  move(on_canvas("map", {34, 35}));
+  key(kKeyDelete);
+  EXPECT_TRUE(level().curves.empty());
 }
 
 }  // namespace

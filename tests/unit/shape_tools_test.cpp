@@ -67,5 +67,18 @@ TEST(ShapeTools, SegmentThatCannotBeAddedSaysWhy) {
   EXPECT_EQ(add_segment(level, {8, 8}, {8, 200}).error(), "the segment has its last end off the map");
 }
 
+TEST(ShapeTools, TheNearestSegmentWithinReachIsRemoved) {
+  Level level = level_with_slopes();
+  EXPECT_TRUE(remove_segment(level, {8, 8}, 4).empty());
+  for (const double y : {40.0, 46.0}) level = after(level, add_segment(level, {8, y}, {80, y}));
+  level.curves.push_back({"hill", {Arc{{40, 44}, 40, 0, 80, true}}, ""});
+  EXPECT_TRUE(remove_segment(level, {30, 51}, 4).empty());
+  EXPECT_TRUE(remove_segment(level, {84, 49}, 4).empty()) << "beyond its end";
+  const Level left = after(level, remove_segment(level, {30, 44}, 4));
+  ASSERT_EQ(left.curves.size(), 2u);
+  EXPECT_EQ(std::get<Segment>(left.curves[0].curve.form).from.y, 40);
+  EXPECT_EQ(left.curves[1].name, "hill");
+}
+
 }  // namespace
 }  // namespace talus
