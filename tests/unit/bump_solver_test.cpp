@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "formats/format.h"
 #include "level_text.h"
 
 namespace talus {
@@ -213,6 +214,17 @@ TEST(BumpSolver, ADraggedBallStaysOnTheSlope) {
     EXPECT_LE(state.bodies[0].box.bottom(), floor_under(state.bodies[0].box.x) + 1e-9) << "frame " << i;
   }
   EXPECT_GT(state.bodies[0].box.x, 24);
+}
+
+// Pinned: the same on every compiler and at every level of optimisation.
+TEST(BumpSolver, EndsWithThePinnedHash) {
+  Level level = load_level(TALUS_SOURCE_DIR "/tests/golden/article/six.lua").value().level;
+  level.tuning.solver = SolverKind::bump;
+  const Scene scene = compile_scene(level);
+  const auto solver = make_solver(std::make_shared<const Scene>(scene));
+  State state = initial_state(scene);
+  for (int i = 0; i < 600; ++i) solver->step(state, {});
+  EXPECT_EQ(state_hash(state), 11587194158170007023u);
 }
 
 }  // namespace

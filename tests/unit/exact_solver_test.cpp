@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "formats/format.h"
 #include "level_text.h"
 
 namespace talus {
@@ -374,6 +375,18 @@ TEST(ExactSolver, LeftAndRightAreMirrorImages) {
     ASSERT_EQ(right.body().box.x + left.body().box.x, 104) << frame;
     ASSERT_EQ(right.body().box.y, left.body().box.y) << frame;
   }
+}
+
+// Pinned: the same on every compiler and at every level of optimisation.
+TEST(ExactSolver, EndsWithThePinnedHash) {
+  Level level = load_level(TALUS_SOURCE_DIR "/tests/golden/article/six.lua").value().level;
+  level.tuning.solver = SolverKind::exact;
+  level.spawns.push_back(player_at(60, 20));
+  const Scene scene = compile_scene(level);
+  const auto solver = make_solver(std::make_shared<const Scene>(scene));
+  State state = initial_state(scene);
+  for (int i = 0; i < 600; ++i) solver->step(state, i / 40 % 2 == 0 ? kRight : kLeft);
+  EXPECT_EQ(state_hash(state), 11773478746611004933u);
 }
 
 }  // namespace
