@@ -65,8 +65,11 @@ Move random_move(Dice& dice, const RandomGround& ground, const ExactGround& exac
   Move m;
   m.box.w = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
   m.box.h = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
-  m.box.x = dice.step(-8, width, parts);
-  m.box.y = dice.step(-8, height, parts);
+  for (int tries = 0; tries < 10; ++tries) {  // mostly outside of the ground
+    m.box.x = dice.step(-8, width, parts);
+    m.box.y = dice.step(-8, height, parts);
+    if (!exact.meets({m.box.x, m.box.y, m.box.w, m.box.h})) break;
+  }
   const double lengths[] = {4, 40, 40, 40, 40, 4096, 1e6, 40};
   const double length = lengths[dice.up_to(7)];
   m.motion = {dice.step(-length, length, parts), dice.step(-length, length, parts)};
@@ -206,6 +209,24 @@ void expect_right(const Scene& scene, const Move& move, const Truth& truth, doub
 }
 
 // ---- Properties ----
+
+// A move of which the reference cannot tell what is right shows nothing: most must be told.
+TEST(ExactProperty, MostMovesAreJudged) {
+  const auto percent = [](GroundKinds kinds) {
+    int judged = 0;
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      Dice dice(seed);
+      const Scene scene(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
+      for (int k = 0; k < kMovesOnAGround; ++k)
+        judged += scene.truth(random_move(dice, scene.ground, scene.exact, random_grid(dice))).is_told;
+    }
+    return judged * 100 / (50 * kMovesOnAGround);
+  };
+  EXPECT_GE(percent({}), 90);
+  EXPECT_GE(percent({.one_way = true, .segments = true}), 70);
+  EXPECT_GE(percent({.curves = true}), 70);
+  EXPECT_GE(percent({.one_way = true, .segments = true, .curves = true}), 70);
+}
 
 // Straight ground: at most 3 units in the last place of the largest coordinate.
 RC_GTEST_PROP(ExactProperty, CastsAgainstTilesAreRight, (std::uint64_t seed)) {
