@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
 #include "formats/hard_case.h"
 #include "sim/hard_case_run.h"
+#include "sim/solver.h"
 
 namespace talus {
 namespace {
@@ -128,6 +130,21 @@ TEST(HardCaseFiles, HoldEveryCaseOfShapesOnce) {
   for (int number = 1; number <= 33; ++number) wanted.push_back(number);
   wanted.insert(wanted.end(), {38, 39});
   EXPECT_EQ(numbers, wanted);
+}
+
+// Case 26, for as many frames as TALUS_REST_FRAMES says: those of the case itself unless it says more.
+TEST(HardCaseFiles, RestForALongTime) {
+  const char* text = std::getenv("TALUS_REST_FRAMES");
+  const std::int64_t frames = std::max<std::int64_t>(20000, text == nullptr ? 0 : std::atoll(text));
+  const auto scene = std::make_shared<const Scene>(compile_scene(load_case("26-rest").level));
+  const auto solver = make_solver(scene);
+  State state = initial_state(*scene);
+  while (state.frame < 1000) solver->step(state, {});
+  const State rest = state;
+  while (state.frame < frames) solver->step(state, {});
+  state.frame = rest.frame;
+  EXPECT_EQ(state, rest);
+  EXPECT_EQ(state_hash(state), state_hash(rest));
 }
 
 }  // namespace
