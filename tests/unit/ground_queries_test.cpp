@@ -1,0 +1,101 @@
+// What games ask of the ground: floors, ceilings, lines of sight and overlaps.
+#include "collision/ground_queries.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reference/exact_ground.h"
+#include "test_map.h"
+
+namespace talus {
+namespace {
+
+// Tile 2 rises from (8, 24) to (16, 16); the floor is at y = 24, a tile hangs above it.
+class GroundQueries : public testing::Test {
+ protected:
+  const Terrain ground_ = TestMap({"...1..", "......", ".2....", "111111"}).compile();
+};
+
+TEST_F(GroundQueries, FloorBelow) {
+  const auto flat = floor_below(ground_, {25, 10, 4, 4}, 20);
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(flat->y, 24);
+  EXPECT_EQ(flat->normal, (Vec2{0, -1}));
+  EXPECT_EQ(flat->origin, 3 * 6 + 3);
+  const auto slope = floor_below(ground_, {10, 8, 4, 4}, 20);
+  ASSERT_TRUE(slope);
+  EXPECT_EQ(slope->y, 18);  // under the right corner, at x = 14
+  EXPECT_DOUBLE_EQ(slope->normal.x, -std::sqrt(0.5));
+  EXPECT_EQ(slope->origin, 2 * 6 + 1);
+  EXPECT_EQ(floor_below(ground_, {10, 8, 4, 4}, 20, Foot::centre)->y, 20);
+}
+
+TEST_F(GroundQueries, FloorBelowReachesAsFarAsAsked) {
+  EXPECT_EQ(floor_below(ground_, {24, 10, 4, 4}, 10)->y, 24);
+  EXPECT_FALSE(floor_below(ground_, {24, 10, 4, 4}, std::nextafter(10.0, 0.0)));
+  EXPECT_FALSE(floor_below(ground_, {24, 22, 4, 4}, 10)) << "inside of the ground";
+}
+
+TEST_F(GroundQueries, CeilingAbove) {
+  const auto ceiling = ceiling_above(ground_, {26, 12, 4, 4}, 4);
+  ASSERT_TRUE(ceiling);
+  EXPECT_EQ(ceiling->y, 8);
+  EXPECT_EQ(ceiling->normal, (Vec2{0, 1}));
+  EXPECT_EQ(ceiling->origin, 3);
+  EXPECT_FALSE(ceiling_above(ground_, {26, 12, 4, 4}, 3.5));
+  EXPECT_FALSE(ceiling_above(ground_, {32, 12, 4, 4}, 100)) << "beside it";
+}
+
+TEST_F(GroundQueries, CastSegment) {
+  const auto down = cast_segment(ground_, {12, 10}, {12, 30});
+  ASSERT_TRUE(down);
+  EXPECT_EQ(down->t, 0.5);
+  EXPECT_EQ(down->position, (Vec2{12, 20}));
+  const auto level = cast_segment(ground_, {20, 4}, {28, 4});
+  ASSERT_TRUE(level);
+  EXPECT_EQ(level->t, 0.5);
+  EXPECT_EQ(level->position, (Vec2{24, 4}));
+  EXPECT_EQ(level->normal, (Vec2{-1, 0}));
+  EXPECT_FALSE(cast_segment(ground_, {0, 10}, {48, 10}));
+  EXPECT_FALSE(cast_segment(ground_, {20, 4}, {20, 4}));
+}
+
+TEST_F(GroundQueries, OverlapsGround) {
+  EXPECT_FALSE(overlaps_ground(ground_, Rect{24, 20, 4, 4})) << "on the floor";
+  EXPECT_TRUE(overlaps_ground(ground_, Rect{24, 20.01, 4, 4}));
+  EXPECT_FALSE(overlaps_ground(ground_, Rect{20, 4, 4, 4})) << "beside the tile";
+  EXPECT_TRUE(overlaps_ground(ground_, Rect{20.01, 4, 4, 4}));
+  EXPECT_FALSE(overlaps_ground(ground_, Rect{10, 14, 4, 4}));
+  EXPECT_TRUE(overlaps_ground(ground_, Rect{10, 14.01, 4, 4}));
+  EXPECT_FALSE(overlaps_ground(ground_, Rect{10, 16, 4, 4}, Foot::centre));
+  EXPECT_TRUE(overlaps_ground(ground_, Rect{10, 16.01, 4, 4}, Foot::centre));
+}
+
+// Far away the floor of a slope is as near to the exact one as a double at the largest coordinate tells.
+TEST(GroundQueriesFarAway, FloorsOfSlopesAreExactToOneUnit) {
+  using reference::Exact;
+  constexpr int kColumn = 1250;  // x = 10000
+  TestMap map(kColumn + 8, 4);
+  map.cells[2 * map.width + kColumn] = kWide;  // (10000, 24) to (10024, 16)
+  const Terrain ground = map.compile();
+  reference::ExactGround exact;
+  exact.parts.push_back({{10000, 24}, {10024, 16}, Exact(24), reference::Part::Stops::everywhere});
+  const double ulp = std::nextafter(10024.0, 1e9) - 10024;
+  for (int i = 0; i < 200; ++i) {
+    const Rect box{10000.3 + i * 0.0731, 4, 5.3, 7.1};
+    const Exact right = Exact(box.x) + Exact(box.w), middle = Exact(box.x) + Exact(box.w) / 2;
+    const auto whole = floor_below(ground, box, 30), centre = floor_below(ground, box, 30, Foot::centre);
+    ASSERT_TRUE(whole && centre) << i;
+    EXPECT_LE(std::abs(Exact(Exact(whole->y) - *exact.floor_below(reference::ExactPoint{right, 0})).get_d()),
+              ulp)
+        << i;
+    EXPECT_LE(
+        std::abs(Exact(Exact(centre->y) - *exact.floor_below(reference::ExactPoint{middle, 0})).get_d()), ulp)
+        << i;
+  }
+}
+
+}  // namespace
+}  // namespace talus
