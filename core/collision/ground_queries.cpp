@@ -27,14 +27,18 @@ Real slack_of(const BasicRect<Real>& box) {
   return rounding_slack<Real>({box, {}, Foot::box});
 }
 
+// skip_detailed: tiles that slopes lead to do not count.
 template <class Real>
-bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack) {
+bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
+                   bool skip_detailed) {
   const CellBlock block(ground, box, -slack);
   for (int column = block.left; column <= block.right; column += 64) {
     const int count = std::min(block.right - column + 1, 64);
     typename BasicTerrain<Real>::Window window(ground, column, count);
     for (int row = block.top; row <= block.bottom; ++row) {
-      if ((window.row(row).solid() & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
+      const auto here = window.row(row);
+      const std::uint64_t tiles = here.solid() & ~(skip_detailed ? here.detailed() : 0);
+      if ((tiles & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
     }
   }
   return false;
@@ -64,6 +68,7 @@ bool overlaps_shape(const TileShape& shape, Cell cell, const BasicRect<Real>& bo
     const Real x = x0 + width * static_cast<Real>(i) / parts;
     if (x > from && x < to) most = std::max(most, static_cast<Real>(shape.heights[i]));
   }
+  if (!(most > 0)) return false;
   // The line as it is compiled is rounded to 1/256 px.
   const Real forgiven = slack + Real(1) / 256;
   return floor ? box.y + box.h > base - most + forgiven : box.y < base + most - forgiven;
@@ -134,7 +139,9 @@ std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Ve
 template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot) {
   const Real slack = slack_of(box);
-  if (overlaps_tile(ground, box, slack)) return true;
+  const bool centre = foot == Foot::centre;
+  if (overlaps_tile(ground, box, slack, centre)) return true;
+  if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false)) return true;
   if (!ground.features().pieces) return false;
   // A slope's body may lie up to eight cells from its own cell.
   const CellBlock block(ground, box, Real(kMaxShapeTiles * kTileSide));

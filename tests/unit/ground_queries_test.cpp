@@ -97,5 +97,22 @@ TEST(GroundQueriesFarAway, FloorsOfSlopesAreExactToOneUnit) {
   }
 }
 
+// By a crest: the corner is in the tile that the slope leads to, the centre on the slope.
+TEST(GroundQueriesByTheCentre, ACornerMayBeInTheTileBehindASlope) {
+  const Terrain ground = TestMap({"....", ".21.", "1111"}).compile();
+  const Rect box{10, 6, 8, 4};
+  EXPECT_TRUE(overlaps_ground(ground, box, Foot::box));
+  EXPECT_FALSE(overlaps_ground(ground, box, Foot::centre));
+  EXPECT_EQ(floor_below(ground, box, 8, Foot::centre)->y, 10);
+  EXPECT_FALSE(way_out(ground, box, Foot::centre));
+  EXPECT_TRUE(overlaps_ground(ground, {13, 6, 8, 4}, Foot::centre)) << "the centre is in the tile";
+}
+
+TEST(GroundQueriesOfThinShapes, NoHeightIsNoGround) {
+  TestMap map({"....", "...2", "...."});
+  map.cells[5] = kFlat;
+  EXPECT_FALSE(overlaps_ground(map.compile(), {9, 14, 4, 4}, Foot::box));
+}
+
 }  // namespace
 }  // namespace talus
