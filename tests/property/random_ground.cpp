@@ -326,8 +326,10 @@ RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds)
     }
   }
   const Area area{4, 4, width * 8.0 - 4, height * 8.0 - 4};
-  for (int i = kinds.segments ? 1 + dice.up_to(3) : 0; i > 0; --i)
-    ground.curves.push_back(random_line(dice, area));
+  for (int i = kinds.segments ? 1 + dice.up_to(3) : 0; i > 0; --i) {
+    const Curve line = random_line(dice, area);
+    if (!problem_of(line)) ground.curves.push_back(line);
+  }
   for (int i = kinds.curves ? 1 + dice.up_to(3) : 0; i > 0; --i) {
     const Curve curve = random_curve(dice, area);
     const reference::WideCurve wide = std::visit(WideForm(), curve.form);
