@@ -23,8 +23,8 @@ std::optional<Surface> ceiling_above(const Terrain& ground, const Rect& box, dou
 std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Vec2 to);
 
 // Whether a box overlaps the ground by more than rounding: full tiles, and what is under the lines of slopes.
-// Thin curves and one-way lines have no inside. With the centre as its foot a box may sink by its corners into
-// slopes and the tiles that they lead to.
+// Thin curves and one-way lines have no inside. With the centre as its foot a box may sink by its corners
+// into slopes and the tiles that they lead to.
 template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot = Foot::box);
 

@@ -51,8 +51,7 @@ TEST_P(CartsTest, NativeLevelsLoseNoByte) {
 }
 
 TEST_P(CartsTest, HaveTheExactSolver) {
-  for (const char* extension : {"tic", "lua"})
-    EXPECT_EQ(load(extension).tuning.solver, SolverKind::exact);
+  for (const char* extension : {"tic", "lua"}) EXPECT_EQ(load(extension).tuning.solver, SolverKind::exact);
 }
 
 TEST_P(CartsTest, BothFormsShowTheSameLevel) {

@@ -46,7 +46,7 @@ TEST(Formats, TheContentDecidesBeforeTheName) {
 TEST(Formats, TheNameDecidesWhenTheContentDoesNot) {
   EXPECT_EQ(read_level("print()", {"lua"})->format->id, "tic-text");
   EXPECT_EQ(read_level("print()", {"tic"}).error().place, "byte 0");
-  EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1");
+  EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1, column 1");
   EXPECT_EQ(read_level("print()", {"txt"}).error().message,
             "is no Talus level, TIC-80 cartridge or TIC-80 text project");
 }
