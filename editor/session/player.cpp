@@ -74,17 +74,14 @@ void Player::hold_keys(const action::HoldKeys& keys) {
   input.right = keys.right;
   input.jump = keys.jump;
   if (!playback_.running) return;
-  tapped_ = {tapped_.left || keys.left, tapped_.right || keys.right, tapped_.jump || keys.jump};
+  tapped_ = added(
+      tapped_, {.mouse = {}, .mouse_down = false, .left = keys.left, .right = keys.right, .jump = keys.jump});
 }
 
 void Player::step() {
   if (solver_ == nullptr) solver_ = make_solver(scene_);
-  Input input = playback_.input;
-  input.left |= tapped_.left;
-  input.right |= tapped_.right;
-  input.jump |= tapped_.jump;
-  tapped_ = {};
-  solver_->step(state_, added(case_input(script_, state_.frame + 1), input), &record_);
+  const Input live = added(std::exchange(tapped_, {}), playback_.input);
+  solver_->step(state_, added(case_input(script_, state_.frame + 1), live), &record_);
 }
 
 void Player::advance(double seconds) {

@@ -51,7 +51,7 @@ class Player {
   StepRecord record_;
   Playback playback_;
   std::vector<CaseInput> script_;  // by frame
-  action::HoldKeys tapped_;        // held at any time since the last step; of a running simulation alone
+  Input tapped_;                   // keys held at any time since the last step; of a running simulation alone
   std::int64_t held_since_ = 0;    // frame in which the button went down
   double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
 };
