@@ -25,6 +25,11 @@ bool is_map_tool(S session, const Ui&) {
   return session.choices().map_tool == tool;
 }
 
+template <MapTool tool>
+Command map_tool(std::string_view id, KeyChord key, std::string_view label, std::string_view help) {
+  return toggle(id, key, label, help, choose_map_tool<tool>, is_map_tool<tool>);
+}
+
 template <SpriteTool tool>
 void choose_sprite_tool(S, A actions, U) {
   actions.push_back(action::SetSpriteTool{tool});
@@ -33,6 +38,11 @@ void choose_sprite_tool(S, A actions, U) {
 template <SpriteTool tool>
 bool is_sprite_tool(S session, const Ui&) {
   return session.choices().sprite_tool == tool;
+}
+
+template <SpriteTool tool>
+Command sprite_tool(std::string_view id, KeyChord key, std::string_view label, std::string_view help) {
+  return toggle(id, key, label, help, choose_sprite_tool<tool>, is_sprite_tool<tool>);
 }
 
 void edit(A actions, Edit edit) {
@@ -99,15 +109,12 @@ std::vector<Command> pixel_commands() {
   return in_scope(
       Scope::sprites,
       {
-          toggle("pixels/pencil", KeyChord{'1'}, "Pencil",
-                 "Draws pixels; the right button draws the other colour.",
-                 choose_sprite_tool<SpriteTool::pencil>, is_sprite_tool<SpriteTool::pencil>),
-          toggle("pixels/pick", KeyChord{'2'}, "Pick colour",
-                 "Takes the colour under the mouse; so does the middle button.",
-                 choose_sprite_tool<SpriteTool::pick>, is_sprite_tool<SpriteTool::pick>),
-          toggle("pixels/fill", KeyChord{'4'}, "Fill",
-                 "Fills an area of one colour; with Ctrl, that colour everywhere.",
-                 choose_sprite_tool<SpriteTool::fill>, is_sprite_tool<SpriteTool::fill>),
+          sprite_tool<SpriteTool::pencil>("pixels/pencil", KeyChord{'1'}, "Pencil",
+                                          "Draws pixels; the right button draws the other colour."),
+          sprite_tool<SpriteTool::pick>("pixels/pick", KeyChord{'2'}, "Pick colour",
+                                        "Takes the colour under the mouse; so does the middle button."),
+          sprite_tool<SpriteTool::fill>("pixels/fill", KeyChord{'4'}, "Fill",
+                                        "Fills an area of one colour; with Ctrl, that colour everywhere."),
           command("pixels/flip_h", KeyChord{'5'}, "Flip left and right",
                   "Mirrors the selected tiles, left to right.", edit_area<flip_horizontal>),
           command("pixels/flip_v", KeyChord{'6'}, "Flip up and down",
@@ -149,31 +156,26 @@ std::vector<Command> map_commands() {
   return in_scope(
       Scope::map,
       {
-          toggle("map/stamp", KeyChord{'1'}, "Stamp", "Paints the selected tiles.",
-                 choose_map_tool<MapTool::stamp>, is_map_tool<MapTool::stamp>),
-          toggle("map/pan", KeyChord{'2'}, "Move the view",
-                 "Drags the view; so do the middle and the right button, and Space where it is no player's.",
-                 choose_map_tool<MapTool::pan>, is_map_tool<MapTool::pan>),
-          toggle("map/rectangle", KeyChord{'3'}, "Rectangle",
-                 "Fills a dragged rectangle with the selected tiles.", choose_map_tool<MapTool::rectangle>,
-                 is_map_tool<MapTool::rectangle>),
-          toggle("map/fill", KeyChord{'4'}, "Fill", "Fills an area of equal tiles.",
-                 choose_map_tool<MapTool::fill>, is_map_tool<MapTool::fill>),
-          toggle("map/erase", KeyChord{'5'}, "Erase", "Paints tile 0.", choose_map_tool<MapTool::erase>,
-                 is_map_tool<MapTool::erase>),
-          toggle("map/pick", KeyChord{'6'}, "Pick tiles",
-                 "Takes the tiles of a dragged rectangle as the stamp.", choose_map_tool<MapTool::pick>,
-                 is_map_tool<MapTool::pick>),
-          toggle("map/body", KeyChord{'7'}, "Place bodies",
-                 "Places a ball or a player, as the inspector says, or moves one that is there.",
-                 choose_map_tool<MapTool::body>, is_map_tool<MapTool::body>),
-          toggle("map/slope", KeyChord{'8'}, "Lay a slope",
-                 "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn.",
-                 choose_map_tool<MapTool::slope>, is_map_tool<MapTool::slope>),
-          toggle("map/segment", KeyChord{'9'}, "Add a segment",
-                 "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
-                 "ceiling. For the exact solver.",
-                 choose_map_tool<MapTool::segment>, is_map_tool<MapTool::segment>),
+          map_tool<MapTool::stamp>("map/stamp", KeyChord{'1'}, "Stamp", "Paints the selected tiles."),
+          map_tool<MapTool::pan>(
+              "map/pan", KeyChord{'2'}, "Move the view",
+              "Drags the view; so do the middle and the right button, and Space where it is no player's."),
+          map_tool<MapTool::rectangle>("map/rectangle", KeyChord{'3'}, "Rectangle",
+                                       "Fills a dragged rectangle with the selected tiles."),
+          map_tool<MapTool::fill>("map/fill", KeyChord{'4'}, "Fill", "Fills an area of equal tiles."),
+          map_tool<MapTool::erase>("map/erase", KeyChord{'5'}, "Erase", "Paints tile 0."),
+          map_tool<MapTool::pick>("map/pick", KeyChord{'6'}, "Pick tiles",
+                                  "Takes the tiles of a dragged rectangle as the stamp."),
+          map_tool<MapTool::body>(
+              "map/body", KeyChord{'7'}, "Place bodies",
+              "Places a ball or a player, as the inspector says, or moves one that is there."),
+          map_tool<MapTool::slope>(
+              "map/slope", KeyChord{'8'}, "Lay a slope",
+              "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn."),
+          map_tool<MapTool::segment>(
+              "map/segment", KeyChord{'9'}, "Add a segment",
+              "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
+              "ceiling. For the exact solver."),
           repeating(
               command("map/delete", KeyChord{kKeyDelete}, "Erase at the mouse",
                       "Paints tile 0 under the mouse, as large as the stamp; with the body tool, "
