@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "collision/cast.h"
@@ -29,11 +28,7 @@ constexpr int kSeeds = 100;          // what rapidcheck tries of a property
 constexpr int kMovesOnAGround = 20;  // then comes another one
 constexpr Wide kNever = 2;           // a time: not during the motion
 
-int grounds_of_a_seed() {
-  const char* text = std::getenv("TALUS_PROPERTY_MOVES");
-  const double moves = text == nullptr ? kMoves : std::max(kMoves, std::atof(text));
-  return static_cast<int>(moves / (kSeeds * kMovesOnAGround));
-}
+int grounds_of_a_seed() { return static_cast<int>(property_moves(kMoves) / (kSeeds * kMovesOnAGround)); }
 
 // ---- Moves ----
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 #include "random_ground.h"
@@ -29,9 +28,7 @@ constexpr double kUnits = 16;  // units in the last place that a box may be in t
 // run; more of them by night.
 template <class Check>
 void for_rooms(Check check) {
-  const char* text = std::getenv("TALUS_PROPERTY_MOVES");
-  const double moves = text == nullptr ? kMoves : std::max(kMoves, std::atof(text));
-  const auto rooms = static_cast<std::uint64_t>(moves / (kFrames * kBodies));
+  const auto rooms = static_cast<std::uint64_t>(property_moves(kMoves) / (kFrames * kBodies));
   for (std::uint64_t room = 1; room <= rooms && !testing::Test::HasFailure(); ++room) {
     SCOPED_TRACE("room " + std::to_string(room));
     Dice dice(room);

@@ -3,6 +3,7 @@
 #include "random_ground.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace talus {
 namespace {
@@ -233,6 +234,11 @@ bool leaves_the_map(const TileShape& shape, int row, int height) {
 }
 
 }  // namespace
+
+double property_moves(double least) {
+  const char* text = std::getenv("TALUS_PROPERTY_MOVES");
+  return text == nullptr ? least : std::max(least, std::atof(text));
+}
 
 Terrain RandomGround::compile() const {
   TerrainSource source;

@@ -31,6 +31,9 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
+// How much a property tries: `least`, or TALUS_PROPERTY_MOVES when that is more.
+double property_moves(double least);
+
 // A map and curves. Shapes reach over no border, and no two begin or end in one cell, so that the map
 // can be mirrored.
 struct RandomGround {
