@@ -208,7 +208,8 @@ void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, Ou
   const auto& old = chunks_[chunk_index(corner)];
   const Words details = details_in(area, compiler);
   const std::uint64_t columns = columns_mask(area[0].x % kSide, area[1].x % kSide);
-  std::array<TerrainRow, kSide> rows = old == nullptr ? std::array<TerrainRow, kSide>{} : old->rows;
+  const std::array<TerrainRow, kSide> before = old == nullptr ? std::array<TerrainRow, kSide>{} : old->rows;
+  std::array<TerrainRow, kSide> rows = before;
   std::uint64_t has_pieces = 0;  // by row
   for (int y = area[0].y; y <= area[1].y; ++y) {
     TerrainRow& row = rows[y % kSide];
@@ -216,7 +217,7 @@ void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, Ou
     row.detailed = (row.detailed & ~columns) | details[y % kSide];
     row.open = open_sides(row, {corner.x, y});
   }
-  if (has_pieces == 0 && rows == (old == nullptr ? std::array<TerrainRow, kSide>{} : old->rows)) return;
+  if (has_pieces == 0 && rows == before) return;
 
   auto chunk = writable_chunk(corner);
   chunk->rows = rows;

@@ -15,7 +15,7 @@ struct Twofold {
   Twofold(Real large, Real small) : high(large + small), low(small - (high - large)) {}
 
   Real rounded() const { return high + low; }
-  Twofold operator-() const { return negated(high, low); }
+  Twofold operator-() const { return {-high, -low}; }
 
   friend Twofold operator+(Twofold a, Twofold b) {
     const Real sum = a.high + b.high, part = sum - a.high;
@@ -32,14 +32,6 @@ struct Twofold {
     const Real quotient = a.high / b.high;
     const Twofold rest = a - b * Twofold(quotient);
     return {quotient, rest.rounded() / b.high};
-  }
-
- private:
-  static Twofold negated(Real high, Real low) {
-    Twofold n;
-    n.high = -high;
-    n.low = -low;
-    return n;
   }
 };
 
