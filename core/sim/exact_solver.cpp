@@ -6,6 +6,7 @@
 #include "../collision/ground_queries.h"
 #include "body_grid.h"
 #include "exact_body.h"
+#include "mouse.h"
 
 namespace talus {
 namespace {
@@ -39,7 +40,7 @@ class ExactSolver final : public Solver {
     } else {
       rests_.resize(state.bodies.size());
     }
-    take_mouse(state, input);
+    take_mouse(state, input, [&] { return body_at(state, input.mouse); });
     for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
     ++state.frame;
   }
@@ -192,23 +193,14 @@ class ExactSolver final : public Solver {
     if (record_ != nullptr) record_->paths.back().limited = true;
   }
 
-  // A pressed button takes the body under it; a released one throws it with the speed of its last frame.
-  void take_mouse(State& state, const Input& input) {
-    if (input.mouse_down) {
-      if (state.grabbed != 0) return;
-      for (const Body& body : state.bodies) {
-        const bool inside = input.mouse.x > body.box.x && input.mouse.x < body.box.right() &&
-                            input.mouse.y > body.box.y && input.mouse.y < body.box.bottom();
-        if (!inside) continue;
-        state.grabbed = body.id;
-        return;
-      }
-      return;
+  // The id of the first body that has the point inside, not on a side; 0: none.
+  static int body_at(const State& state, Vec2 point) {
+    for (const Body& body : state.bodies) {
+      const Rect& box = body.box;
+      const bool inside = point.x > box.x && point.x < box.right() && point.y > box.y && point.y < box.bottom();
+      if (inside) return body.id;
     }
-    for (Body& body : state.bodies) {
-      if (state.grabbed != 0 && body.id == state.grabbed) body.velocity = body.box.position() - body.previous;
-    }
-    state.grabbed = 0;
+    return 0;
   }
 
   // ---- Records ----

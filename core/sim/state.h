@@ -43,6 +43,7 @@ struct Input {
   Vec2 mouse;                                      // px, in the level
   bool mouse_down = false;                         // the left button
   bool left = false, right = false, jump = false;  // keys of the players
+  int grab = 0;  // id of the body that the button took when it went down; 0, or of none: the one under it
   friend bool operator==(const Input&, const Input&) = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include "../collision/sweep.h"
 #include "lerp.h"
+#include "mouse.h"
 
 namespace talus {
 
@@ -72,7 +73,7 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
   record_ = record;
   if (record_ != nullptr) record_->clear();
   synchronise(state);
-  take_mouse(state, input);
+  take_mouse(state, input, [&] { return body_at(state, input.mouse); });
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     Body& body = state.bodies[i];
     ++test_mark_;
@@ -84,19 +85,6 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
     if (record_ != nullptr) record_->paths.back().to = body.box;
   }
   ++state.frame;
-}
-
-// A pressed button takes the ball under it; a released one throws it with the speed of its last frame.
-void WorldSolver::take_mouse(State& state, const Input& input) {
-  if (input.mouse_down) {
-    if (state.grabbed == 0) state.grabbed = body_at(state, input.mouse);
-    return;
-  }
-  if (state.grabbed == 0) return;
-  for (Body& body : state.bodies) {
-    if (body.id == state.grabbed) body.velocity = body.box.position() - body.previous;
-  }
-  state.grabbed = 0;
 }
 
 // The first ball, in scene order, that has the point inside; 0 when there is none.

@@ -63,7 +63,6 @@ class WorldSolver : public Solver {
  private:
   void rebuild(const State& state);
   ItemId add(const Rect& box, const Entry& entry);
-  void take_mouse(State& state, const Input& input);
   int body_at(const State& state, Vec2 point);
   Vec2 run(const Placed& placed, Vec2 goal);
   Obstacle obstacle(ItemId item) const;
