@@ -1,7 +1,6 @@
 // Tools for the bodies placed by hand.
 #include "spawn_tools.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -38,20 +37,6 @@ int spawn_at(const Level& level, Vec2 point) {
       found = static_cast<int>(i);
   }
   return found;
-}
-
-std::optional<int> followed_spawn(const std::vector<Spawn>& before, const std::vector<Spawn>& after,
-                                  int index) {
-  const auto size = static_cast<std::ptrdiff_t>(before.size());
-  const auto grown = static_cast<std::ptrdiff_t>(after.size()) - size;
-  const auto first =
-      std::mismatch(before.begin(), before.end(), after.begin(), after.end()).first - before.begin();
-  const auto same_at_end =
-      std::mismatch(before.rbegin(), before.rend(), after.rbegin(), after.rend()).first - before.rbegin();
-  const auto last = std::min(same_at_end, std::min(size, size + grown) - first);  // equal ones count once
-  if (index < first || grown == 0) return index;
-  if (index >= size - last) return static_cast<int>(index + grown);
-  return {};
 }
 
 }  // namespace talus

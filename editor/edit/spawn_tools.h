@@ -1,8 +1,6 @@
 // Tools for the bodies placed by hand. Each makes an Edit and changes nothing itself.
 #pragma once
 
-#include <optional>
-
 #include "edit.h"
 
 namespace talus {
@@ -14,10 +12,5 @@ Edit remove_spawn(const Level& level, int index);
 
 // The last spawn whose box holds the point, px; -1: none.
 int spawn_at(const Level& level, Vec2 point);
-
-// Where the spawn of this index is after spawns were added, removed or changed in one place of the list;
-// none: it is gone.
-std::optional<int> followed_spawn(const std::vector<Spawn>& before, const std::vector<Spawn>& after,
-                                  int index);
 
 }  // namespace talus

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "edit/spawn_tools.h"
+#include "level/followed_spawn.h"
 #include "sim/case_input.h"
 
 namespace talus {

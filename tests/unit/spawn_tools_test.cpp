@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "level/followed_spawn.h"
+
 namespace talus {
 namespace {
 

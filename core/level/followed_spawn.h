@@ -1,0 +1,16 @@
+// Which spawn is which after the list of spawns was edited.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "level.h"
+
+namespace talus {
+
+// Where the spawn of this index is after spawns were added, removed or changed in one place of the list;
+// none: it is gone.
+std::optional<int> followed_spawn(const std::vector<Spawn>& before, const std::vector<Spawn>& after,
+                                  int index);
+
+}  // namespace talus
