@@ -5,17 +5,15 @@
 #include <set>
 #include <tuple>
 
+#include "visible.h"
+
 namespace talus {
 namespace {
 
 constexpr double kOutwardLength = 3;  // px
+constexpr double kPassLength = 5;     // px, of a one-way side's arrow on either side of it
 constexpr double kNormalGap = 16;     // px, at most, from one normal of a piece to the next
 constexpr double kMostLines = 1024;   // for a curve that crosses the whole view
-
-bool meets(Vec2 a, Vec2 b, const Rect& r) {
-  return std::max(a.x, b.x) >= r.x && std::min(a.x, b.x) <= r.right() && std::max(a.y, b.y) >= r.y &&
-         std::min(a.y, b.y) <= r.bottom();
-}
 
 Vec2 normal_of(Facing facing) {
   switch (facing) {
@@ -32,14 +30,14 @@ Vec2 normal_of(Facing facing) {
 }
 
 // One piece where it is visible: the x that it reaches over, and its points.
-template <class Real>
 class VisiblePiece {
  public:
-  VisiblePiece(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches, const Rect& visible)
+  VisiblePiece(const Piece<double>& piece, std::span<const CurveStretch<double>> stretches,
+               const Rect& visible)
       : piece_(piece),
         stretches_(stretches),
-        from_(std::max<double>(piece.x0, visible.x)),
-        to_(std::min<double>(piece.x1, visible.right())),
+        from_(std::max(piece.x0, visible.x)),
+        to_(std::min(piece.x1, visible.right())),
         step_(std::max(1.0, visible.w / kMostLines)) {}
 
   // fn(from, to) for each of its lines.
@@ -71,29 +69,28 @@ class VisiblePiece {
     const double part = static_cast<double>(i) / count;
     if (piece_.is_wall()) return {piece_.x0, piece_.y0 + (piece_.y1 - piece_.y0) * part};
     const double x = from_ + (to_ - from_) * part;
-    return {x, piece_.y_at(static_cast<Real>(x), stretches_)};
+    return {x, piece_.y_at(x, stretches_)};
   }
   Vec2 normal_at(double x) const {
     if (piece_.is_wall()) return normal_of(piece_.facing);
     Vec2 along{1, piece_.slope};
     if (piece_.stretch != 0) {
-      const auto tangent = stretches_[piece_.stretch - 1].tangent_at(static_cast<Real>(x));
+      const auto tangent = stretches_[piece_.stretch - 1].tangent_at(x);
       along = {tangent.x, tangent.y};
     }
     const double sign = (piece_.facing == Facing::up ? 1 : -1) / std::hypot(along.x, along.y);
     return {along.y * sign, -along.x * sign};
   }
 
-  const Piece<Real>& piece_;
-  std::span<const CurveStretch<Real>> stretches_;
+  const Piece<double>& piece_;
+  std::span<const CurveStretch<double>> stretches_;
   double from_, to_, step_;
 };
 
-template <class Real>
 class OutlineDrawer {
  public:
-  OutlineDrawer(const BasicTerrain<Real>& ground, const Rect& visible, OverlayDrawing& out)
-      : ground_(ground), visible_(visible), out_(out) {}
+  OutlineDrawer(const Terrain& ground, OverlaySet overlays, const Rect& visible, OverlayDrawing& out)
+      : ground_(ground), overlays_(overlays), visible_(visible), out_(out) {}
 
   void draw() {
     const auto cell = [](double px, int count) {
@@ -111,7 +108,7 @@ class OutlineDrawer {
  private:
   void draw_cell(Cell cell) {
     if (ground_.is_detailed(cell)) {
-      for (const Piece<Real>& piece : ground_.pieces_in(cell)) draw_piece(piece);
+      for (const Piece<double>& piece : ground_.pieces_in(cell)) draw_piece(piece);
     } else if (ground_.is_solid(cell)) {
       draw_side(cell, {0, -1}, Facing::up);
       draw_side(cell, {0, 1}, Facing::down);
@@ -134,31 +131,38 @@ class OutlineDrawer {
   }
 
   // A piece in several cells is drawn once.
-  void draw_piece(const Piece<Real>& piece) {
+  void draw_piece(const Piece<double>& piece) {
     const auto key =
         std::make_tuple(piece.origin, piece.stretch, piece.facing, piece.x0, piece.y0, piece.x1, piece.y1);
     if (!drawn_.insert(key).second) return;
-    const VisiblePiece<Real> shown(piece, ground_.stretches(), visible_);
+    const VisiblePiece shown(piece, ground_.stretches(), visible_);
     shown.each_line([this](Vec2 from, Vec2 to) { line(from, to); });
-    shown.each_normal([this](Vec2 at, Vec2 n) { normal(at, n); });
+    shown.each_normal([&](Vec2 at, Vec2 n) {
+      normal(at, n);
+      if (piece.one_way && overlays_.has(OverlayId::one_way))
+        add({OverlayId::one_way, at - n * kPassLength, at + n * kPassLength, true});
+    });
   }
 
   void line(Vec2 from, Vec2 to) {
-    if (meets(from, to, visible_)) out_.lines.push_back({OverlayId::outline, from, to});
+    if (overlays_.has(OverlayId::outline)) add({OverlayId::outline, from, to});
   }
   void normal(Vec2 at, Vec2 n) { line(at, at + n * kOutwardLength); }
+  void add(const OverlayLine& l) {
+    if (meets(l.from, l.to, visible_)) out_.lines.push_back(l);
+  }
 
-  const BasicTerrain<Real>& ground_;
+  const Terrain& ground_;
+  const OverlaySet overlays_;
   const Rect& visible_;
   OverlayDrawing& out_;
-  std::set<std::tuple<std::int32_t, std::uint32_t, Facing, Real, Real, Real, Real>> drawn_;
+  std::set<std::tuple<std::int32_t, std::uint32_t, Facing, double, double, double, double>> drawn_;
 };
 
 }  // namespace
 
-void add_outline(const Scene& scene, Rect visible, OverlayDrawing& drawing) {
-  if (scene.ground) OutlineDrawer<double>(*scene.ground, visible, drawing).draw();
-  if (scene.single_ground) OutlineDrawer<float>(*scene.single_ground, visible, drawing).draw();
+void add_outline(const Terrain& ground, OverlaySet overlays, Rect visible, OverlayDrawing& drawing) {
+  OutlineDrawer(ground, overlays, visible, drawing).draw();
 }
 
 std::vector<CurveLine> curve_lines(const Level& level, Rect visible) {
@@ -171,7 +175,7 @@ std::vector<CurveLine> curve_lines(const Level& level, Rect visible) {
   const CurveOutline outline = cut_curves(curves);
   std::vector<CurveLine> lines;
   for (const Piece<double>& piece : outline.pieces) {
-    VisiblePiece<double>(piece, outline.stretches, visible).each_line([&](Vec2 from, Vec2 to) {
+    VisiblePiece(piece, outline.stretches, visible).each_line([&](Vec2 from, Vec2 to) {
       if (meets(from, to, visible)) lines.push_back({from, to});
     });
   }

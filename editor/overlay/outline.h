@@ -8,9 +8,9 @@
 
 namespace talus {
 
-// Adds the merged outline of the scene's ground where it is visible (level px), with short normals on the
-// sides from which it stops bodies. The scene of a solver that compiles no ground has none.
-void add_outline(const Scene& scene, Rect visible, OverlayDrawing& drawing);
+// Adds what `overlays` has of the merged outline where it is visible (level px): the outline itself, with
+// short normals on the sides from which it stops bodies, and arrows through its one-way parts.
+void add_outline(const Terrain& ground, OverlaySet overlays, Rect visible, OverlayDrawing& drawing);
 
 struct CurveLine {
   Vec2 from, to;  // px

@@ -2,13 +2,18 @@
 #include "overlay.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "collision/ground_queries.h"
+#include "motion.h"
 #include "number_label.h"
 #include "outline.h"
+#include "removed_edges.h"
+#include "visible.h"
 
 namespace talus {
 namespace {
@@ -19,6 +24,9 @@ constexpr double kBarGap = 2;        // px between the bar and the body below it
 constexpr double kFloorMargin = 4;   // px by which the floor line sticks out on both sides of the body
 
 constexpr double kFloorReach = 64;  // px below a body at which a floor is looked for; of the chosen one, all
+constexpr double kFloorStep = 1;    // px between the places where a floor's height is shown
+constexpr int kMostFloorParts = 64;
+constexpr double kFloorTick = 1.5;  // px
 
 // The middle of what two intervals share; of the gap between them when they are apart.
 double shared_middle(double a_min, double a_max, double b_min, double b_max) {
@@ -46,22 +54,27 @@ std::pair<Vec2, Vec2> slope_surface(const Obstacle& slope) {
 
 class Drawer {
  public:
-  Drawer(const Scene& scene, const State& state, const StepRecord& record, OverlaySet overlays, Rect visible,
-         int chosen_body)
-      : scene_(scene),
-        state_(state),
-        record_(record),
+  Drawer(const OverlaySource& source, OverlaySet overlays, Rect visible)
+      : source_(source),
+        scene_(source.scene),
+        state_(source.state),
+        record_(source.record),
+        ground_(source.ground),
         overlays_(overlays),
         visible_(visible),
-        chosen_(chosen_body) {}
+        chosen_(source.chosen_body) {}
 
   OverlayDrawing draw() {
     if (overlays_.has(OverlayId::tested_tiles)) draw_tested();
     if (overlays_.has(OverlayId::boxes)) draw_boxes();
-    if (overlays_.has(OverlayId::outline)) add_outline(scene_, visible_, out_);
+    if (ground_ != nullptr) draw_ground();
+    if (overlays_.has(OverlayId::trails)) add_trails(source_.trails, visible_, out_);
+    if (overlays_.has(OverlayId::swept_path)) add_swept_paths(source_, visible_, out_);
     for (const Body& body : state_.bodies) {
       if (overlays_.has(OverlayId::velocity)) draw_velocity(body);
-      if (overlays_.has(OverlayId::floor_height) && scene_.ground) draw_floor(body);
+      if (ground_ == nullptr || !meet(body.box, visible_)) continue;
+      if (overlays_.has(OverlayId::floor_height)) draw_floor(body);
+      if (overlays_.has(OverlayId::penetration)) draw_penetration(body);
     }
     for (const ContactRecord& contact : record_.contacts) {
       // An edit may have taken the body away since the step.
@@ -72,16 +85,16 @@ class Drawer {
   }
 
  private:
-  bool sees(const Rect& r) const {
-    return r.right() >= visible_.x && r.x <= visible_.right() && r.bottom() >= visible_.y &&
-           r.y <= visible_.bottom();
+  bool sees(const Rect& r) const { return meet(r, visible_); }
+
+  void draw_ground() {
+    if (overlays_.has(OverlayId::removed_edges)) add_removed_edges(*ground_, visible_, out_);
+    if (overlays_.has(OverlayId::outline) || overlays_.has(OverlayId::one_way))
+      add_outline(*ground_, overlays_, visible_, out_);
   }
 
   void line(OverlayId id, Vec2 from, Vec2 to, bool arrow = false) {
-    const Rect around{std::min(from.x, to.x), std::min(from.y, to.y),
-                      std::max(from.x, to.x) - std::min(from.x, to.x),
-                      std::max(from.y, to.y) - std::min(from.y, to.y)};
-    if (sees(around)) out_.lines.push_back({id, from, to, arrow});
+    if (meets(from, to, visible_)) out_.lines.push_back({id, from, to, arrow});
   }
   void box(OverlayId id, const Rect& r, bool filled = false) {
     if (sees(r)) out_.boxes.push_back({id, r, filled});
@@ -115,18 +128,48 @@ class Drawer {
           body);
   }
 
-  // The floor straight below, as the ground has it.
+  // The floor straight below, as the ground has it, and its height under every x of the body.
   void draw_floor(const Body& body) {
     const Rect& b = body.box;
-    if (!sees(b)) return;
-    const double reach = body.id == chosen_ ? scene_.ground->height() * double{kTileSide} : kFloorReach;
-    const auto floor = floor_below(*scene_.ground, b, reach, body.foot);
+    const double reach = body.id == chosen_ ? ground_->height() * double{kTileSide} : kFloorReach;
+    const auto floor = floor_below(*ground_, b, reach, body.foot);
     if (!floor) return;
     const double x = b.center().x;
     const Vec2 end{b.right() + kFloorMargin, floor->y};
     line(OverlayId::floor_height, {b.x - kFloorMargin, floor->y}, end);
     if (floor->y > b.bottom()) line(OverlayId::floor_height, {x, b.bottom()}, {x, floor->y});
+    if (body.id == chosen_) draw_floor_profile(b, reach);
     label(OverlayId::floor_height, end, "floor " + two_decimals(floor->y), body);
+  }
+
+  void draw_floor_profile(const Rect& box, double reach) {
+    const int parts = std::clamp(static_cast<int>(std::ceil(box.w / kFloorStep)), 1, kMostFloorParts);
+    std::optional<Vec2> before;
+    for (int i = 0; i <= parts; ++i) {
+      const double x = box.x + box.w * i / parts;
+      const auto floor = floor_below(*ground_, {x, box.y, 0, box.h}, reach);
+      if (floor) line(OverlayId::floor_height, {x, floor->y}, {x, floor->y + kFloorTick});
+      if (floor && before) line(OverlayId::floor_height, *before, {x, floor->y});
+      before = floor ? std::optional<Vec2>({x, floor->y}) : std::nullopt;
+    }
+  }
+
+  // What of the body is in the ground: the strip at the side through which it gets out soonest.
+  void draw_penetration(const Body& body) {
+    const auto out = way_out(*ground_, body.box, body.foot);
+    if (!out) return;
+    Rect inside = body.box;
+    if (out->x != 0) {
+      inside.w = std::min(inside.w, std::abs(out->x));
+      if (out->x < 0) inside.x = body.box.right() - inside.w;
+    } else {
+      inside.h = std::min(inside.h, std::abs(out->y));
+      if (out->y < 0) inside.y = body.box.bottom() - inside.h;
+    }
+    box(OverlayId::penetration, inside, true);
+    const Vec2 from = inside.center();
+    line(OverlayId::penetration, from, from + *out, true);
+    label(OverlayId::penetration, from, "in " + two_decimals(std::abs(out->x) + std::abs(out->y)), body);
   }
 
   void draw_contact(const ContactRecord& contact, const Body& body) {
@@ -164,7 +207,7 @@ class Drawer {
       if (sees(bar)) out_.bars.push_back({OverlayId::slope_delta, bar, probe.delta});
       label(OverlayId::slope_delta, {x, bar.y}, "delta " + two_decimals(probe.delta), body);
     }
-    if (overlays_.has(OverlayId::floor_height) && !scene_.ground) {
+    if (overlays_.has(OverlayId::floor_height) && !scene_.ground && !scene_.single_ground) {
       const auto [left, right] = slope_surface(probe.slope);
       const Vec2 end{b.right() + kFloorMargin, probe.floor_y};
       line(OverlayId::floor_height, left, right);
@@ -174,9 +217,11 @@ class Drawer {
     }
   }
 
+  const OverlaySource& source_;
   const Scene& scene_;
   const State& state_;
   const StepRecord& record_;
+  const Terrain* const ground_;
   OverlaySet overlays_;
   Rect visible_;
   int chosen_;
@@ -185,9 +230,8 @@ class Drawer {
 
 }  // namespace
 
-OverlayDrawing make_overlays(const Scene& scene, const State& state, const StepRecord& record,
-                             OverlaySet overlays, Rect visible, int chosen_body) {
-  return Drawer(scene, state, record, overlays, visible, chosen_body).draw();
+OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible) {
+  return Drawer(source, overlays, visible).draw();
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 // Turns a step's records into lines, boxes, marks and labels in level pixels. The canvas only strokes them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ inline constexpr double kPixelsPerVelocity = 4;  // px of a velocity's arrow for
 struct OverlayLine {
   OverlayId overlay;
   Vec2 from, to;
-  bool arrow = false;  // a head at `to`
+  bool arrow = false;   // a head at `to`
+  double strength = 1;  // 0 to 1: fainter
 };
 struct OverlayBox {
   OverlayId overlay;
@@ -49,9 +51,20 @@ struct OverlayDrawing {
   std::vector<OverlayLabel> labels;
 };
 
-// `visible`: level px; what lies wholly outside is left out. `chosen_body`: id whose details are always
-// labelled; 0: none.
-OverlayDrawing make_overlays(const Scene& scene, const State& state, const StepRecord& record,
-                             OverlaySet overlays, Rect visible, int chosen_body);
+// Where a body's centre was, frame by frame, px; the last is where it is.
+using Trail = std::vector<Vec2>;
+
+// What is drawn: a frame of a run.
+struct OverlaySource {
+  const Scene& scene;
+  const State& state;
+  const StepRecord& record;            // of the step that led there
+  const Terrain* ground = nullptr;     // of the level, whatever the solver; null: not known
+  int chosen_body = 0;                 // id, whose details are always labelled; 0: none
+  std::span<const Trail> trails = {};  // of the bodies that have one
+};
+
+// `visible`: level px; what lies wholly outside is left out.
+OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible);
 
 }  // namespace talus

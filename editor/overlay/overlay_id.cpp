@@ -7,7 +7,7 @@ namespace talus {
 
 const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
   // Colours of Okabe and Ito, which stay apart for colour-blind eyes, less their black and dark blue, plus
-  // white, a light green and a light violet.
+  // white, lighter ones of their hues, and red for what is wrong.
   static constexpr std::array<OverlayInfo, kOverlayCount> kInfos = {{
       {OverlayId::boxes, "boxes", "boxes",
        "Outlines of solids, slopes and bodies as the collision sees them.", 0x56b4e9},
@@ -35,6 +35,15 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
       {OverlayId::outline, "outline", "outline",
        "The outline of the ground as the exact solver sees it, with short normals where it stops bodies.",
        0xb39dff},
+      {OverlayId::removed_edges, "removed_edges", "removed edges",
+       "Sides of tiles and slopes that the merged outline has left out, as others cover them.", 0x9aa5b1},
+      {OverlayId::one_way, "one_way", "one-way sides",
+       "Arrows through one-way floors, ceilings and lines, the way that bodies may pass.", 0x66d9c0},
+      {OverlayId::swept_path, "swept_path", "swept path",
+       "The way of each body in the last step, with its box at every contact.", 0x8fd3ff},
+      {OverlayId::trails, "trails", "trails", "Where the bodies' centres were in the last frames.", 0xffb7e0},
+      {OverlayId::penetration, "penetration", "penetration",
+       "In red, how deep a body is inside of the ground, and the shortest way out.", 0xff6b6b},
   }};
   return kInfos;
 }

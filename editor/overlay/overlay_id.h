@@ -18,9 +18,14 @@ enum class OverlayId {
   floor_height,
   tested_tiles,
   answer,
-  outline
+  outline,
+  removed_edges,
+  one_way,
+  swept_path,
+  trails,
+  penetration
 };
-inline constexpr int kOverlayCount = 9;
+inline constexpr int kOverlayCount = 14;
 
 struct OverlayInfo {
   OverlayId id;

@@ -7,6 +7,7 @@
 
 #include "overlay/answer.h"
 #include "overlay/outline.h"
+#include "overlay/visible.h"
 #include "overlay_painter.h"
 
 namespace talus {
@@ -35,10 +36,6 @@ CellSpan visible_cells(const TileMap& map, const CanvasView& view) {
 
 ImVec2 cell_corner(const CanvasView& view, int x, int y) {
   return view.to_screen({static_cast<double>(x) * kTileSize, static_cast<double>(y) * kTileSize});
-}
-
-bool meet(const Rect& a, const Rect& b) {
-  return a.right() >= b.x && a.x <= b.right() && a.bottom() >= b.y && a.y <= b.bottom();
 }
 
 bool is_one_color(const TileImage& image) {
@@ -161,16 +158,22 @@ void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view) {
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale) {
   const float width = std::max(1.0f, std::round(scale));
   const ImU32 color = theme::color(theme::kAccent, 150);
-  const ImVec2 from = cell_corner(view, 0, 0), to = cell_corner(view, map.width(), map.height());
-  const auto line = [&](ImVec2 a, ImVec2 b) { list.AddRectFilled(a, b, color); };
-  for (int x = 0; x < map.width() + kScreenColumns; x += kScreenColumns) {
-    const float sx = cell_corner(view, std::min(x, map.width()), 0).x;
-    if (sx >= view.min.x - width && sx <= view.max.x) line({sx, from.y}, {sx + width, to.y});
-  }
-  for (int y = 0; y < map.height() + kScreenRows; y += kScreenRows) {
-    const float sy = cell_corner(view, 0, std::min(y, map.height())).y;
-    if (sy >= view.min.y - width && sy <= view.max.y) line({from.x, sy}, {to.x, sy + width});
-  }
+  const CellSpan cells = visible_cells(map, view);
+  const ImVec2 from = cell_corner(view, cells.x0, cells.y0), to = cell_corner(view, cells.x1, cells.y1);
+  // Draws the borders among the columns, or rows, from the first to the last: each screen's, and the map's
+  // own end.
+  const auto draw = [](int first, int last, int screen, int end, const auto& line) {
+    for (int at = (first + screen - 1) / screen * screen; at <= last; at += screen) line(at);
+    if (last == end && end % screen != 0) line(end);
+  };
+  draw(cells.x0, cells.x1, kScreenColumns, map.width(), [&](int x) {
+    const float sx = cell_corner(view, x, 0).x;
+    list.AddRectFilled({sx, from.y}, {sx + width, to.y}, color);
+  });
+  draw(cells.y0, cells.y1, kScreenRows, map.height(), [&](int y) {
+    const float sy = cell_corner(view, 0, y).y;
+    list.AddRectFilled({from.x, sy}, {to.x, sy + width}, color);
+  });
 }
 
 void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui) {
@@ -210,8 +213,12 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
     const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
     if (slope && meet(item.box, visible)) keep_clear.push_back(item.box);
   }
-  OverlayDrawing drawing = make_overlays(session.scene(), session.state(), session.record(), overlays,
-                                         visible, session.choices().body);
+  OverlayDrawing drawing = make_overlays({.scene = session.scene(),
+                                          .state = session.state(),
+                                          .record = session.record(),
+                                          .ground = session.scene().ground.get(),
+                                          .chosen_body = session.choices().body},
+                                         overlays, visible);
   if (overlays.has(OverlayId::answer) && session.hard_case())
     add_answer(*session.hard_case(), session.level(), drawing);
   paint_overlays(list, drawing, keep_clear, view, scale, pointed_at);

@@ -165,8 +165,9 @@ std::vector<Command> play_commands() {
 template <OverlayId id>
 Command overlay_command(std::string_view command_id) {
   const OverlayInfo& info = overlay_infos()[static_cast<std::size_t>(id)];
-  const int digit = '1' + static_cast<int>(id);
-  return toggle(command_id, alt(digit), info.label, info.help, toggle_overlay<id>, has_overlay<id>);
+  constexpr int kNumber = static_cast<int>(id), kDigits = 9;
+  const KeyChord key = kNumber < kDigits ? alt('1' + kNumber) : alt_shift('1' + kNumber - kDigits);
+  return toggle(command_id, key, info.label, info.help, toggle_overlay<id>, has_overlay<id>);
 }
 
 std::vector<Command> overlay_commands() {
@@ -180,6 +181,11 @@ std::vector<Command> overlay_commands() {
       overlay_command<OverlayId::tested_tiles>("overlay/tested_tiles"),
       overlay_command<OverlayId::answer>("overlay/answer"),
       overlay_command<OverlayId::outline>("overlay/outline"),
+      overlay_command<OverlayId::removed_edges>("overlay/removed_edges"),
+      overlay_command<OverlayId::one_way>("overlay/one_way"),
+      overlay_command<OverlayId::swept_path>("overlay/swept_path"),
+      overlay_command<OverlayId::trails>("overlay/trails"),
+      overlay_command<OverlayId::penetration>("overlay/penetration"),
   };
 }
 

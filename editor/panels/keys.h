@@ -34,6 +34,7 @@ constexpr KeyChord ctrl(int key) { return {key, true, false, false}; }
 constexpr KeyChord shift(int key) { return {key, false, true, false}; }
 constexpr KeyChord ctrl_shift(int key) { return {key, true, true, false}; }
 constexpr KeyChord alt(int key) { return {key, false, false, true}; }
+constexpr KeyChord alt_shift(int key) { return {key, false, true, true}; }
 
 std::string to_string(KeyChord chord);  // "Ctrl+Shift+S"; empty for no key
 

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "flag_label.h"
 #include "overlay_painter.h"
+#include "overlay_switches.h"
 #include "play_keys.h"
 
 namespace talus {
@@ -218,6 +219,7 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   if (is_play() && keys_steer(session, ui.view))
     title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
   draw_plate(list, {view.min.x + gap, view.min.y + gap}, title, theme::color(theme::kMuted), ui);
+  if (is_play()) draw_overlay_legend(list, session.choices().overlays, view, ui);
   if (const auto flag = session.choices().flag_overlay) {
     const std::string text = "tinted: " + flag_label(session.level(), *flag);
     const float height = ImGui::GetTextLineHeight() + ui.px(4);

@@ -20,6 +20,13 @@ ImU32 color_of(OverlayId id, int alpha = 255) {
   return theme::color(overlay_infos()[static_cast<std::size_t>(id)].color, alpha);
 }
 
+// What is thin and without a rim, so that it does not hide what it is about.
+bool is_faint(OverlayId id) { return id == OverlayId::removed_edges || id == OverlayId::trails; }
+
+bool covers_much(OverlayId id) {
+  return is_faint(id) || id == OverlayId::outline || id == OverlayId::one_way || id == OverlayId::swept_path;
+}
+
 class Painter {
  public:
   Painter(ImDrawList& list, const CanvasView& view, float scale, int pointed_at)
@@ -31,8 +38,13 @@ class Painter {
 
   void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
     for (const OverlayBox& box : drawing.boxes) paint_box(box);
-    for (const OverlayLine& line : drawing.lines) stroke(line, outline(), width_ + 2 * rim());
-    for (const OverlayLine& line : drawing.lines) stroke(line, color_of(line.overlay), width_);
+    for (const OverlayLine& line : drawing.lines) {
+      if (!is_faint(line.overlay)) stroke(line, outline(), width_ + 2 * rim());
+    }
+    for (const OverlayLine& line : drawing.lines) {
+      const int alpha = static_cast<int>(255 * std::clamp(line.strength, 0.0, 1.0));
+      stroke(line, color_of(line.overlay, alpha), is_faint(line.overlay) ? rim() : width_);
+    }
     for (const OverlayBar& bar : drawing.bars) paint_bar(bar);
     for (const OverlayMark& mark : drawing.marks) paint_mark(mark);
     for (const Rect& rect : keep_clear) taken_.push_back(screen_box(rect));
@@ -91,7 +103,7 @@ class Painter {
   void keep_clear_of(const OverlayDrawing& drawing) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
     for (const OverlayLine& line : drawing.lines) {
-      if (line.overlay != OverlayId::outline) keep_clear_of(line);  // else no label would be near the ground
+      if (!covers_much(line.overlay)) keep_clear_of(line);  // else no label would find room
     }
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
@@ -162,7 +174,7 @@ void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<c
 
 void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size) {
   // The swatch is a canvas of 8 by 8 level pixels that holds one piece of the overlay.
-  const CanvasView view{at, {at.x + size, at.y + size}, at, size / 8};
+  const CanvasView view{at, {at.x + size, at.y + size}, {at.x, at.y}, size / 8};
   OverlayDrawing sample;
   switch (id) {
     case OverlayId::boxes:
@@ -189,6 +201,27 @@ void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size)
     case OverlayId::outline:
       sample.lines.push_back({id, {0, 6.5}, {8, 3.5}});
       sample.lines.push_back({id, {4, 5}, {3, 2}});
+      break;
+    case OverlayId::removed_edges:
+      sample.lines.push_back({id, {4, 0}, {4, 8}});
+      sample.lines.push_back({id, {0, 4}, {8, 4}});
+      break;
+    case OverlayId::one_way:
+      sample.lines.push_back({id, {4, 7.5}, {4, 0.5}, true});
+      sample.lines.push_back({id, {0, 5}, {8, 5}});
+      break;
+    case OverlayId::swept_path:
+      sample.boxes.push_back({id, {0.5, 0.5, 3, 3}});
+      sample.boxes.push_back({id, {4.5, 4.5, 3, 3}});
+      sample.lines.push_back({id, {2, 2}, {6, 6}});
+      break;
+    case OverlayId::trails:
+      sample.lines.push_back({.overlay = id, .from = {0, 6}, .to = {3, 2}, .strength = 0.5});
+      sample.lines.push_back({id, {3, 2}, {8, 5}});
+      break;
+    case OverlayId::penetration:
+      sample.boxes.push_back({id, {1, 4, 6, 4}, true});
+      sample.lines.push_back({id, {4, 6}, {4, 1}, true});
       break;
     case OverlayId::answer:
       sample.boxes.push_back({id, {3, 1, 4, 4}, true});

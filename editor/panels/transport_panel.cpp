@@ -6,7 +6,7 @@
 #include <string>
 
 #include "commands.h"
-#include "overlay_painter.h"
+#include "overlay_switches.h"
 
 namespace talus {
 namespace {
@@ -28,25 +28,6 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
   ImGui::EndCombo();
 }
 
-void draw_overlay_switch(const OverlayInfo& info, const Session& session, Actions& actions, Ui& ui) {
-  const std::string id = "overlay/" + std::string(info.key), label(info.label);
-  const Command& command = find_command(id);
-  const bool on = session.choices().overlays.has(info.id);
-  const float height = ui.px(theme::kButton), icon = ui.px(14);
-  const ImVec2 text = ImGui::CalcTextSize(label.c_str());
-  const float width = text.x + icon + ui.px(16);
-  ui.same_line_if_fits(width, info.id == OverlayId::boxes ? ui.px(8) : 0);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushStyleColor(ImGuiCol_Button, theme::color(on ? theme::kControlHot : theme::kPanel));
-  if (ImGui::Button(("##" + id).c_str(), {width, height})) command.run(session, actions, ui);
-  ImGui::PopStyleColor();
-  ui.item(id, info.help, keys_of(command));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  paint_overlay_swatch(list, info.id, {at.x + ui.px(4), at.y + (height - icon) / 2}, icon);
-  list.AddText({at.x + icon + ui.px(10), at.y + (height - text.y) / 2},
-               theme::color(on ? theme::kText : theme::kMuted), label.c_str());
-}
-
 }  // namespace
 
 void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -65,7 +46,7 @@ void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine();
   ImGui::SetCursorPosY(row);
   draw_speed(session, actions, ui);
-  for (const OverlayInfo& info : overlay_infos()) draw_overlay_switch(info, session, actions, ui);
+  draw_overlay_switches(session, actions, ui);
 }
 
 }  // namespace talus

@@ -6,12 +6,21 @@
 
 #include <cmath>
 
+#include "level/ground.h"
+#include "overlay/removed_edges.h"
+
 namespace talus {
 namespace {
 
 using ::testing::UnorderedElementsAre;
 
 constexpr Rect kEverything{-1000, -1000, 4000, 4000};
+
+OverlaySet only(OverlayId id) {
+  OverlaySet set;
+  set.set(id, true);
+  return set;
+}
 
 using Ends = std::pair<std::pair<double, double>, std::pair<double, double>>;
 Ends ends(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
@@ -29,7 +38,7 @@ Level empty_level() {
 
 std::vector<Ends> outline(const Level& level, Rect visible = kEverything) {
   OverlayDrawing drawing;
-  add_outline(compile_scene(level), visible, drawing);
+  add_outline(Terrain(ground_of(level)), only(OverlayId::outline), visible, drawing);
   std::vector<Ends> lines;
   for (const OverlayLine& l : drawing.lines) {
     EXPECT_EQ(l.overlay, OverlayId::outline);
@@ -71,15 +80,13 @@ TEST(Outline, SlopesHaveTheirTrueNormal) {
   EXPECT_TRUE(found);
 }
 
-TEST(Outline, LongSegmentIsOneLineAndTheFloatGroundHasItToo) {
+TEST(Outline, LongSegmentIsOneLine) {
   Level level = empty_level();
   level.curves.push_back({"", {Segment{{4, 20}, {60, 20}}, Curve::Faces::up}, ""});
   std::vector<Ends> lines = outline(level);
   ASSERT_EQ(lines.size(), 1u + 4u);  // a normal for each 16 px or less
   EXPECT_EQ(lines[0], ends(4, 20, 60, 20));
   EXPECT_EQ(lines[1], ends(11, 20, 11, 17));
-  level.tuning.exact.single_precision = 1;
-  EXPECT_EQ(outline(level), lines);
 }
 
 TEST(Outline, WhatIsOutOfSightIsLeftOut) {
@@ -93,11 +100,54 @@ TEST(Outline, WhatIsOutOfSightIsLeftOut) {
   EXPECT_TRUE(outline(level, {17, 10, 6, 6}).empty());
 }
 
-TEST(Outline, OtherSolversHaveNone) {
+TEST(Outline, OneWaySidesHaveArrowsTheWayThatBodiesPass) {
   Level level = empty_level();
-  level.map.set({2, 1}, 1);
-  level.tuning.solver = SolverKind::article;
-  EXPECT_TRUE(outline(level).empty());
+  level.map.set({2, 1}, 3);
+  level.map.set({4, 1}, 1);
+  OverlayDrawing drawing;
+  add_outline(Terrain(ground_of(level)), only(OverlayId::one_way), kEverything, drawing);
+  ASSERT_EQ(drawing.lines.size(), 1u);
+  EXPECT_EQ(drawing.lines[0].overlay, OverlayId::one_way);
+  EXPECT_TRUE(drawing.lines[0].arrow);
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{20, 13}));
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{20, 3}));
+}
+
+std::vector<Ends> removed(const Level& level) {
+  OverlayDrawing drawing;
+  add_removed_edges(Terrain(ground_of(level)), kEverything, drawing);
+  std::vector<Ends> lines;
+  for (const OverlayLine& l : drawing.lines) {
+    EXPECT_EQ(l.overlay, OverlayId::removed_edges);
+    lines.push_back(ends(l.from.x, l.from.y, l.to.x, l.to.y));
+  }
+  return lines;
+}
+
+TEST(RemovedEdges, AreTheSidesThatTilesShare) {
+  Level level = empty_level();
+  for (const Cell c : {Cell{2, 1}, {3, 1}, {4, 1}, {3, 2}}) level.map.set(c, 1);
+  EXPECT_THAT(removed(level), UnorderedElementsAre(ends(24, 8, 24, 16), ends(32, 8, 32, 16),  //
+                                                   ends(24, 16, 32, 16)));
+}
+
+//       /|  a slope from 0 to 8 px against a tile, on another tile
+//      / |##
+//     ######
+TEST(RemovedEdges, OfASlopeAreItsFootAndItsBack) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 2);
+  level.map.set({3, 1}, 1);
+  level.map.set({2, 2}, 1);
+  level.map.set({3, 2}, 1);
+  EXPECT_THAT(removed(level), UnorderedElementsAre(ends(24, 8, 24, 16), ends(16, 16, 24, 16),  //
+                                                   ends(24, 16, 32, 16), ends(24, 16, 24, 24)));
+}
+
+TEST(RemovedEdges, ASlopeAloneHasAllItsSides) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 2);
+  EXPECT_TRUE(removed(level).empty());
 }
 
 TEST(CurveLines, FollowAnArcAndShowOneThatFacesBothWaysOnce) {

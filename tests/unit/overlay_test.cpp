@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "overlay/number_label.h"
@@ -63,6 +64,16 @@ StepRecord on_slope() {
 }
 const Rect kBall{19, 84, 8, 8};
 
+OverlayDrawing drawn(const Scene& scene, const State& state, const StepRecord& record, OverlaySet overlays,
+                     int chosen_body = 0, Rect visible = kEverything) {
+  return make_overlays({.scene = scene,
+                        .state = state,
+                        .record = record,
+                        .ground = scene.ground.get(),
+                        .chosen_body = chosen_body},
+                       overlays, visible);
+}
+
 // Relative luminance by WCAG 2.
 double luminance(std::uint32_t rgb) {
   const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
@@ -99,8 +110,7 @@ TEST(OverlaySet, HoldsWhatWasSet) {
 }
 
 TEST(Overlays, NothingIsDrawnWhenNoneIsOn) {
-  const OverlayDrawing drawing =
-      make_overlays({}, state_of({body(1, kBall, {1, 1})}), on_slope(), {}, kEverything, 1);
+  const OverlayDrawing drawing = drawn({}, state_of({body(1, kBall, {1, 1})}), on_slope(), {}, 1);
   EXPECT_TRUE(drawing.lines.empty() && drawing.boxes.empty() && drawing.marks.empty() &&
               drawing.bars.empty() && drawing.labels.empty());
 }
@@ -109,8 +119,7 @@ TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
   Scene scene;
   scene.items = {item(TileRole::solid, {0, 96, 8, 8}), item(TileRole::up_slope, {16, 88, 16, 8}),
                  item(TileRole::ball, {40, 0, 8, 8})};
-  const auto drawing =
-      make_overlays(scene, state_of({body(1, kBall)}), {}, only(OverlayId::boxes), kEverything, 0);
+  const auto drawing = drawn(scene, state_of({body(1, kBall)}), {}, only(OverlayId::boxes), 0);
   ASSERT_EQ(drawing.boxes.size(), 3u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 96, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{16, 88, 16, 8}));
@@ -121,7 +130,7 @@ TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
 TEST(Overlays, LeavesOutWhatCannotBeSeen) {
   Scene scene;
   scene.items = {item(TileRole::solid, {0, 0, 8, 8}), item(TileRole::solid, {80, 0, 8, 8})};
-  const auto drawing = make_overlays(scene, {}, {}, only(OverlayId::boxes), {4, 4, 40, 40}, 0);
+  const auto drawing = drawn(scene, {}, {}, only(OverlayId::boxes), 0, {4, 4, 40, 40});
   ASSERT_EQ(drawing.boxes.size(), 1u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 0, 8, 8}));
 }
@@ -132,8 +141,7 @@ TEST(Overlays, LeavesOutWhatCannotBeSeen) {
 TEST(Overlays, NormalStartsInTheMiddleOfTheSharedSide) {
   StepRecord record;
   record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};
-  const auto drawing =
-      make_overlays({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::normals), kEverything, 0);
+  const auto drawing = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::normals), 0);
   ASSERT_EQ(drawing.lines.size(), 1u);
   EXPECT_EQ(drawing.lines[0].from, (Vec2{6, 8}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{6, 0}));
@@ -152,8 +160,7 @@ TEST(Overlays, NormalOfEachSide) {
   for (const auto& c : cases) {
     StepRecord record;
     record.contacts = {contact({0, 0, 8, 8}, c.normal, c.touch)};
-    const auto drawing = make_overlays({}, state_of({body(1, {0, 0, 8, 8})}), record,
-                                       only(OverlayId::normals), kEverything, 0);
+    const auto drawing = drawn({}, state_of({body(1, {0, 0, 8, 8})}), record, only(OverlayId::normals), 0);
     ASSERT_EQ(drawing.lines.size(), 1u);
     EXPECT_EQ(drawing.lines[0].from, c.from);
     EXPECT_EQ(drawing.lines[0].to, c.to);
@@ -164,8 +171,8 @@ TEST(Overlays, AContactWithoutADirectionHasNoArrow) {
   StepRecord record;
   record.contacts = {contact({0, 0, 8, 8}, {0, 0}, {2, 2})};
   const State state = state_of({body(1, {2, 2, 8, 8})});
-  EXPECT_TRUE(make_overlays({}, state, record, only(OverlayId::normals), kEverything, 0).lines.empty());
-  const auto drawing = make_overlays({}, state, record, only(OverlayId::touch_points), kEverything, 0);
+  EXPECT_TRUE(drawn({}, state, record, only(OverlayId::normals), 0).lines.empty());
+  const auto drawing = drawn({}, state, record, only(OverlayId::touch_points), 0);
   ASSERT_EQ(drawing.marks.size(), 1u);
   EXPECT_EQ(drawing.marks[0].at, (Vec2{5, 5})) << "the middle of the overlap";
 }
@@ -173,8 +180,7 @@ TEST(Overlays, AContactWithoutADirectionHasNoArrow) {
 TEST(Overlays, TouchPointHasTheTimeOfImpact) {
   StepRecord record;
   record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};
-  const auto drawing = make_overlays({}, state_of({body(1, {4, 0, 8, 8})}), record,
-                                     only(OverlayId::touch_points), kEverything, 0);
+  const auto drawing = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::touch_points), 0);
   ASSERT_EQ(drawing.marks.size(), 1u);
   EXPECT_EQ(drawing.marks[0].at, (Vec2{6, 8}));
   ASSERT_EQ(drawing.labels.size(), 1u);
@@ -185,7 +191,7 @@ TEST(Overlays, TouchPointHasTheTimeOfImpact) {
 
 TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
   const State state = state_of({body(1, {0, 0, 8, 8}, {1.5, -0.25}), body(2, {20, 0, 8, 8})});
-  const auto drawing = make_overlays({}, state, {}, only(OverlayId::velocity), kEverything, 1);
+  const auto drawing = drawn({}, state, {}, only(OverlayId::velocity), 1);
   ASSERT_EQ(drawing.lines.size(), 1u) << "a body at rest has no arrow";
   EXPECT_EQ(drawing.lines[0].from, (Vec2{4, 4}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{10, 3}));
@@ -196,15 +202,14 @@ TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
 
 TEST(Overlays, OnlyTheChosenBodysLabelsAreImportant) {
   const State state = state_of({body(1, {0, 0, 8, 8}, {1, 0}), body(2, {20, 0, 8, 8}, {1, 0})});
-  const auto drawing = make_overlays({}, state, {}, only(OverlayId::velocity), kEverything, 2);
+  const auto drawing = drawn({}, state, {}, only(OverlayId::velocity), 2);
   ASSERT_EQ(drawing.labels.size(), 2u);
   EXPECT_FALSE(drawing.labels[0].important);
   EXPECT_TRUE(drawing.labels[1].important);
 }
 
 TEST(Overlays, SlopeDeltaIsABarAndANumber) {
-  const auto drawing =
-      make_overlays({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::slope_delta), kEverything, 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::slope_delta), 1);
   ASSERT_EQ(drawing.bars.size(), 1u);
   EXPECT_EQ(drawing.bars[0].box, (Rect{19, 80, 8, 2}));
   EXPECT_EQ(drawing.bars[0].fraction, 0.4375);
@@ -215,8 +220,7 @@ TEST(Overlays, SlopeDeltaIsABarAndANumber) {
 }
 
 TEST(Overlays, FloorHeightIsALineOnTheSlopesSurface) {
-  const auto drawing = make_overlays({}, state_of({body(1, kBall)}), on_slope(),
-                                     only(OverlayId::floor_height), kEverything, 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::floor_height), 1);
   ASSERT_EQ(drawing.lines.size(), 2u);
   EXPECT_EQ(drawing.lines[0].from, (Vec2{16, 96})) << "an up-slope is low on the left";
   EXPECT_EQ(drawing.lines[0].to, (Vec2{32, 88}));
@@ -230,15 +234,13 @@ TEST(Overlays, FloorHeightIsALineOnTheSlopesSurface) {
 TEST(Overlays, ADownSlopesSurfaceIsHighOnTheLeft) {
   StepRecord record = on_slope();
   record.contacts[0].slope->slope.role = TileRole::down_slope;
-  const auto drawing =
-      make_overlays({}, state_of({body(1, kBall)}), record, only(OverlayId::floor_height), kEverything, 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), record, only(OverlayId::floor_height), 1);
   EXPECT_EQ(drawing.lines.at(0).from, (Vec2{16, 88}));
   EXPECT_EQ(drawing.lines.at(0).to, (Vec2{32, 96}));
 }
 
 TEST(Overlays, ASlopesOwnNormalStandsOnItsFloor) {
-  const auto drawing =
-      make_overlays({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::normals), kEverything, 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::normals), 1);
   ASSERT_EQ(drawing.lines.size(), 2u) << "the box's and the slope's";
   EXPECT_EQ(drawing.lines[1].from, (Vec2{23, 92.4375}));
   EXPECT_DOUBLE_EQ(drawing.lines[1].to.x, 23 - 4.8);
@@ -249,8 +251,7 @@ TEST(Overlays, TheLastLookForAFloorCounts) {
   StepRecord record = on_slope();
   record.contacts.push_back(record.contacts[0]);
   record.contacts[1].slope->delta = 0.75;
-  const auto drawing =
-      make_overlays({}, state_of({body(1, kBall)}), record, only(OverlayId::slope_delta), kEverything, 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), record, only(OverlayId::slope_delta), 1);
   ASSERT_EQ(drawing.bars.size(), 1u);
   EXPECT_EQ(drawing.bars[0].fraction, 0.75);
 }
@@ -260,7 +261,7 @@ TEST(Overlays, TestedTilesAreTintedOnce) {
   const Obstacle other{TileRole::ball, {}, 2, {20, 80, 8, 8}};
   StepRecord record;
   record.tested = {{1, floor}, {1, other}, {2, floor}};
-  const auto drawing = make_overlays({}, {}, record, only(OverlayId::tested_tiles), kEverything, 0);
+  const auto drawing = drawn({}, {}, record, only(OverlayId::tested_tiles), 0);
   ASSERT_EQ(drawing.boxes.size(), 2u);
   EXPECT_EQ(drawing.boxes[0].box, floor.box);
   EXPECT_EQ(drawing.boxes[1].box, other.box);
@@ -268,7 +269,7 @@ TEST(Overlays, TestedTilesAreTintedOnce) {
 }
 
 TEST(Overlays, ABodyThatAnEditTookAwayLeavesNothing) {
-  const auto drawing = make_overlays({}, state_of({}), on_slope(), OverlaySet::all(), kEverything, 1);
+  const auto drawing = drawn({}, state_of({}), on_slope(), OverlaySet::all(), 1);
   EXPECT_TRUE(drawing.lines.empty() && drawing.marks.empty() && drawing.bars.empty() &&
               drawing.labels.empty());
 }
@@ -285,7 +286,7 @@ TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
   Body over_slope = body(1, {18, 70, 8, 8}), high = body(2, {50, 10, 8, 8});
   over_slope.foot = Foot::centre;
   const State state = state_of({over_slope, high});
-  const auto drawing = make_overlays(scene, state, {}, only(OverlayId::floor_height), kEverything, 1);
+  const auto drawing = drawn(scene, state, {}, only(OverlayId::floor_height));
   ASSERT_EQ(drawing.lines.size(), 2u) << "the floor of the other one is too far below to be of interest";
   EXPECT_EQ(drawing.lines[0].from, (Vec2{14, 93}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{30, 93}));
@@ -293,9 +294,74 @@ TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
   EXPECT_EQ(drawing.lines[1].to, (Vec2{22, 93}));
   ASSERT_EQ(drawing.labels.size(), 1u);
   EXPECT_EQ(drawing.labels[0].text, "floor 93.00");
-  const auto chosen = make_overlays(scene, state, {}, only(OverlayId::floor_height), kEverything, 2);
+  const auto chosen = drawn(scene, state, {}, only(OverlayId::floor_height), 2);
   ASSERT_EQ(chosen.labels.size(), 2u);
   EXPECT_EQ(chosen.labels[1].text, "floor 88.00");
+}
+
+// The floor as it is under every x: level from x 12, a ramp up from 16, level again at its top from 24.
+TEST(Overlays, TheChosenBodyHasTheFloorUnderEachOfItsXs) {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.tile_shapes[1] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  level.tile_shapes[2].kind = TileShape::Kind::solid;
+  level.map.set({1, 11}, 2);
+  level.map.set({2, 10}, 1);
+  level.map.set({2, 11}, 2);
+  const Scene scene = compile_scene(level);
+  const State state = state_of({body(1, {12, 70, 8, 8})});
+  const auto drawing = drawn(scene, state, {}, only(OverlayId::floor_height), 1);
+  std::map<double, double> floor;  // by x
+  for (const OverlayLine& line : drawing.lines) {
+    if (line.to == line.from + Vec2{0, 1.5}) floor[line.from.x] = line.from.y;
+  }
+  EXPECT_EQ(floor,
+            (std::map<double, double>{
+                {12, 88}, {13, 88}, {14, 88}, {15, 88}, {16, 88}, {17, 87}, {18, 86}, {19, 85}, {20, 84}}));
+}
+
+TEST(Overlays, PenetrationIsTheStripInTheGroundAndTheWayOut) {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.tile_shapes[2].kind = TileShape::Kind::solid;
+  for (int x = 0; x < 10; ++x) level.map.set({x, 11}, 2);
+  const Scene scene = compile_scene(level);
+  const State state = state_of({body(1, {20, 82, 8, 8}), body(2, {40, 80, 8, 8})});
+  const auto drawing = drawn(scene, state, {}, only(OverlayId::penetration), 1);
+  ASSERT_EQ(drawing.boxes.size(), 1u) << "the other one stands on the ground";
+  EXPECT_EQ(drawing.boxes[0].box, (Rect{20, 88, 8, 2}));
+  ASSERT_EQ(drawing.lines.size(), 1u);
+  EXPECT_EQ(drawing.lines[0].to - drawing.lines[0].from, (Vec2{0, -2}));
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "in 2.00");
+}
+
+TEST(Overlays, SweptPathGoesFromContactToContact) {
+  StepRecord record;
+  record.contacts = {contact({0, 20, 80, 8}, {0, -1}, {4, 12})};
+  record.paths = {{.body = 1, .from = {0, 8, 8, 8}, .goal = {12, 20}, .to = {10, 12, 8, 8}}};
+  record.contacts[0].handled = true;
+  const auto drawing = drawn({}, state_of({body(1, {10, 12, 8, 8})}), record, only(OverlayId::swept_path));
+  ASSERT_EQ(drawing.boxes.size(), 3u);
+  EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 8, 8, 8}));
+  EXPECT_EQ(drawing.boxes[1].box, (Rect{4, 12, 8, 8}));
+  EXPECT_EQ(drawing.boxes[2].box, (Rect{10, 12, 8, 8}));
+  ASSERT_EQ(drawing.lines.size(), 6u) << "of each part the centre's way and two corners'";
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{8, 8}))
+      << "down and to the right, the top right corner is outermost";
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{12, 12}));
+  EXPECT_EQ(drawing.lines[1].from, (Vec2{0, 16}));
+  EXPECT_EQ(drawing.lines[2].from, (Vec2{4, 12}));
+}
+
+TEST(Overlays, TrailsFadeWithAge) {
+  const std::vector<Trail> trails = {{{0, 0}, {4, 0}, {8, 0}}};
+  OverlayDrawing drawing = make_overlays({.scene = {}, .state = {}, .record = {}, .trails = trails},
+                                         only(OverlayId::trails), kEverything);
+  ASSERT_EQ(drawing.lines.size(), 2u);
+  EXPECT_LT(drawing.lines[0].strength, drawing.lines[1].strength);
+  EXPECT_EQ(drawing.lines[1].strength, 1);
+  EXPECT_EQ(drawing.lines[1].to, (Vec2{8, 0}));
 }
 
 TEST(NumberLabel, PartsOfNormalsAreShort) {

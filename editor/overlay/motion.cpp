@@ -1,0 +1,80 @@
+#include "motion.h"
+
+#include <algorithm>
+
+#include "visible.h"
+
+namespace talus {
+namespace {
+
+constexpr OverlayId kPath = OverlayId::swept_path;
+constexpr double kFaintest = 0.15;  // of the oldest part of a trail
+
+class PathDrawer {
+ public:
+  PathDrawer(const OverlaySource& source, Rect visible, OverlayDrawing& out)
+      : source_(source), visible_(visible), out_(out) {}
+
+  void draw(const BodyPath& path) {
+    Rect at = path.from;
+    if (source_.state.find(path.body) == nullptr) return;
+    ghost(at);
+    for (const ContactRecord& contact : source_.record.contacts) {
+      if (contact.body != path.body || !contact.handled) continue;
+      move_to(at, contact.touch);
+    }
+    move_to(at, path.to.position());
+  }
+
+ private:
+  void ghost(const Rect& box) {
+    if (meet(box, visible_)) out_.boxes.push_back({kPath, box});
+  }
+
+  // The strip's two long sides are the ways of the corners that are outermost across the motion.
+  void move_to(Rect& at, Vec2 to) {
+    const Vec2 from = at.position(), way = to - from;
+    if (way == Vec2{}) return;
+    at.x = to.x;
+    at.y = to.y;
+    const bool falls_right = (way.x < 0) == (way.y < 0);
+    const Vec2 first = falls_right ? Vec2{at.w, 0} : Vec2{0, 0};
+    const Vec2 second = falls_right ? Vec2{0, at.h} : Vec2{at.w, at.h};
+    const Vec2 middle{at.w / 2, at.h / 2};
+    line(from + first, to + first, 0.5);
+    line(from + second, to + second, 0.5);
+    line(from + middle, to + middle, 1);
+    ghost(at);
+  }
+
+  void line(Vec2 from, Vec2 to, double strength) {
+    if (meets(from, to, visible_))
+      out_.lines.push_back({.overlay = kPath, .from = from, .to = to, .strength = strength});
+  }
+
+  const OverlaySource& source_;
+  const Rect visible_;
+  OverlayDrawing& out_;
+};
+
+}  // namespace
+
+void add_swept_paths(const OverlaySource& source, Rect visible, OverlayDrawing& drawing) {
+  PathDrawer drawer(source, visible, drawing);
+  for (const BodyPath& path : source.record.paths) drawer.draw(path);
+}
+
+void add_trails(std::span<const Trail> trails, Rect visible, OverlayDrawing& drawing) {
+  for (const Trail& trail : trails) {
+    for (std::size_t i = 1; i < trail.size(); ++i) {
+      if (!meets(trail[i - 1], trail[i], visible)) continue;
+      const double age = 1 - static_cast<double>(i) / static_cast<double>(trail.size() - 1);
+      drawing.lines.push_back({.overlay = OverlayId::trails,
+                               .from = trail[i - 1],
+                               .to = trail[i],
+                               .strength = 1 - age * (1 - kFaintest)});
+    }
+  }
+}
+
+}  // namespace talus

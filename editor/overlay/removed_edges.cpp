@@ -1,0 +1,136 @@
+#include "removed_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "visible.h"
+
+namespace talus {
+namespace {
+
+// A level or upright line.
+struct Edge {
+  bool upright;
+  double at;        // px, its y; or x if upright
+  double from, to;  // px, along it
+  auto line() const { return std::make_tuple(upright, at); }
+  auto key() const { return std::make_tuple(upright, at, from, to); }
+};
+
+class Collector {
+ public:
+  Collector(const Terrain& ground, Rect visible, OverlayDrawing& out)
+      : ground_(ground), visible_(visible), out_(out) {
+    const auto cell = [](double px, int count) {
+      return static_cast<int>(std::clamp(std::floor(px / kTileSide), 0.0, static_cast<double>(count)));
+    };
+    left_ = cell(visible.x, ground.width());
+    top_ = cell(visible.y, ground.height());
+    right_ = cell(visible.right() + kTileSide, ground.width());
+    bottom_ = cell(visible.bottom() + kTileSide, ground.height());
+  }
+
+  void draw() {
+    between_full_tiles();
+    for (int y = std::max(top_ - kMaxShapeTiles, 0); y < std::min(bottom_ + kMaxShapeTiles, ground_.height());
+         ++y) {
+      for (int x = std::max(left_ - kMaxShapeTiles, 0); x < right_; ++x) gather({x, y});
+    }
+    put_uncovered();
+  }
+
+ private:
+  bool is_full(int x, int y) const { return ground_.is_solid({x, y}); }
+
+  // Sides that two full tiles share, in runs as long as they go.
+  void between_full_tiles() {
+    const auto runs = [&](bool upright, int lines_from, int lines_to, int first, int last) {
+      for (int line = std::max(lines_from, 1); line < lines_to; ++line) {
+        int start = first;
+        for (int i = first; i <= last; ++i) {
+          const bool shared = i < last && (upright ? is_full(line - 1, i) && is_full(line, i)
+                                                   : is_full(i, line - 1) && is_full(i, line));
+          if (shared) continue;
+          if (i > start) put({upright, 1.0 * line * kTileSide, 1.0 * start * kTileSide, 1.0 * i * kTileSide});
+          start = i + 1;
+        }
+      }
+    };
+    runs(true, left_, right_, top_, bottom_);
+    runs(false, top_, bottom_, left_, right_);
+  }
+
+  // The sides of what is in the cell, and what of the outline is in it.
+  void gather(Cell c) {
+    if (ground_.is_detailed(c)) {
+      for (const Piece<double>& piece : ground_.pieces_in(c)) {
+        if (piece.is_wall()) {
+          outline_.push_back({true, piece.x0, piece.y0, piece.y1});
+        } else if (piece.stretch == 0 && piece.y0 == piece.y1) {
+          outline_.push_back({false, piece.y0, piece.x0, piece.x1});
+        }
+      }
+    }
+    const TileShape& shape = ground_.shape_at(c);
+    const double x = 1.0 * c.x * kTileSide, y = 1.0 * c.y * kTileSide;
+    if (is_full(c.x, c.y)) {
+      if (!ground_.is_detailed(c)) return;
+      if (!is_full(c.x - 1, c.y)) sides_.push_back({true, x, y, y + kTileSide});
+      if (!is_full(c.x + 1, c.y)) sides_.push_back({true, x + kTileSide, y, y + kTileSide});
+      if (!is_full(c.x, c.y - 1)) sides_.push_back({false, y, x, x + kTileSide});
+      if (!is_full(c.x, c.y + 1)) sides_.push_back({false, y + kTileSide, x, x + kTileSide});
+    } else if (!shape.one_way && !shape.heights.empty()) {
+      const bool floor = shape.side == TileShape::Side::floor;
+      const double base = floor ? y + kTileSide : y, right = x + shape.tiles * kTileSide;
+      sides_.push_back({false, base, x, right});
+      for (const auto& [at, height] : {std::pair{x, shape.heights.front()}, {right, shape.heights.back()}}) {
+        if (height > 0)
+          sides_.push_back(
+              {true, at, floor ? base - weld(height) : base, floor ? base : base + weld(height)});
+      }
+    }
+  }
+
+  // Every part of the sides that the outline leaves open, once.
+  void put_uncovered() {
+    const auto less = [](const Edge& a, const Edge& b) { return a.key() < b.key(); };
+    std::sort(sides_.begin(), sides_.end(), less);
+    std::sort(outline_.begin(), outline_.end(), less);
+    auto cover = outline_.begin();
+    for (std::size_t i = 0; i < sides_.size();) {
+      Edge side = sides_[i++];
+      for (; i < sides_.size() && sides_[i].line() == side.line() && sides_[i].from <= side.to; ++i)
+        side.to = std::max(side.to, sides_[i].to);
+      while (cover != outline_.end() && cover->line() < side.line()) ++cover;
+      double from = side.from;
+      for (auto c = cover; c != outline_.end() && c->line() == side.line() && from < side.to; ++c) {
+        if (c->to <= from) continue;
+        if (c->from > from) put({side.upright, side.at, from, std::min(c->from, side.to)});
+        from = std::max(from, c->to);
+      }
+      if (from < side.to) put({side.upright, side.at, from, side.to});
+    }
+  }
+
+  void put(const Edge& e) {
+    const Vec2 from = e.upright ? Vec2{e.at, e.from} : Vec2{e.from, e.at};
+    const Vec2 to = e.upright ? Vec2{e.at, e.to} : Vec2{e.to, e.at};
+    if (meets(from, to, visible_))
+      out_.lines.push_back({.overlay = OverlayId::removed_edges, .from = from, .to = to, .strength = 0.6});
+  }
+
+  const Terrain& ground_;
+  const Rect visible_;
+  OverlayDrawing& out_;
+  int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;  // cells; the last ones are outside
+  std::vector<Edge> sides_, outline_;
+};
+
+}  // namespace
+
+void add_removed_edges(const Terrain& ground, Rect visible, OverlayDrawing& drawing) {
+  Collector(ground, visible, drawing).draw();
+}
+
+}  // namespace talus

@@ -1,0 +1,21 @@
+// What of a drawing can be seen.
+#pragma once
+
+#include <algorithm>
+
+#include "collision/geometry.h"
+
+namespace talus {
+
+// Whether they touch, if only with their edges.
+inline bool meet(const Rect& a, const Rect& b) {
+  return a.right() >= b.x && a.x <= b.right() && a.bottom() >= b.y && a.y <= b.bottom();
+}
+
+// Whether the box around a line touches the rectangle.
+inline bool meets(Vec2 a, Vec2 b, const Rect& r) {
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return meet({x, y, std::max(a.x, b.x) - x, std::max(a.y, b.y) - y}, r);
+}
+
+}  // namespace talus

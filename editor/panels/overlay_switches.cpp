@@ -1,0 +1,80 @@
+#include "overlay_switches.h"
+
+#include <algorithm>
+#include <string>
+
+#include "commands.h"
+#include "overlay_painter.h"
+
+namespace talus {
+namespace {
+
+constexpr float kSwatch = 14;                    // px at scale 1
+constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
+constexpr float kFirstGap = 8, kControls = 250;  // px at scale 1: what is left of the switches on their line
+
+float text_width(std::string_view text) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+// Decided by the window's width alone, so that the legend and the switches agree.
+bool names_fit(const Ui& ui) {
+  float width = ui.px(kControls);
+  for (const OverlayInfo& info : overlay_infos())
+    width += text_width(info.label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
+  return width <= ImGui::GetIO().DisplaySize.x;
+}
+
+void draw_switch(const OverlayInfo& info, bool named, const Session& session, Actions& actions, Ui& ui) {
+  const std::string id = "overlay/" + std::string(info.key), label(info.label);
+  const Command& command = find_command(id);
+  const bool on = session.choices().overlays.has(info.id);
+  const float height = ui.px(theme::kButton), swatch = ui.px(kSwatch), pad = ui.px(kPad);
+  const float width = swatch + 2 * pad + (named ? text_width(label) + ui.px(kTextGap) : 0);
+  ui.same_line_if_fits(width, info.id == OverlayId::boxes ? ui.px(kFirstGap) : 0);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushStyleColor(ImGuiCol_Button, theme::color(on ? theme::kControlHot : theme::kPanel));
+  if (ImGui::Button(("##" + id).c_str(), {width, height})) command.run(session, actions, ui);
+  ImGui::PopStyleColor();
+  ui.item(id, named ? std::string(info.help) : label + ": " + std::string(info.help), keys_of(command));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  paint_overlay_swatch(list, info.id, {at.x + pad, at.y + (height - swatch) / 2}, swatch);
+  if (named)
+    list.AddText({at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
+                 theme::color(on ? theme::kText : theme::kMuted), label.c_str());
+  if (!named && on)
+    list.AddRectFilled({at.x, at.y + height - ui.px(2)}, {at.x + width, at.y + height},
+                       theme::color(theme::kAccent));
+}
+
+}  // namespace
+
+void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
+  const bool named = names_fit(ui);
+  for (const OverlayInfo& info : overlay_infos()) draw_switch(info, named, session, actions, ui);
+}
+
+void draw_overlay_legend(ImDrawList& list, OverlaySet shown, const CanvasView& view, const Ui& ui) {
+  if (shown.empty() || names_fit(ui)) return;
+  const float line = ImGui::GetTextLineHeight() + ui.px(2), pad = ui.px(kPad), swatch = ui.px(kSwatch);
+  float width = 0, height = 2 * pad;
+  for (const OverlayInfo& info : overlay_infos()) {
+    if (!shown.has(info.id)) continue;
+    width = std::max(width, text_width(info.label));
+    height += line;
+  }
+  width += swatch + ui.px(kTextGap) + 2 * pad;
+  const ImVec2 at{view.max.x - width - pad, view.min.y + pad};
+  if (at.y + height > view.max.y || width > (view.max.x - view.min.x) / 2) return;  // it would hide too much
+  list.AddRectFilled(at, {at.x + width, at.y + height}, theme::color(theme::kDark, 190), ui.px(3));
+  float y = at.y + pad;
+  for (const OverlayInfo& info : overlay_infos()) {
+    if (!shown.has(info.id)) continue;
+    paint_overlay_swatch(list, info.id, {at.x + pad, y + (line - swatch) / 2}, swatch);
+    list.AddText({at.x + pad + swatch + ui.px(kTextGap), y}, theme::color(theme::kMuted), info.label.data(),
+                 info.label.data() + info.label.size());
+    y += line;
+  }
+}
+
+}  // namespace talus
