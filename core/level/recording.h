@@ -1,0 +1,41 @@
+// A recording as data: a level, what was held in each frame, the edits made meanwhile, and the hash of every
+// frame, by which a replay is told to be the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hard_case.h"
+#include "level.h"
+#include "level_version.h"
+
+namespace talus {
+
+// What is held from a frame on; counted from 1, the first step.
+struct RecordedInput : CaseInput {
+  int grab = 0;  // as Input::grab
+};
+
+// The level became this after the step of that frame, and before the next one.
+struct RecordedEdit {
+  std::int64_t frame = 1;
+  std::shared_ptr<const LevelVersion> version;  // never null
+};
+
+struct Mark {
+  std::int64_t frame = 0;
+  std::string name;  // for people; may be empty
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+struct Recording {
+  Level level;                       // of frame 0
+  std::int64_t frames = 0;           // steps
+  std::vector<RecordedInput> input;  // by frame, each once, 1..frames; nothing is held before the first
+  std::vector<RecordedEdit> edits;   // by frame, 1..frames; of one frame in the order in which they were made
+  std::vector<Mark> marks;           // by frame, each once, 0..frames
+  std::vector<std::uint64_t> hashes;  // frame_hash() of the frames 0..frames, after their edits; or none
+};
+
+}  // namespace talus

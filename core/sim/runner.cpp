@@ -1,0 +1,85 @@
+// Going along a branch.
+#include "runner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "../level/followed_spawn.h"
+
+namespace talus {
+namespace {
+
+// Bodies keep to their spawns, wherever those are now in the list; those of spawns that are gone go too.
+void follow_spawns(State& state, const std::vector<Spawn>& before, const std::vector<Spawn>& after) {
+  if (before == after) return;
+  std::erase_if(state.bodies, [&](Body& body) {
+    if (body.origin.spawn < 0) return false;
+    const auto now = followed_spawn(before, after, body.origin.spawn);
+    body.origin.spawn = now.value_or(-1);
+    return !now;
+  });
+}
+
+}  // namespace
+
+State edited_state(State state, const LevelVersion& before, const LevelVersion& after, const Scene& scene) {
+  if (state.frame == 0) return initial_state(scene);
+  follow_spawns(state, *before.spawns, *after.spawns);
+  return carry_over(state, scene);
+}
+
+void Runner::use(const VersionPtr& version) {
+  if (version == version_) return;
+  version_ = version;
+  scene_ = scenes_.scene_of(version);
+  solver_.reset();
+}
+
+void Runner::start(const Branch& branch, std::int64_t frame) {
+  const Keyframe* keyframe = branch.keyframes.before(frame);
+  const std::int64_t begin = keyframe != nullptr ? keyframe->frame : 0;
+  if (branch_ == branch.id && state_.frame <= frame && state_.frame >= begin) return;
+  branch_ = branch.id;
+  use(branch.chapters[branch.chapter_at(begin)].version);
+  if (keyframe != nullptr) {
+    state_ = *keyframe->state;
+  } else {
+    state_ = initial_state(*scene_);
+  }
+}
+
+void Runner::go_to(const Branch& branch, std::int64_t frame, StepRecord* record) {
+  assert(frame >= 0 && frame <= branch.run_frame());
+  if (record != nullptr) record->clear();
+  const bool steps_there = record != nullptr && frame > 0;
+  start(branch, steps_there ? frame - 1 : frame);
+  while (state_.frame < frame) step(branch, state_.frame + 1 == frame ? record : nullptr);
+}
+
+void Runner::step(const Branch& branch, StepRecord* record) {
+  assert(branch_ == branch.id && state_.frame < branch.last_frame());
+  const auto& chapters = branch.chapters;
+  std::size_t next = branch.chapter_at(state_.frame) + 1;
+  step_by(branch.input(state_.frame + 1), record);
+  ++steps_again_;
+  for (; next < chapters.size() && chapters[next].first == state_.frame; ++next) edit(chapters[next].version);
+}
+
+void Runner::step_by(const Input& input, StepRecord* record) {
+  if (solver_ == nullptr) solver_ = make_solver(scene_);
+  solver_->step(state_, input, record);
+}
+
+bool Runner::edit(const VersionPtr& version) {
+  const VersionPtr before = version_;
+  use(version);
+  State next = edited_state(state_, *before, *version, *scene_);
+  const bool same_bodies =
+      std::equal(state_.bodies.begin(), state_.bodies.end(), next.bodies.begin(), next.bodies.end(),
+                 [](const Body& a, const Body& b) { return a.id == b.id; });
+  state_ = std::move(next);
+  return same_bodies;
+}
+
+}  // namespace talus

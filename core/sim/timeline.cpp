@@ -1,0 +1,149 @@
+// Showing frames and going on from them. Running again is in timeline_rerun.cpp, branches and recordings are
+// in timeline_branches.cpp.
+#include "timeline.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "frame_hash.h"
+
+namespace talus {
+
+bool& key_in(Input& input, InputKey key) {
+  switch (key) {
+    case InputKey::left:
+      return input.left;
+    case InputKey::right:
+      return input.right;
+    case InputKey::jump:
+      return input.jump;
+    case InputKey::mouse:
+      return input.mouse_down;
+  }
+  return input.mouse_down;
+}
+
+Timeline::Timeline(VersionPtr first, std::size_t keyframe_bytes)
+    : keyframes_(keyframe_bytes), version_(std::move(first)), scene_(scenes_.scene_of(version_)) {
+  add_branch({});
+  start_over();
+}
+
+Timeline::Timeline(const Level& level, std::size_t keyframe_bytes)
+    : Timeline(std::make_shared<const LevelVersion>(version_of(level)), keyframe_bytes) {}
+
+void Timeline::seek(std::int64_t frame) {
+  wanted_ = std::clamp<std::int64_t>(frame, 0, last_frame());
+  show_wanted();
+}
+
+void Timeline::show_wanted() {
+  const Branch& branch = current();
+  const std::int64_t frame = std::min(wanted_, branch.run_frame());
+  cursor_.go_to(branch, frame, &record_);
+}
+
+bool Timeline::replay() {
+  if (frame() >= current().run_frame()) return false;
+  cursor_.step(current(), &record_);
+  wanted_ = frame();
+  return true;
+}
+
+void Timeline::step(const Input& input) {
+  if (in_past()) fork_at(frame());
+  Branch& branch = now();
+  if (branch.chapters.back().version != version_) begin_chapter();
+  cursor_.step_by(input, &record_);
+  branch.inputs.push_back(input);
+  branch.hashes.push_back(frame_hash(state()));
+  keep(branch, state(), false);
+  wanted_ = frame();
+}
+
+void Timeline::edit(const Level& level, const std::vector<Cell>* cells) {
+  if (!set_level(level, cells)) return;
+  if (in_past()) fork_at(frame());
+  begin_chapter();
+}
+
+// Whether the simulation sees a difference. Spawns count though they look the same to it: their order tells
+// which body is whose after the next edit.
+bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells) {
+  auto scene = std::make_shared<const Scene>(cells != nullptr ? recompile_scene(*scene_, level, *cells)
+                                                              : compile_scene(level));
+  auto version = std::make_shared<const LevelVersion>(cells != nullptr ? version_of(level, *version_, *cells)
+                                                                       : version_of(level, version_.get()));
+  if (*scene == *scene_ && version->spawns == version_->spawns) return false;
+  version_ = std::move(version);
+  scene_ = std::move(scene);
+  scenes_.put(version_, scene_);
+  return true;
+}
+
+// The level as it is now holds from the shown frame on, which is the branch's last. Edits of one frame that
+// leave the bodies alone are one chapter: the state after the last of them is the same without the others.
+void Timeline::begin_chapter() {
+  Branch& branch = now();
+  if (frame() == 0) return start_over();
+  const bool kept_bodies = cursor_.edit(version_);
+  Chapter& last = branch.chapters.back();
+  if (last.first == frame() && last.kept_bodies && *last.version->spawns == *version_->spawns) {
+    last = {frame(), version_, kept_bodies};
+  } else {
+    branch.chapters.push_back({frame(), version_, kept_bodies});
+  }
+  branch.hashes.set(branch.hashes.size() - 1, frame_hash(state()));
+  branch.keyframes.drop_from(frame());
+  keep(branch, state(), true);
+}
+
+// The current branch holds frame 0 of the level as it is now, and nothing else.
+void Timeline::start_over() {
+  Branch& branch = now();
+  branch.chapters = {{0, version_, false}};
+  run_again_after(branch, -1);
+  show_wanted();
+}
+
+void Timeline::keep(Branch& branch, const State& state, bool is_edit) {
+  keyframes_.offer(branch.keyframes, state, is_edit);
+  for (bool keep_edits = true; keyframes_.over_budget(); keep_edits = false) {
+    keyframes_.widen_stride();
+    for (Branch& each : branches_) keyframes_.thin(each.keyframes, keep_edits);
+    const bool none_left = std::all_of(branches_.begin(), branches_.end(),
+                                       [](const Branch& each) { return each.keyframes.size() == 0; });
+    if (none_left) return;
+  }
+}
+
+State Timeline::state_at(const Branch& branch, std::int64_t frame) const {
+  scout_.go_to(branch, frame);
+  return scout_.state();
+}
+
+StepRecord Timeline::record_at(const Branch& branch, std::int64_t frame) const {
+  StepRecord record;
+  scout_.go_to(branch, frame, &record);
+  return record;
+}
+
+void Timeline::walk(const Branch& branch, std::int64_t first, std::int64_t last, bool with_records,
+                    Visit visit) const {
+  assert(first >= 0 && first <= last && last <= branch.run_frame());
+  StepRecord record;
+  StepRecord* const wanted = with_records ? &record : nullptr;
+  scout_.go_to(branch, first, wanted);
+  bool goes_on = visit(scout_.state(), first > 0 ? wanted : nullptr);
+  while (goes_on && scout_.state().frame < last) {
+    scout_.step(branch, wanted);
+    goes_on = visit(scout_.state(), wanted);
+  }
+}
+
+std::int64_t Timeline::steps_again() const {
+  return cursor_.steps_again() + catching_up_.steps_again() + scout_.steps_again();
+}
+
+}  // namespace talus

@@ -1,0 +1,144 @@
+// Timeline: a simulation that can be visited at any frame of its past. Whatever is played is recorded: the
+// input of each step, the edits of the level, a hash of each frame, and a keyframe here and there; every
+// state and every record of a step follows from these by running it again.
+//
+// A timeline is a set of branches. One of them is the current one, and one of its frames is shown. What is
+// played or edited goes on from the shown frame: at the end of the branch it is appended; earlier, it makes a
+// new branch, and the old one stays until it is dropped.
+//
+// Running again (an edited level from a frame on, or with other input) makes a draft: a branch with the rest
+// of its input still to be run, which catch_up() does, a little at a time. Running a draft again changes it
+// in place, so that a stroke of a hundred edits makes one branch; the branch that the first of them left
+// stays as it was, to be compared with. A draft ends being one when another branch, or itself, is switched
+// to.
+//
+// Recording never changes a result: solvers step the same states, whether anything is kept of them or not.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../collision/function_ref.h"
+#include "runner.h"
+
+namespace talus {
+
+// What can be set in the input of a frame: a key of the players, or the mouse's button.
+enum class InputKey { left, right, jump, mouse };
+bool& key_in(Input& input, InputKey key);
+
+class Timeline {
+ public:
+  static constexpr std::size_t kKeyframeBytes = std::size_t{96} << 20;
+
+  // keyframe_bytes: the most that the keyframes of all branches take together.
+  explicit Timeline(const Level& level, std::size_t keyframe_bytes = kKeyframeBytes);
+  // A timeline of one branch, behind by the whole recording. Its hashes are what is expected.
+  explicit Timeline(const Recording& recording, std::size_t keyframe_bytes = kKeyframeBytes);
+  Timeline(const Timeline&) = delete;
+  Timeline& operator=(const Timeline&) = delete;
+
+  // --- What is shown
+  const State& state() const { return cursor_.state(); }
+  const StepRecord& record() const { return record_; }     // of the step that led there; empty at frame 0
+  const Scene& scene() const { return *cursor_.scene(); }  // of the level as it was there
+  std::int64_t frame() const { return state().frame; }
+  std::int64_t last_frame() const { return current().last_frame(); }
+  bool in_past() const { return frame() < last_frame(); }
+
+  // Shows another frame, clamped to those of the branch; one that is still to be run is shown once it is.
+  void seek(std::int64_t frame);
+  // Shows the next recorded frame; false, and nothing happens, when there is none or it is still to be run.
+  bool replay();
+
+  // --- Going on
+  void step(const Input& input);
+  // The level was edited, in these cells of the map alone if they are given: it goes on from here on the
+  // edited one. At frame 0 everything starts anew from it. What the simulation cannot see changes nothing.
+  void edit(const Level& level, const std::vector<Cell>* cells = nullptr);
+  void restart();  // a new branch that begins at frame 0 of the level as it is now
+
+  // --- Running again; `from` is clamped to the branch
+  // On the edited level, from a frame on; the edits recorded after that frame are left out.
+  void edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from);
+  void rerun(std::int64_t from);  // the same on the level as it is now
+  // With a key held or not in the steps that lead to the frames first..last, clamped to 1..last_frame().
+  void set_input(std::int64_t first, std::int64_t last, InputKey key, bool on);
+
+  bool behind() const { return current().behind(); }
+  double progress() const;                 // of what the current branch has to run, 0..1; 1: nothing
+  void catch_up(std::int64_t most_steps);  // of the current branch; does nothing when it is not behind
+  void cancel();                           // the current branch ends where it has been run to
+
+  // --- Branches, by id
+  const std::vector<Branch>& branches() const { return branches_; }
+  const Branch* find(int id) const;  // null: there is none
+  const Branch& current() const { return *find(current_); }
+  int fork();                 // leaves the current branch where it is shown; the id of the new one
+  void switch_to(int id);     // shows the same frame, or its last; of no branch: nothing happens
+  void drop(int id);          // of the last branch only what it holds
+  void compare_with(int id);  // the current branch is shown with this one; 0, or no other branch: with none
+  const Branch* compared() const { return find(current().compared); }
+  // The first frame of the current and the compared branch whose hashes differ, as far as both have been run;
+  // nothing: none, or there is no such branch.
+  std::optional<std::int64_t> parting_frame() const;
+  // The first frame of a branch that is not as the recording says from which it was read.
+  std::optional<std::int64_t> unexpected_frame(const Branch& branch) const;
+
+  // --- Marks of the current branch
+  void set_mark(std::int64_t frame, std::string name);  // clamped; renames the one that is there
+  void remove_mark(std::int64_t frame);
+
+  // --- Looking elsewhere, without showing it. frame: that the branch has been run to (asserted).
+  State state_at(const Branch& branch, std::int64_t frame) const;
+  StepRecord record_at(const Branch& branch, std::int64_t frame) const;
+  // Calls visit for the frames first..last (asserted) in order, until it returns false. record: of the step
+  // that led there, null for frame 0 and where `with_records` is false.
+  using Visit = FunctionRef<bool(const State& state, const StepRecord* record)>;
+  void walk(const Branch& branch, std::int64_t first, std::int64_t last, bool with_records,
+            Visit visit) const;
+
+  // A branch as data, up to the frame it has been run to. pictures: a level that gives it all that the
+  // physics does not see.
+  Recording recording(const Branch& branch, const Level& pictures) const;
+
+  std::size_t keyframe_bytes() const { return keyframes_.bytes(); }
+  std::int64_t keyframe_stride() const { return keyframes_.stride(); }  // most steps of a seek, but for edits
+  std::int64_t steps_again() const;  // made so far to show, look at and run again what was recorded
+
+ private:
+  Timeline(VersionPtr first, std::size_t keyframe_bytes);
+
+  Branch& now();                      // the current one
+  Branch& add_branch(Branch branch);  // makes it the current one
+  void fork_at(std::int64_t frame);
+  void leave();  // the current branch, which nobody misses if it is empty
+  void forget_positions();
+  void show_wanted();
+
+  bool set_level(const Level& level, const std::vector<Cell>* cells);
+  void begin_chapter();
+  void start_over();
+  Branch& draft();
+  void run_again_after(Branch& branch, std::int64_t frame);
+  void keep(Branch& branch, const State& state, bool is_edit);
+
+  mutable SceneCache scenes_;  // a cache, as is the scout: neither shows
+  KeyframeStore keyframes_;
+  VersionPtr version_;  // of the level as it is now
+  ScenePtr scene_;      // its
+  std::vector<Branch> branches_;
+  int current_ = 0;
+  int last_id_ = 0;
+
+  Runner cursor_{scenes_};
+  StepRecord record_;
+  std::int64_t wanted_ = 0;        // the frame to be shown as soon as it has been run
+  std::int64_t run_from_ = 0;      // where the current branch was begun to be run again
+  Runner catching_up_{scenes_};    // at the end of what has been run of the current branch
+  mutable Runner scout_{scenes_};  // looks elsewhere
+};
+
+}  // namespace talus

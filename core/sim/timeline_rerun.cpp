@@ -1,0 +1,99 @@
+// Timeline: running recorded input again.
+#include <algorithm>
+#include <utility>
+
+#include "frame_hash.h"
+#include "timeline.h"
+
+namespace talus {
+
+void Timeline::edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from) {
+  if (set_level(level, cells)) rerun(from);
+}
+
+void Timeline::rerun(std::int64_t from) {
+  from = std::clamp<std::int64_t>(from, 0, last_frame());
+  if (last_frame() == 0) return start_over();
+  Branch& branch = draft();
+  std::erase_if(branch.chapters, [&](const Chapter& chapter) { return chapter.first >= from; });
+  branch.chapters.push_back({from, version_, false});
+  run_again_after(branch, from - 1);
+  show_wanted();
+}
+
+void Timeline::set_input(std::int64_t first, std::int64_t last, InputKey key, bool on) {
+  first = std::max<std::int64_t>(first, 1);
+  last = std::min(last, last_frame());
+  const auto differs = [&](std::int64_t frame) {
+    Input input = current().input(frame);
+    return key_in(input, key) != on;
+  };
+  while (first <= last && !differs(first)) ++first;
+  if (first > last) return;
+  Branch& branch = draft();
+  for (std::int64_t frame = first; frame <= last; ++frame) {
+    Input input = branch.input(frame);
+    key_in(input, key) = on;
+    branch.inputs.set(static_cast<std::size_t>(frame - 1), input);
+  }
+  run_again_after(branch, first - 1);
+  show_wanted();
+}
+
+// The current branch if it is a draft, or a draft of it.
+Branch& Timeline::draft() {
+  if (current().draft) return now();
+  const int compared = current_;
+  const std::int64_t wanted = wanted_;
+  fork_at(last_frame());
+  wanted_ = wanted;
+  Branch& branch = now();
+  branch.draft = true;
+  branch.compared = compared;
+  return branch;
+}
+
+// What comes after a frame is still to be run; after -1, all.
+void Timeline::run_again_after(Branch& branch, std::int64_t frame) {
+  frame = std::min(frame, branch.run_frame());
+  branch.hashes.cut(static_cast<std::size_t>(frame + 1));
+  branch.keyframes.drop_from(frame + 1);
+  branch.expected.cut(0);
+  forget_positions();
+  run_from_ = std::max<std::int64_t>(frame, 0);
+  if (frame >= 0) return;
+  const State start = initial_state(*scenes_.scene_of(branch.chapters.front().version));
+  branch.hashes.push_back(frame_hash(start));
+}
+
+double Timeline::progress() const {
+  const Branch& branch = current();
+  if (!branch.behind()) return 1;
+  const auto all = static_cast<double>(branch.last_frame() - run_from_);
+  return static_cast<double>(branch.run_frame() - run_from_) / all;
+}
+
+void Timeline::catch_up(std::int64_t most_steps) {
+  Branch& branch = now();
+  if (!branch.behind() || most_steps <= 0) return;
+  catching_up_.go_to(branch, branch.run_frame());
+  for (std::int64_t i = 0; i < most_steps && branch.behind(); ++i) {
+    catching_up_.step(branch);
+    const State& state = catching_up_.state();
+    branch.hashes.push_back(frame_hash(state));
+    keep(branch, state, branch.chapters[branch.chapter_at(state.frame)].first == state.frame);
+  }
+  if (frame() < wanted_) show_wanted();
+}
+
+void Timeline::cancel() {
+  Branch& branch = now();
+  if (!branch.behind()) return;
+  const std::int64_t last = branch.run_frame();
+  branch.inputs.cut(static_cast<std::size_t>(last));
+  std::erase_if(branch.chapters, [&](const Chapter& chapter) { return chapter.first > last; });
+  std::erase_if(branch.marks, [&](const Mark& mark) { return mark.frame > last; });
+  seek(wanted_);
+}
+
+}  // namespace talus

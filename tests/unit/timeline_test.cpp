@@ -1,0 +1,453 @@
+// Timeline: every frame of a recording again, forwards and backwards; branches, edits, re-runs and the
+// budget.
+#include "sim/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include "level_text.h"
+#include "sim/frame_hash.h"
+
+namespace talus {
+namespace {
+
+// A room with slopes, two balls and a player, for any solver.
+Level room(SolverKind solver) {
+  Level level = level_of({"#..........................#", "#..o.......................#",
+                          "#......o...................#", "#..........................#",
+                          "#................/-........#", "#..............#####.......#",
+                          "#.../-\\-...................#", "############################"});
+  level.tuning.solver = solver;
+  Spawn player;
+  player.position = {80, 40};
+  player.kind = BodyKind::player;
+  level.spawns.push_back(player);
+  return level;
+}
+
+Level with_tile(Level level, Cell cell, std::uint8_t tile) {
+  level.map.set(cell, tile);
+  return level;
+}
+
+// What a user does: runs to and fro, jumps, and throws the first ball about.
+Input input_at(std::int64_t frame) {
+  Input input;
+  input.right = frame % 90 < 50;
+  input.left = frame % 90 > 60;
+  input.jump = frame % 37 < 5;
+  input.mouse_down = frame % 120 > 80;
+  if (input.mouse_down) input.mouse = {30.0 + static_cast<double>(frame % 50), 20};
+  if (input.mouse_down && frame % 240 > 120) input.grab = 2;
+  return input;
+}
+
+class TimelineOf : public testing::TestWithParam<SolverKind> {
+ protected:
+  // Plays, with edits on the way: of single cells, of the tuning, of the list of bodies.
+  void play(Timeline& timeline, std::int64_t frames) {
+    Level level = room(GetParam());
+    for (std::int64_t frame = 1; frame <= frames; ++frame) {
+      if (frame == 50) timeline.edit(level = with_tile(level, {9, 5}, 1));
+      if (frame == 51) timeline.edit(level = with_tile(level, {3, 1}, 0));  // the first ball goes
+      if (frame == 130) level.tuning.article.floor_bounce = 0.5;
+      if (frame == 131) level.spawns.insert(level.spawns.begin(), Spawn{"", {150, 8}, {1, 0}, ""});
+      if (frame == 130 || frame == 131) timeline.edit(level);
+      timeline.step(input_at(frame));
+      states_.push_back(timeline.state());
+    }
+  }
+
+  std::vector<State> states_ = {initial_state(compile_scene(room(GetParam())))};
+};
+
+INSTANTIATE_TEST_SUITE_P(Solvers, TimelineOf, testing::ValuesIn(solver_kinds().begin(), solver_kinds().end()),
+                         [](const auto& solver) { return std::string(solver_name(solver.param)); });
+
+TEST_P(TimelineOf, RecordingChangesNothing) {
+  Timeline timeline(room(GetParam()));
+  const auto scene = std::make_shared<const Scene>(compile_scene(room(GetParam())));
+  const auto solver = make_solver(scene);
+  State state = initial_state(*scene);
+  for (std::int64_t frame = 1; frame <= 300; ++frame) {
+    timeline.step(input_at(frame));
+    solver->step(state, input_at(frame));
+    ASSERT_EQ(timeline.state(), state) << frame;
+  }
+}
+
+TEST_P(TimelineOf, EveryFrameIsTheSameAgainForwardsAndBackwards) {
+  Timeline timeline(room(GetParam()));
+  play(timeline, 300);
+  const auto expect_same = [&](std::int64_t frame) {
+    timeline.seek(frame);
+    ASSERT_EQ(timeline.frame(), frame);
+    // The states were noted after their step; edits of the frame come on top of that.
+    if (frame != 49 && frame != 50 && frame != 129 && frame != 130) {
+      ASSERT_EQ(timeline.state(), states_[static_cast<std::size_t>(frame)]) << frame;
+    }
+    ASSERT_EQ(frame_hash(timeline.state()), timeline.current().hashes[static_cast<std::size_t>(frame)])
+        << frame;
+  };
+  for (std::int64_t frame = 0; frame <= 300; ++frame) expect_same(frame);
+  for (std::int64_t frame = 300; frame >= 0; --frame) expect_same(frame);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+}
+
+TEST_P(TimelineOf, RecordsAreMadeAgain) {
+  Timeline timeline(room(GetParam()));
+  std::vector<StepRecord> records(1);
+  for (std::int64_t frame = 1; frame <= 100; ++frame) {
+    timeline.step(input_at(frame));
+    records.push_back(timeline.record());
+  }
+  for (std::int64_t frame = 100; frame >= 0; --frame) {
+    timeline.seek(frame);
+    const StepRecord& expected = records[static_cast<std::size_t>(frame)];
+    for (const StepRecord& record : {timeline.record(), timeline.record_at(timeline.current(), frame)}) {
+      ASSERT_EQ(record.paths.size(), expected.paths.size()) << frame;
+      ASSERT_EQ(record.contacts.size(), expected.contacts.size()) << frame;
+      for (std::size_t i = 0; i < expected.paths.size(); ++i) {
+        EXPECT_EQ(record.paths[i].from, expected.paths[i].from);
+        EXPECT_EQ(record.paths[i].to, expected.paths[i].to);
+      }
+      for (std::size_t i = 0; i < expected.contacts.size(); ++i)
+        EXPECT_EQ(record.contacts[i].touch, expected.contacts[i].touch);
+    }
+  }
+}
+
+TEST_P(TimelineOf, ARecordingOfItRunsAgain) {
+  Timeline timeline(room(GetParam()));
+  play(timeline, 200);
+  timeline.set_mark(7, "here");
+  const Recording recording = timeline.recording(timeline.current(), room(GetParam()));
+  EXPECT_EQ(recording.frames, 200);
+  EXPECT_EQ(recording.edits.size(), 4u);
+  Timeline again(recording);
+  EXPECT_TRUE(again.behind());
+  while (again.behind()) again.catch_up(33);
+  EXPECT_EQ(again.unexpected_frame(again.current()), std::nullopt);
+  again.seek(200);
+  EXPECT_EQ(again.state(), timeline.state());
+  EXPECT_EQ(again.current().marks, (std::vector<Mark>{{7, "here"}}));
+  EXPECT_EQ(again.scene(), timeline.scene());
+}
+
+TEST_P(TimelineOf, ARunWithTheSameInputOnTheSameLevelDoesNotPart) {
+  Timeline timeline(room(GetParam()));
+  for (std::int64_t frame = 1; frame <= 150; ++frame) timeline.step(input_at(frame));
+  timeline.rerun(0);
+  while (timeline.behind()) timeline.catch_up(10);
+  EXPECT_EQ(timeline.branches().size(), 2u);
+  ASSERT_NE(timeline.compared(), nullptr);
+  EXPECT_EQ(timeline.parting_frame(), std::nullopt);
+  EXPECT_EQ(timeline.frame(), 150);
+}
+
+// A ball over a floor, whose top is 40 px below the ball's.
+Level drop() { return level_of({"o....", ".....", ".....", ".....", ".....", "#####"}); }
+
+Timeline& played(Timeline& timeline, std::int64_t frames) {
+  for (std::int64_t i = 0; i < frames; ++i) timeline.step({});
+  return timeline;
+}
+
+void finish(Timeline& timeline) {
+  while (timeline.behind()) timeline.catch_up(100);
+}
+
+TEST(FrameHash, ChangesWithAnyBitAndWithTheSignsOfTwoBodies) {
+  State state = initial_state(compile_scene(level_of({"oo"})));
+  const std::uint64_t hash = frame_hash(state);
+  State other = state;
+  other.frame = 9;
+  EXPECT_EQ(frame_hash(other), hash) << "the frame is where it is kept";
+  for (double Rect::*number : {&Rect::x, &Rect::y}) {
+    other = state;
+    other.bodies[1].box.*number += 1e-9;
+    EXPECT_NE(frame_hash(other), hash);
+  }
+  other = state;
+  other.bodies[0].velocity.x = other.bodies[1].velocity.x = -0.0;
+  EXPECT_NE(frame_hash(other), hash) << "two flipped signs do not cancel out";
+  other = state;
+  other.grabbed = 1;
+  EXPECT_NE(frame_hash(other), hash);
+  other = state;
+  other.bodies.pop_back();
+  EXPECT_NE(frame_hash(other), hash);
+}
+
+TEST(FrameHash, StaysAsItIs) {
+  EXPECT_EQ(frame_hash(initial_state(compile_scene(drop()))), 15550583919971695676u);
+}
+
+TEST(Timeline, SeekIsClampedAndPlayingFromThePastMakesABranch) {
+  Timeline timeline(drop());
+  played(timeline, 30);
+  timeline.seek(99);
+  EXPECT_EQ(timeline.frame(), 30);
+  timeline.seek(-5);
+  EXPECT_EQ(timeline.frame(), 0);
+  EXPECT_TRUE(timeline.record().paths.empty());
+  timeline.seek(10);
+  const State at_ten = timeline.state();
+  timeline.step({.mouse = {4, 4}, .mouse_down = true, .grab = 1});
+  ASSERT_EQ(timeline.branches().size(), 2u);
+  const Branch &old = timeline.branches()[0], &now = timeline.current();
+  EXPECT_EQ(old.last_frame(), 30);
+  EXPECT_EQ(now.last_frame(), 11);
+  EXPECT_EQ(now.parent, old.id);
+  EXPECT_EQ(now.fork, 10);
+  EXPECT_EQ(timeline.state_at(now, 10), at_ten);
+  EXPECT_EQ(timeline.state().grabbed, 1);
+  timeline.compare_with(old.id);
+  EXPECT_EQ(timeline.parting_frame(), 11);
+  const int first = old.id;
+  timeline.switch_to(first);
+  EXPECT_EQ(timeline.last_frame(), 30);
+  EXPECT_EQ(timeline.frame(), 11);
+  EXPECT_EQ(timeline.state().grabbed, 0);
+}
+
+TEST(Timeline, ReplayStopsAtTheEnd) {
+  Timeline timeline(drop());
+  played(timeline, 3);
+  EXPECT_FALSE(timeline.replay());
+  timeline.seek(1);
+  EXPECT_TRUE(timeline.replay());
+  EXPECT_TRUE(timeline.replay());
+  EXPECT_FALSE(timeline.replay());
+  EXPECT_EQ(timeline.frame(), 3);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+}
+
+TEST(Timeline, ADroppedBranchLeavesTheOthersWhole) {
+  Timeline timeline(drop());
+  played(timeline, 40);
+  const State end = timeline.state();
+  const int first = timeline.current().id;
+  timeline.seek(20);
+  played(timeline, 5);
+  const int second = timeline.current().id;
+  timeline.drop(first);
+  EXPECT_EQ(timeline.find(first), nullptr);
+  timeline.seek(20);
+  played(timeline, 20);
+  EXPECT_EQ(timeline.state(), end);
+  timeline.drop(timeline.current().id);
+  EXPECT_EQ(timeline.current().id, second);
+  timeline.drop(second);
+  EXPECT_EQ(timeline.branches().size(), 1u) << "one is always there";
+  EXPECT_EQ(timeline.last_frame(), 0);
+  EXPECT_EQ(timeline.frame(), 0);
+}
+
+TEST(Timeline, RestartLeavesTheOldRunButNoEmptyOne) {
+  Timeline timeline(drop());
+  timeline.restart();
+  EXPECT_EQ(timeline.branches().size(), 1u);
+  played(timeline, 4);
+  timeline.restart();
+  timeline.restart();
+  EXPECT_EQ(timeline.branches().size(), 2u);
+  EXPECT_EQ(timeline.frame(), 0);
+  EXPECT_EQ(timeline.last_frame(), 0);
+  timeline.switch_to(timeline.branches()[0].id);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+  EXPECT_EQ(timeline.last_frame(), 4);
+}
+
+TEST(Timeline, AnEditedLevelIsRunAgainAndTheFirstDifferentFrameFound) {
+  Timeline timeline(drop());
+  played(timeline, 120);
+  std::int64_t hit = 1;  // the first frame in which the ball is lower than it may be above the new tile
+  while (timeline.state_at(timeline.current(), hit).bodies[0].box.bottom() <= 24) ++hit;
+  const int old = timeline.current().id;
+  timeline.edit_and_rerun(with_tile(drop(), {0, 3}, 1), nullptr, 0);
+  EXPECT_TRUE(timeline.behind());
+  EXPECT_EQ(timeline.frame(), 0);
+  EXPECT_EQ(timeline.progress(), 0);
+  timeline.catch_up(60);
+  EXPECT_EQ(timeline.progress(), 0.5);
+  EXPECT_EQ(timeline.frame(), 60) << "follows to where it was";
+  finish(timeline);
+  EXPECT_EQ(timeline.progress(), 1);
+  EXPECT_EQ(timeline.frame(), 120);
+  EXPECT_EQ(timeline.last_frame(), 120);
+  ASSERT_NE(timeline.compared(), nullptr);
+  EXPECT_EQ(timeline.compared()->id, old);
+  EXPECT_EQ(timeline.parting_frame(), hit);
+  EXPECT_LE(timeline.state().bodies[0].box.bottom(), 24);
+}
+
+TEST(Timeline, FurtherEditsRunTheSameDraftAgain) {
+  Timeline timeline(drop());
+  played(timeline, 50);
+  Level level = drop();
+  for (int x = 0; x < 5; ++x) {
+    level.map.set({x, 3}, 1);
+    timeline.edit_and_rerun(level, nullptr, 10);
+    timeline.catch_up(7);
+  }
+  EXPECT_EQ(timeline.branches().size(), 2u);
+  EXPECT_EQ(timeline.current().chapters.size(), 2u);
+  finish(timeline);
+  EXPECT_EQ(timeline.current().last_frame(), 50);
+  EXPECT_LE(timeline.state().bodies[0].box.bottom(), 24);
+  timeline.switch_to(timeline.current().id);
+  timeline.rerun(10);
+  EXPECT_EQ(timeline.branches().size(), 3u) << "it was no draft any more";
+}
+
+TEST(Timeline, CancelledItEndsWhereItIs) {
+  Timeline timeline(drop());
+  played(timeline, 50);
+  timeline.set_mark(40, "late");
+  timeline.rerun(0);
+  timeline.catch_up(20);
+  timeline.cancel();
+  EXPECT_FALSE(timeline.behind());
+  EXPECT_EQ(timeline.last_frame(), 20);
+  EXPECT_EQ(timeline.frame(), 20);
+  EXPECT_TRUE(timeline.current().marks.empty());
+  EXPECT_EQ(timeline.compared()->last_frame(), 50);
+}
+
+TEST(Timeline, AKeyIsSetOverARangeAndTheRestRunAgain) {
+  Level level = room(SolverKind::exact);
+  Timeline timeline(level);
+  played(timeline, 60);
+  const State before = timeline.state();
+  timeline.edit(level = with_tile(level, {20, 3}, 1));
+  played(timeline, 10);
+  timeline.set_input(30, 39, InputKey::right, true);
+  EXPECT_EQ(timeline.current().run_frame(), 29) << "what is before is kept";
+  finish(timeline);
+  EXPECT_EQ(timeline.frame(), 70);
+  EXPECT_EQ(timeline.current().chapters.size(), 2u) << "the edit is made again too";
+  EXPECT_FALSE(timeline.current().input(29).right);
+  EXPECT_TRUE(timeline.current().input(30).right);
+  EXPECT_TRUE(timeline.current().input(39).right);
+  EXPECT_FALSE(timeline.current().input(40).right);
+  EXPECT_EQ(timeline.parting_frame(), 30);
+  timeline.set_input(30, 500, InputKey::right, false);
+  finish(timeline);
+  EXPECT_EQ(timeline.branches().size(), 2u);
+  EXPECT_EQ(timeline.parting_frame(), std::nullopt);
+  EXPECT_EQ(timeline.state_at(timeline.current(), 59), timeline.state_at(*timeline.compared(), 59));
+  timeline.set_input(1, 10, InputKey::left, false);
+  EXPECT_FALSE(timeline.behind()) << "nothing is different";
+  EXPECT_EQ(before.frame, 60);
+}
+
+TEST(Timeline, ManyEditsOfOneFrameAreOneChapterUnlessABodyComesOrGoes) {
+  Timeline timeline(drop());
+  played(timeline, 5);
+  Level level = drop();
+  for (int x = 0; x < 5; ++x) timeline.edit(level = with_tile(level, {x, 3}, 1));
+  EXPECT_EQ(timeline.current().chapters.size(), 2u);
+  timeline.edit(level = with_tile(level, {0, 0}, 0));
+  EXPECT_TRUE(timeline.state().bodies.empty());
+  timeline.edit(level = with_tile(level, {0, 0}, 2));
+  EXPECT_EQ(timeline.state().bodies[0].id, 2);
+  EXPECT_EQ(timeline.state().bodies[0].box.y, 0) << "it starts anew";
+  const State end = played(timeline, 10).state();
+  timeline.seek(0);
+  timeline.seek(15);
+  EXPECT_EQ(timeline.state(), end);
+}
+
+TEST(Timeline, AnotherBranchIsPlayedOnOnTheLevelAsItIs) {
+  Timeline timeline(drop());
+  played(timeline, 10);
+  const int first = timeline.current().id;
+  timeline.seek(0);
+  timeline.edit(with_tile(drop(), {0, 3}, 1));
+  timeline.switch_to(first);
+  EXPECT_EQ(timeline.scene(), compile_scene(drop())) << "what was played is shown as it was";
+  timeline.seek(10);
+  played(timeline, 100);
+  EXPECT_LE(timeline.state().bodies[0].box.bottom(), 24);
+  EXPECT_EQ(timeline.current().chapters.size(), 2u);
+}
+
+TEST(Timeline, WalkVisitsEachFrameOnceUntilItIsEnough) {
+  Timeline timeline(drop());
+  played(timeline, 40);
+  std::vector<std::int64_t> frames;
+  timeline.walk(timeline.current(), 0, 40, true, [&](const State& state, const StepRecord* record) {
+    frames.push_back(state.frame);
+    EXPECT_EQ(record == nullptr, state.frame == 0);
+    if (record != nullptr) {
+      EXPECT_EQ(record->paths[0].to, state.bodies[0].box);
+    }
+    return state.frame < 33;
+  });
+  EXPECT_EQ(frames.size(), 34u);
+  EXPECT_EQ(frames.front(), 0);
+  EXPECT_EQ(timeline.frame(), 40) << "what is shown stays";
+}
+
+TEST(Timeline, MarksAreByFrameAndGoWithTheirBranch) {
+  Timeline timeline(drop());
+  played(timeline, 30);
+  timeline.set_mark(20, "b");
+  timeline.set_mark(10, "a");
+  timeline.set_mark(20, "c");
+  timeline.set_mark(999, "end");
+  EXPECT_EQ(timeline.current().marks, (std::vector<Mark>{{10, "a"}, {20, "c"}, {30, "end"}}));
+  timeline.seek(15);
+  played(timeline, 1);
+  EXPECT_EQ(timeline.current().marks, (std::vector<Mark>{{10, "a"}}));
+  timeline.remove_mark(10);
+  EXPECT_TRUE(timeline.current().marks.empty());
+}
+
+// The promise of an hour with 100 bodies, in numbers that do not depend on the machine: a seek runs so many
+// steps again at most, and the keyframes take so many bytes. The times are in tests/bench.
+TEST(Timeline, KeyframesKeepToTheirBudgetAndSeeksStayShort) {
+  Level level = level_of({"o.o.o.o.o.o.o.o.o.o.", "....................", "####################"});
+  constexpr std::size_t kBudget = 400'000;
+  Timeline timeline(level, kBudget);
+  constexpr std::int64_t kFrames = 10'000;
+  for (std::int64_t frame = 1; frame <= kFrames; ++frame) {
+    timeline.step({});
+    ASSERT_LE(timeline.keyframe_bytes(), kBudget);
+  }
+  const auto per_state = static_cast<std::int64_t>(sizeof(State) + 10 * sizeof(Body));
+  const std::int64_t fitting = static_cast<std::int64_t>(kBudget) / per_state;
+  EXPECT_LE(timeline.keyframe_stride(), 2 * kFrames / fitting);
+  std::int64_t frame = 1;
+  for (int i = 0; i < 200; ++i) {
+    frame = frame * 7919 % kFrames;
+    const std::int64_t before = timeline.steps_again();
+    timeline.seek(frame);
+    EXPECT_LE(timeline.steps_again() - before, timeline.keyframe_stride());
+    EXPECT_EQ(frame_hash(timeline.state()), timeline.current().hashes[static_cast<std::size_t>(frame)]);
+  }
+}
+
+TEST(Timeline, BranchesShareTheirKeyframes) {
+  Timeline timeline(drop());
+  played(timeline, 800);
+  const std::size_t bytes = timeline.keyframe_bytes();
+  timeline.seek(799);
+  timeline.fork();
+  EXPECT_EQ(timeline.keyframe_bytes(), bytes);
+  timeline.drop(timeline.branches()[0].id);
+  EXPECT_LT(timeline.keyframe_bytes(), bytes);
+}
+
+TEST(Timeline, ATamperedHashIsNamedByItsFrame) {
+  Timeline timeline(drop());
+  played(timeline, 90);
+  Recording recording = timeline.recording(timeline.current(), drop());
+  recording.hashes[61] ^= 1;
+  Timeline again(recording);
+  finish(again);
+  EXPECT_EQ(again.unexpected_frame(again.current()), 61);
+}
+
+}  // namespace
+}  // namespace talus
