@@ -1,0 +1,125 @@
+#include "breakpoint.h"
+
+#include <algorithm>
+
+#include "number_text.h"
+
+namespace talus {
+namespace {
+
+constexpr std::array kStopKinds = {
+    StopKindInfo{StopKind::touches_tile, "contact with a tile", {{{"column", ""}, {"row", ""}}}, false},
+    StopKindInfo{StopKind::touches_body, "contact with a body", {{{"body", "", 1}}}, false},
+    StopKindInfo{StopKind::normal_range,
+                 "normal in a range",
+                 {{{"from", "degrees", -45}, {"to", "degrees", 45}}},
+                 false},
+    StopKindInfo{StopKind::slope_delta, "|slope delta| over", {{{"over", "", 0.5}}}, false},
+    StopKindInfo{StopKind::grounded, "grounded changes", {}, true},
+    StopKindInfo{StopKind::penetration, "penetration over", {{{"over", "px", 0.01}}}, false},
+    StopKindInfo{StopKind::speed, "speed over", {{{"over", "px/frame", 4}}}, false},
+    StopKindInfo{StopKind::enters_cell, "body enters a cell", {{{"column", ""}, {"row", ""}}}, false},
+    StopKindInfo{StopKind::enters_rect,
+                 "body enters a rectangle",
+                 {{{"x", "px"}, {"y", "px"}, {"w", "px", 8}, {"h", "px", 8}}},
+                 false},
+    StopKindInfo{StopKind::capped, "cap reached", {}, false},
+    StopKindInfo{StopKind::parting, "solvers part by more than", {{{"over", "px", 0.01}}}, false},
+};
+
+}  // namespace
+
+std::span<const StopKindInfo> stop_kind_infos() { return kStopKinds; }
+
+std::string condition_of(StopKind kind, std::span<const double> fields) {
+  const StopKindInfo& info = kStopKinds[static_cast<std::size_t>(kind)];
+  const auto field = [&](std::size_t i) {
+    return exact_text(i < fields.size() ? fields[i] : info.fields[i].standard);
+  };
+  switch (kind) {
+    case StopKind::touches_tile:
+      return "touches(" + field(0) + ", " + field(1) + ")";
+    case StopKind::touches_body:
+      return "touches_body(" + field(0) + ")";
+    case StopKind::normal_range:
+      return "normal.angle >= " + field(0) + " && normal.angle <= " + field(1);
+    case StopKind::slope_delta:
+      return "abs(slope_delta) > " + field(0);
+    case StopKind::grounded:
+      return "changed(grounded)";
+    case StopKind::penetration:
+      return "penetration > " + field(0);
+    case StopKind::speed:
+      return "speed > " + field(0);
+    case StopKind::enters_cell:
+      return "in_cell(" + field(0) + ", " + field(1) + ")";
+    case StopKind::enters_rect:
+      return "in_rect(" + field(0) + ", " + field(1) + ", " + field(2) + ", " + field(3) + ")";
+    case StopKind::capped:
+      return "capped";
+    case StopKind::parting:
+      return "parting > " + field(0);
+  }
+  return {};
+}
+
+tl::expected<ArmedBreakpoint, ExpressionError> ArmedBreakpoint::arm(const Breakpoint& breakpoint) {
+  auto condition = Expression::parse_condition(breakpoint.condition);
+  if (!condition) return tl::unexpected(condition.error());
+  return ArmedBreakpoint(breakpoint, std::move(*condition));
+}
+
+bool ArmedBreakpoint::held(const FrameView& view, int body, std::size_t back) const {
+  if (condition_.asks_body() && view.before(back).state.find(body) == nullptr) return false;
+  return condition_.evaluate(view, body, back) != 0;
+}
+
+bool ArmedBreakpoint::hits_for(const FrameView& view, int body) const {
+  if (!held(view, body, 0)) return false;
+  return breakpoint_.each_frame || view.is_first() || !held(view, body, 1);
+}
+
+std::optional<int> ArmedBreakpoint::hit(const FrameView& view) const {
+  if (!condition_.asks_body() || breakpoint_.body != 0) {
+    const int body = condition_.asks_body() ? breakpoint_.body : 0;
+    return hits_for(view, body) ? std::optional(body) : std::nullopt;
+  }
+  for (const Body& body : view.now().state.bodies) {
+    if (hits_for(view, body.id)) return body.id;
+  }
+  return std::nullopt;
+}
+
+HitCounter::HitCounter(std::vector<ArmedBreakpoint> breakpoints) : breakpoints_(std::move(breakpoints)) {
+  std::erase_if(breakpoints_, [](const ArmedBreakpoint& armed) { return !armed.breakpoint().enabled; });
+  hits_.assign(breakpoints_.size(), 0);
+  for (const ArmedBreakpoint& armed : breakpoints_)
+    frames_before_ = std::max(frames_before_, armed.frames_before());
+}
+
+bool HitCounter::counts() const {
+  return std::any_of(breakpoints_.begin(), breakpoints_.end(),
+                     [](const ArmedBreakpoint& armed) { return armed.breakpoint().count > 1; });
+}
+
+int HitCounter::hits(int breakpoint) const {
+  for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
+    if (breakpoints_[i].breakpoint().id == breakpoint) return hits_[i];
+  }
+  return 0;
+}
+
+std::optional<Stop> HitCounter::judge(const FrameView& view) {
+  std::optional<Stop> stop;
+  for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
+    const std::optional<int> body = breakpoints_[i].hit(view);
+    if (!body) continue;
+    const Breakpoint& breakpoint = breakpoints_[i].breakpoint();
+    ++hits_[i];
+    if (!stop && hits_[i] >= breakpoint.count)
+      stop = Stop{view.now().state.frame, breakpoint.id, *body, hits_[i]};
+  }
+  return stop;
+}
+
+}  // namespace talus

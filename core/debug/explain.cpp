@@ -1,0 +1,226 @@
+#include "explain.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "metrics.h"
+#include "number_text.h"
+
+namespace talus {
+namespace {
+
+constexpr double kNoMotion = 1e-9;  // px: less is rounding
+
+double length(Vec2 v) { return std::sqrt(dot(v, v)); }
+bool is_slanted(Vec2 normal) { return normal.x != 0 && normal.y != 0; }
+std::string px(double distance) { return short_text(distance) + " px"; }
+
+std::string place_of(Cell cell) {
+  return " at (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+}
+
+std::string name_of(const Obstacle& other) {
+  if (other.body != 0) return "body " + std::to_string(other.body);
+  if (other.curve >= 0) return "curve " + std::to_string(other.curve);
+  if (other.role == TileRole::up_slope) return "the up-slope" + place_of(other.cell);
+  if (other.role == TileRole::down_slope) return "the down-slope" + place_of(other.cell);
+  return "the tile" + place_of(other.cell);
+}
+
+// "the left side of the tile at (12, 9)"; of a slope's own line, the slope; of no side, the whole.
+std::string met_part(const ContactRecord& contact) {
+  const Vec2 n = contact.normal;
+  if (is_slanted(n) && n.y > 0) {
+    return contact.other.curve >= 0 ? "the underside of " + name_of(contact.other)
+                                    : "the sloped ceiling" + place_of(contact.other.cell);
+  }
+  if (is_slanted(n) || n == Vec2{}) return name_of(contact.other);
+  const char* side = n.x < 0 ? "left side" : n.x > 0 ? "right side" : n.y < 0 ? "top" : "bottom";
+  return std::string("the ") + side + " of " + name_of(contact.other);
+}
+
+// "down", "up to the left": the ways that a motion has a good part of.
+std::string direction_of(Vec2 way) {
+  const double least = 0.1 * length(way);
+  const std::string vertical = way.y > least ? "down" : way.y < -least ? "up" : "";
+  const std::string sideways = way.x > least ? "right" : way.x < -least ? "left" : "";
+  if (vertical.empty()) return "to the " + sideways;
+  return sideways.empty() ? vertical : vertical + " to the " + sideways;
+}
+
+class ContactSentence {
+ public:
+  ContactSentence(const Frame& frame, std::size_t index)
+      : frame_(frame), contact_(frame.record.contacts[index]), index_(index) {
+    const auto& paths = frame.record.paths;
+    const auto at =
+        std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == contact_.body; });
+    path_ = at == paths.end() ? nullptr : &*at;
+  }
+
+  std::string sentence() const {
+    const bool is_crossed = contact_.response == Response::cross;
+    if (is_crossed)
+      return is_article() ? article_slope() : "passed above the floor of " + name_of(contact_.other);
+    std::string text = stopped() + rest();
+    if (!contact_.handled) text += "; its velocity was left alone, as a slope had put the body on its floor";
+    return text;
+  }
+
+  // What stopped it and when, without what became of the rest.
+  std::string stopped() const {
+    if (contact_.overlaps) return "was inside " + name_of(contact_.other) + pushed_out();
+    return "stopped by " + met_part(contact_) + when();
+  }
+
+  std::string numbers() const {
+    const Vec2 normal = normal_of_effect(contact_);
+    std::string text = normal == Vec2{} ? "no normal" : "normal " + short_text(normal);
+    if (contact_.slope) {
+      text += ", slope delta " + short_text(contact_.slope->delta);
+      text += (contact_.slope->normal.y > 0 ? ", ceiling at y " : ", floor at y ") +
+              short_text(contact_.slope->floor_y);
+    } else if (normal.y < 0 && path_ != nullptr) {
+      text += ", floor at y " + short_text(contact_.touch.y + path_->from.h);
+    }
+    return text;
+  }
+
+ private:
+  const Tuning& tuning() const { return frame_.scene->tuning; }
+  bool is_article() const { return tuning().solver == SolverKind::article; }
+  bool is_exact() const { return tuning().solver == SolverKind::exact; }
+  bool is_cut() const { return is_exact() && tuning().exact.substeps > 1; }  // into parts of a step
+
+  std::string when() const {
+    if (contact_.ti <= 0) return contact_.order == 0 ? " at once" : " at once then";
+    const bool is_whole = path_ != nullptr && contact_.move == path_->goal - path_->from.position();
+    const bool of_step = !is_cut() && (contact_.order == 0 || is_whole);
+    const std::string what = of_step ? "the step" : is_cut() ? "a part of the step" : "the motion left";
+    if (contact_.ti >= 1) return " at the end of " + what;
+    return " at " + short_text(contact_.ti) + " of " + what;
+  }
+
+  std::string pushed_out() const {
+    if (contact_.normal == Vec2{}) return " from the start";
+    const char* way = contact_.normal.x < 0   ? "to the left"
+                      : contact_.normal.x > 0 ? "to the right"
+                      : contact_.normal.y < 0 ? "up"
+                                              : "down";
+    return std::string(" from the start and was put out of it ") + way;
+  }
+
+  Vec2 motion_left() const { return contact_.move * (1 - std::clamp(contact_.ti, 0.0, 1.0)); }
+
+  // The motion after this contact; nothing where the record does not tell.
+  std::optional<Vec2> motion_after() const {
+    const auto& contacts = frame_.record.contacts;
+    if (!is_exact()) {
+      const Vec2 left = motion_left();
+      return left - contact_.normal * std::min(0.0, dot(left, contact_.normal));
+    }
+    if (is_cut() || path_ == nullptr) return std::nullopt;
+    const bool is_last = index_ + 1 == contacts.size() || contacts[index_ + 1].body != contact_.body;
+    return is_last ? path_->to.position() - contact_.touch : contacts[index_ + 1].move;
+  }
+
+  std::string rest() const {
+    if (contact_.overlaps) return "";
+    const double left = length(motion_left());
+    const std::optional<Vec2> after = motion_after();
+    if (left < kNoMotion || !after) return "";
+    const double went = length(*after);
+    if (went < kNoMotion) return "; " + px(left) + " of motion left went into it and is lost";
+    if (dot(*after, contact_.normal) > kNoMotion)
+      return "; it bounced off and went on " + px(went) + " " + direction_of(*after);
+    const std::string slid = " slid " + direction_of(*after);
+    if (short_text(went) == short_text(left)) return "; " + px(left) + " of motion left" + slid;
+    return "; of " + px(left) + " of motion left " + px(went) + slid;
+  }
+
+  // The article's bodies cross slopes, and are put on their floors afterwards.
+  std::string article_slope() const {
+    std::string text = "came into the box of " + name_of(contact_.other);
+    if (!contact_.overlaps) text += when();
+    if (!contact_.handled) return text + "; another slope had already put the body on its floor";
+    if (!contact_.slope)
+      return text + "; it moved up, or no slope was straight below it, so it was left as it was";
+    const SlopeProbe& probe = *contact_.slope;
+    text +=
+        "; under its centre the floor of " + name_of(probe.slope) + " is at y " + short_text(probe.floor_y);
+    if (probe.corrected) return text + ", so its top was put at y " + short_text(probe.placed_y);
+    return text + ", and its top was above y " + short_text(probe.placed_y) +
+           " already, so it was left as it was";
+  }
+
+  const Frame& frame_;
+  const ContactRecord& contact_;
+  const std::size_t index_;
+  const BodyPath* path_ = nullptr;
+};
+
+// "Body 1 wanted to go (2, 5) px and went (2, 1.2) px."
+std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
+  const Vec2 wanted = path.goal - path.from.position(), got = path.to.position() - path.from.position();
+  std::string text = "Body " + std::to_string(path.body);
+  if (frame.state.grabbed == path.body) text += ", held by the mouse,";
+  text += " wanted to go " + short_text(wanted) + " px";
+  return length(wanted - got) < kNoMotion ? text + " and did."
+                                          : text + " and went " + short_text(got) + " px.";
+}
+
+std::string reasons(const Frame& frame, const BodyPath& path) {
+  const auto& contacts = frame.record.contacts;
+  std::string text;
+  std::size_t more = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].body != path.body || !has_effect(contacts[i])) continue;
+    if (!text.empty()) {
+      ++more;
+      continue;
+    }
+    const bool was_put = contacts[i].overlaps || contacts[i].response == Response::cross;
+    text = (was_put ? " It " : " It was ") + explain_contact(frame, i).sentence;
+  }
+  if (more > 0)
+    text += "; " + std::to_string(more) + (more == 1 ? " more contact" : " more contacts") + " followed";
+  if (!text.empty()) return text + ".";
+  const Vec2 off = path.to.position() - path.goal;
+  if (length(off) < kNoMotion) return " It met nothing.";
+  return " It met nothing, and then was moved by " + short_text(off) +
+         " px, onto the floor that it walks on.";
+}
+
+}  // namespace
+
+Explanation explain_contact(const Frame& frame, std::size_t index) {
+  assert(index < frame.record.contacts.size());
+  const ContactSentence contact(frame, index);
+  return {contact.sentence(), contact.numbers()};
+}
+
+std::string explain_step(const FrameView& view, int body) {
+  const Frame& frame = view.now();
+  const auto& paths = frame.record.paths;
+  const auto path =
+      std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == body; });
+  const Body* after = frame.state.find(body);
+  if (path == paths.end() || after == nullptr) return {};
+
+  std::string text = wanted_and_got(frame, *path);
+  const Body* before = view.is_first() ? nullptr : view.before(1).state.find(body);
+  const bool may_be_inside =
+      before != nullptr && !before->is_clear && frame.scene->tuning.solver == SolverKind::exact;
+  if (may_be_inside && measure(Metric::penetration, view.before(1), *before) > 0)
+    text += " It began inside of the ground, and was first put out of it.";
+  text += reasons(frame, *path);
+  if (path->capped) text += " It met more contacts than a step handles, and the rest of its motion is lost.";
+  if (path->limited) text += " Its way or its speed was cut to the largest allowed.";
+  if (before != nullptr && before->velocity != after->velocity)
+    text += " Its velocity went from " + short_text(before->velocity) + " to " + short_text(after->velocity) +
+            " px/frame.";
+  return text;
+}
+
+}  // namespace talus

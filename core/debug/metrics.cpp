@@ -1,0 +1,186 @@
+#include "metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "../collision/ground_queries.h"
+#include "compare.h"
+
+namespace talus {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFloorReach = 64;  // px below a body at which a floor is looked for
+
+constexpr std::array kInfos = {
+    MetricInfo{Metric::id, "id", "", false, "number of the body, from 1"},
+    MetricInfo{Metric::x, "x", "px", false, "left side of the box"},
+    MetricInfo{Metric::y, "y", "px", false, "top of the box; y grows downwards"},
+    MetricInfo{Metric::w, "w", "px", false, "width of the box"},
+    MetricInfo{Metric::h, "h", "px", false, "height of the box"},
+    MetricInfo{Metric::right, "right", "px", false, "right side of the box"},
+    MetricInfo{Metric::bottom, "bottom", "px", false, "bottom of the box, its feet"},
+    MetricInfo{Metric::vx, "vx", "px/frame", false, "velocity to the right"},
+    MetricInfo{Metric::vy, "vy", "px/frame", false, "velocity downwards"},
+    MetricInfo{Metric::speed, "speed", "px/frame", false, "length of the velocity"},
+    MetricInfo{Metric::energy, "energy", "px^2/frame^2", false,
+               "kinetic and potential energy for each unit of mass; only its changes matter"},
+    MetricInfo{Metric::grounded, "grounded", "", true, "the body stood on ground in this step"},
+    MetricInfo{Metric::contacts, "contacts", "", false, "contacts of the step that changed its way or speed"},
+    MetricInfo{Metric::penetration, "penetration", "px", false,
+               "how far the box is inside of the ground; 0 outside, infinite when no straight way leads out"},
+    MetricInfo{Metric::floor_error, "floor_error", "px", false,
+               "feet below (+) or above (-) the exact floor while grounded; nothing in the air"},
+    MetricInfo{Metric::normal_x, "normal.x", "", false, "normal of the step's last contact, to the right"},
+    MetricInfo{Metric::normal_y, "normal.y", "", false, "normal of the step's last contact, downwards"},
+    MetricInfo{Metric::normal_angle, "normal.angle", "degrees", false,
+               "angle of that normal: 0 a level floor, 90 a wall that faces right, -90 left, 180 a ceiling"},
+    MetricInfo{
+        Metric::slope_delta, "slope_delta", "", false,
+        "how far along the slope of the step's last contact with one: 0 at its left end, 1 at its right"},
+    MetricInfo{Metric::capped, "capped", "", true, "it met more contacts than the solver handles in a step"},
+    MetricInfo{Metric::limited, "limited", "", true, "its way or speed was cut to the largest allowed"},
+    MetricInfo{Metric::parting, "parting", "px", false,
+               "distance from the same body of the run compared with; infinite when that has no such body"},
+};
+
+double length(Vec2 v) { return std::sqrt(dot(v, v)); }
+
+const BodyPath* path_of(const Frame& frame, int body) {
+  const auto& paths = frame.record.paths;
+  const auto at = std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == body; });
+  return at == paths.end() ? nullptr : &*at;
+}
+
+// The last contact of a body for which `wanted` holds; null: none.
+template <class Wanted>
+const ContactRecord* last_contact(const Frame& frame, int body, Wanted wanted) {
+  const auto& contacts = frame.record.contacts;
+  const auto at = std::find_if(contacts.rbegin(), contacts.rend(),
+                               [&](const ContactRecord& c) { return c.body == body && wanted(c); });
+  return at == contacts.rend() ? nullptr : &*at;
+}
+
+bool is_grounded(const Frame& frame, const Body& body) {
+  if (frame.scene->tuning.solver == SolverKind::exact) return body.gait.grounded;
+  return last_contact(frame, body.id, [](const ContactRecord& c) {
+           return has_effect(c) && normal_of_effect(c).y < 0;
+         }) != nullptr;
+}
+
+double energy(const Frame& frame, const Body& body) {
+  const Tuning& t = frame.scene->tuning;
+  const bool is_player = t.solver == SolverKind::exact && body.kind == BodyKind::player;
+  const bool is_constant = t.solver == SolverKind::exact && (is_player || t.exact.gravity > 0);
+  double gravity = t.article.fall_blend * t.article.fall_speed;
+  if (is_constant) gravity = is_player ? t.player.gravity : t.exact.gravity;
+  Vec2 v = body.velocity;
+  const double part = is_player ? 1 : 1 / t.exact.substeps;
+  if (is_constant && !body.gait.grounded) v.y += gravity * part / 2;
+  return dot(v, v) / 2 - gravity * body.box.center().y;
+}
+
+double penetration(const Terrain& ground, const Body& body) {
+  if (!overlaps_ground(ground, body.box, body.foot)) return 0;
+  const auto out = way_out(ground, body.box, body.foot);
+  return out ? length(*out) : std::numeric_limits<double>::infinity();
+}
+
+double floor_error(const Frame& frame, const Body& body) {
+  if (frame.ground == nullptr || !is_grounded(frame, body)) return kNothing;
+  if (const auto out = way_out(*frame.ground, body.box, body.foot)) return out->y < 0 ? -out->y : kNothing;
+  const auto floor = floor_below(*frame.ground, body.box, kFloorReach, body.foot);
+  return floor ? body.box.bottom() - floor->y : kNothing;
+}
+
+Vec2 last_normal(const Frame& frame, int body) {
+  const ContactRecord* contact = last_contact(frame, body, has_effect);
+  return contact != nullptr ? normal_of_effect(*contact) : Vec2{kNothing, kNothing};
+}
+
+double angle_of(Vec2 normal) {
+  constexpr double kDegrees = 57.29577951308232;
+  return std::atan2(normal.x + 0.0, -normal.y) * kDegrees;  // + 0.0: -0 would turn a ceiling's 180 into -180
+}
+
+double slope_delta(const Frame& frame, int body) {
+  const ContactRecord* contact =
+      last_contact(frame, body, [](const ContactRecord& c) { return c.slope.has_value(); });
+  return contact != nullptr ? contact->slope->delta : kNothing;
+}
+
+double contact_count(const Frame& frame, int body) {
+  return static_cast<double>(
+      std::count_if(frame.record.contacts.begin(), frame.record.contacts.end(),
+                    [&](const ContactRecord& c) { return c.body == body && has_effect(c); }));
+}
+
+}  // namespace
+
+std::span<const MetricInfo> metric_infos() { return kInfos; }
+
+bool has_effect(const ContactRecord& contact) {
+  if (!contact.handled) return false;
+  return contact.response != Response::cross || (contact.slope && contact.slope->corrected);
+}
+
+Vec2 normal_of_effect(const ContactRecord& contact) {
+  return contact.slope && contact.slope->corrected ? contact.slope->normal : contact.normal;
+}
+
+double measure(Metric metric, const Frame& frame, const Body& body) {
+  const BodyPath* path = nullptr;
+  switch (metric) {
+    case Metric::id:
+      return body.id;
+    case Metric::x:
+      return body.box.x;
+    case Metric::y:
+      return body.box.y;
+    case Metric::w:
+      return body.box.w;
+    case Metric::h:
+      return body.box.h;
+    case Metric::right:
+      return body.box.right();
+    case Metric::bottom:
+      return body.box.bottom();
+    case Metric::vx:
+      return body.velocity.x;
+    case Metric::vy:
+      return body.velocity.y;
+    case Metric::speed:
+      return length(body.velocity);
+    case Metric::energy:
+      return energy(frame, body);
+    case Metric::grounded:
+      return is_grounded(frame, body);
+    case Metric::contacts:
+      return contact_count(frame, body.id);
+    case Metric::penetration:
+      return frame.ground != nullptr ? penetration(*frame.ground, body) : kNothing;
+    case Metric::floor_error:
+      return floor_error(frame, body);
+    case Metric::normal_x:
+      return last_normal(frame, body.id).x;
+    case Metric::normal_y:
+      return last_normal(frame, body.id).y;
+    case Metric::normal_angle:
+      return angle_of(last_normal(frame, body.id));
+    case Metric::slope_delta:
+      return slope_delta(frame, body.id);
+    case Metric::capped:
+      path = path_of(frame, body.id);
+      return path != nullptr && path->capped;
+    case Metric::limited:
+      path = path_of(frame, body.id);
+      return path != nullptr && path->limited;
+    case Metric::parting:
+      return frame.other ? parting_of(body, *frame.other) : kNothing;
+  }
+  return kNothing;
+}
+
+}  // namespace talus

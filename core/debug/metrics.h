@@ -1,0 +1,60 @@
+// Numbers of a body in a frame: what plots show and conditions ask for.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "frame.h"
+
+namespace talus {
+
+enum class Metric {
+  id,
+  x,
+  y,
+  w,
+  h,
+  right,
+  bottom,
+  vx,
+  vy,
+  speed,
+  energy,
+  grounded,
+  contacts,
+  penetration,
+  floor_error,
+  normal_x,
+  normal_y,
+  normal_angle,
+  slope_delta,
+  capped,
+  limited,
+  parting
+};
+
+struct MetricInfo {
+  Metric metric;
+  std::string_view name;  // in expressions: "vx"
+  std::string_view unit;  // "px", "px/frame", "px^2/frame^2", "degrees" or ""
+  bool is_truth;          // 0 or 1
+  std::string_view help;  // one sentence
+};
+std::span<const MetricInfo> metric_infos();  // in the order of the enum
+
+// NaN: there is nothing to measure, such as the normal of a body that touches nothing.
+// body: of the frame's state.
+//
+// The energy of a body of mass 1 is v^2 / 2 - g * y, with y of its middle: 0 for one at rest at the map's top
+// edge, and less below. g is the gravity that pulls the body: exact's for its balls, the player's for
+// players, and where there is none, what falling gains in its first frame (fall_blend * fall_speed). Under
+// constant gravity velocities belong to the middle between two frames, so v is taken half a part of a step
+// further; then a flight keeps its energy to rounding.
+double measure(Metric metric, const Frame& frame, const Body& body);
+
+// Whether a contact changed the way or the speed of its body: not when it was only crossed.
+bool has_effect(const ContactRecord& contact);
+// The normal that the body was turned by: of the article on a slope, the slope's, and not that of its box.
+Vec2 normal_of_effect(const ContactRecord& contact);
+
+}  // namespace talus

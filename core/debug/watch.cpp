@@ -1,0 +1,65 @@
+#include "watch.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+int frames_before(const std::vector<Watch>& watches) {
+  int most = 0;
+  for (const Watch& watch : watches) most = std::max(most, watch.expression.frames_before());
+  return most;
+}
+
+SeriesPoint joined(const SeriesPoint& a, const SeriesPoint& b) {
+  return {std::fmin(a.least, b.least), std::fmax(a.greatest, b.greatest), b.last};  // a NaN is left out
+}
+
+}  // namespace
+
+Series::Series(std::int64_t first, std::size_t most) : first_(first), most_(most) {
+  assert(most >= 2 && most % 2 == 0);
+}
+
+void Series::add(double number) {
+  const SeriesPoint point{number, number, number};
+  if (frames_ % frames_of_point_ != 0) {
+    points_.back() = joined(points_.back(), point);
+  } else {
+    if (points_.size() == most_) halve();
+    points_.push_back(point);
+  }
+  ++frames_;
+}
+
+void Series::halve() {
+  for (std::size_t i = 0; i < most_ / 2; ++i) points_[i] = joined(points_[2 * i], points_[2 * i + 1]);
+  points_.resize(most_ / 2);
+  frames_of_point_ *= 2;
+}
+
+WatchRun::WatchRun(std::vector<Watch> watches, std::int64_t first, std::size_t most)
+    : watches_(std::move(watches)),
+      series_(watches_.size(), Series(first, most)),
+      history_(frames_before(watches_)),
+      first_(first),
+      next_(first) {}
+
+bool WatchRun::advance(const FrameSource& source, std::int64_t frames) {
+  for (; frames > 0 && next_ <= source.last(); --frames, ++next_) {
+    history_.go_to(source, next_);
+    const FrameView view = history_.view();
+    for (std::size_t i = 0; i < watches_.size(); ++i)
+      series_[i].add(watches_[i].expression.evaluate(view, watches_[i].body));
+  }
+  return next_ > source.last();
+}
+
+double WatchRun::progress(const FrameSource& source) const {
+  const std::int64_t all = source.last() + 1 - first_;
+  return all > 0 ? static_cast<double>(next_ - first_) / static_cast<double>(all) : 1;
+}
+
+}  // namespace talus

@@ -1,0 +1,141 @@
+// Two runs side by side, and watched expressions as series.
+#include "debug/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "debug/stop_search.h"
+#include "debug/watch.h"
+#include "level_text.h"
+#include "recorded_run.h"
+
+namespace talus {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Compare, BodiesAreMatchedByTheirOrigin) {
+  Body ball = body_at(1, 10, 10, {1, 0});
+  ball.origin = {{1, 1}, -1};
+  Body moved = ball;
+  moved.id = 5;
+  moved.box.x = 13;
+  moved.box.y = 14;
+  moved.velocity = {1, 2};
+  Body new_one = body_at(1, 0, 0);
+  new_one.origin = {{2, 2}, -1};
+  const Body gone = body_at(2, 0, 0);
+  const auto all = differences(state_of({ball, gone}), state_of({new_one, moved}));
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].a, 1);
+  EXPECT_EQ(all[0].b, 5);
+  EXPECT_EQ(all[0].position, (Vec2{3, 4}));
+  EXPECT_EQ(all[0].velocity, (Vec2{0, 2}));
+  EXPECT_EQ(all[0].distance, 5);
+  EXPECT_EQ(all[1].a, 2);
+  EXPECT_EQ(all[1].b, 0);
+  EXPECT_EQ(all[1].distance, kInfinity);
+  EXPECT_EQ(all[2].a, 0);
+  EXPECT_EQ(all[2].b, 1);
+  EXPECT_EQ(parting_of(ball, state_of({new_one, moved})), 5);
+  EXPECT_EQ(parting_of(gone, state_of({new_one, moved})), kInfinity);
+}
+
+std::optional<Stop> first_parting(const FrameSource& a, const FrameSource& b, double threshold) {
+  const ComparedFrames compared(a, b);
+  const auto armed = ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(threshold)});
+  StopSearch search({*armed}, -1, SearchDirection::forwards);
+  while (!search.advance(compared, 10)) {
+  }
+  return search.found();
+}
+
+TEST(Compare, FindsTheFirstFrameWhereSolversPart) {
+  Level level = level_of({".o......", "........", ".../-...", "########"});
+  level.tuning.article.drift_speed = level.tuning.article.drift_blend = 1;
+  const RecordedRun article(level, 40);
+  EXPECT_EQ(first_parting(article, RecordedRun(level, 40), 0), std::nullopt);
+
+  level.tuning.solver = SolverKind::exact;
+  const RecordedRun exact(level, 40);
+  std::int64_t expected = 0;
+  while (expected < 40 && parting_of(article.at(expected).state.bodies[0], exact.at(expected).state) <= 0.01)
+    ++expected;
+  ASSERT_GT(expected, 5) << "both fall alike";
+  ASSERT_LT(expected, 40);
+  EXPECT_EQ(first_parting(article, exact, 0.01)->frame, expected);
+  EXPECT_EQ(first_parting(article, exact, 1e6), std::nullopt);
+}
+
+TEST(Compare, HasTheFramesThatBothHave) {
+  const MadeFrames a({state_of({}), state_of({}), state_of({})}),
+      b({state_of({body_at(1, 0, 0)}), state_of({})});
+  const ComparedFrames compared(a, b);
+  EXPECT_EQ(compared.last(), 1);
+  Frame frame;
+  compared.read(0, frame);
+  EXPECT_TRUE(frame.state.bodies.empty());
+  EXPECT_EQ(frame.other->bodies.size(), 1u);
+}
+
+TEST(Compare, PartingAtTheStartIsFound) {
+  const MadeFrames a({state_of({body_at(1, 0, 0)})}), b({state_of({body_at(1, 0, 0.5)})});
+  EXPECT_EQ(first_parting(a, b, 0.25), (Stop{0, 1, 1, 0}));
+}
+
+TEST(Series, HalvesItselfAndKeepsPeaks) {
+  Series series(10, 4);
+  for (const double number : {1, 2, 3, 4}) series.add(number);
+  EXPECT_EQ(series.points().size(), 4u);
+  EXPECT_EQ(series.frames_of_point(), 1);
+  series.add(9);
+  EXPECT_EQ(series.frames_of_point(), 2);
+  ASSERT_EQ(series.points().size(), 3u);
+  EXPECT_EQ(series.points()[0].least, 1);
+  EXPECT_EQ(series.points()[0].greatest, 2);
+  EXPECT_EQ(series.points()[0].last, 2);
+  EXPECT_EQ(series.points()[2].least, 9);
+  for (int i = 6; i <= 1000; ++i) series.add(i == 600 ? -50 : 0);
+  EXPECT_EQ(series.frames(), 1000);
+  EXPECT_EQ(series.first(), 10);
+  EXPECT_EQ(series.frames_of_point(), 256);
+  ASSERT_EQ(series.points().size(), 4u);
+  EXPECT_EQ(series.points()[0].greatest, 9);
+  EXPECT_EQ(series.points()[2].least, -50);
+  EXPECT_EQ(series.points()[2].last, 0);
+}
+
+TEST(Series, LeavesOutWhatIsNoNumber) {
+  const double nothing = std::nan("");
+  Series series(0, 2);
+  for (const double number : {nothing, 3.0, nothing, nothing}) series.add(number);
+  ASSERT_EQ(series.points().size(), 2u);
+  EXPECT_EQ(series.points()[0].least, 3);
+  EXPECT_EQ(series.points()[0].greatest, 3);
+  EXPECT_TRUE(std::isnan(series.points()[1].least));
+  EXPECT_TRUE(std::isnan(series.points()[1].last));
+}
+
+TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
+  std::vector<State> states;
+  for (int i = 0; i < 6; ++i) states.push_back(state_of({body_at(1, i * i, 0)}));
+  MadeFrames source(states);
+  const std::vector<Watch> watches = {{*Expression::parse("x"), 1}, {*Expression::parse("x - before(x)"), 1}};
+  WatchRun run(watches, 2, 16);
+  EXPECT_FALSE(run.advance(source, 3));
+  EXPECT_EQ(run.progress(source), 0.75);
+  EXPECT_TRUE(run.advance(source, 3));
+  source.frames.push_back(source.frames.back());
+  source.frames.back().state.frame = 6;
+  EXPECT_TRUE(run.advance(source, 3));
+  std::vector<double> xs, steps;
+  for (const SeriesPoint& point : run.series()[0].points()) xs.push_back(point.last);
+  for (const SeriesPoint& point : run.series()[1].points()) steps.push_back(point.last);
+  EXPECT_EQ(xs, (std::vector<double>{4, 9, 16, 25, 25}));
+  EXPECT_EQ(steps, (std::vector<double>{3, 5, 7, 9, 0}));
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,198 @@
+// Sentences about what happened in a step.
+#include "debug/explain.h"
+
+#include <gtest/gtest.h>
+
+#include "level_text.h"
+#include "recorded_run.h"
+
+namespace talus {
+namespace {
+
+// A step of body 1 of 8x8 px, by the exact solver, made by hand.
+class Sentences : public testing::Test {
+ protected:
+  Sentences() {
+    scene_.tuning.solver = SolverKind::exact;
+    frame_.scene = &scene_;
+    frame_.state = state_of({body_at(1, 0, 0)});
+  }
+  // A step from (10, 20) by `wanted`, which ended at `to`.
+  void step(Vec2 wanted, Vec2 to) {
+    frame_.record.paths = {
+        {.body = 1, .from = {10, 20, 8, 8}, .goal = Vec2{10, 20} + wanted, .to = {to.x, to.y, 8, 8}}};
+  }
+  ContactRecord& contact(Obstacle other, Vec2 normal, double ti, Vec2 move, Vec2 touch) {
+    ContactRecord& made = frame_.record.contacts.emplace_back();
+    made.body = 1;
+    made.order = static_cast<int>(frame_.record.contacts.size()) - 1;
+    made.other = other;
+    made.normal = normal;
+    made.ti = ti;
+    made.move = move;
+    made.touch = touch;
+    made.handled = true;
+    return made;
+  }
+  std::string sentence(std::size_t index = 0) const { return explain_contact(frame_, index).sentence; }
+  std::string numbers(std::size_t index = 0) const { return explain_contact(frame_, index).numbers; }
+
+  const Obstacle tile_{.role = TileRole::solid, .cell = {12, 9}, .body = 0, .box = {96, 72, 8, 8}};
+  const Obstacle slope_{.role = TileRole::up_slope, .cell = {3, 4}, .body = 0, .box = {24, 32, 16, 8}};
+  Scene scene_;
+  Frame frame_;
+};
+
+TEST_F(Sentences, OfAWallThatABodySlidesAlong) {
+  step({4, 3}, {11.48, 23});
+  contact(tile_, {-1, 0}, 0.37, {4, 3}, {11.48, 21.11});
+  EXPECT_EQ(sentence(),
+            "stopped by the left side of the tile at (12, 9) at 0.37 of the step; of 3.15 px of motion "
+            "left 1.89 px slid down");
+  EXPECT_EQ(numbers(), "normal (-1, 0)");
+}
+
+TEST_F(Sentences, OfAFloorThatTakesAllThatIsLeft) {
+  step({0, 4}, {10, 21});
+  contact(tile_, {0, -1}, 0.25, {0, 4}, {10, 21});
+  EXPECT_EQ(sentence(),
+            "stopped by the top of the tile at (12, 9) at 0.25 of the step; 3 px of motion left went into "
+            "it and is lost");
+  EXPECT_EQ(numbers(), "normal (0, -1), floor at y 29");
+}
+
+TEST_F(Sentences, OfASlope) {
+  step({2, 2}, {12, 20});
+  ContactRecord& met = contact(slope_, {-0.6, -0.8}, 0, {2, 2}, {10, 20});
+  met.slope = SlopeProbe{slope_, 0.4375, 28, 20, {-0.6, -0.8}, true};
+  EXPECT_EQ(sentence(),
+            "stopped by the up-slope at (3, 4) at once; of 2.83 px of motion left 2 px slid to the right");
+  EXPECT_EQ(numbers(), "normal (-0.6, -0.8), slope delta 0.44, floor at y 28");
+}
+
+TEST_F(Sentences, OfABounce) {
+  step({0, 4}, {10, 19});
+  contact({.role = TileRole::ball, .cell = {}, .body = 3, .box = {}}, {0, -1}, 0.5, {0, 4}, {10, 22});
+  EXPECT_EQ(sentence(),
+            "stopped by the top of body 3 at 0.5 of the step; it bounced off and went on 3 px up");
+}
+
+TEST_F(Sentences, OfTheContactsAfterTheFirst) {
+  step({4, 4}, {12, 22});
+  contact(tile_, {-1, 0}, 0.5, {4, 4}, {12, 22});
+  contact({.role = TileRole::solid, .cell = {}, .body = 0, .box = {}, .curve = 2}, {0, -1}, 0.25, {0, 2},
+          {12, 22.5});
+  contact(slope_, {0.6, 0.8}, 1, {0, 1}, {12, 22});
+  EXPECT_EQ(sentence(0),
+            "stopped by the left side of the tile at (12, 9) at 0.5 of the step; of 2.83 px of motion left "
+            "2 px slid down");
+  EXPECT_EQ(sentence(1),
+            "stopped by the top of curve 2 at 0.25 of the motion left; of 1.5 px of motion left 1 px slid "
+            "down");
+  EXPECT_EQ(sentence(2), "stopped by the sloped ceiling at (3, 4) at the end of the motion left");
+}
+
+TEST_F(Sentences, OfTheArticlesSlopes) {
+  scene_.tuning.solver = SolverKind::article;
+  step({2, 2}, {12, 20});
+  ContactRecord& met = contact(slope_, {-1, 0}, 0.5, {2, 2}, {11, 21});
+  met.response = Response::cross;
+  EXPECT_EQ(sentence(),
+            "came into the box of the up-slope at (3, 4) at 0.5 of the step; it moved up, or no slope was "
+            "straight below it, so it was left as it was");
+  met.slope = SlopeProbe{slope_, 0.4375, 28.4, 20, {-0.6, -0.8}, true};
+  EXPECT_EQ(sentence(),
+            "came into the box of the up-slope at (3, 4) at 0.5 of the step; under its centre the floor of "
+            "the up-slope at (3, 4) is at y 28.4, so its top was put at y 20");
+  EXPECT_EQ(numbers(), "normal (-0.6, -0.8), slope delta 0.44, floor at y 28.4");
+  met.slope->corrected = false;
+  EXPECT_EQ(sentence(),
+            "came into the box of the up-slope at (3, 4) at 0.5 of the step; under its centre the floor of "
+            "the up-slope at (3, 4) is at y 28.4, and its top was above y 20 already, so it was left as it "
+            "was");
+  met.handled = false;
+  EXPECT_EQ(sentence(),
+            "came into the box of the up-slope at (3, 4) at 0.5 of the step; another slope had already put "
+            "the body on its floor");
+}
+
+TEST_F(Sentences, OfOverlaps) {
+  scene_.tuning.solver = SolverKind::bump;
+  step({1, 0}, {9, 20});
+  ContactRecord& met = contact(tile_, {-1, 0}, -12, {1, 0}, {9, 20});
+  met.overlaps = true;
+  EXPECT_EQ(sentence(), "was inside the tile at (12, 9) from the start and was put out of it to the left");
+  ContactRecord& passed = contact(slope_, {}, 0.2, {1, 0}, {9, 20});
+  passed.response = Response::cross;
+  passed.handled = false;
+  EXPECT_EQ(sentence(1), "passed above the floor of the up-slope at (3, 4)");
+  EXPECT_EQ(numbers(1), "no normal");
+}
+
+// What really happens, as the solvers record it.
+class Steps : public testing::Test {
+ protected:
+  static std::string step(const RecordedRun& run, std::int64_t frame) {
+    FrameHistory history(1);
+    history.go_to(run, frame);
+    return explain_step(history.view(), 1);
+  }
+  static Level falling(SolverKind solver) {
+    Level level = level_of({"o..", "...", "###"});
+    level.tuning.solver = solver;
+    level.tuning.article.fall_blend = 1;
+    level.tuning.article.floor_bounce = 0.5;
+    return level;
+  }
+};
+
+TEST_F(Steps, OfAFreeFallAndALanding) {
+  const RecordedRun run(falling(SolverKind::exact), 2);
+  EXPECT_EQ(step(run, 0), "");
+  EXPECT_EQ(step(run, 1),
+            "Body 1 wanted to go (0, 5) px and did. It met nothing. Its velocity went from (0, 0) to (0, "
+            "5) px/frame.");
+  EXPECT_EQ(step(run, 2),
+            "Body 1 wanted to go (0, 5) px and went (0, 3) px. It was stopped by the top of the tile at "
+            "(0, 2) at 0.6 of the step; 2 px of motion left went into it and is lost. Its velocity went "
+            "from (0, 5) to (0, -2.5) px/frame.");
+  FrameHistory history(1);
+  history.go_to(run, 2);
+  EXPECT_EQ(explain_step(history.view(), 2), "") << "no such body";
+}
+
+TEST_F(Steps, AreAlikeByEverySolver) {
+  for (const SolverKind solver : solver_kinds()) {
+    const RecordedRun run(falling(solver), 2);
+    EXPECT_EQ(step(run, 2), step(RecordedRun(falling(SolverKind::exact), 2), 2)) << solver_name(solver);
+  }
+}
+
+TEST_F(Steps, ThatBeginInsideOfTheGround) {
+  Level level = level_of({"...", "...", "###"});
+  level.tuning.solver = SolverKind::exact;
+  level.spawns.push_back({.name = "", .position = {0, 9}, .velocity = {}, .extra = ""});
+  const std::string text = step(RecordedRun(level, 1), 1);
+  EXPECT_NE(
+      text.find(" It began inside of the ground, and was first put out of it. It was stopped by the top of"),
+      std::string::npos)
+      << text;
+}
+
+TEST_F(Steps, OfLimitsAndTheMouse) {
+  MadeFrames made({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 4, 0)})});
+  Frame& frame = made.frames[1];
+  frame.state.grabbed = 1;
+  frame.record.paths = {
+      {.body = 1, .from = {0, 0, 8, 8}, .goal = {4, 0}, .to = {4, 0, 8, 8}, .limited = true, .capped = true}};
+  FrameHistory history(1);
+  history.go_to(made, 1);
+  EXPECT_EQ(explain_step(history.view(), 1),
+            "Body 1, held by the mouse, wanted to go (4, 0) px and did. It met nothing. It met more contacts "
+            "than a "
+            "step handles, and the rest of its motion is lost. Its way or its speed was cut to the largest "
+            "allowed.");
+}
+
+}  // namespace
+}  // namespace talus
