@@ -90,14 +90,17 @@ void read_line(const Json& points, const std::string& path, CaseFloor& floor) {
 
 void read_floor_part(const Json& part, const std::string& path, CaseFloor& floor) {
   if (part.is_array()) return read_line(part, path, floor);
-  if (part.is_object() && part.contains("arc")) {
-    const auto n = numbers(part["arc"], path + ".arc", 5);
-    floor.parts.emplace_back(Arc{{n[0], n[1]}, n[2], n[3], n[4], true});
-  } else if (part.is_object() && part.contains("sine")) {
+  for (const char* key : {"arc", "bowl"}) {
+    if (!part.is_object() || !part.contains(key)) continue;
+    const auto n = numbers(part[key], path + "." + key, 5);
+    floor.parts.emplace_back(Arc{{n[0], n[1]}, n[2], n[3], n[4], key == std::string_view("arc")});
+    return;
+  }
+  if (part.is_object() && part.contains("sine")) {
     const auto n = numbers(part["sine"], path + ".sine", 6);
     floor.parts.emplace_back(Sine{n[0], n[1], n[2], n[3], n[4], n[5]});
   } else {
-    fail(path, "must be a list of points, or an object with \"arc\" or \"sine\"");
+    fail(path, "must be a list of points, or an object with \"arc\", \"bowl\" or \"sine\"");
   }
 }
 
@@ -160,10 +163,10 @@ HardCase read_case(const Json& json) {
 }  // namespace
 
 std::span<const std::string_view> hard_case_keys() {
-  static constexpr std::array<std::string_view, 20> kKeys = {
-      "hard_case", "number", "title",  "set_up", "right_answer", "measure", "body",
-      "frame",     "frames", "mouse",  "down",   "keys",         "input",   "floor",
-      "arc",       "sine",   "checks", "right",  "bottom",       "bound"};
+  static constexpr std::array<std::string_view, 21> kKeys = {
+      "hard_case", "number", "title", "set_up", "right_answer", "measure", "body",
+      "frame",     "frames", "mouse", "down",   "keys",         "input",   "floor",
+      "arc",       "bowl",   "sine",  "checks", "right",        "bottom",  "bound"};
   return kKeys;
 }
 

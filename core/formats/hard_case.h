@@ -5,7 +5,8 @@
 //   "frames"        steps of a run, 1..1000000.
 //   "input"         as `talus sim --input` reads it, as a list: {"frame", "mouse", "down", "keys"}.
 //   "floor"         lists of points [x, y], left to right, each list a line; and {"arc": [x, y, radius, x0, x1]}
-//                   (upper half), {"sine": [x0, x1, middle, amplitude, wavelength, origin]}.
+//                   (upper half), {"bowl": as "arc"} (lower half), {"sine": [x0, x1, middle, amplitude, wavelength,
+//                   origin]}.
 //   "checks"        objects with "measure", one of level/hard_case.h; "body" (1); "frame", or "frames": [a, b];
 //                   "x", "y", "right", "bottom"; "bound" (0).
 // clang-format on

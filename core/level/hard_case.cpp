@@ -63,6 +63,8 @@ const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos() {
                                                                              {M::backwards, "backwards"},
                                                                              {M::further, "further"},
                                                                              {M::walls, "walls"},
+                                                                             {M::untouched, "untouched"},
+                                                                             {M::normal, "normal"},
                                                                              {M::changes, "changes"},
                                                                              {M::apex, "apex"},
                                                                              {M::mirror, "mirror"},

@@ -26,11 +26,13 @@ struct CaseCheck {
     backwards,  // px moved back, away from `x`, in a frame
     further,    // px moved further than was asked for in a frame
     walls,      // contacts with a vertical side
+    untouched,  // frames without a contact
+    normal,     // degrees between `x`, `y` and the normal of any contact; infinite when there is none
     changes,    // frames in which a bit of `y` is not that of the first of the range
     apex,       // px: distance of any highest point of a flight from `y`; infinite when there is none
     mirror,     // px: distance from the same run in the mirrored level, mirrored back
     translate,  // px: the same for the level moved by `x`, `y`, whole tiles
-    permute,    // px: the same for the spawns in reverse order
+    permute,    // px: the same for the spawns and the curves in reverse order
     repeat      // px: the same for a second run, by a new solver in each frame
   };
   Measure measure = Measure::position;
@@ -44,7 +46,7 @@ struct CaseMeasureInfo {
   CaseCheck::Measure measure;
   std::string_view key;  // in files
 };
-inline constexpr int kCaseMeasureCount = 14;
+inline constexpr int kCaseMeasureCount = 16;
 const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos();  // in the order of the enum
 
 // What is held down from a frame on.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "../level/transform.h"
@@ -18,8 +19,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Sample {
   Rect box;
   Vec2 velocity;
-  double further = 0;  // px moved further than asked
-  int walls = 0;       // contacts with a vertical side
+  double further = 0;         // px moved further than asked
+  std::vector<Vec2> normals;  // of what it met
 };
 // By frame, then by body in the order of their ids; frame 0 is the start.
 using Run = std::vector<std::vector<Sample>>;
@@ -53,15 +54,15 @@ class InputAt {
 
 std::vector<Sample> sample(const State& state, const StepRecord& record) {
   std::vector<Sample> samples;
-  for (const Body& body : state.bodies) samples.push_back({body.box, body.velocity});
+  for (const Body& body : state.bodies) samples.push_back({body.box, body.velocity, 0, {}});
   for (const BodyPath& path : record.paths) {
     const double asked = length(path.goal - path.from.position());
     const double went = length(path.to.position() - path.from.position());
     samples[static_cast<std::size_t>(path.body - 1)].further = went - asked;
   }
   for (const ContactRecord& contact : record.contacts) {
-    const bool is_wall = contact.handled && contact.normal.x != 0 && contact.normal.y == 0;
-    samples[static_cast<std::size_t>(contact.body - 1)].walls += is_wall;
+    if (contact.handled)
+      samples[static_cast<std::size_t>(contact.body - 1)].normals.push_back(contact.normal);
   }
   return samples;
 }
@@ -127,9 +128,14 @@ class Measurer {
       case M::further:
         return in_range(check, 1, [](const Sample& s, const Sample&) { return s.further; });
       case M::walls:
-        return total_walls(check);
+        return walls(check);
+      case M::untouched:
+        return total(check, [](const Sample& s) { return s.normals.empty(); });
+      case M::normal:
+        return off_normal(check);
       case M::changes:
-        return changes(check);
+        return total(check, [&, y = sample_at(check, std::max<std::int64_t>(check.first, 1)).box.y](
+                                const Sample& s) { return s.box.y != y; });
       case M::apex:
         return apex(check);
       case M::mirror:
@@ -180,17 +186,32 @@ class Measurer {
     return std::max(least, 0.0);
   }
 
-  double total_walls(const CaseCheck& check) const {
-    double total = 0;
-    in_range(check, 1, [&](const Sample& s, const Sample&) { return total += s.walls; });
-    return total;
+  // The sum over the check's frames.
+  template <class Value>
+  double total(const CaseCheck& check, Value value) const {
+    double sum = 0;
+    in_range(check, 1, [&](const Sample& s, const Sample&) { return sum += static_cast<double>(value(s)); });
+    return sum;
   }
 
-  double changes(const CaseCheck& check) const {
-    const double y = sample_at(check, std::max<std::int64_t>(check.first, 1)).box.y;
-    double count = 0;
-    in_range(check, 1, [&](const Sample& s, const Sample&) { return count += s.box.y != y; });
-    return count;
+  double walls(const CaseCheck& check) const {
+    return total(check, [](const Sample& s) {
+      return std::count_if(s.normals.begin(), s.normals.end(),
+                           [](Vec2 normal) { return normal.x != 0 && normal.y == 0; });
+    });
+  }
+
+  double off_normal(const CaseCheck& check) const {
+    const Vec2 right{check.x.value_or(0), check.y.value_or(0)};
+    double most = -kInfinity;
+    in_range(check, 1, [&](const Sample& s, const Sample&) {
+      for (const Vec2 n : s.normals) {
+        const double angle = std::atan2(right.x * n.y - right.y * n.x, dot(right, n));
+        most = worse(std::abs(angle) * 180 / std::numbers::pi, most);
+      }
+      return most;
+    });
+    return most < 0 ? kInfinity : most;
   }
 
   double apex(const CaseCheck& check) const {
@@ -230,6 +251,7 @@ class Measurer {
     }
     Level image = level_;
     std::reverse(image.spawns.begin(), image.spawns.end());
+    std::reverse(image.curves.begin(), image.curves.end());
     return distance(run_, run(hard_, image, {hard_, false, {}, width_}),
                     [](const std::vector<Sample>& samples, std::size_t body) {
                       return samples[samples.size() - 1 - body].box.position();

@@ -33,7 +33,7 @@ TEST(HardCase, ALevelWithoutTheKeyIsNone) {
 TEST(HardCase, IsReadWhole) {
   const auto hard = hard_case_of(level_with(case_text(
       R"(,"input":[{"frame":2,"mouse":[3,4],"down":true,"keys":["left","jump"]}],
-         "floor":[[[0,8],[8,8],[16,0]],{"arc":[40,20,10,30,50]}],
+         "floor":[[[0,8],[8,8],[16,0]],{"arc":[40,20,10,30,50]},{"bowl":[60,20,10,50,60]}],
          "checks":[{"measure":"position","body":2,"frame":5,"right":9,"bound":0.5},
                    {"measure":"gap","frames":[3,7]}])")));
   ASSERT_TRUE(hard) << hard.error().place << hard.error().message;
@@ -43,7 +43,8 @@ TEST(HardCase, IsReadWhole) {
   ASSERT_EQ(h.input.size(), 1u);
   EXPECT_EQ(h.input[0].mouse, (Vec2{3, 4}));
   EXPECT_TRUE(h.input[0].mouse_down && h.input[0].left && h.input[0].jump && !h.input[0].right);
-  EXPECT_EQ(h.floor.parts.size(), 3u);
+  EXPECT_EQ(h.floor.parts.size(), 4u);
+  EXPECT_EQ(h.floor.top(54, 58), 28);
   ASSERT_EQ(h.checks.size(), 2u);
   EXPECT_EQ(h.checks[0].body, 2);
   EXPECT_EQ(h.checks[0].first, 5);
@@ -82,6 +83,8 @@ TEST(CaseFloor, IsHighestAtAnEndOrAtACrestBetween) {
   floor.parts = {Arc{{50, 100}, 10, 40, 60, true}};
   EXPECT_EQ(floor.top(44, 56), 90);
   EXPECT_EQ(floor.top(56, 60), 92);
+  floor.parts = {Arc{{50, 100}, 10, 40, 60, false}};
+  EXPECT_EQ(floor.top(44, 50), 108) << "a bowl is highest at a side";
   floor.parts = {Sine{0, 40, 8, 2, 16, 0}};
   EXPECT_EQ(floor.top(10, 14), 6);
   EXPECT_EQ(floor.top(0, 40), 6);
@@ -122,6 +125,16 @@ TEST(HardCaseRun, MeasuresWhereABodyIs) {
   reaches.x = 5;
   EXPECT_EQ(measured(reaches), 5);
   EXPECT_EQ(measured(check_of(M::walls)), 0);
+  CaseCheck untouched = check_of(M::untouched);
+  untouched.first = 1;
+  untouched.last = 6;  // falls 0.375, 0.72, 1.04, 1.34, 1.62 and 1.87 px: 6.97 of 8
+  EXPECT_EQ(measured(untouched), 6);
+  CaseCheck normal = check_of(M::normal);
+  normal.x = 1;
+  normal.y = -1;
+  EXPECT_NEAR(measured(normal), 45, 1e-12);
+  normal.first = normal.last = 1;
+  EXPECT_EQ(measured(normal), std::numeric_limits<double>::infinity());
   CaseCheck changes = check_of(M::changes);
   changes.first = 1;
   changes.last = 3;
