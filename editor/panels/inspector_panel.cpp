@@ -235,6 +235,22 @@ int count_contacts(const StepRecord& record, int body) {
   return count;
 }
 
+// What the opened case shows, and how it should end.
+void draw_hard_case(const HardCase& hard, Ui& ui) {
+  ImGui::Spacing();
+  ImGui::Separator();
+  ImGui::Spacing();
+  ui.heading("Hard case " + std::to_string(hard.number));
+  ImGui::TextWrapped("%s", hard.title.c_str());
+  ImGui::Spacing();
+  ui.heading("Set-up");
+  ImGui::TextWrapped("%s", hard.set_up.c_str());
+  ImGui::Spacing();
+  ui.heading("Right answer");
+  ImGui::TextWrapped("%s", hard.right_answer.c_str());
+  ui.item("inspector/answer");
+}
+
 }  // namespace
 
 void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -244,6 +260,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
         session.state().bodies.empty()
             ? "No body in this level: paint a tile that has the ball flag on the map, or place a body (7)."
             : "No body chosen: click one in the play view.");
+    if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
     return;
   }
   std::string name = "Body " + std::to_string(body->id);

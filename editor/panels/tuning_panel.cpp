@@ -24,6 +24,7 @@ std::string help_of(const TuningField& field) {
 
 void draw_solver(const Session& session, Actions& actions, Ui& ui) {
   Tuning tuning = session.level().tuning;
+  ImGui::AlignTextToFramePadding();
   ui.label("Solver");
   ImGui::SameLine();
   const bool open =

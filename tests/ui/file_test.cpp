@@ -254,6 +254,8 @@ TEST_F(UiFile, HardCasesAreOpenedAsCopiesWithTheirAnswer) {
   EXPECT_EQ(session().path(), "") << "what comes with the program is not written over";
   EXPECT_EQ(session().file_name(), "03-step-with-a-slope (copy)");
   EXPECT_TRUE(session().choices().overlays.has(OverlayId::answer));
+  frames(2);
+  EXPECT_NE(find("inspector/answer"), nullptr) << "and says in words what it shows";
 }
 
 TEST_F(UiFile, HardCasePlaysWithItsOwnKeys) {
