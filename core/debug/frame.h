@@ -12,13 +12,13 @@
 
 namespace talus {
 
-// A frame of a run. The pointers must stay good for as long as the frame is looked at.
+// A frame of a run.
 struct Frame {
-  const Scene* scene = nullptr;
-  const Terrain* ground = nullptr;  // see measured_ground(); null: what is measured against it is NaN
-  State state;                      // after the step
-  StepRecord record;                // of the step that led here; empty at frame 0
-  Input input;                      // of that step
+  std::shared_ptr<const Scene> scene;     // never null where the frame is looked at
+  std::shared_ptr<const Terrain> ground;  // see measured_ground(); null: what is measured against it is NaN
+  State state;                            // after the step
+  StepRecord record;                      // of the step that led here; empty at frame 0
+  Input input;                            // of that step
   std::optional<State> other;  // the same frame of a run that this one is compared with; none: no such run
 };
 

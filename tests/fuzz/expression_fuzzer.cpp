@@ -7,8 +7,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace talus;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  static const Scene scene;
-  static const Frame frame{&scene, nullptr, {}, {}, {}, {}};
+  static const Frame frame{std::make_shared<const Scene>(), nullptr, {}, {}, {}, {}};
   const auto expression = Expression::parse(text);
   if (expression) {
     const double value = expression->evaluate(FrameView({&frame}), 1);

@@ -68,9 +68,8 @@ Built number(int depth) {
 }
 
 double value_of(const Expression& expression) {
-  static const Scene scene;
   Frame frame;
-  frame.scene = &scene;
+  frame.scene = std::make_shared<const Scene>();
   return expression.evaluate(FrameView({&frame}), 0);
 }
 

@@ -13,8 +13,8 @@ namespace {
 class Sentences : public testing::Test {
  protected:
   Sentences() {
-    scene_.tuning.solver = SolverKind::exact;
-    frame_.scene = &scene_;
+    scene_->tuning.solver = SolverKind::exact;
+    frame_.scene = scene_;
     frame_.state = state_of({body_at(1, 0, 0)});
   }
   // A step from (10, 20) by `wanted`, which ended at `to`.
@@ -39,7 +39,7 @@ class Sentences : public testing::Test {
 
   const Obstacle tile_{.role = TileRole::solid, .cell = {12, 9}, .body = 0, .box = {96, 72, 8, 8}};
   const Obstacle slope_{.role = TileRole::up_slope, .cell = {3, 4}, .body = 0, .box = {24, 32, 16, 8}};
-  Scene scene_;
+  const std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();
   Frame frame_;
 };
 
@@ -93,7 +93,7 @@ TEST_F(Sentences, OfTheContactsAfterTheFirst) {
 }
 
 TEST_F(Sentences, OfTheArticlesSlopes) {
-  scene_.tuning.solver = SolverKind::article;
+  scene_->tuning.solver = SolverKind::article;
   step({2, 2}, {12, 20});
   ContactRecord& met = contact(slope_, {-1, 0}, 0.5, {2, 2}, {11, 21});
   met.response = Response::cross;
@@ -117,7 +117,7 @@ TEST_F(Sentences, OfTheArticlesSlopes) {
 }
 
 TEST_F(Sentences, OfOverlaps) {
-  scene_.tuning.solver = SolverKind::bump;
+  scene_->tuning.solver = SolverKind::bump;
   step({1, 0}, {9, 20});
   ContactRecord& met = contact(tile_, {-1, 0}, -12, {1, 0}, {9, 20});
   met.overlaps = true;

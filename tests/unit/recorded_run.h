@@ -16,10 +16,10 @@ class RecordedRun final : public FrameSource {
   RecordedRun(const Level& level, std::int64_t frames, const InputAt& input_at = {})
       : scene_(std::make_shared<const Scene>(compile_scene(level))),
         ground_(measured_ground(*scene_, level)) {
-    frames_.push_back({scene_.get(), ground_.get(), initial_state(*scene_), {}, {}, {}});
+    frames_.push_back({scene_, ground_, initial_state(*scene_), {}, {}, {}});
     const auto solver = make_solver(scene_);
     while (last() < frames) {
-      Frame next{scene_.get(), ground_.get(), frames_.back().state, {}, {}, {}};
+      Frame next{scene_, ground_, frames_.back().state, {}, {}, {}};
       if (input_at) next.input = input_at(last() + 1);
       solver->step(next.state, next.input, &next.record);
       frames_.push_back(std::move(next));
@@ -47,7 +47,7 @@ class MadeFrames final : public FrameSource {
   explicit MadeFrames(std::vector<State> states) : scene_(std::make_shared<const Scene>()) {
     for (State& state : states) {
       state.frame = static_cast<std::int64_t>(frames.size());
-      frames.push_back({scene_.get(), nullptr, std::move(state), {}, {}, {}});
+      frames.push_back({scene_, nullptr, std::move(state), {}, {}, {}});
     }
   }
   std::int64_t last() const override { return static_cast<std::int64_t>(frames.size()) - 1; }

@@ -1,0 +1,30 @@
+// The frames of a timeline's branch, for those who judge them.
+#pragma once
+
+#include "../sim/runner.h"
+#include "frame.h"
+
+namespace talus {
+
+// Runs along a branch by itself, and so changes nothing that a timeline shows. Frames that are read in order
+// take a step each, others a seek.
+class BranchFrames final : public FrameSource {
+ public:
+  explicit BranchFrames(Branch branch) : branch_(std::move(branch)) {}
+
+  // The same branch with more frames. One that was run again is another: make new BranchFrames.
+  void grow(Branch branch) { branch_ = std::move(branch); }
+
+  std::int64_t last() const override { return branch_.run_frame(); }
+  void read(std::int64_t frame, Frame& into) const override;
+
+ private:
+  Branch branch_;  // a copy, which is cheap
+  // Where it is along the branch does not show.
+  mutable SceneCache scenes_;
+  mutable Runner runner_{scenes_};
+  mutable std::shared_ptr<const Terrain> ground_;  // of ground_version_
+  mutable VersionPtr ground_version_;
+};
+
+}  // namespace talus
