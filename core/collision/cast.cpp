@@ -7,7 +7,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "curve_time.h"
+#include "cast_trace.h"
+#include "curve_cast.h"
 #include "twofold.h"
 
 namespace talus {
@@ -17,6 +18,63 @@ namespace {
 constexpr double kSliceLength = 2 * kTileSide;  // px
 constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
 
+// Of what a cast looks at, nothing is kept.
+struct NoLog {
+  void looks_at(int, int, std::uint64_t) {}  // the cells of a row that have a bit; bit 0 is that column's
+  template <class Real>
+  void begin(Cell, const Piece<Real>&) {}  // tests a piece, seen in that cell
+  void begin(Cell, Facing, int) {}         // tests the side of so many full tiles, from that one on
+  void meets(double) {}                    // what is tested is met then, unless something else is before
+  void is_first() {}                       // it is the first so far
+};
+
+class TraceLog {
+ public:
+  explicit TraceLog(const Terrain& terrain, CastTrace& trace) : terrain_(terrain), trace_(trace) {}
+
+  void looks_at(int column, int row, std::uint64_t cells) {
+    for (; cells != 0; cells &= cells - 1) {
+      const Cell cell{column + std::countr_zero(cells), row};
+      const auto& seen = trace_.cells;
+      const bool is_new = std::find(seen.begin(), seen.end(), cell) == seen.end();
+      if (is_new && terrain_.contains(cell)) trace_.cells.push_back(cell);
+    }
+  }
+  void begin(Cell cell, const Piece<double>& piece) {
+    add({.cell = cell, .facing = piece.facing, .from = {piece.x0, piece.y0}, .to = {piece.x1, piece.y1}});
+  }
+  void begin(Cell cell, Facing facing, int count) {
+    const bool is_wall = facing == Facing::left || facing == Facing::right;
+    const double x = (cell.x + (facing == Facing::right ? 1.0 : 0.0)) * kTileSide;
+    const double y = (cell.y + (facing == Facing::down ? 1.0 : 0.0)) * kTileSide;
+    const Vec2 to = is_wall ? Vec2{x, y + kTileSide} : Vec2{x + 1.0 * count * kTileSide, y};
+    add({.cell = cell, .facing = facing, .from = {x, y}, .to = to});
+  }
+  void meets(double t) {
+    CastCandidate& tested = trace_.candidates[at_];
+    tested.t = std::min(tested.t, t);
+  }
+  void is_first() {
+    for (CastCandidate& candidate : trace_.candidates) candidate.is_first = false;
+    trace_.candidates[at_].is_first = true;
+  }
+
+ private:
+  // A long piece is in several cells, but one candidate.
+  void add(const CastCandidate& candidate) {
+    auto& all = trace_.candidates;
+    const auto same = std::find_if(all.begin(), all.end(), [&](const CastCandidate& c) {
+      return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
+    });
+    at_ = static_cast<std::size_t>(same - all.begin());
+    if (same == all.end()) all.push_back(candidate);
+  }
+
+  const Terrain& terrain_;
+  CastTrace& trace_;
+  std::size_t at_ = 0;  // of the candidate that is tested
+};
+
 // Whether two pieces are one: a long piece is in the list of each cell that it meets.
 template <class Real>
 bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
@@ -24,10 +82,11 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
          a.y0 == b.y0;
 }
 
-template <class Real, unsigned Parts>
+// Log: is told what is looked at; see NoLog.
+template <class Real, unsigned Parts, class Log>
 class Caster {
  public:
-  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored)
+  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored, Log& log)
       : terrain_(terrain),
         ignored_(ignored),
         box_(cast.box),
@@ -35,7 +94,9 @@ class Caster {
         dy_(cast.motion.y),
         foot_(cast.foot),
         inverse_(dx_ == 0 ? 0 : 1 / dx_),
-        slack_(rounding_slack(cast)) {}
+        speed_(std::abs(dx_) + std::abs(dy_)),
+        slack_(rounding_slack(cast)),
+        log_(log) {}
 
   void against(const BasicRect<Real>& other, std::int32_t number) {
     origin_ = -1 - number;
@@ -97,33 +158,44 @@ class Caster {
   // their ways cross.
   BasicVec2<Real> position() const {
     const bool is_wall = best_.facing == Facing::left || best_.facing == Facing::right;
-    const bool is_curve = best_.piece != nullptr && !best_.cap && best_.piece->stretch != 0;
-    const Twofold<Real> t = best_.t == 0 || is_curve ? Twofold<Real>(best_.t) : exact_time();
+    const Twofold<Real> t = time_of_best();
     if (is_wall) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
-    const Real x = std::clamp(best_.t == 0 ? box_.x : exact_x(t * dx_), best_.first_x, best_.last_x);
+    // What falls straight down keeps its x; else the place on a steep line is told by y, of which a rounding
+    // of x would be worth many.
+    const bool by_y = dx_ != 0 && !best_.is_level() && is_steep(*best_.piece);
+    Real x = best_.t == 0 ? box_.x : exact_x(t * dx_);
+    if (by_y && best_.t == 0) x = moved_x(box_, (box_.y - rest(*best_.piece, x)) / best_.piece->slope);
+    x = std::clamp(x, best_.first_x, best_.last_x);
+    if (by_y) return {x, (box_.y + t * dy_).rounded()};
     return {x, best_.is_level() ? limit(best_.facing, best_.at) : rest(*best_.piece, x)};
   }
 
+  Twofold<Real> time_of_best() const {
+    const bool is_curve = best_.piece != nullptr && !best_.cap && best_.piece->stretch != 0;
+    if (best_.t == 0 || is_curve) return best_.t;
+    // Another time than a rounding away is that of the end of the line, or of the motion.
+    const Twofold<Real> exact = exact_time(best_);
+    return std::abs(exact.rounded() - best_.t) * speed_ <= slack_ ? exact : best_.t;
+  }
+
   // When the box meets the line, or the side, that it hit.
-  Twofold<Real> exact_time() const {
+  Twofold<Real> exact_time(const Hit& hit) const {
+    const bool is_wall = hit.facing == Facing::left || hit.facing == Facing::right;
+    if (is_wall) return wall_time(hit.facing, hit.at);
+    const bool up = hit.facing == Facing::up;
+    return hit.is_level() ? level_time(up, hit.at) : line_time(up, *hit.piece);
+  }
+  Twofold<Real> wall_time(Facing facing, Real at) const {
+    return (Twofold<Real>(at) - (facing == Facing::left ? box_.w : 0) - box_.x) / dx_;
+  }
+  Twofold<Real> level_time(bool up, Real at) const {
+    return (Twofold<Real>(at) - (up ? box_.h : 0) - box_.y) / dy_;
+  }
+  Twofold<Real> line_time(bool up, const Piece<Real>& piece) const {
     using Exact = Twofold<Real>;
-    switch (best_.facing) {
-      case Facing::left:
-        return (Exact(best_.at) - box_.w - box_.x) / dx_;
-      case Facing::right:
-        return (Exact(best_.at) - box_.x) / dx_;
-      case Facing::up:
-      case Facing::down:
-        break;
-    }
-    const Real lift = best_.facing == Facing::up ? box_.h : 0;
-    if (best_.is_level()) return (Exact(best_.at) - lift - box_.y) / dy_;
-    const Piece<Real>& piece = *best_.piece;
-    const Real offset = foot_offset(piece, box_.w, foot_);
-    const BasicVec2<Real> base = piece.base_near(box_.x + best_.t * dx_ + offset);
-    const Exact x = Exact(box_.x) + offset - base.x;
+    const Exact x = Exact(box_.x) + foot_offset(piece, box_.w, foot_) - piece.base_x;
     const Exact slope(piece.slope, piece.slope_rest);
-    return (x * slope + base.y - lift - box_.y) / (Exact(dy_) - slope * dx_);
+    return (x * slope + piece.base_y - (up ? box_.h : 0) - box_.y) / (Exact(dy_) - slope * dx_);
   }
 
   // As moved_x, rounded once.
@@ -143,12 +215,7 @@ class Caster {
     Real first_y, last_y;        // the box's y there
     bool open_first, open_last;  // nothing goes on there: a box beside that end does not touch
   };
-  // The part of the motion during which the box is over or under a stretch, and how far away from it then.
-  struct Window {
-    Real from = 0, to = 0;
-    Real gap = 0;       // px, at the beginning
-    Real last_gap = 0;  // px, at the end
-  };
+  using Window = CastWindow<Real>;
 
   static void clip(Real at, Real size, Real motion, Real limit, Real& from, Real& to) {
     if (motion == 0) {
@@ -230,11 +297,15 @@ class Caster {
     for (int row = rows.first; row <= rows.last; ++row) {
       const auto here = words.row(row);
       const std::uint64_t cells = wanted(row);
+      log_.looks_at(column, row, cells);
       if constexpr (Parts != kTiles) {
         std::uint64_t pieces = here.faced(floor);
         if constexpr (!kVertical) pieces |= here.faced(up ? Facing::down : Facing::up) | here.faced(side);
         for (pieces &= cells; pieces != 0; pieces &= pieces - 1) {
-          for (const Piece<Real>& piece : words.pieces(std::countr_zero(pieces), row)) against_piece(piece);
+          for (const Piece<Real>& piece : words.pieces(std::countr_zero(pieces), row)) {
+            log_.begin({column + std::countr_zero(pieces), row}, piece);
+            against_piece(piece);
+          }
         }
       }
       const std::uint64_t open = dy_ == 0 ? 0 : here.open(floor) & cells;
@@ -255,6 +326,7 @@ class Caster {
     for (; open != 0; open &= open - 1) {
       const int i = std::countr_zero(open);
       origin_ = row * terrain_.width() + column + i;
+      log_.begin({column + i, row}, facing, 1);
       wall(facing, Real(column + i + (facing == Facing::left ? 0 : 1)) * kTileSide, top, top + kTileSide,
            (above >> i & 1) == 0, (below >> i & 1) == 0);
     }
@@ -278,6 +350,7 @@ class Caster {
         if (sloped >> (first + length) & 1) x1 -= box_.w / 2;
       }
       origin_ = row * terrain_.width() + column + first;
+      log_.begin({column + first, row}, up ? Facing::up : Facing::down, length);
       flat(up, y, x0, x1, open0, open1);
     }
   }
@@ -288,7 +361,8 @@ class Caster {
     // Most are out of reach, or met well between their ends.
     const Real gap = up ? limit - box_.y : box_.y - limit, closing = up ? dy_ : -dy_;
     if (gap > closing || gap < -slack_) return;
-    const Real t = gap <= 0 ? 0 : gap / closing, x = box_.x + t * dx_;
+    const Real t = gap <= 0 ? 0 : is_slow(closing) ? after_now(level_time(up, y)) : gap / closing;
+    const Real x = box_.x + t * dx_;
     if (std::min(box_.x, x) > first + slack_ && std::max(box_.x, x) < x1 - slack_) {
       offer_flat(t, {first, x1, limit, limit, open0, open1}, up, y, piece);
     } else {
@@ -301,7 +375,8 @@ class Caster {
     if (!(closing > 0)) return;
     const auto window = window_of(reach, up, [&](Real) { return reach.first_y; });
     Real t;
-    if (straight_time(window, closing, t)) offer_flat(t, reach, up, y, piece);
+    const auto exact = [&] { return level_time(up, y); };
+    if (straight_time(window, closing, slack_, t, exact)) offer_flat(t, reach, up, y, piece);
   }
 
   void offer_flat(Real t, const Reach& reach, bool up, Real y, const Piece<Real>* piece) {
@@ -319,7 +394,9 @@ class Caster {
     const Real limit = this->limit(facing, at);
     const Real gap = facing == Facing::left ? limit - box_.x : box_.x - limit;
     if (gap < -slack_) return;
-    const Real t = std::max<Real>(gap, 0) * std::abs(inverse_);
+    const Real t = gap <= 0                 ? 0
+                   : is_slow(std::abs(dx_)) ? after_now(wall_time(facing, at))
+                                            : gap * std::abs(inverse_);
     if (t > 1 || t > best_.t) return;
     const Real y = box_.y + t * dy_;
     if (!(y + box_.h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
@@ -332,9 +409,8 @@ class Caster {
     if (ignored_ != nullptr && is_copy(piece, *ignored_)) return;
     origin_ = piece.origin;
     if (piece.is_wall()) {
-      if (piece.facing == Facing::left ? dx_ > 0 : dx_ < 0) {
+      if (piece.facing == Facing::left ? dx_ > 0 : dx_ < 0)
         wall(piece.facing, piece.x0, piece.y0, piece.y1, piece.convex0, piece.convex1, &piece);
-      }
       return;
     }
     const bool up = piece.facing == Facing::up;
@@ -392,11 +468,12 @@ class Caster {
     if (!(closing > kRounding<Real> * (std::abs(dy_) + std::abs(rise)))) return;
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
     Real t;
-    if (!straight_time(window, closing, t)) return;
+    const Real slack =
+        slack_ * std::max<Real>(1, std::abs(piece.slope));  // across a steep line, not down to it
+    if (!straight_time(window, closing, slack, t, [&] { return line_time(up, piece); })) return;
     offer({.t = t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
   }
 
-  // When the box is over the stretch; an empty window (from > to) when it never is.
   template <class RestAt>
   Window window_of(const Reach& reach, bool up, RestAt rest_at) const {
     const Real sign = up ? 1 : -1;
@@ -417,7 +494,7 @@ class Caster {
     const bool open_leave = right ? reach.open_last : reach.open_first;
     const Real to_leave = (leave - box_.x) * inverse_;
     // At its end and on the way out: where the outline goes on, the next piece has it.
-    const bool at_end = to_leave * std::abs(dx_) <= slack_;
+    const bool at_end = to_leave * speed_ <= slack_;
     if (at_end && (open_leave || to_leave <= 1)) return kNever;
     if (right ? box_.x < enter : box_.x > enter) {
       w.from = (enter - box_.x) * inverse_;
@@ -435,75 +512,31 @@ class Caster {
     return w;
   }
 
-  // The time at which the gap closes at a constant rate; false if it does not, or was closed before.
-  bool straight_time(const Window& w, Real closing, Real& t) const {
-    if (w.from > w.to || w.gap < -slack_) return false;
+  // Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
+  bool is_slow(Real closing) const { return 16 * closing < speed_; }
+
+  static Real after_now(Twofold<Real> t) { return std::max<Real>(t.rounded(), 0); }
+
+  // The time at which the gap closes at a constant rate; false if it does not, or was closed before. exact():
+  // the same to twice the precision.
+  template <class Exact>
+  bool straight_time(const Window& w, Real closing, Real slack, Real& t, Exact exact) const {
+    if (w.from > w.to || w.gap < -slack) return false;
     if (w.gap <= 0) {
       t = w.from;
       return true;
     }
     if (w.last_gap >= 0 && !(w.to == 1 && w.last_gap == 0)) return false;
-    t = std::min(w.from + w.gap / closing, w.to);
+    t = std::clamp(is_slow(closing) ? exact().rounded() : w.from + w.gap / closing, w.from, w.to);
     return true;
   }
 
-  // ---- Curves ----
-
   void curved(const Reach& reach, bool up, const Piece<Real>& piece, Real offset, Real lift) {
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
-    if (window.from > window.to || window.gap < -slack_) return;
-    const CurveStretch<Real>& stretch = terrain_.stretches()[piece.stretch - 1];
-    const Real sign = up ? 1 : -1;
-    const auto corner_x = [&](Real t) { return std::clamp(box_.x + t * dx_ + offset, piece.x0, piece.x1); };
-    const auto gap = [&](Real t) {
-      return sign * (piece.y_at(corner_x(t), terrain_.stretches()) - lift - (box_.y + t * dy_));
-    };
-    // The rate at which the gap grows, but for a positive factor, so that an upright tangent does no harm.
-    const auto opening = [&](Real t) {
-      const BasicVec2<Real> along = stretch.tangent_at(corner_x(t));
-      return sign * (along.y * dx_ - along.x * dy_);
-    };
-    const bool dips = stretch.bends_down == up;  // the gap may close and open again
-    Real last = window.to;
-    if (window.gap <= slack_) {
-      // On the curve: it depends on the tangent, which rounding makes a little wrong.
-      const Real rate = opening(window.from);
-      const Real wrong = kRounding<Real> * (std::abs(dx_) + std::abs(dy_));
-      if (rate < -wrong || (rate <= wrong && !dips)) return offer_curved(window.from, reach, piece);
-      if (dips) return;
-    }
-    if (!(window.last_gap < 0)) {
-      if (!dips || !(opening(window.from) < 0) || !(opening(window.to) > 0)) return;
-      last = zero_between(window.from, window.to, [&](Real t) { return -opening(t); });
-      if (!(gap(last) < 0)) return;
-    }
-    offer_curved(contact_time(stretch, piece, up, window, last, offset, lift, gap), reach, piece);
-  }
-
-  void offer_curved(Real t, const Reach& reach, const Piece<Real>& piece) {
-    offer({.t = t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
-  }
-
-  // The time, between the window's beginning and `last`, at which the gap closes. Circles and parabolas have
-  // a closed form; rounding may put it a little outside.
-  template <class Gap>
-  Real contact_time(const CurveStretch<Real>& s, const Piece<Real>& piece, bool up, const Window& w,
-                    Real last, Real offset, Real lift, Gap gap) const {
-    const Real u = box_.x + w.from * dx_ + offset - s.c[0], sign = up ? 1 : -1;
-    Real t;
-    if (s.kind == CurveStretch<Real>::Kind::arc) {
-      const Real v = box_.y + w.from * dy_ + lift - s.c[1];
-      t = circle_time<Real>({u, v}, {dx_, dy_}, s.c[2], up == (s.sign < 0));
-    } else if (s.kind == CurveStretch<Real>::Kind::polynomial && s.c[4] == 0) {
-      t = parabola_time(w.gap, sign * ((s.c[2] + 2 * s.c[3] * u) * dx_ - dy_), sign * s.c[3] * dx_ * dx_);
-    } else {
-      const auto rate = [&](Real at) {
-        const auto along = s.tangent_at(std::clamp(box_.x + at * dx_ + offset, piece.x0, piece.x1));
-        return sign * (along.y / along.x * dx_ - dy_);
-      };
-      t = newton_between(w.from, last, gap, rate, slack_ / 8) - w.from;
-    }
-    return std::clamp(w.from + t, w.from, last);  // clamp gives w.from for NaN, of a start on the curve
+    const CurveCast<Real> cast{piece,  terrain_.stretches(), box_.position(), {dx_, dy_}, offset, lift,
+                               slack_, kRounding<Real>};
+    if (const auto t = cast.time(window))
+      offer({.t = *t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
   }
 
   // ---- The first ----
@@ -532,17 +565,20 @@ class Caster {
   }
 
   void offer(Hit hit) {
+    log_.meets(hit.t);
     if (!(hit.t <= best_.t)) return;
     if (hit.t == best_.t && hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
     hit.origin = origin_;
     hit.is_other = is_other_;
     if (hit.t < best_.t) {
+      log_.is_first();
       best_ = hit;
       return;
     }
     const BasicVec2<Real> ours = normal(hit), theirs = normal(best_), d{dx_, dy_};
     const Real a = dot(ours, d), b = dot(theirs, d);
     if (a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y))) {
+      log_.is_first();
       best_ = hit;
     } else if (a == b && ours.x == -theirs.x && ours.x != 0 && hit.facing == best_.facing) {
       best_.mirrored = true;
@@ -555,11 +591,27 @@ class Caster {
   const Real dx_, dy_;
   const Foot foot_;
   const Real inverse_;
+  const Real speed_;  // px in the motion, sideways and up or down
   const Real slack_;
+  Log& log_;
   Hit best_;
   std::int32_t origin_ = 0;  // of what is tested
   bool is_other_ = false;
 };
+
+// A box that stands on its centre may be in a slope with its corners, behind the ends of walls and ceilings
+// that the slope covers. Its middle is not.
+template <class Real>
+void keep_middle_out(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
+                     Contact<Real>& first) {
+  const BasicRect<Real> middle{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h};
+  Caster<Real, kSlopes> caster(terrain, {middle, cast.motion, Foot::box}, ignored);
+  caster.against_terrain();
+  Contact<Real> contact = caster.contact();
+  if (!(contact.t < first.t)) return;
+  contact.position.x = moved_x(cast.box, contact.position.x - middle.x);
+  first = contact;
+}
 
 }  // namespace
 
@@ -568,16 +620,30 @@ Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast
                        std::span<const BasicRect<Real>> others, const Piece<Real>* ignored) {
   assert(std::isfinite(cast.motion.x) && std::isfinite(cast.motion.y));
   assert(std::isfinite(cast.box.x) && std::isfinite(cast.box.y) && cast.box.w >= 0 && cast.box.h >= 0);
-  Caster<Real, Parts> caster(terrain, cast, ignored);
+  NoLog log;
+  Caster<Real, Parts, NoLog> caster(terrain, cast, ignored, log);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
   caster.against_terrain();
-  return caster.contact();
+  Contact<Real> contact = caster.contact();
+  if constexpr (Parts != kTiles) {
+    if (cast.foot == Foot::centre) keep_middle_out(terrain, cast, ignored, contact);
+  }
+  return contact;
 }
 
 Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast) {
   if (terrain.features().curves) return cast_box<double, kAllParts>(terrain, cast);
   if (terrain.features().pieces) return cast_box<double, kSlopes>(terrain, cast);
   return cast_box<double, kTiles>(terrain, cast);
+}
+
+CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast) {
+  CastTrace trace;
+  TraceLog log(terrain, trace);
+  Caster<double, kAllParts, TraceLog> caster(terrain, cast, nullptr, log);
+  caster.against_terrain();
+  trace.contact = caster.contact();
+  return trace;
 }
 
 template <class Real>

@@ -77,6 +77,12 @@ Real foot_offset(const Piece<Real>& piece, Real width, Foot foot) {
   return piece.rises_to_the_right() == up ? width : 0;
 }
 
+// Whether a rounding of x is worth more than one of y there. Not told of curves.
+template <class Real>
+bool is_steep(const Piece<Real>& piece) {
+  return std::abs(piece.slope) > 1;
+}
+
 // Where the top of a box at x rests on the piece, box.y being of no matter.
 template <class Real>
 Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches,

@@ -192,6 +192,63 @@ TEST(Cast, BetweenTwoSlopesTheNormalIsStraight) {
   expect_contact(cast(valley, {12, -4, 8, 8}, {0, 16}), 0.5, {12, 4}, {0, -1});
 }
 
+// A rounding short of the bottom of a notch, and almost straight down: it does not reach the other side
+// before it is past this one.
+TEST(Cast, NothingSlipsThroughTheBottomOfANotch) {
+  const Terrain valley = TestMap({"....", ".32.", "1111"}).compile();  // deepest at (16,16)
+  const double short_by = 0x1p-44;
+  for (const double side : {-1, 1}) {
+    const Rect box{14 + side * short_by, 12 - short_by, 4, 4};
+    const Contact<double> c = cast(valley, box, {side * -0.01, 1}, Foot::centre);
+    expect_contact(c, 0, box.position(), {side * -kRoot2, -kRoot2});
+  }
+}
+
+// Its foot is below (16,8), where the slope ends.
+TEST(Cast, AWallWhoseFootASlopeCoversStopsTheCentre) {
+  const Terrain ground = TestMap({"..1", ".21", "111"}).compile();
+  expect_contact(cast(ground, {6, 13, 8, 1}, {16, -16}, Foot::centre), 0.375, {12, 7}, {-1, 0});
+  expect_contact(cast(ground, {6, 10, 8, 4}, {16, -16}, Foot::centre), 0.125, {8, 8}, {-1, 0});
+  const Terrain mirrored = TestMap({"1..", "13.", "111"}).compile();
+  expect_contact(cast(mirrored, {10, 13, 8, 1}, {-16, -16}, Foot::centre), 0.375, {4, 7}, {1, 0});
+}
+
+// On a line that is steeper than it is wide x is what the line tells: y would be off by many roundings, and
+// the box in the floor that it stands on.
+TEST(Cast, ASteepLineDoesNotPushBoxesIntoTheFloor) {
+  TestMap map({"....", "....", "....", "....", "1111"});
+  map.curves = {{Segment{{21.0546875, 21.8125}, {21.75390625, 31}}, Curve::Faces::down}};
+  const Terrain ground = map.compile();
+  Rect box{15.1875, 28.9375, 5.75, 3.0625};
+  const Contact<double> meets = cast(ground, box, {0.75, 0});
+  ASSERT_TRUE(meets);
+  EXPECT_EQ(meets.position.y, box.y);
+  box.x = meets.position.x;
+  const Contact<double> pushes = cast(ground, box, {0.25, 0});
+  ASSERT_TRUE(pushes);
+  EXPECT_DOUBLE_EQ(pushes.position.x, box.x);
+  EXPECT_EQ(pushes.position.y, box.y);
+}
+
+// The box comes closer to the line, or the wall, so slowly that a rounding of its way there is worth more
+// than a thousand of its motion; then it is at the floor, or is not yet.
+TEST(Cast, WhatIsMetFirstDoesNotHangOnARounding) {
+  TestMap map({"..1.", "..1.", "1111", "1111"});
+  const Terrain wall = map.compile();
+  map.cells[2] = map.cells[6] = 0;
+  map.curves = {{Segment{{2, 2}, {30, 30}}, Curve::Faces::up}};
+  const Terrain line = map.compile();
+  for (int i = 1; i <= 100; ++i) {
+    const double size = i * 0.03;
+    const auto by_line = cast(line, {4, 4 - size - 0.75 * 0x1p-20, 8, size}, {16, 16 + 0x1p-20});
+    ASSERT_TRUE(by_line);
+    EXPECT_LE(by_line.position.y + size, 16 + 0x1p-47) << i;
+    const auto by_wall = cast(wall, {16 - size - 0.75 * 0x1p-20, 4 - size, size, size}, {0x1p-20, 16});
+    ASSERT_TRUE(by_wall);
+    EXPECT_LE(by_wall.position.y + size, 16 + 0x1p-47) << i;
+  }
+}
+
 TEST(Cast, CeilingsAreFloorsUpsideDown) {
   const Terrain ground = TestMap({"111", ".6.", "...", "..."}).compile();  // (8,8) to (16,16)
   expect_contact(cast(ground, {8, 20, 4, 4}, {0, -16}), 0.5, {8, 12}, {kRoot2 * -1, kRoot2});
