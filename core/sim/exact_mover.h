@@ -177,9 +177,12 @@ class Mover {
     body.box.y += motion.y;
   }
 
-  // A box that slid along a surface is on it, not a rounding error away from it.
+  // A box that slid along a surface, and is not beyond its end, is on it and not a rounding error away from
+  // it.
   void settle(Moving<Real>& body) const {
-    if (surface_ == nullptr || surface_->is_wall()) return;
+    if (surface_ == nullptr || surface_->is_wall() || is_steep(*surface_)) return;
+    const Real x = body.box.x + foot_offset(*surface_, body.box.w, body.foot);
+    if (x < surface_->x0 || x > surface_->x1) return;
     const Real y = rest_on(*surface_, terrain_.stretches(), body.box, body.foot);
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
     if (std::abs(body.box.y - y) <= 4 * slack) body.box.y = y;

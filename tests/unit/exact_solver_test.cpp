@@ -9,6 +9,7 @@
 
 #include "formats/format.h"
 #include "level_text.h"
+#include "sim/exact_mover.h"
 
 namespace talus {
 namespace {
@@ -328,6 +329,24 @@ TEST(ExactSolver, SinglePrecisionIsNearDoublePrecision) {
   EXPECT_NE(exact.state, single.state);
   EXPECT_NEAR(exact.body().box.y, single.body().box.y, 1e-3);
   EXPECT_EQ(single.body().box.y, static_cast<float>(single.body().box.y));
+}
+
+// A slope of three tiles is three pieces: past the end of the first the box is on the next one, higher up.
+TEST(ExactSolver, ABoxIsNotPutBackOnAPieceThatItSlidPast) {
+  TerrainSource source;
+  source.width = 10, source.height = 4;
+  std::vector<std::uint8_t> cells(40);
+  cells[2 * 10 + 6] = 1;
+  source.cells = cells;
+  source.shapes[1] = {.kind = TileShape::Kind::slope, .tiles = 3, .heights = {0.75, 0}};  // from (48,23.25)
+  const BasicTerrain<float> ground(source);
+  Moving<float> body{{56.851639f, 20.089113f, 8, 3.4375f}, {}};
+  const auto slide = [](const Contact<float>& contact, BasicVec2<float> motion) {
+    return slide_along(contact.normal, motion * (1 - contact.t));
+  };
+  Mover<float, kSlopes>(ground, {}, 8).move(body, {-0.86466753f, 0.17298125f}, slide, [](auto&&...) {});
+  ASSERT_LT(body.box.x, 56);
+  EXPECT_LE(body.box.y + 3.4375f, 23.25f + (body.box.x - 48) / 32 + 0x1p-18f);
 }
 
 TEST(ExactSolver, ARecompiledSceneIsTheCompiledOne) {
