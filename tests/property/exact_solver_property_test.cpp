@@ -84,31 +84,12 @@ Tuning random_tuning(Dice& dice, Tune tune) {
   return t;
 }
 
-// How steep the steepest line is.
-double steepest_of(const ExactGround& ground) {
-  double most = 0;
-  for (const reference::Part& part : ground.parts) {
-    if (part.a.x == part.b.x) continue;
-    const Exact slope = abs(part.b.y - part.a.y) / (part.b.x - part.a.x);
-    most = std::max(most, slope.get_d());
-  }
-  return most;
-}
-
-// What stands on its middle sinks into a slope by a corner. It is high enough that a wall at the slope's
-// upper end stops it above the slope: lower ones do go in there.
-Vec2 slim_enough(Vec2 size, double steepest) {
-  const double most = std::floor(16 * 2 * size.y / std::max(steepest, 0.01)) / 16;
-  return {std::clamp(most, 0.0625, size.x), size.y};
-}
-
 SceneItem random_body(Dice& dice, const Room& room, BodyKind kind, Foot foot) {
   SceneItem body{.role = TileRole::ball, .box = {}, .cell = {}, .velocity = {}, .spawn = 0, .kind = kind};
   body.foot = foot;
   for (int tries = 0; tries < 40; ++tries) {
     const double side = tries < 20 ? 8 : 0.5;
     Vec2 size{dice.one_in(2) ? side : dice.step(0.25, side, 16), dice.step(0.25, side, 16)};
-    if (foot == Foot::centre) size = slim_enough(size, steepest_of(room.exact));
     body.box = {dice.step(room.inside.x, room.inside.right() - size.x, 16),
                 dice.step(room.inside.y, room.inside.bottom() - size.y, 16), size.x, size.y};
     const Rect& b = body.box;
@@ -185,14 +166,14 @@ struct Judge {
   double slack;  // px, how deep a box may be in the ground
 
   const char* wrong_place(const Body& body) const {
-    const Rect& b = body.box;
+    Rect b = body.box;
+    if (body.foot == Foot::centre)
+      b.x += b.w / 2, b.w = 0;  // the rest of it may be in a slope, or behind one
     const Rect& in = room.inside;
     if (b.x < in.x - slack || b.y < in.y - slack || b.right() > in.right() + slack ||
         b.bottom() > in.bottom() + slack)
       return "is out of the room";
-    if (body.foot == Foot::box) return room.exact.depth(exact_box(b)) <= slack ? nullptr : "is in the ground";
-    const ExactBox middle{Exact(b.x) + Exact(b.w) / 2, b.y, 0, b.h};
-    return room.exact.depth(middle) <= slack ? nullptr : "has its middle in the ground";
+    return room.exact.depth(exact_box(b)) <= slack ? nullptr : "is in the ground";
   }
 
   // From contact to contact a ball goes straight: nothing may be in between.
