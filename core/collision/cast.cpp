@@ -83,10 +83,11 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
 }
 
 // Log: is told what is looked at; see NoLog.
-template <class Real, unsigned Parts, class Log>
+template <class Real, unsigned Parts, class Log = NoLog>
 class Caster {
  public:
-  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored, Log& log)
+  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
+         Log log = {})
       : terrain_(terrain),
         ignored_(ignored),
         box_(cast.box),
@@ -593,7 +594,7 @@ class Caster {
   const Real inverse_;
   const Real speed_;  // px in the motion, sideways and up or down
   const Real slack_;
-  Log& log_;
+  [[no_unique_address]] Log log_;
   Hit best_;
   std::int32_t origin_ = 0;  // of what is tested
   bool is_other_ = false;
@@ -620,8 +621,7 @@ Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast
                        std::span<const BasicRect<Real>> others, const Piece<Real>* ignored) {
   assert(std::isfinite(cast.motion.x) && std::isfinite(cast.motion.y));
   assert(std::isfinite(cast.box.x) && std::isfinite(cast.box.y) && cast.box.w >= 0 && cast.box.h >= 0);
-  NoLog log;
-  Caster<Real, Parts, NoLog> caster(terrain, cast, ignored, log);
+  Caster<Real, Parts> caster(terrain, cast, ignored);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
   caster.against_terrain();
   Contact<Real> contact = caster.contact();
@@ -639,10 +639,9 @@ Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast) {
 
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast) {
   CastTrace trace;
-  TraceLog log(terrain, trace);
-  Caster<double, kAllParts, TraceLog> caster(terrain, cast, nullptr, log);
+  Caster<double, kAllParts, TraceLog> caster(terrain, cast, nullptr, TraceLog(terrain, trace));
   caster.against_terrain();
-  trace.contact = caster.contact();
+  trace.contact = cast_box(terrain, cast);
   return trace;
 }
 
