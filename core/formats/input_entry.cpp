@@ -1,0 +1,81 @@
+// Input entries in and out.
+#include "input_entry.h"
+
+#include <cmath>
+
+namespace talus {
+namespace {
+
+constexpr double kMaxMouse = 1e6;  // px; farther than any level reaches
+
+// The keys that are held; those that the list does not name are up.
+std::string take_keys(const Json& names, RecordedInput& entry) {
+  if (!names.is_array()) return "\"keys\" must be a list of names";
+  entry.left = entry.right = entry.jump = false;
+  for (const Json& name : names) {
+    if (name == "left") {
+      entry.left = true;
+    } else if (name == "right") {
+      entry.right = true;
+    } else if (name == "jump") {
+      entry.jump = true;
+    } else {
+      return "\"keys\" may hold \"left\", \"right\" and \"jump\", not " + name.dump();
+    }
+  }
+  return "";
+}
+
+std::string take_mouse(const Json& at, RecordedInput& entry) {
+  if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number())
+    return "\"mouse\" must be [x, y]";
+  entry.mouse = {at[0].get<double>(), at[1].get<double>()};
+  const bool near = std::abs(entry.mouse.x) <= kMaxMouse && std::abs(entry.mouse.y) <= kMaxMouse;
+  return near ? "" : "\"mouse\" must lie within a million pixels";
+}
+
+std::string take_member(const std::string& key, const Json& value, RecordedInput& entry) {
+  if (key == "frame") {
+    if (!value.is_number_integer() || value < 1) return "\"frame\" must be a whole number from 1";
+    entry.frame = value.get<std::int64_t>();
+  } else if (key == "mouse") {
+    return take_mouse(value, entry);
+  } else if (key == "down") {
+    if (!value.is_boolean()) return "\"down\" must be true or false";
+    entry.mouse_down = value.get<bool>();
+  } else if (key == "grab") {
+    if (!value.is_number_integer() || value < 0 || value > 1'000'000'000)
+      return "\"grab\" must be the number of a body, from 0";
+    entry.grab = value.get<int>();
+  } else if (key == "keys") {
+    return take_keys(value, entry);
+  } else {
+    return "unknown key " + Json(key).dump();
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string take_input_entry(const Json& json, RecordedInput& entry) {
+  if (!json.is_object()) return "an input line must be a JSON object";
+  for (const auto& [key, value] : json.items()) {
+    if (const std::string wrong = take_member(key, value, entry); !wrong.empty()) return wrong;
+  }
+  return json.contains("frame") ? "" : "\"frame\" is missing";
+}
+
+Json input_entry(const RecordedInput& entry, const RecordedInput& before) {
+  Json json = {{"frame", entry.frame}};
+  if (entry.mouse != before.mouse) json["mouse"] = {json_number(entry.mouse.x), json_number(entry.mouse.y)};
+  if (entry.mouse_down != before.mouse_down) json["down"] = entry.mouse_down;
+  if (entry.grab != before.grab) json["grab"] = entry.grab;
+  if (entry.left == before.left && entry.right == before.right && entry.jump == before.jump) return json;
+  Json& keys = json["keys"] = Json::array();
+  if (entry.left) keys.push_back("left");
+  if (entry.right) keys.push_back("right");
+  if (entry.jump) keys.push_back("jump");
+  return json;
+}
+
+}  // namespace talus
