@@ -77,12 +77,12 @@ class AnswerDrawer {
     return any;
   }
 
-  // The way of the body's centre along the floor, to where it should get.
+  // The way of the body's centre along the floor, or straight on without one, to where it should get.
   void draw_way(const Rect& start, double x) {
     const double step = x < start.x ? -kPathStep : kPathStep;
     Vec2 from = start.center();
     for (double left = start.x + step; step > 0 ? left <= x : left >= x; left += step) {
-      const auto top = hard_.floor.top(left, left + start.w);
+      const auto top = hard_.floor.parts.empty() ? start.bottom() : hard_.floor.top(left, left + start.w);
       if (!top) continue;
       const Vec2 to{left + start.w / 2, *top - start.h / 2};
       line(from, to, step > 0 ? left + step > x : left + step < x);

@@ -46,5 +46,20 @@ TEST(AnswerOverlay, AWayKeepsToTheFloor) {
   EXPECT_FALSE(drawing.lines[2].arrow);
 }
 
+TEST(AnswerOverlay, AWayWithoutAFloorIsStraight) {
+  Level level;
+  level.spawns.emplace_back().position = {40, 56};
+  HardCase hard;
+  CaseCheck check;
+  check.measure = CaseCheck::Measure::reaches;
+  check.x = 16;
+  hard.checks = {check};
+  OverlayDrawing drawing;
+  add_answer(hard, level, drawing);
+  ASSERT_EQ(drawing.lines.size(), 3u);
+  EXPECT_EQ(drawing.lines[2].to, (Vec2{20, 60}));
+  EXPECT_TRUE(drawing.lines[2].arrow);
+}
+
 }  // namespace
 }  // namespace talus
