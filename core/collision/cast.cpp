@@ -7,73 +7,15 @@
 #include <cassert>
 #include <cmath>
 
-#include "cast_trace.h"
+#include "cast_cells.h"
+#include "cast_log.h"
 #include "curve_cast.h"
 #include "twofold.h"
 
 namespace talus {
 namespace {
 
-// Longer motions are cut into slices of this length, so that only cells near the way are looked at.
-constexpr double kSliceLength = 2 * kTileSide;  // px
 constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
-
-// Of what a cast looks at, nothing is kept.
-struct NoLog {
-  void looks_at(int, int, std::uint64_t) {}  // the cells of a row that have a bit; bit 0 is that column's
-  template <class Real>
-  void begin(Cell, const Piece<Real>&) {}  // tests a piece, seen in that cell
-  void begin(Cell, Facing, int) {}         // tests the side of so many full tiles, from that one on
-  void meets(double) {}                    // what is tested is met then, unless something else is before
-  void is_first() {}                       // it is the first so far
-};
-
-class TraceLog {
- public:
-  explicit TraceLog(const Terrain& terrain, CastTrace& trace) : terrain_(terrain), trace_(trace) {}
-
-  void looks_at(int column, int row, std::uint64_t cells) {
-    for (; cells != 0; cells &= cells - 1) {
-      const Cell cell{column + std::countr_zero(cells), row};
-      const auto& seen = trace_.cells;
-      const bool is_new = std::find(seen.begin(), seen.end(), cell) == seen.end();
-      if (is_new && terrain_.contains(cell)) trace_.cells.push_back(cell);
-    }
-  }
-  void begin(Cell cell, const Piece<double>& piece) {
-    add({.cell = cell, .facing = piece.facing, .from = {piece.x0, piece.y0}, .to = {piece.x1, piece.y1}});
-  }
-  void begin(Cell cell, Facing facing, int count) {
-    const bool is_wall = facing == Facing::left || facing == Facing::right;
-    const double x = (cell.x + (facing == Facing::right ? 1.0 : 0.0)) * kTileSide;
-    const double y = (cell.y + (facing == Facing::down ? 1.0 : 0.0)) * kTileSide;
-    const Vec2 to = is_wall ? Vec2{x, y + kTileSide} : Vec2{x + 1.0 * count * kTileSide, y};
-    add({.cell = cell, .facing = facing, .from = {x, y}, .to = to});
-  }
-  void meets(double t) {
-    CastCandidate& tested = trace_.candidates[at_];
-    tested.t = std::min(tested.t, t);
-  }
-  void is_first() {
-    for (CastCandidate& candidate : trace_.candidates) candidate.is_first = false;
-    trace_.candidates[at_].is_first = true;
-  }
-
- private:
-  // A long piece is in several cells, but one candidate.
-  void add(const CastCandidate& candidate) {
-    auto& all = trace_.candidates;
-    const auto same = std::find_if(all.begin(), all.end(), [&](const CastCandidate& c) {
-      return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
-    });
-    at_ = static_cast<std::size_t>(same - all.begin());
-    if (same == all.end()) all.push_back(candidate);
-  }
-
-  const Terrain& terrain_;
-  CastTrace& trace_;
-  std::size_t at_ = 0;  // of the candidate that is tested
-};
 
 // Whether two pieces are one: a long piece is in the list of each cell that it meets.
 template <class Real>
@@ -86,8 +28,7 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
 template <class Real, unsigned Parts, class Log = NoLog>
 class Caster {
  public:
-  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
-         Log log = {})
+  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored, Log log = {})
       : terrain_(terrain),
         ignored_(ignored),
         box_(cast.box),
@@ -115,8 +56,8 @@ class Caster {
     if (length <= Real(kSliceLength)) return slice(0, 1);
     // Nothing is outside of the map, however long the way there.
     Real from = 0, to = 1;
-    clip(box_.x, box_.w, dx_, Real(terrain_.width()) * kTileSide, from, to);
-    clip(box_.y, box_.h, dy_, Real(terrain_.height()) * kTileSide, from, to);
+    clip_to_map<Real>(box_.x, box_.w, dx_, Real(terrain_.width()) * kTileSide, from, to);
+    clip_to_map<Real>(box_.y, box_.h, dy_, Real(terrain_.height()) * kTileSide, from, to);
     if (from > to) return;
     const auto slices = static_cast<int>(std::ceil((to - from) * length / Real(kSliceLength))) + 1;
     for (int i = 0; i < slices; ++i) {
@@ -218,41 +159,11 @@ class Caster {
   };
   using Window = CastWindow<Real>;
 
-  static void clip(Real at, Real size, Real motion, Real limit, Real& from, Real& to) {
-    if (motion == 0) {
-      if (at > limit || at + size < 0) to = -1;
-      return;
-    }
-    const Real a = (0 - (at + size)) / motion, b = (limit - at) / motion;
-    // A slice of the way more at both ends costs nothing and forgives the rounding.
-    const Real margin = Real(kSliceLength) / std::abs(motion);
-    from = std::max(from, std::min(a, b) - margin);
-    to = std::min(to, std::max(a, b) + margin);
-  }
-
   Real rest(const Piece<Real>& piece, Real x) const {
     return rest_on(piece, terrain_.stretches(), {x, 0, box_.w, box_.h}, foot_);
   }
 
   // ---- Which cells ----
-
-  // The bits from the first to the last, of which those outside of a word are left out.
-  static std::uint64_t bits(int first, int last) {
-    if (last < 0 || first > 63) return 0;
-    return (~std::uint64_t{0} >> (63 - std::min(last, 63))) & (~std::uint64_t{0} << std::max(first, 0));
-  }
-
-  // Of a coordinate within the limits of an int; 0 for what is before the first cell.
-  static int cell_of(Real at) { return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide)); }
-
-  // Cells from the first to the last.
-  struct Range {
-    int first, last;
-    bool contains(int i) const { return first <= i && i <= last; }
-  };
-  static Range between(Real first, Real last, int count) {
-    return {cell_of(first), std::min(cell_of(last), count - 1)};
-  }
 
   // A box meets the ground with its leading sides alone, or with the centre of its bottom.
   void slice(Real from, Real to) {
@@ -261,24 +172,25 @@ class Caster {
     const Real left = std::min(x0, x1) - slack_, right = std::max(x0, x1) + slack_;
     const Real top = std::min(y0, y1) - slack_, bottom = std::max(y0, y1) + slack_;
     const Real lead_y = dy_ < 0 ? 0 : box_.h, lead_x = dx_ > 0 ? box_.w : 0;
-    const Range columns = between(left, right + box_.w, terrain_.width());
-    const Range lead_rows = between(top + lead_y, bottom + lead_y, terrain_.height());
+    const CellSpan columns = span_between(left, right + box_.w, terrain_.width());
+    const CellSpan lead_rows = span_between(top + lead_y, bottom + lead_y, terrain_.height());
     if (dx_ == 0) return cells<true>(columns, columns, lead_rows, lead_rows);
-    const Range lead_columns =
-        foot_ == Foot::centre ? columns : between(left + lead_x, right + lead_x, terrain_.width());
-    cells<false>(columns, lead_columns, between(top, bottom + box_.h, terrain_.height()), lead_rows);
+    const CellSpan lead_columns =
+        foot_ == Foot::centre ? columns : span_between(left + lead_x, right + lead_x, terrain_.width());
+    cells<false>(columns, lead_columns, span_between(top, bottom + box_.h, terrain_.height()), lead_rows);
   }
 
   // The cells of `rows`: of the leading ones in all columns, of the others in the leading columns.
   template <bool kVertical>
-  void cells(Range columns, Range lead_columns, Range rows, Range lead_rows) {
+  void cells(CellSpan columns, CellSpan lead_columns, CellSpan rows, CellSpan lead_rows) {
     using Terrain = BasicTerrain<Real>;
     for (int first = columns.first; first <= columns.last; first += kMostColumns) {
       // Bit i of a word is the cell left of the first one by 1 - i, so that both neighbours are in the word.
       const int count = std::min(columns.last - first + 1, kMostColumns);
       const std::uint64_t all = ((std::uint64_t{1} << count) - 1) << 1;
       std::uint64_t lead = all;
-      if constexpr (!kVertical) lead &= bits(lead_columns.first - first + 1, lead_columns.last - first + 1);
+      if constexpr (!kVertical)
+        lead &= bits_between(lead_columns.first - first + 1, lead_columns.last - first + 1);
       const auto wanted = [=](int row) { return kVertical || lead_rows.contains(row) ? all : lead; };
       if (Terrain::OneChunk::covers(first - 1, count + 2, rows.first - 1, rows.last + 1)) {
         const typename Terrain::OneChunk words(terrain_, first - 1, rows.first);
@@ -292,7 +204,7 @@ class Caster {
 
   // column: of bit 0. wanted(row): the bits of the cells to look at.
   template <bool kVertical, class Words, class Wanted>
-  void cells_in(Words words, int column, Range rows, Wanted wanted) {
+  void cells_in(Words words, int column, CellSpan rows, Wanted wanted) {
     const bool up = dy_ > 0, right = dx_ > 0;
     const Facing floor = up ? Facing::up : Facing::down, side = right ? Facing::left : Facing::right;
     for (int row = rows.first; row <= rows.last; ++row) {

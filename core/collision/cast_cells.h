@@ -1,0 +1,51 @@
+// The way of a box that moves straight, in cells.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "shape.h"
+
+namespace talus {
+
+// Longer motions are cut into slices of this length, so that only cells near the way are looked at.
+inline constexpr double kSliceLength = 2 * kTileSide;  // px
+
+// Cells from the first to the last.
+struct CellSpan {
+  int first, last;
+  bool contains(int i) const { return first <= i && i <= last; }
+};
+
+// The cell at a coordinate within the limits of an int; 0 for what is before the first one.
+template <class Real>
+int cell_at(Real at) {
+  return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide));
+}
+template <class Real>
+CellSpan span_between(Real first, Real last, int count) {
+  return {cell_at(first), std::min(cell_at(last), count - 1)};
+}
+
+// The bits from the first to the last, of which those outside of a word are left out.
+inline std::uint64_t bits_between(int first, int last) {
+  if (last < 0 || first > 63) return 0;
+  return (~std::uint64_t{0} >> (63 - std::min(last, 63))) & (~std::uint64_t{0} << std::max(first, 0));
+}
+
+// Shortens from..to to the time during which one axis of a box is within 0..limit; to < from: never.
+template <class Real>
+void clip_to_map(Real at, Real size, Real motion, Real limit, Real& from, Real& to) {
+  if (motion == 0) {
+    if (at > limit || at + size < 0) to = -1;
+    return;
+  }
+  const Real a = (0 - (at + size)) / motion, b = (limit - at) / motion;
+  // A slice of the way more at both ends costs nothing and forgives the rounding.
+  const Real margin = Real(kSliceLength) / std::abs(motion);
+  from = std::max(from, std::min(a, b) - margin);
+  to = std::min(to, std::max(a, b) + margin);
+}
+
+}  // namespace talus

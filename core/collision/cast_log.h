@@ -1,0 +1,70 @@
+// What a cast tells of what it looks at.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "cast_trace.h"
+
+namespace talus {
+
+// Nothing is kept.
+struct NoLog {
+  void looks_at(int, int, std::uint64_t) {}  // the cells of a row that have a bit; bit 0 is that column's
+  template <class Real>
+  void begin(Cell, const Piece<Real>&) {}  // tests a piece, seen in that cell
+  void begin(Cell, Facing, int) {}         // tests the side of so many full tiles, from that one on
+  void meets(double) {}                    // what is tested is met then, unless something else is before
+  void is_first() {}                       // it is the first so far
+};
+
+// Keeps a trace.
+class TraceLog {
+ public:
+  explicit TraceLog(const Terrain& terrain, CastTrace& trace) : terrain_(terrain), trace_(trace) {}
+
+  void looks_at(int column, int row, std::uint64_t cells) {
+    for (; cells != 0; cells &= cells - 1) {
+      const Cell cell{column + std::countr_zero(cells), row};
+      const auto& seen = trace_.cells;
+      const bool is_new = std::find(seen.begin(), seen.end(), cell) == seen.end();
+      if (is_new && terrain_.contains(cell)) trace_.cells.push_back(cell);
+    }
+  }
+  void begin(Cell cell, const Piece<double>& piece) {
+    add({.cell = cell, .facing = piece.facing, .from = {piece.x0, piece.y0}, .to = {piece.x1, piece.y1}});
+  }
+  void begin(Cell cell, Facing facing, int count) {
+    const bool is_wall = facing == Facing::left || facing == Facing::right;
+    const double x = (cell.x + (facing == Facing::right ? 1.0 : 0.0)) * kTileSide;
+    const double y = (cell.y + (facing == Facing::down ? 1.0 : 0.0)) * kTileSide;
+    const Vec2 to = is_wall ? Vec2{x, y + kTileSide} : Vec2{x + 1.0 * count * kTileSide, y};
+    add({.cell = cell, .facing = facing, .from = {x, y}, .to = to});
+  }
+  void meets(double t) {
+    CastCandidate& tested = trace_.candidates[at_];
+    tested.t = std::min(tested.t, t);
+  }
+  void is_first() {
+    for (CastCandidate& candidate : trace_.candidates) candidate.is_first = false;
+    trace_.candidates[at_].is_first = true;
+  }
+
+ private:
+  // A long piece is in several cells, but one candidate.
+  void add(const CastCandidate& candidate) {
+    auto& all = trace_.candidates;
+    const auto same = std::find_if(all.begin(), all.end(), [&](const CastCandidate& c) {
+      return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
+    });
+    at_ = static_cast<std::size_t>(same - all.begin());
+    if (same == all.end()) all.push_back(candidate);
+  }
+
+  const Terrain& terrain_;
+  CastTrace& trace_;
+  std::size_t at_ = 0;  // of the candidate that is tested
+};
+
+}  // namespace talus
