@@ -157,8 +157,9 @@ const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
 }
 
 // The place: of what meets a line on its way one unit in the last place from where the exact time puts the
-// box, however flatly the two cross. Else, on the spot or at a curve, at most `bound` px at right angles to
-// the surface; along it and the motion what that is worth there.
+// box, however flatly the two cross; and half a unit more of the corner from which its y follows. Else, on
+// the spot or at a curve, at most `bound` px at right angles to the surface; along it and the motion what
+// that is worth there.
 const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Move& m, double bound,
                         double allowance) {
   // A box that grazes a corner meets it or does not: where it goes on then is another matter.
@@ -168,8 +169,9 @@ const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Mo
   const auto off_x = static_cast<double>(std::abs(x - hit.position.x));
   const auto off_y = static_cast<double>(std::abs(y - hit.position.y));
   const bool crosses_a_line = hit.t > 0 && (hit.piece == nullptr || hit.piece->stretch == 0);
-  const double most = crosses_a_line ? ulp_of(m) : bound * stretch_of(m, hit.normal);
-  return off_x <= most && off_y <= most * steepness(hit) ? nullptr : "is in the wrong place";
+  const double most_x = crosses_a_line ? ulp_of(m) : bound * stretch_of(m, hit.normal);
+  const double most_y = (crosses_a_line ? 1.5 * most_x : most_x) * steepness(hit);
+  return off_x <= most_x && off_y <= most_y ? nullptr : "is in the wrong place";
 }
 
 // The box stands on what it hit, and so may be in other ground by as much as its place is rounded.
