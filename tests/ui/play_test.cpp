@@ -145,7 +145,8 @@ TEST_F(UiPlay, OverlaysAreSwitched) {
     const bool before = session().choices().overlays.has(info.id);
     click("overlay/" + std::string(info.key));
     EXPECT_NE(session().choices().overlays.has(info.id), before) << info.key;
-    key(alt('1' + static_cast<int>(info.id)));
+    const int number = static_cast<int>(info.id);
+    key(number < 9 ? alt('1' + number) : alt_shift('1' + number - 9));
     EXPECT_EQ(session().choices().overlays.has(info.id), before) << info.key;
   }
 }
