@@ -3,25 +3,13 @@
 #include "outline_compiler.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
-
-#include "twofold.h"
 
 namespace talus {
 namespace {
 
 double left_of(int column) { return static_cast<double>(column) * kTileSide; }
-
-int tiles_of(const TileShape& shape) { return shape.kind == TileShape::Kind::solid ? 1 : shape.tiles; }
-
-// How many rows beside its own a shape reaches over: upwards (a floor) or downwards (a ceiling).
-int extra_rows(const TileShape& shape) {
-  if (shape.kind == TileShape::Kind::solid) return 0;
-  const double most = *std::max_element(shape.heights.begin(), shape.heights.end());
-  return std::max(0, static_cast<int>(std::ceil(weld(most) / kTileSide)) - 1);
-}
 
 // Where `a` is below `b` between x0 and x1, both being straight there; with `or_equal`, also where they are
 // equal throughout. Rounded inwards to 1/256 px: what is covered a little too much would be a hole.
@@ -39,142 +27,30 @@ Span where_less(double a0, double a1, double b0, double b1, double x0, double x1
   return {std::ceil(crossing * 256) / 256, x1};
 }
 
-template <class T>
-std::vector<T> without(const std::vector<T>& parts, double from, double to) {
-  std::vector<T> left;
-  for (const T& part : parts) {
-    if (to <= part.from || from >= part.to) {
-      left.push_back(part);
-      continue;
-    }
-    if (part.from < from) left.push_back({part.from, from});
-    if (to < part.to) left.push_back({to, part.to});
-  }
-  return left;
-}
-
 }  // namespace
 
-bool is_full(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
+OutlineCompiler::OutlineCompiler(int width, const TileOutlines& tiles, std::span<const Piece<double>> curves,
+                                 const CurveEnds& curve_ends, TileAt tile_at)
+    : width_(width), tiles_(tiles), curves_(curves), curve_ends_(curve_ends), tile_at_(std::move(tile_at)) {}
 
-bool is_line_shape(const TileShape& shape) { return shape.kind != TileShape::Kind::none && !is_full(shape); }
-
-std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell) {
-  const int extra = extra_rows(shape);
-  const bool floor = shape.side == TileShape::Side::floor;
-  return {Cell{cell.x - 1, cell.y - (floor ? extra : 0) - 1},
-          Cell{cell.x + tiles_of(shape), cell.y + (floor ? 0 : extra) + 1}};
-}
-
-OutlineCompiler::OutlineCompiler(int width, std::span<const TileShape> shapes,
-                                 std::span<const Piece<double>> curves, const CurveEnds& curve_ends,
-                                 ShapeAt shape_at)
-    : width_(width), curves_(curves), curve_ends_(curve_ends), shape_at_(std::move(shape_at)) {
-  for (const TileShape& shape : shapes) {
-    if (!is_line_shape(shape)) continue;
-    most_tiles_ = std::max(most_tiles_, tiles_of(shape));
-    int& most = shape.side == TileShape::Side::floor ? most_up_ : most_down_;
-    most = std::max(most, extra_rows(shape));
+void OutlineCompiler::enter(std::array<Cell, 2> area) {
+  sources_ = tiles_.sources_of(area);
+  sources_width_ = sources_[1].x - sources_[0].x + 1;
+  tiles_here_.clear();
+  for (Cell c = sources_[0]; c.y <= sources_[1].y; ++c.y) {
+    for (c.x = sources_[0].x; c.x <= sources_[1].x; ++c.x) tiles_here_.push_back(&tile_at_(c));
   }
-}
-
-std::array<Cell, 2> OutlineCompiler::reach_of(Cell cell) const {
-  return {Cell{cell.x - 1, cell.y - most_up_ - 1}, Cell{cell.x + most_tiles_, cell.y + most_down_ + 1}};
-}
-
-std::array<Cell, 2> OutlineCompiler::sources_of(std::array<Cell, 2> area) const {
-  return {Cell{area[0].x - most_tiles_, area[0].y - most_down_ - 1},
-          Cell{area[1].x + 1, area[1].y + most_up_ + 1}};
-}
-
-void OutlineCompiler::gather(Cell cell) {
-  anchors_.clear();
-  const std::array<Cell, 2> sources = sources_of({cell, cell});
-  for (Cell at{0, sources[0].y}; at.y <= sources[1].y; ++at.y) {
-    for (at.x = sources[0].x; at.x <= sources[1].x; ++at.x) {
-      const TileShape& shape = shape_at_(at);
-      if (!is_line_shape(shape)) continue;
-      const std::array<Cell, 2> touched = cells_touched_by(shape, at);
-      const bool touches = cell.x >= touched[0].x && cell.x <= touched[1].x && cell.y >= touched[0].y &&
-                           cell.y <= touched[1].y;
-      if (touches) anchors_.push_back({at, &shape});
-    }
-  }
-}
-
-// ---- Bodies ----
-
-double OutlineCompiler::Line::at(double x) const {
-  if (x <= x0) return y0;
-  if (x >= x1) return y1;
-  return std::clamp(base_y + (x - base_x) * slope, std::min(y0, y1), std::max(y0, y1));
-}
-
-OutlineCompiler::Line OutlineCompiler::line_between(double x0, double y0, double x1, double y1) {
-  const bool first_is_base = y0 <= y1;
-  const auto slope = Twofold<double>(y1 - y0) / (x1 - x0);
-  return {x0, y0, x1, y1, first_is_base ? x0 : x1, first_is_base ? y0 : y1, slope.high, slope.low};
-}
-
-double OutlineCompiler::height_at(const std::vector<Line>& lines, double x, bool to_the_right) {
-  for (const Line& line : lines) {
-    if (to_the_right ? line.x0 <= x && x < line.x1 : line.x0 < x && x <= line.x1) return line.at(x);
-  }
-  return lines.empty() ? 0 : (x <= lines.front().x0 ? lines.front().y0 : lines.back().y1);
-}
-
-// The part of a shape in one strip.
-OutlineCompiler::Body OutlineCompiler::body_of(const TileShape& shape, Cell anchor, int column) const {
-  const bool floor = shape.side == TileShape::Side::floor;
-  const double x0 = left_of(anchor.x), top = left_of(anchor.y), bottom = top + kTileSide;
-  const double strip0 = left_of(column), strip1 = strip0 + kTileSide;
-  Body body;
-  body.origin = static_cast<std::int32_t>(anchor.y) * width_ + anchor.x;
-  body.one_way = shape.one_way;
-  body.is_floor = floor;
-  body.has_top = !shape.one_way || floor;
-  body.has_bottom = !shape.one_way || !floor;
-
-  std::vector<double> heights = shape.heights;
-  if (shape.kind == TileShape::Kind::solid) heights = {kTileSide, kTileSide};
-  const double width = tiles_of(shape) * kTileSide;
-  const double parts = static_cast<double>(heights.size() - 1);
-  std::vector<Line>& line = floor ? body.top : body.bottom;
-  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
-    const double a = weld(x0 + width * static_cast<double>(i) / parts);
-    const double b = weld(x0 + width * static_cast<double>(i + 1) / parts);
-    if (b <= strip0 || a >= strip1) continue;
-    const auto y = [&](double height) { return floor ? bottom - weld(height) : top + weld(height); };
-    line.push_back(line_between(a, y(heights[i]), b, y(heights[i + 1])));
-  }
-  const double base = floor ? bottom : top;
-  (floor ? body.bottom : body.top) = {line_between(strip0, base, strip1, base)};
-  return body;
-}
-
-OutlineCompiler::Strip OutlineCompiler::strip_of(int column, int row) const {
-  Strip strip;
-  for (int y = row - 1; y <= row + 1; ++y) {
-    const TileShape& shape = shape_at_({column, y});
-    if (is_full(shape)) strip.push_back(body_of(shape, {column, y}, column));
-  }
-  for (const Anchor& anchor : anchors_) {
-    if (column < anchor.cell.x || column >= anchor.cell.x + tiles_of(*anchor.shape)) continue;
-    strip.push_back(body_of(*anchor.shape, anchor.cell, column));
-  }
-  return strip;
 }
 
 void OutlineCompiler::compile(Cell cell, std::span<const std::uint32_t> curve_numbers,
                               std::vector<Piece<double>>& out) {
-  gather(cell);
-  before_ = strip_of(cell.x - 1, cell.y);
-  here_ = strip_of(cell.x, cell.y);
-  after_ = strip_of(cell.x + 1, cell.y);
+  before_ = &strip_at(cell.x - 1, cell.y);
+  here_ = &strip_at(cell.x, cell.y);
+  after_ = &strip_at(cell.x + 1, cell.y);
   const std::size_t begin = out.size();
-  for (std::size_t body = 0; body < here_.size(); ++body) {
-    if (here_[body].has_top) compile_surface(body, true, cell, out);
-    if (here_[body].has_bottom) compile_surface(body, false, cell, out);
+  for (const Body& body : here_->bodies) {
+    if (body.has(true)) compile_surface(body, true, cell, out);
+    if (body.has(false)) compile_surface(body, false, cell, out);
   }
   compile_wall(cell, true, out);
   compile_wall(cell, false, out);
@@ -183,43 +59,122 @@ void OutlineCompiler::compile(Cell cell, std::span<const std::uint32_t> curve_nu
   for (std::size_t i = begin; i < out.size(); ++i) mark_ends(out[i], cell);
 }
 
+// ---- Bodies ----
+
+OutlineCompiler::Body::Body(const TileOutline& of, Cell cell, int strip, int map_width)
+    : tile(&of),
+      column(&of.columns[static_cast<std::size_t>(strip - cell.x)]),
+      corner{left_of(cell.x), left_of(cell.y)},
+      origin(static_cast<std::int32_t>(cell.y) * map_width + cell.x),
+      left(left_of(strip)),
+      right(left_of(strip + 1)),
+      highest(corner.y + column->highest),
+      lowest(corner.y + column->lowest),
+      at_left{height_at(true, left, true), height_at(false, left, true)},
+      at_right{height_at(true, right, false), height_at(false, right, false)} {}
+
+double OutlineCompiler::Body::height_at(bool top, double x, bool to_the_right) const {
+  const double in_tile = x - corner.x;  // exact for ends of lines, which are welded
+  const std::vector<OutlineLine>& all = lines(top);
+  for (const OutlineLine& l : all) {
+    const bool is_beside =
+        to_the_right ? l.x0 <= in_tile && in_tile < l.x1 : l.x0 < in_tile && in_tile <= l.x1;
+    if (is_beside) return l.moved(corner).at(x);
+  }
+  return corner.y + (in_tile <= all.front().x0 ? all.front().y0 : all.back().y1);
+}
+
+OutlineCompiler::Interval OutlineCompiler::Body::range_at(double x, bool to_the_right) const {
+  if (to_the_right ? x == left : x == right) return to_the_right ? at_left : at_right;
+  return {height_at(true, x, to_the_right), height_at(false, x, to_the_right)};
+}
+
+bool OutlineCompiler::Body::is_thick(double x, bool to_the_right) const {
+  const double in_tile = x - corner.x;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double far = to_the_right ? infinity : -infinity;
+  for (const bool top : {true, false}) {
+    for (const OutlineLine& line : lines(top)) {
+      if (to_the_right && line.x0 <= in_tile && in_tile < line.x1) far = std::min(far, line.x1);
+      if (!to_the_right && line.x0 < in_tile && in_tile <= line.x1) far = std::max(far, line.x0);
+    }
+  }
+  if (std::isinf(far)) return false;
+  const Interval here = range_at(x, to_the_right), there = range_at(corner.x + far, !to_the_right);
+  return here.from != here.to || there.from != there.to;
+}
+
+// The full tiles of a column beside a cell, and all else that may change the outline there.
+const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
+  Strip& strip = strips_[static_cast<std::size_t>(column + 1) % strips_.size()];
+  if (strip.cell == Cell{column, row}) return strip;
+  strip.cell = {column, row};
+  strip.bodies.clear();
+  for (int y = row - 1; y <= row + 1; ++y) {
+    if (tile({column, y}).full) strip.bodies.emplace_back(tile({column, y}), Cell{column, y}, column, width_);
+  }
+  const std::array<Cell, 2> sources = tiles_.sources_of({Cell{column, row}, Cell{column, row}});
+  for (Cell c{0, sources[0].y}; c.y <= sources[1].y; ++c.y) {
+    for (c.x = sources[0].x + 1; c.x <= column; ++c.x) {
+      const TileOutline& shape = tile(c);
+      if (!shape.line || column - c.x >= static_cast<int>(shape.columns.size())) continue;
+      if (row >= c.y + shape.touched[0].y && row <= c.y + shape.touched[1].y)
+        strip.bodies.emplace_back(shape, c, column, width_);
+    }
+  }
+  cover(strip, true, strip.left);
+  cover(strip, false, strip.right);
+  return strip;
+}
+
+// The strip right (or left) beside an x of the strip under way.
+const OutlineCompiler::Strip& OutlineCompiler::strip_beside(double x, bool to_the_right) const {
+  if (to_the_right) return x == left_of(here_->cell.x + 1) ? *after_ : *here_;
+  return x == left_of(here_->cell.x) ? *before_ : *here_;
+}
+
+// What of a side of a strip is ground.
+void OutlineCompiler::cover(const Strip& strip, bool left, std::vector<Cover>& covers) {
+  covers.clear();
+  for (const Body& body : strip.bodies) {
+    if (body.one_way()) continue;
+    const Cover here{left ? body.at_left : body.at_right, body.origin};
+    auto at = covers.end();  // mostly the place: few bodies are not listed from the top
+    while (at != covers.begin() && here.part.from < (at - 1)->part.from) --at;
+    covers.insert(at, here);
+  }
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < covers.size(); ++i) {
+    if (covers[i].part.from <= covers[last].part.to) {
+      covers[last].part.to = std::max(covers[last].part.to, covers[i].part.to);
+    } else {
+      covers[++last] = covers[i];
+    }
+  }
+  if (!covers.empty()) covers.resize(last + 1);
+}
+
 // ---- Floors and ceilings ----
 
-// The exposed parts of one line of a body, in this cell.
-void OutlineCompiler::compile_surface(std::size_t number, bool top, Cell cell,
-                                      std::vector<Piece<double>>& out) const {
-  const Body& body = here_[number];
+// Whether parts of a line between these heights may be outline of the row.
+bool OutlineCompiler::may_be_in_row(double y0, double y1, bool top, double row0) {
+  const double row1 = row0 + kTileSide;
+  return top ? std::min(y0, y1) < row1 && std::max(y0, y1) >= row0
+             : std::max(y0, y1) > row0 && std::min(y0, y1) <= row1;
+}
+
+// The exposed parts of one side of a body, in this cell.
+void OutlineCompiler::compile_surface(const Body& body, bool top, Cell cell,
+                                      std::vector<Piece<double>>& out) {
   const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
   const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
-  for (const Line& line : top ? body.top : body.bottom) {
-    // Between the ends of all lines every line is straight, so that two cross once at most.
-    std::vector<double> ends = {std::max(line.x0, strip0), std::min(line.x1, strip1)};
-    for (const Body& other : here_) {
-      for (const std::vector<Line>* lines : {&other.top, &other.bottom}) {
-        for (const Line& l : *lines) {
-          for (const double x : {l.x0, l.x1}) {
-            if (x > ends[0] && x < ends[1]) ends.push_back(x);
-          }
-        }
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    std::vector<Interval> open;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      if (ends[i] == ends[i + 1]) continue;
-      std::vector<Interval> parts = {{ends[i], ends[i + 1]}};
-      for (const Interval& h : hidden_parts(number, top, line, ends[i], ends[i + 1])) {
-        parts = without(parts, h.from, h.to);
-      }
-      for (const Interval& part : parts) {
-        if (!open.empty() && open.back().to == part.from) {
-          open.back().to = part.to;
-        } else {
-          open.push_back(part);
-        }
-      }
-    }
-    for (const Interval& part : open) {
+  for (const OutlineLine& in_tile : body.lines(top)) {
+    if (!may_be_in_row(body.corner.y + in_tile.y0, body.corner.y + in_tile.y1, top, row0)) continue;
+    const OutlineLine line = in_tile.moved(body.corner);
+    const Interval whole{std::max(line.x0, strip0), std::min(line.x1, strip1)};
+    if (!may_be_in_row(line.at(whole.from), line.at(whole.to), top, row0)) continue;
+    find_open(body, top, line, whole);
+    for (const Interval& part : open_) {
       const double y0 = line.at(part.from), y1 = line.at(part.to);
       const double low = std::min(y0, y1), high = std::max(y0, y1);
       const bool in_row = top ? low < row1 && (high > row0 || (low == high && low == row0))
@@ -237,35 +192,79 @@ void OutlineCompiler::compile_surface(std::size_t number, bool top, Cell cell,
                .origin = body.origin,
                .stretch = 0,
                .facing = top ? Facing::up : Facing::down};
-      piece.one_way = body.one_way;
+      piece.one_way = body.one_way();
     }
   }
 }
 
-// Where the line of a body is inside of others, or is the same as an earlier one's; or bounds nothing.
-std::vector<OutlineCompiler::Interval> OutlineCompiler::hidden_parts(std::size_t number, bool top,
-                                                                     const Line& line, double x0,
-                                                                     double x1) const {
-  std::vector<Interval> hidden;
+// Puts what is exposed of a part of a line into open_.
+void OutlineCompiler::find_open(const Body& body, bool top, const OutlineLine& line, const Interval& part) {
+  // Between the ends of all lines every line is straight, so that two cross once at most.
+  ends_.clear();
+  ends_.push_back(part.from);
+  for (const Body& other : here_->bodies) {
+    for (const double joint : other.column->joints) {
+      const double x = other.corner.x + joint;
+      if (x > part.from && x < part.to) ends_.push_back(x);
+    }
+  }
+  ends_.push_back(part.to);
+  if (ends_.size() > 2) std::sort(ends_.begin(), ends_.end());
+  open_.clear();
+  for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
+    if (ends_[i] == ends_[i + 1]) continue;
+    parts_.clear();
+    parts_.push_back({ends_[i], ends_[i + 1]});
+    take_out_hidden(body, top, line, ends_[i], ends_[i + 1]);
+    for (const Interval& exposed : parts_) {
+      if (!open_.empty() && open_.back().to == exposed.from) {
+        open_.back().to = exposed.to;
+      } else {
+        open_.push_back(exposed);
+      }
+    }
+  }
+}
+
+// Takes out of parts_ where the line of a body is inside of others, or is the same as an earlier one's; or
+// bounds nothing.
+void OutlineCompiler::take_out_hidden(const Body& body, bool top, const OutlineLine& line, double x0,
+                                      double x1) {
   const double y0 = line.at(x0), y1 = line.at(x1);
-  for (std::size_t j = 0; j < here_.size(); ++j) {
-    const Body& other = here_[j];
-    const double top0 = height_at(other.top, x0, true), top1 = height_at(other.top, x1, false);
-    const double bottom0 = height_at(other.bottom, x0, true), bottom1 = height_at(other.bottom, x1, false);
-    if (j == number) {
-      if (!other.one_way && top0 == bottom0 && top1 == bottom1) hidden.push_back({x0, x1});
+  const double highest = std::min(y0, y1), lowest = std::max(y0, y1);
+  for (const Body& other : here_->bodies) {
+    if (parts_.empty()) return;
+    if (other.one_way() || other.highest > lowest || other.lowest < highest) continue;
+    const auto [top0, bottom0] = other.range_at(x0, true);
+    const auto [top1, bottom1] = other.range_at(x1, false);
+    const bool is_flat = top0 == bottom0 && top1 == bottom1;
+    if (&other == &body) {
+      if (is_flat) take_out(parts_, x0, x1);
       continue;
     }
-    if (other.one_way) continue;
+    if (is_flat) continue;
     // Of two equal lines that face the same way, that of the later body goes.
-    const bool later = j < number;
+    const bool later = &other < &body;
     const Span below_top = where_less(top0, top1, y0, y1, x0, x1, top ? later : true);
     const Span above_bottom = where_less(y0, y1, bottom0, bottom1, x0, x1, top ? true : later);
     const Span both = {std::max(below_top.from, above_bottom.from), std::min(below_top.to, above_bottom.to)};
-    const bool is_body = top0 != bottom0 || top1 != bottom1;
-    if (is_body && !both.empty()) hidden.push_back({both.from, both.to});
+    if (!both.empty()) take_out(parts_, both.from, both.to);
   }
-  return hidden;
+}
+
+void OutlineCompiler::take_out(std::vector<Interval>& parts, double from, double to) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Interval part = parts[i];
+    if (to <= part.from || from >= part.to) continue;
+    const Interval before{part.from, from}, after{to, part.to};
+    const bool is_before = before.from < before.to, is_after = after.from < after.to;
+    if (!is_before && !is_after) {
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i--));
+      continue;
+    }
+    parts[i] = is_before ? before : after;
+    if (is_before && is_after) parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(++i), after);
+  }
 }
 
 // ---- Walls ----
@@ -288,80 +287,52 @@ Piece<double> OutlineCompiler::wall_at(double x, double y0, double y1, bool left
 }
 
 // The side of the strip in this cell where the ground is on the one hand and not on the other.
-void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) const {
+void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) {
   const double x = left_of(cell.x) + (left ? 0 : kTileSide);
   const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
-  const auto covered = [x](const Strip& strip, bool to_the_right) {
-    std::vector<std::pair<Interval, std::int32_t>> parts;
-    for (const Body& body : strip) {
-      if (body.one_way) continue;
-      parts.push_back(
-          {{height_at(body.top, x, to_the_right), height_at(body.bottom, x, to_the_right)}, body.origin});
+  for (const auto& [whole, origin] : left ? here_->left : here_->right) {
+    if (whole.to <= row0 || whole.from >= row1) continue;
+    parts_.clear();
+    parts_.push_back(whole);
+    for (const Cover& other : left ? before_->right : after_->left) {
+      take_out(parts_, other.part.from, other.part.to);
     }
-    std::sort(parts.begin(), parts.end(),
-              [](const auto& a, const auto& b) { return a.first.from < b.first.from; });
-    std::vector<std::pair<Interval, std::int32_t>> merged;
-    for (const auto& part : parts) {
-      if (!merged.empty() && part.first.from <= merged.back().first.to) {
-        merged.back().first.to = std::max(merged.back().first.to, part.first.to);
-      } else {
-        merged.push_back(part);
-      }
-    }
-    return merged;
-  };
-  const auto ours = covered(here_, left), theirs = covered(left ? before_ : after_, !left);
-
-  for (const auto& [whole, origin] : ours) {
-    std::vector<Interval> parts = {whole};
-    for (const auto& t : theirs) parts = without(parts, t.first.from, t.first.to);
-    for (const Interval& part : parts) {
+    for (const Interval& part : parts_) {
       const double y0 = std::max(part.from, row0), y1 = std::min(part.to, row1);
       if (y0 < y1) out.push_back(wall_at(x, y0, y1, left, origin, y0 == whole.from, y1 == whole.to));
     }
   }
 }
 
-// Whether a body has more than a line right (or left) beside x.
-bool OutlineCompiler::is_thick(const Body& body, double x, bool to_the_right) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double far = to_the_right ? infinity : -infinity;
-  for (const std::vector<Line>* lines : {&body.top, &body.bottom}) {
-    for (const Line& line : *lines) {
-      if (to_the_right && line.x0 <= x && x < line.x1) far = std::min(far, line.x1);
-      if (!to_the_right && line.x0 < x && x <= line.x1) far = std::max(far, line.x0);
-    }
-  }
-  if (std::isinf(far)) return false;
-  return height_at(body.top, x, to_the_right) != height_at(body.bottom, x, to_the_right) ||
-         height_at(body.top, far, !to_the_right) != height_at(body.bottom, far, !to_the_right);
-}
-
 // The tips of wedges: where a body's top and bottom meet and nothing goes on.
 void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) const {
   const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
   const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
-  const auto goes_on_at = [&](double x, double y, bool to_the_right) {
-    const Strip& strip = x == strip0 && !to_the_right  ? before_
-                         : x == strip1 && to_the_right ? after_
-                                                       : here_;
-    return std::any_of(strip.begin(), strip.end(), [&](const Body& body) {
-      return !body.one_way && is_thick(body, x, to_the_right) && height_at(body.top, x, to_the_right) <= y &&
-             y <= height_at(body.bottom, x, to_the_right);
-    });
-  };
-  for (const Body& body : here_) {
-    if (body.one_way) continue;
-    for (const Line& line : body.is_floor ? body.top : body.bottom) {
+  for (const Body& body : here_->bodies) {
+    if (!body.tile->line || body.one_way() || body.lowest < row0 || body.highest > row1) continue;
+    for (const OutlineLine& line : body.lines(body.tile->is_floor)) {
+      if (line.y0 == line.y1) continue;
       for (const bool first : {true, false}) {
-        const double x = first ? line.x0 : line.x1, y = first ? line.y0 : line.y1;
+        const double x = body.corner.x + (first ? line.x0 : line.x1);
+        const double y = body.corner.y + (first ? line.y0 : line.y1);
         const bool here = x >= strip0 && x <= strip1 && y >= row0 && y <= row1;
-        if (!here || y != height_at(body.top, x, first) || y != height_at(body.bottom, x, first)) continue;
-        if (line.y0 == line.y1 || goes_on_at(x, y, !first)) continue;
-        out.push_back(wall_at(x, y, y, first, body.origin, true, true));
+        if (!here) continue;
+        const Interval range = body.range_at(x, first);
+        if (y != range.from || y != range.to) continue;
+        if (!goes_on_at(x, y, !first)) out.push_back(wall_at(x, y, y, first, body.origin, true, true));
       }
     }
   }
+}
+
+// Whether there is ground right (or left) beside a point of the strip under way.
+bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
+  const std::vector<Body>& bodies = strip_beside(x, to_the_right).bodies;
+  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+    if (body.one_way() || y < body.highest || y > body.lowest) return false;
+    const Interval range = body.range_at(x, to_the_right);
+    return range.from <= y && y <= range.to && body.is_thick(x, to_the_right);
+  });
 }
 
 // ---- Ends ----
@@ -375,40 +346,41 @@ void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   };
   const bool near0 = piece.origin >= 0 || is_near(piece.x0, piece.y0);
   const bool near1 = piece.origin >= 0 || is_near(piece.x1, piece.y1);
+  const Next next0 = near0 ? next_of(piece, true) : Next{true, true};
+  const Next next1 = near1 ? next_of(piece, false) : Next{true, true};
   piece.far0 = !near0;
   piece.far1 = !near1;
-  piece.convex0 = near0 && !goes_on(piece, true, true);
-  piece.convex1 = near1 && !goes_on(piece, false, true);
-  piece.last0 = near0 && !goes_on(piece, true, false);
-  piece.last1 = near1 && !goes_on(piece, false, false);
+  piece.convex0 = !next0.outward;
+  piece.convex1 = !next1.outward;
+  piece.last0 = !next0.any;
+  piece.last1 = !next1.any;
 }
 
-// Whether another line that faces the same way begins where this one ends; with `only_outward`, one that
-// does not fall back from the open side.
-bool OutlineCompiler::goes_on(const Piece<double>& piece, bool first, bool only_outward) const {
+// Which other lines that face the same way begin where this one ends.
+OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool first) const {
   const double x = first ? piece.x0 : piece.x1, y = first ? piece.y0 : piece.y1;
   const bool up = piece.facing == Facing::up;
-  // How much the line that goes on moves away from the ground, seen from this end.
-  const auto outward = [&](double dy) { return up ? dy <= 0 : dy >= 0; };
-  for (const Strip* strip : {&before_, &here_, &after_}) {
-    for (const Body& body : *strip) {
-      if (up ? !body.has_top : !body.has_bottom) continue;
-      if (!body.one_way && !is_thick(body, x, !first)) continue;
-      for (const Line& line : up ? body.top : body.bottom) {
-        const bool reaches_on = first ? line.x0 < x && x <= line.x1 : line.x0 <= x && x < line.x1;
-        if (!reaches_on || line.at(x) != y) continue;
-        const double dy = first ? line.y0 - line.at(x) : line.y1 - line.at(x);
-        if (!only_outward || outward(dy)) return true;
-      }
+  Next next;
+  // dy: how much the line that goes on falls, seen from this end.
+  const auto note = [&](double dy) {
+    next.any = true;
+    next.outward = next.outward || (up ? dy <= 0 : dy >= 0);
+  };
+  for (const Body& body : strip_beside(x, !first).bodies) {
+    if (y < body.highest || y > body.lowest || !body.has(up)) continue;
+    for (const OutlineLine& in_tile : body.lines(up)) {
+      const OutlineLine line = in_tile.moved(body.corner);
+      const bool reaches_on = first ? line.x0 < x && x <= line.x1 : line.x0 <= x && x < line.x1;
+      if (!reaches_on || line.at(x) != y) continue;
+      if (body.one_way() || body.is_thick(x, !first)) note((first ? line.y0 : line.y1) - y);
     }
   }
+  if (curves_.empty()) return next;
   for (const CurveEnds::End& end : curve_ends_.at({x, y}, !first)) {
     const Piece<double>& curve = curves_[end.piece];
-    if (curve.facing != piece.facing) continue;
-    const double dy = first ? curve.y0 - curve.y1 : curve.y1 - curve.y0;
-    if (!only_outward || outward(dy)) return true;
+    if (curve.facing == piece.facing) note(first ? curve.y0 - curve.y1 : curve.y1 - curve.y0);
   }
-  return false;
+  return next;
 }
 
 }  // namespace talus

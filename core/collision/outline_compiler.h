@@ -9,6 +9,7 @@
 
 #include "piece.h"
 #include "shape.h"
+#include "tile_outlines.h"
 
 namespace talus {
 
@@ -37,79 +38,109 @@ struct CurveOutline {
 };
 CurveOutline cut_curves(std::span<const Curve> curves);
 
-// A full tile, all of whose sides are ground.
-bool is_full(const TileShape& shape);
-// A shape that is neither none nor a full tile: its outline is in pieces.
-bool is_line_shape(const TileShape& shape);
-// The first and the last of the cells whose outline such a shape may change.
-std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell);
-
+// Keeps what it found out of the cells so far: those of a row one after the other cost the least. What is on
+// the map must stay as it is.
 class OutlineCompiler {
  public:
-  using ShapeAt = std::function<const TileShape&(Cell)>;  // any cell; a shape of kind none outside of the map
+  using TileAt = std::function<const TileOutline&(Cell)>;  // any cell; that of no shape outside of the map
 
-  // width: of the map, cells, for Piece::origin. curve_ends: those of `curves`. The spans and the ends must
-  // outlive the compiler.
-  OutlineCompiler(int width, std::span<const TileShape> shapes, std::span<const Piece<double>> curves,
-                  const CurveEnds& curve_ends, ShapeAt shape_at);
+  // width: of the map, cells, for Piece::origin. curve_ends: those of `curves`. The tiles, the curves and
+  // their ends must outlive the compiler.
+  OutlineCompiler(int width, const TileOutlines& tiles, std::span<const Piece<double>> curves,
+                  const CurveEnds& curve_ends, TileAt tile_at);
 
-  // The cells whose outline depends on what the given cell is, from the first to the last.
-  std::array<Cell, 2> reach_of(Cell cell) const;
-  // The cells that the outline of the area's cells depends on.
-  std::array<Cell, 2> sources_of(std::array<Cell, 2> area) const;
+  // The cells that are compiled next are in this area; from the first to the last, both on the map.
+  void enter(std::array<Cell, 2> area);
+  // Calls use(cell, tile) for each slope or the like that may be on the outline of the area's cells.
+  template <class Use>
+  void for_lines(Use use) const {
+    for (Cell c = sources_[0]; c.y <= sources_[1].y; ++c.y) {
+      for (c.x = sources_[0].x; c.x <= sources_[1].x; ++c.x) {
+        if (tile(c).line) use(c, tile(c));
+      }
+    }
+  }
   // Appends the pieces in the cell: of its own shapes, and those of `curve_numbers`, indices into the curves.
   void compile(Cell cell, std::span<const std::uint32_t> curve_numbers, std::vector<Piece<double>>& out);
 
  private:
-  // The line of a slope or profile between two of its heights, or a flat side of a body.
-  struct Line {
-    double x0, y0, x1, y1;
-    double base_x, base_y, slope, slope_rest;
-    double at(double x) const;
+  struct Interval {
+    double from, to;
   };
   // What covers a strip one cell wide, from its top down to its bottom; or a one-way line, which covers
   // nothing.
   struct Body {
-    std::int32_t origin = 0;
-    bool one_way = false;
-    bool is_floor = true;                    // the top is the shape's line, not the bottom
-    bool has_top = true, has_bottom = true;  // of a one-way line the side that stops
-    std::vector<Line> top, bottom;           // left to right
-  };
-  struct Interval {
-    double from, to;
-  };
-  using Strip = std::vector<Body>;
+    const TileOutline* tile;
+    const TileColumn* column;  // of the tile
+    Vec2 corner;               // px, of the tile's own cell
+    std::int32_t origin;
+    double left, right;          // x of the strip
+    double highest, lowest;      // the range of its y
+    Interval at_left, at_right;  // from its top to its bottom just inside of the strip's sides
 
-  static Line line_between(double x0, double y0, double x1, double y1);
-  static double height_at(const std::vector<Line>& lines, double x, bool to_the_right);
-  Body body_of(const TileShape& shape, Cell anchor, int column) const;
-  void gather(Cell cell);
-  Strip strip_of(int column, int row) const;
+    Body(const TileOutline& of, Cell cell, int strip, int map_width);
+    bool one_way() const { return tile->one_way; }
+    // Of a one-way line only one side stops.
+    bool has(bool top) const { return !tile->one_way || tile->is_floor == top; }
+    const std::vector<OutlineLine>& lines(bool top) const { return top ? column->top : column->bottom; }
+    double height_at(bool top, double x, bool to_the_right) const;
+    Interval range_at(double x, bool to_the_right) const;  // as at_left, just right (or left) beside x
+    // Whether there is more of it than a line right (or left) beside x.
+    bool is_thick(double x, bool to_the_right) const;
+  };
+  // What of a side of a strip is ground.
+  struct Cover {
+    Interval part;
+    std::int32_t origin;  // of its uppermost body
+  };
+  // What there is to know of a cell's column around it.
+  struct Strip {
+    Cell cell{-2, -2};
+    std::vector<Body> bodies;
+    std::vector<Cover> left, right;  // from the top
+  };
+  // What goes on where a piece ends.
+  struct Next {
+    bool any = false;      // another line that faces the same way
+    bool outward = false;  // one that does not fall back from the open side
+  };
 
-  void compile_surface(std::size_t body, bool top, Cell cell, std::vector<Piece<double>>& out) const;
-  std::vector<Interval> hidden_parts(std::size_t body, bool top, const Line& line, double x0,
-                                     double x1) const;
-  void compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) const;
+  const TileOutline& tile(Cell cell) const {
+    return *tiles_here_[static_cast<std::size_t>(cell.y - sources_[0].y) * sources_width_ +
+                        (cell.x - sources_[0].x)];
+  }
+  const Strip& strip_at(int column, int row);
+  const Strip& strip_beside(double x, bool to_the_right) const;
+  static void cover(const Strip& strip, bool left, std::vector<Cover>& covers);
+
+  static bool may_be_in_row(double y0, double y1, bool top, double row0);
+  void compile_surface(const Body& body, bool top, Cell cell, std::vector<Piece<double>>& out);
+  void find_open(const Body& body, bool top, const OutlineLine& line, const Interval& part);
+  void take_out_hidden(const Body& body, bool top, const OutlineLine& line, double x0, double x1);
+  static void take_out(std::vector<Interval>& parts, double from, double to);
+  void compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out);
   void compile_tips(Cell cell, std::vector<Piece<double>>& out) const;
-  static bool is_thick(const Body& body, double x, bool to_the_right);
+  bool goes_on_at(double x, double y, bool to_the_right) const;
   static Piece<double> wall_at(double x, double y0, double y1, bool left, std::int32_t origin, bool convex0,
                                bool convex1);
   void mark_ends(Piece<double>& piece, Cell cell) const;
-  bool goes_on(const Piece<double>& piece, bool first, bool only_outward) const;
+  Next next_of(const Piece<double>& piece, bool first) const;
 
   int width_;
+  const TileOutlines& tiles_;
   std::span<const Piece<double>> curves_;
   const CurveEnds& curve_ends_;
-  ShapeAt shape_at_;
-  int most_tiles_ = 1, most_up_ = 0, most_down_ = 0;  // reach of the shapes in cells, beside their own
+  TileAt tile_at_;
 
-  struct Anchor {
-    Cell cell;
-    const TileShape* shape;
-  };
-  std::vector<Anchor> anchors_;  // slopes and the like that touch the cell under way
-  Strip before_, here_, after_;  // the strips of the cell under way and to both sides
+  std::array<Cell, 2> sources_{};  // of the area
+  int sources_width_ = 0;
+  std::vector<const TileOutline*> tiles_here_;  // of the sources, row by row
+  std::array<Strip, 3> strips_;                 // of the columns last seen, each in its place modulo 3
+  const Strip *before_ = nullptr, *here_ = nullptr, *after_ = nullptr;  // of the cell under way
+
+  // Kept for their memory: what is open of a line, of a part of it, and where it may change.
+  std::vector<Interval> open_, parts_;
+  std::vector<double> ends_;
 };
 
 }  // namespace talus

@@ -97,9 +97,19 @@ struct Curve {
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-inline constexpr double kMaxCoordinate = 1 << 24;  // px; no point of a terrain lies further from the origin
-inline constexpr double kMaxWaves = 4096;          // one of 8 px after the other across the largest map
+// A terrain may be long or high: only its area is limited, so that an index of a cell fits 32 bits.
+inline constexpr int kMaxTerrainSide = 1 << 21;   // cells
+inline constexpr int kMaxTerrainCells = 1 << 24;  // 4096 x 4096
+inline constexpr double kMaxCoordinate =
+    kMaxTerrainSide * kTileSide;           // px; no curve goes further from the origin
+inline constexpr double kMaxWaves = 4096;  // each is cut into four stretches
 inline constexpr std::size_t kMaxPolylineHeights = 65536;
+
+// Whether a terrain can have this size, in cells.
+constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
+  const bool sides = width >= 1 && height >= 1 && width <= kMaxTerrainSide && height <= kMaxTerrainSide;
+  return sides && width * height <= kMaxTerrainCells;
+}
 
 // Why a curve cannot be used, as problem_of(shape) says it.
 std::optional<std::string> problem_of(const Curve& curve);

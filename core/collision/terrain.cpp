@@ -70,36 +70,34 @@ BasicTerrain<Real>::BasicTerrain() : BasicTerrain(empty_source()) {}
 template <class Real>
 BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
     : width_(source.width), height_(source.height), chunk_columns_((source.width + kSide - 1) / kSide) {
-  assert(width_ >= 1 && height_ >= 1);
+  assert(is_terrain_size(width_, height_));
   assert(source.cells.size() == static_cast<std::size_t>(width_) * height_);
-  auto parts = std::make_shared<Parts>();
-  parts->shapes = source.shapes;
-  parts->curves = source.curves;
+  assert(std::none_of(source.shapes.begin(), source.shapes.end(), [](auto& s) { return problem_of(s); }));
+  assert(std::none_of(source.curves.begin(), source.curves.end(), [](auto& c) { return problem_of(c); }));
+  auto parts = std::make_shared<Parts>(source);
   CurveOutline curves = cut_curves(source.curves);
   for (const auto& stretch : curves.stretches) parts->stretches.push_back(narrow<Real>(stretch));
   parts->curve_pieces = std::move(curves.pieces);
   parts->curve_ends = std::move(curves.ends);
   parts->cells_of_curves = cells_of(parts->curve_pieces, curves.stretches);
-  parts->has_lines = std::any_of(source.shapes.begin(), source.shapes.end(), is_line_shape);
   features_.curves = !parts->stretches.empty();
   parts_ = std::move(parts);
 
   chunks_.resize(static_cast<std::size_t>(chunk_columns_) * ((height_ + kSide - 1) / kSide));
   for (int y = 0; y < height_; y += kSide) {
     for (int x = 0; x < width_; x += kSide) {
-      auto chunk = std::make_shared<Chunk>();
-      bool used = false;
+      std::shared_ptr<Chunk> chunk;
       for (Cell c{x, y}; c.y < std::min(y + kSide, height_); ++c.y) {
         for (c.x = x; c.x < std::min(x + kSide, width_); ++c.x) {
           const std::uint8_t tile = source.cells[static_cast<std::size_t>(c.y) * width_ + c.x];
-          used = used || tile != 0;
+          const bool full = parts_->outlines[tile].full;
+          if (tile == 0 && !full) continue;
+          if (chunk == nullptr) chunk = std::make_shared<Chunk>();
           chunk->tiles[index_in_chunk(c)] = tile;
-          if (!is_full(parts_->shapes[tile])) continue;
-          chunk->rows[c.y % kSide].solid |= std::uint64_t{1} << c.x % kSide;
-          used = true;
+          if (full) chunk->rows[c.y % kSide].solid |= std::uint64_t{1} << c.x % kSide;
         }
       }
-      if (used) chunks_[chunk_index({x, y})] = std::move(chunk);
+      chunks_[chunk_index({x, y})] = std::move(chunk);
     }
   }
   compile({Cell{0, 0}, Cell{width_ - 1, height_ - 1}});
@@ -133,16 +131,17 @@ void BasicTerrain<Real>::set_cell(Cell cell, std::uint8_t tile) {
   chunk->tiles[index_in_chunk(cell)] = tile;
   const std::uint64_t bit = std::uint64_t{1} << cell.x % kSide;
   std::uint64_t& word = chunk->rows[cell.y % kSide].solid;
-  word = is_full(parts_->shapes[tile]) ? word | bit : word & ~bit;
+  word = parts_->outlines[tile].full ? word | bit : word & ~bit;
   chunks_[chunk_index(cell)] = std::move(chunk);
-  compile(compiler().reach_of(cell));
+  compile(parts_->outlines.reach_of(cell));
 }
 
 template <class Real>
 OutlineCompiler BasicTerrain<Real>::compiler() const {
-  static const TileShape kNothing;
-  return OutlineCompiler(width_, parts_->shapes, parts_->curve_pieces, parts_->curve_ends,
-                         [this](Cell c) -> const TileShape& { return contains(c) ? shape_at(c) : kNothing; });
+  static const TileOutline kNothing;
+  return OutlineCompiler(
+      width_, parts_->outlines, parts_->curve_pieces, parts_->curve_ends,
+      [this](Cell c) -> const TileOutline& { return contains(c) ? parts_->outlines[tile_at(c)] : kNothing; });
 }
 
 // Compiles the cells from the first to the last, which may lie outside.
@@ -174,16 +173,11 @@ typename BasicTerrain<Real>::Words BasicTerrain<Real>::details_in(std::array<Cel
       }
     }
   };
-  if (parts_->has_lines) {
-    const std::array<Cell, 2> sources = compiler.sources_of(area);
-    for (Cell c{0, std::max(sources[0].y, 0)}; c.y <= std::min(sources[1].y, height_ - 1); ++c.y) {
-      for (c.x = std::max(sources[0].x, 0); c.x <= std::min(sources[1].x, width_ - 1); ++c.x) {
-        const TileShape& shape = shape_at(c);
-        if (!is_line_shape(shape)) continue;
-        const std::array<Cell, 2> touched = cells_touched_by(shape, c);
-        mark(touched[0], touched[1]);
-      }
-    }
+  if (parts_->outlines.has_lines()) {
+    compiler.for_lines([&](Cell c, const TileOutline& shape) {
+      const auto& [from, to] = shape.touched;
+      mark({c.x + from.x, c.y + from.y}, {c.x + to.x, c.y + to.y});
+    });
   }
   for (int y = area[0].y; y <= area[1].y; ++y) {
     for (const CurveInCell& c : curves_between({area[0].x, y}, {area[1].x, y})) {
@@ -203,9 +197,26 @@ std::span<const typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cu
   return {begin, std::lower_bound(begin, all.end(), index_of(last) + 1, before)};
 }
 
+// Whether neither a chunk nor those around it, from which shapes may reach over, have a tile, nor the area a
+// curve.
+template <class Real>
+bool BasicTerrain<Real>::is_bare(Cell corner, std::array<Cell, 2> area) const {
+  for (int y = corner.y / kSide - 1; y <= corner.y / kSide + 1; ++y) {
+    for (int x = corner.x / kSide - 1; x <= corner.x / kSide + 1; ++x) {
+      if (chunk_at(x, y) != nullptr) return false;
+    }
+  }
+  for (int y = area[0].y; y <= area[1].y; ++y) {
+    if (!curves_between({area[0].x, y}, {area[1].x, y}).empty()) return false;
+  }
+  return true;
+}
+
 template <class Real>
 void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, OutlineCompiler& compiler) {
+  if (is_bare(corner, area)) return;
   const auto& old = chunks_[chunk_index(corner)];
+  compiler.enter(area);
   const Words details = details_in(area, compiler);
   const std::uint64_t columns = columns_mask(area[0].x % kSide, area[1].x % kSide);
   const std::array<TerrainRow, kSide> before = old == nullptr ? std::array<TerrainRow, kSide>{} : old->rows;
@@ -234,6 +245,7 @@ void BasicTerrain<Real>::compile_band(Chunk& chunk, Cell corner, int band, std::
                                       OutlineCompiler& compiler) {
   const std::shared_ptr<const Band> old = chunk.bands[band];
   auto fresh = std::make_shared<Band>();
+  std::vector<Piece<Real>> pieces;
   std::vector<Piece<double>> exact;
   std::vector<std::uint32_t> curves;
   const int begin = band * kBandRows;
@@ -247,20 +259,21 @@ void BasicTerrain<Real>::compile_band(Chunk& chunk, Cell corner, int band, std::
         cell.x >= area[0].x && cell.x <= area[1].x && cell.y >= area[0].y && cell.y <= area[1].y;
     if (!inside) {
       const std::span<const Piece<Real>> kept = chunk.pieces_in(in_chunk.x, in_chunk.y);
-      fresh->pieces.insert(fresh->pieces.end(), kept.begin(), kept.end());
+      pieces.insert(pieces.end(), kept.begin(), kept.end());
     } else if ((row.detailed & bit) != 0) {
       exact.clear();
       curves.clear();
       for (const CurveInCell& c : curves_between(cell, cell)) curves.push_back(c.piece);
       compiler.compile(cell, curves, exact);
-      for (const Piece<double>& piece : exact) fresh->pieces.push_back(narrow<Real>(piece));
+      for (const Piece<double>& piece : exact) pieces.push_back(narrow<Real>(piece));
     }
-    for (std::size_t n = fresh->first[i]; n < fresh->pieces.size(); ++n) {
-      row.faced[static_cast<int>(fresh->pieces[n].facing)] |= bit;
+    for (std::size_t n = fresh->first[i]; n < pieces.size(); ++n) {
+      row.faced[static_cast<int>(pieces[n].facing)] |= bit;
     }
-    fresh->first[i + 1] = static_cast<std::uint32_t>(fresh->pieces.size());
+    fresh->first[i + 1] = static_cast<std::uint32_t>(pieces.size());
   }
-  pieces_ += fresh->pieces.size() - (old == nullptr ? 0 : old->pieces.size());
+  fresh->pieces.assign(pieces.begin(), pieces.end());  // takes no more memory than they need
+  pieces_ += pieces.size() - (old == nullptr ? 0 : old->pieces.size());
   chunk.bands[band] = std::move(fresh);
 }
 

@@ -25,9 +25,9 @@ namespace talus {
 inline constexpr int kTileKinds = 256;
 
 // What a terrain is made of. Coordinates and heights are rounded to 1/256 px, so that ends which ought to
-// meet do meet. Shapes and curves must be good (see problem_of; asserted).
+// meet do meet. The size must be within the limits, shapes and curves good (see problem_of); asserted.
 struct TerrainSource {
-  int width = 0, height = 0;            // cells, 1 to 4096 each
+  int width = 0, height = 0;            // cells, 1 to kMaxTerrainSide each, kMaxTerrainCells in all
   std::span<const std::uint8_t> cells;  // width * height tile numbers, row by row
   std::array<TileShape, kTileKinds> shapes;
   std::vector<Curve> curves;
@@ -169,9 +169,11 @@ class BasicTerrain {
   };
   // What all copies share, whatever their cells are.
   struct Parts {
+    explicit Parts(const TerrainSource& source)
+        : shapes(source.shapes), outlines(source.shapes), curves(source.curves) {}
     std::array<TileShape, kTileKinds> shapes;
+    TileOutlines outlines;  // of the shapes
     std::vector<Curve> curves;
-    bool has_lines = false;  // any slope or the like among them
     std::vector<Piece<double>> curve_pieces;
     CurveEnds curve_ends;
     std::vector<CurveStretch<Real>> stretches;
@@ -196,6 +198,7 @@ class BasicTerrain {
   std::span<const CurveInCell> curves_between(Cell first, Cell last) const;
   OutlineCompiler compiler() const;
   void compile(std::array<Cell, 2> area);
+  bool is_bare(Cell corner, std::array<Cell, 2> area) const;
   void compile_chunk(Cell corner, std::array<Cell, 2> area, OutlineCompiler& compiler);
   Words details_in(std::array<Cell, 2> area, const OutlineCompiler& compiler) const;
   void compile_band(Chunk& chunk, Cell corner, int band, std::array<Cell, 2> area, OutlineCompiler& compiler);
