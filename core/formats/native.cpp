@@ -214,13 +214,16 @@ class Reader {
     int width = kTicMapWidth, height = kTicMapHeight;
     const auto take_side = [&](const std::string& key, int& side) {
       take(map, key, [&](const Json& value) {
-        if (!is_whole(value, 1, kMaxMapSide))
-          return fail_key("map." + key, "must be a whole number from 1 to 4096");
+        if (!is_whole(value, 1, kMaxTerrainSide))
+          return fail_key("map." + key, "must be a whole number from 1 to 2097152");
         side = value.get<int>();
       });
     };
     take_side("width", width);
     take_side("height", height);
+    if (error_) return;
+    if (!is_terrain_size(width, height))
+      return fail_key("map", "has a width times a height of more than 16777216 cells");
     level_.map = TileMap(width, height);
     take(map, "rows", [this](const Json& rows) { read_map_rows(rows); });
   }

@@ -5,11 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "../collision/geometry.h"
+#include "../collision/shape.h"
 
 namespace talus {
 
-inline constexpr int kMaxMapSide = 4096;  // cells
 inline constexpr int kTicMapWidth = 240;  // cells, the size of every TIC-80 map
 inline constexpr int kTicMapHeight = 136;
 inline constexpr int kScreenColumns = 30;  // cells, one TIC-80 screen
@@ -17,10 +16,10 @@ inline constexpr int kScreenRows = 17;
 
 class TileMap {
  public:
-  // width, height: cells, 1..kMaxMapSide (asserted).
+  // width, height: cells, as is_terrain_size says (asserted).
   explicit TileMap(int width = kTicMapWidth, int height = kTicMapHeight)
       : width_(width), height_(height), cells_(static_cast<std::size_t>(width) * height) {
-    assert(width >= 1 && width <= kMaxMapSide && height >= 1 && height <= kMaxMapSide);
+    assert(is_terrain_size(width, height));
   }
 
   int width() const { return width_; }

@@ -9,8 +9,8 @@ namespace talus {
 // Left and right changed about the middle of the map.
 Level mirrored(const Level& level);
 
-// Moved right and down by whole tiles, >= 0, in a map that has grown by as much; its sides must stay within
-// kMaxMapSide (asserted).
+// Moved right and down by whole tiles, >= 0, in a map that has grown by as much; its size must stay within
+// is_terrain_size (asserted).
 Level moved(const Level& level, int columns, int rows);
 
 }  // namespace talus

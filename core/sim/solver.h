@@ -10,7 +10,7 @@ namespace talus {
 
 // Tuning that adds energy would carry a body away for ever; these limits keep every number finite. A step
 // that reaches one says so in its record.
-inline constexpr double kMaxBodySpeed = 4096;    // px/frame in x and y: a level's whole width in eight frames
+inline constexpr double kMaxBodySpeed = 4096;    // px/frame in x and y: 512 tiles
 inline constexpr double kMaxBodyDistance = 1e9;  // px from the origin in x and y
 
 // A goal within these limits. What is within them is left as it is, to the last bit.

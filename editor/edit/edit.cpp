@@ -61,7 +61,7 @@ auto& place(L& level, const MapChange&) {
 
 // What tells two places of the same kind apart; fits 56 bits.
 std::uint64_t number(const CellChange& c) {
-  return static_cast<std::uint64_t>(c.cell.y) * kMaxMapSide + c.cell.x;
+  return static_cast<std::uint64_t>(c.cell.y) * kMaxTerrainSide + c.cell.x;
 }
 std::uint64_t number(const PixelChange& c) {
   const int image = static_cast<int>(c.sheet) * kTileCount + c.tile;

@@ -72,6 +72,46 @@ TEST(CastScale, PushesAndLeavesBoxesFarAway) {
   }
 }
 
+// ---- At the far ends of long and high maps ----
+
+double ulp_of(double number) {
+  return std::nextafter(number, std::numeric_limits<double>::infinity()) - number;
+}
+
+// Boxes fall askew onto a slope of 8 px in 24, whose low end is in the cell `at`: contacts are exact to one
+// unit in the last place of the larger coordinate. To tell that, long double has digits enough.
+void expect_exact_casts(const Terrain& ground, Cell at, Vec2 origin) {
+  using Wide = long double;
+  const Wide x0 = at.x * Wide(kTileSide), y0 = (at.y + 1) * Wide(kTileSide);
+  const double ulp = ulp_of(std::max(origin.x, origin.y));
+  for (int i = 0; i < 200; ++i) {
+    const Rect box{origin.x + i * 0.0625, origin.y + i % 7 * 0.125, 5 + i % 3 * 0.5, 6};
+    const Vec2 motion{(i % 9 - 4) * 0.3125, 24.75};
+    const Contact<double> c = cast_box(ground, {box, motion});
+    ASSERT_TRUE(c) << i;
+    // The lower right corner comes to y0 - (x - x0) / 3.
+    const Wide corner_x = Wide(box.x) + box.w - x0, above = y0 - corner_x / 3 - (Wide(box.y) + box.h);
+    const Wide t = above / (motion.y + Wide(motion.x) / 3);
+    ASSERT_GT(t, 0);
+    ASSERT_LT(t, 1);
+    const Wide x = box.x + t * motion.x, y = box.y + t * motion.y;
+    EXPECT_LE(std::abs(c.position.x - x), ulp) << i;
+    EXPECT_LE(std::abs(c.position.y - y), ulp) << i;
+  }
+}
+
+TEST(CastScale, ContactsAreExactAsFarAsMapsReach) {
+  for (const int far : {1 << 10, 1 << 17, kMaxTerrainSide - 8}) {
+    for (const bool is_long : {true, false}) {
+      const Cell at = is_long ? Cell{far, 5} : Cell{2, far};
+      TestMap map(at.x + 5, at.y + 2);
+      map.cells[static_cast<std::size_t>(at.y) * map.width + at.x] = kWide;
+      const Vec2 origin{at.x * 8.0 + 1.5, at.y * 8.0 - 14};
+      expect_exact_casts(map.compile(), at, origin);
+    }
+  }
+}
+
 // ---- One bit beside the limits ----
 
 TEST(CastScale, TheSteepestIsComparedExactly) {

@@ -142,10 +142,10 @@ TEST(MapTools, ALargeEditHoldsTheMapInsteadOfEveryCell) {
 // A fill that recursed would run out of stack here.
 TEST(MapTools, FloodFillsAMillionCells) {
   Level level;
-  level.map = TileMap(kMaxMapSide, 256);
+  level.map = TileMap(4096, 256);
   const Edit edit = flood_fill(level, {2000, 100}, kA);
   apply_edit(level, edit);
-  TileMap expected(kMaxMapSide, 256);
+  TileMap expected(4096, 256);
   for (std::uint8_t& tile : expected.cells()) tile = 1;
   EXPECT_TRUE(level.map == expected);
 }

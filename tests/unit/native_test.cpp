@@ -190,8 +190,13 @@ TEST(Native, ErrorsSayWhere) {
 }
 
 TEST(Native, MapErrorsSayInWhichRow) {
-  expect_error(with(R"("map": {"width": 4097})"), "key map.width", "must be a whole number from 1 to 4096");
-  expect_error(with(R"("map": {"height": 0})"), "key map.height", "must be a whole number from 1 to 4096");
+  expect_error(with(R"("map": {"width": 2097153})"), "key map.width",
+               "must be a whole number from 1 to 2097152");
+  expect_error(with(R"("map": {"height": 0})"), "key map.height", "must be a whole number from 1 to 2097152");
+  expect_error(with(R"("map": {"width": 2097152, "height": 9})"), "key map",
+               "has a width times a height of more than 16777216 cells");
+  expect_error(with(R"("map": {"width": 2097152, "height": 2097152})"), "key map",
+               "has a width times a height of more than 16777216 cells");
   expect_error(with(R"("map": {"height": 1, "rows": ["", ""]})"), "key map.rows",
                "has 2 rows, more than the map's height of 1");
   expect_error(with(R"("map": {"width": 2, "rows": ["", "010101"]})"), "map row 1",
@@ -211,14 +216,16 @@ TEST(Native, DeepAndEndlessJsonIsRefused) {
   EXPECT_EQ(read(with(R"("x": "[[[[\"[[[")")).extra, R"({"x":"[[[[\"[[["})");
 }
 
-TEST(Native, TheLargestMapComesBack) {
-  Level level;
-  level.map = TileMap(4096, 4096);
-  for (std::size_t i = 0; i < level.map.cells().size(); ++i)
-    level.map.cells()[i] = static_cast<std::uint8_t>(i * 7 + 1);
-  const std::string text = write(level);
-  EXPECT_LT(text.size(), 34'000'000u);
-  EXPECT_EQ(read(text), level);
+TEST(Native, TheLargestMapsComeBack) {
+  for (const int width : {8, 4096, 1 << 21}) {
+    Level level;
+    level.map = TileMap(width, kMaxTerrainCells / width);
+    for (std::size_t i = 0; i < level.map.cells().size(); ++i)
+      level.map.cells()[i] = static_cast<std::uint8_t>(i * 7 + 1);
+    const std::string text = write(level);
+    EXPECT_LT(text.size(), width == 8 ? 55'000'000u : 34'000'000u);
+    EXPECT_EQ(read(text), level);
+  }
 }
 
 TEST(Native, NumbersKeepEveryBit) {

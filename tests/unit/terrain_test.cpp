@@ -274,6 +274,65 @@ TEST(TerrainEdit, GivesWhatCompilingFromScratchGives) {
   paint_and_compare(TestMap(130, 72), 32, 5);
 }
 
+// A map may be as long or as high as curves may reach. Its far end is like any other place.
+TEST(TerrainEdit, GivesTheSameAtTheFarEnds) {
+  for (const bool is_long : {true, false}) {
+    const int width = is_long ? kMaxTerrainSide : 8, height = kMaxTerrainCells / width;
+    TestMap map(width, height);
+    const Cell last{width - 1, height - 1};
+    const auto tile = [&](Cell back) -> std::uint8_t& {
+      return map.cells[static_cast<std::size_t>(last.y - back.y) * width + last.x - back.x];
+    };
+    Terrain terrain = map.compile();
+    const auto put = [&](Cell back, std::uint8_t number) {
+      tile(back) = number;
+      terrain.set_cell({last.x - back.x, last.y - back.y}, number);
+    };
+    for (int x = 0; x < 6; ++x) put({x, 0}, kSolid);
+    put({5, 1}, kWide);
+    put({2, 1}, kDown);
+    put({0, 2}, kCeiling);
+    const Terrain fresh = map.compile();
+    EXPECT_TRUE(terrain == fresh);
+    for (Cell back{0, 0}; back.y < 6; ++back.y) {
+      for (back.x = 0; back.x < 8; ++back.x) {
+        const Cell cell{last.x - back.x, last.y - back.y};
+        const auto a = terrain.pieces_in(cell), b = fresh.pieces_in(cell);
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(same(a[i], b[i])) << text_of(a[i]);
+      }
+    }
+    // The pieces lie where those of a small map do, moved.
+    TestMap small(8, 8);
+    for (Cell back{0, 0}; back.y < 8; ++back.y) {
+      for (back.x = 0; back.x < 8; ++back.x)
+        small.cells[static_cast<std::size_t>(7 - back.y) * 8 + 7 - back.x] = tile(back);
+    }
+    const Terrain near = small.compile();
+    const Cell wide{last.x - 5, last.y - 1};
+    ASSERT_FALSE(near.pieces_in({2, 6}).empty());
+    ASSERT_EQ(terrain.pieces_in(wide).size(), near.pieces_in({2, 6}).size());
+    const Piece<double>&far_piece = terrain.pieces_in(wide)[0], &piece = near.pieces_in({2, 6})[0];
+    EXPECT_EQ(far_piece.x0 - piece.x0, (wide.x - 2) * 8.0);
+    EXPECT_EQ(far_piece.base_y - piece.base_y, (wide.y - 6) * 8.0);
+    EXPECT_EQ(far_piece.slope, piece.slope);
+    EXPECT_EQ(far_piece.origin, wide.y * width + wide.x);
+  }
+}
+
+TEST(Terrain, SizesHaveLimits) {
+  EXPECT_TRUE(is_terrain_size(1, 1));
+  EXPECT_TRUE(is_terrain_size(4096, 4096));
+  EXPECT_TRUE(is_terrain_size(2097152, 8));
+  EXPECT_TRUE(is_terrain_size(8, 2097152));
+  EXPECT_FALSE(is_terrain_size(2097153, 1));
+  EXPECT_FALSE(is_terrain_size(1, 2097153));
+  EXPECT_FALSE(is_terrain_size(4097, 4096));
+  EXPECT_FALSE(is_terrain_size(0, 8));
+  EXPECT_FALSE(is_terrain_size(8, 0));
+  EXPECT_FALSE(is_terrain_size(2147483647, 2147483647));
+}
+
 TEST(TerrainEdit, GivesTheSameBesideCurves) {
   TestMap map(72, 72);
   map.curves = {{Arc{{500, 520}, 60, 445, 550, true}, Curve::Faces::both},
