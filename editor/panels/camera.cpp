@@ -72,11 +72,10 @@ void Camera::clamp(Vec2 map, ImVec2 canvas) {
 }
 
 CanvasView Camera::view(ImVec2 min, ImVec2 size) const {
-  return {
-      min,
-      {min.x + size.x, min.y + size.y},
-      {min.x + std::round(static_cast<float>(offset_.x)), min.y + std::round(static_cast<float>(offset_.y))},
-      zoom()};
+  return {min,
+          {min.x + size.x, min.y + size.y},
+          {min.x + std::round(offset_.x), min.y + std::round(offset_.y)},
+          zoom()};
 }
 
 }  // namespace talus

@@ -13,11 +13,11 @@ namespace talus {
 // A canvas on the screen: from level px to screen px and back.
 struct CanvasView {
   ImVec2 min, max;  // px of the screen
-  ImVec2 origin;    // where the level's (0,0) lies
+  Vec2 origin;      // where the level's (0,0) lies; far away for a float at the end of a long level
   float zoom = 1;   // screen px per level px
 
   ImVec2 to_screen(Vec2 p) const {
-    return {origin.x + static_cast<float>(p.x * zoom), origin.y + static_cast<float>(p.y * zoom)};
+    return {static_cast<float>(origin.x + p.x * zoom), static_cast<float>(origin.y + p.y * zoom)};
   }
   Vec2 to_level(ImVec2 p) const { return {(p.x - origin.x) / zoom, (p.y - origin.y) / zoom}; }
   Cell to_cell(ImVec2 p) const;

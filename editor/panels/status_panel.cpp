@@ -55,7 +55,7 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
   const float side = ImGui::GetTextLineHeight();
   const CellRect shown{0, 0, std::min(stamp.w, kMostShown), std::min(stamp.h, kMostShown)};
   const float zoom = side / static_cast<float>(std::max(shown.w, shown.h) * kTileSize);
-  const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, at, zoom};
+  const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, {at.x, at.y}, zoom};
   draw_stamp(*ImGui::GetWindowDrawList(), stamp, shown, view, ui, 255);
   ImGui::Dummy({side, side});
   ui.item("status/stamp");

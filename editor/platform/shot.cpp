@@ -34,11 +34,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   (*window)->set_scale(ui.scale);
   textures.update(session.level(), session.revision(), ui);
   (*window)->begin_picture(size);
-  const CanvasView view{
-      {0, 0},
-      size,
-      {std::round(static_cast<float>(-area.x) * zoom), std::round(static_cast<float>(-area.y) * zoom)},
-      zoom};
+  const CanvasView view{{0, 0}, size, {std::round(-area.x * zoom), std::round(-area.y * zoom)}, zoom};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   draw_tiles(list, session.level(), view, ui, true);
   draw_curves(list, session.level(), view, ui.scale);
