@@ -203,7 +203,7 @@ Rect beside(const Setup& setup, Vec2 wall, std::uint64_t& random) {
 
 void push_into_tiles(const Setup& setup, std::size_t count, WallTally& tally) {
   Level level = report_level(setup);
-  const Vec2 wall = {wall_x(setup), report_origin(setup.scale).y + 64};
+  const Vec2 wall = {wall_x(setup), report_origin(setup).y - 16};
   std::uint64_t random = 1;
   add_body(level, beside(setup, wall, random), {});
   Run run(level);
@@ -264,7 +264,7 @@ void measure_rolls(Row& row, const Effort& effort) {
   const bool slope = setup.scene == S::roll_slope;
   const auto floor = std::get<LineFloor>(true_floor(setup));
   const Wide steepness = (floor.y1 - floor.y0) / (floor.x1 - floor.x0);
-  const Vec2 origin = report_origin(setup.scale);
+  const Vec2 origin = report_origin(setup);
   Level level = report_level(setup);
   std::uint64_t random = 1;
   for (std::size_t i = 0; i < balls_for(effort); ++i) {
@@ -292,13 +292,13 @@ void measure_bounces(Row& row, const Effort& effort) {
   const Setup& setup = row.setup;
   constexpr int kFrames = 240;
   const auto floor = static_cast<double>(std::get<LineFloor>(true_floor(setup)).y0);
-  const Vec2 origin = report_origin(setup.scale);
+  const Vec2 origin = report_origin(setup);
   Level level = report_level(setup);
   std::uint64_t random = 1;
   std::vector<std::vector<double>> right;
   for (std::size_t i = 0; i < balls_for(effort); ++i) {
     const double y = stored(setup, floor - kTileSize - next_between(random, 20, 100));
-    add_body(level, {origin.x + 124, y, kTileSize, kTileSize}, {});
+    add_body(level, {origin.x + 44, y, kTileSize, kTileSize}, {});
     right.push_back(bouncing(level.tuning, y + kTileSize - floor, kFrames));
   }
   Errors errors;

@@ -13,18 +13,21 @@ constexpr std::uint8_t kSolidTile = 1, kSlopeTile = 2;
 constexpr int kSlopes = 12;  // of the hillside
 
 // Places in px and cells, from the origin of the scene.
-constexpr double kFlatY = 128;
-constexpr Cell kHillFoot = {4, 28};  // the first slope's cell
-constexpr Segment kLine = {{3.25, 200.5}, {253.75, 80.25}};
+constexpr double kFlatY = 88;
+constexpr Cell kHillFoot = {4, 11};  // the first slope's cell
+constexpr Segment kLine = {{3.25, 100.5}, {203.75, 4.25}};
 constexpr Segment kLongLine = {{0, 600.25}, {2000, 100.5}};
-constexpr Vec2 kArcCenter = {128, 160};
+constexpr Vec2 kArcCenter = {128, 128};
 constexpr double kArcRadius = 64, kArcHalf = 45;
-constexpr double kSineLeft = 64, kSineWidth = 128, kSineY = 128, kSineHeight = 8, kSineWave = 64;
+constexpr double kSineLeft = 64, kSineWidth = 128, kSineY = 64, kSineHeight = 8, kSineWave = 64;
 constexpr int kWallColumn = 16;
 
-int ground_size(S scene) {  // px, of the square that the scene needs
-  if (scene == S::roll_slope) return 2048;
-  return scene == S::roll_flat ? 512 : 256;
+// The map's part that a scene needs, in cells. It is low, or narrow, so that long maps may have it at their
+// far end.
+Cell ground_size(S scene) {
+  if (scene == S::roll_slope) return {256, 76};
+  if (scene >= S::bounce_fall) return {12, 13};
+  return {scene == S::roll_flat ? 64 : 32, 13};
 }
 
 Segment moved(const Segment& line, Vec2 by) { return {line.from + by, line.to + by}; }
@@ -102,12 +105,13 @@ double stored(const Setup& setup, double value) {
 }
 Vec2 stored(const Setup& setup, Vec2 value) { return {stored(setup, value.x), stored(setup, value.y)}; }
 
-Vec2 report_origin(double scale) {
-  const double at = std::floor(scale / kTileSize) * kTileSize;
-  return {at, at};
+Vec2 report_origin(const Setup& setup) {
+  const double at = std::floor(setup.scale / kTileSize) * kTileSize;
+  if (setup.scale <= kMostSquareScale) return {at, at};
+  return setup.scene >= S::bounce_fall ? Vec2{0, at} : Vec2{at, 0};
 }
 
-double wall_x(const Setup& setup) { return report_origin(setup.scale).x + kWallColumn * kTileSize; }
+double wall_x(const Setup& setup) { return report_origin(setup).x + kWallColumn * kTileSize; }
 
 Level report_level(const Setup& setup) {
   Level level;
@@ -116,10 +120,10 @@ Level report_level(const Setup& setup) {
     level.map = TileMap(1, 1);
     return level;
   }
-  const Vec2 origin = report_origin(setup.scale);
+  const Vec2 origin = report_origin(setup);
   const Cell corner = {static_cast<int>(origin.x) / kTileSize, static_cast<int>(origin.y) / kTileSize};
-  const int side = corner.x + ground_size(setup.scene) / kTileSize + 2;
-  level.map = TileMap(side, side);
+  const Cell size = ground_size(setup.scene);
+  level.map = TileMap(corner.x + size.x + 1, corner.y + size.y);
   level.sheet(SheetId::tiles).flags[kSolidTile] = static_cast<std::uint8_t>(1 << level.roles.solid);
   level.sheet(SheetId::tiles).flags[kSlopeTile] = static_cast<std::uint8_t>(1 << level.roles.up_slope);
   const auto add = [&](const Curve& curve) { level.curves.push_back({"", curve, ""}); };
@@ -141,17 +145,16 @@ Level report_level(const Setup& setup) {
       add(curve_of(sine_at(origin), setup.segments));
       break;
     case S::wall_of_tiles:
-      for (int y = 0; y < 32; ++y) level.map.set({corner.x + kWallColumn, corner.y + y}, kSolidTile);
+      for (int y = 0; y < size.y; ++y) level.map.set({corner.x + kWallColumn, corner.y + y}, kSolidTile);
       break;
     default:
-      lay_floor(level, {corner.x, corner.y + static_cast<int>(kFlatY) / kTileSize},
-                ground_size(setup.scene) / kTileSize);
+      lay_floor(level, {corner.x, corner.y + static_cast<int>(kFlatY) / kTileSize}, size.x);
   }
   return level;
 }
 
 TrueFloor true_floor(const Setup& setup) {
-  const Vec2 origin = report_origin(setup.scale);
+  const Vec2 origin = report_origin(setup);
   switch (setup.scene) {
     case S::slope_tiles:
     case S::tiny_bodies: {
@@ -179,7 +182,7 @@ TrueFloor true_floor(const Setup& setup) {
 
 std::vector<Drop> report_drops(const Setup& setup, std::size_t count) {
   const TrueFloor floor = true_floor(setup);
-  const Vec2 origin = report_origin(setup.scale);
+  const Vec2 origin = report_origin(setup);
   const double size = setup.scene == S::tiny_bodies ? 1.0 / 64 : kTileSize;
   std::uint64_t random = 1;
   std::vector<Drop> drops(count);

@@ -15,8 +15,11 @@ Level report_level(const Setup& setup);
 // The same ground as the reference has it; not of walls.
 TrueFloor true_floor(const Setup& setup);
 
-// The corner of a scene's ground: near (scale, scale), on the grid.
-Vec2 report_origin(double scale);
+// The corner of a scene's ground, on the grid: near (scale, scale). Beyond kMostSquareScale, where a map that
+// is both long and high would be too large, near (scale, 0), or near (0, scale) where only heights are
+// measured.
+inline constexpr double kMostSquareScale = 1e4;
+Vec2 report_origin(const Setup& setup);
 
 // The number in the precision of the row.
 double stored(const Setup& setup, double value);

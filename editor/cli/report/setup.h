@@ -42,7 +42,7 @@ struct Setup {
   bool single = false;                    // in float
   int substeps = 1;
   int segments = 0;  // of the polyline in place of the curve; 0: the curve itself
-  double scale = 1;  // px: about how far from the origin the scene is, in x and y
+  double scale = 1;  // px: about how far from the origin the scene is (see report_origin)
 };
 
 inline constexpr std::array kReportSubsteps = {1, 2, 4, 8, 16};

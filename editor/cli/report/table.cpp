@@ -174,24 +174,32 @@ std::string losses_of(std::span<const Row> rows) {
 
 constexpr std::string_view kIntroduction = R"(# Speed against error
 
-Written by `talus report`; all rows are in `report.csv`. Errors are in px, largest / 99.9th percentile of the larger of
-both coordinates, and have separate meanings:
+Written by `talus report`; all rows are in `report.csv`. Errors are in px. Each cell has the largest one, then the 99.9th
+percentile; x and y are compared on their own, and the larger difference counts. There are four kinds of error:
 
-- **geometry**: one move against the exact answer of the stored inputs: the larger of the distance of the first
-  contact and of the height over the floor in the end; along a wall the distance in the end. `impact`: the time of
-  impact times the length of the motion.
+- **geometry**: one move against the exact answer to the stored inputs. It is the distance of the first contact, or the
+  height over the floor in the end, whichever is larger; along a wall the distance in the end.
+- **impact**: the time of impact, times the length of the motion.
 - **trajectory**: the same integrator in long double, over all frames.
 - **model**: closed-form physics, over all frames. Frames of a free flight lie on its curve, so that the bounce alone
   is measured.
 
-Where a column is empty, the row has nothing to compare. The article's solver tells no time of impact on slopes, only
-on the full tiles beside them; with sub-steps the time within the frame is not recorded. `article` and `bump` know no
-segments, no curves, no `float` and no sub-steps, so they have no such rows. Maps end at 32,768 px, so only bodies can
-be further out. All falls are steep enough to have one right answer; grazing ones are left to the property tests. What
-meets or misses something within 1/64 px of the end of its motion is not counted.
+Where a cell is empty, the row has nothing to compare. The article's solver tells no time of impact on slopes, only on
+the full tiles beside them; with sub-steps the time within the frame is not recorded. `article` and `bump` know no
+segments, no curves, no `float` and no sub-steps, so they have no such rows.
 
-Misses, ghosts, tunnels and teleports are of single moves, each of which has its own exact answer. Rows of a trajectory
-or of a model have none: there a ball that fell through the ground, or left the scene, is a large error of its row.
+**Scale** says how far from the origin a scene lies: near (scale, scale), and from 1e5 on, where a map that is both long
+and high would be too large, near (scale, 0), or near (0, scale) if it bounces balls, of which only the heights are
+measured. The line of 500 px in height ends at 1e6, and polylines in place of curves at 1e4. Numbers get coarser with the
+distance: at 1e7 px those of `double` are 2e-9 px apart, and those of `float` 1 px.
+
+All falls are steep enough to have one right answer; grazing ones are left to the property tests. What meets or misses
+something within 1/64 px of the end of its motion is not counted as a miss or a ghost.
+
+Misses, ghosts, tunnels and teleports are of single moves, each of which has its own exact answer: a miss met something
+according to the exact answer alone, a ghost according to the solver alone; a tunnel ended on the far side of what it
+should have met, and a teleport moved further than was asked for. Rows of a trajectory or of a model have none: there a
+ball that fell through the ground, or left the scene, is a large error of its row.
 
 )";
 
