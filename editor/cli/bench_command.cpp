@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "bench_balls.h"
 #include "bench_kernel.h"
 #include "command.h"
-#include "random.h"
 #include "sim/solver.h"
 #include "timing.h"
 #include "trace.h"
@@ -22,36 +22,6 @@ struct BenchOptions {
   bool pairs = false;
   PhysicsOptions physics;
 };
-
-// Cells in which a ball overlaps nothing: neither a tile with a role nor the second half of a slope.
-std::vector<Cell> free_cells(const Level& level) {
-  const auto is_slope = [&](Cell cell) {
-    const TileRole role = level.role_at(cell);
-    return role == TileRole::up_slope || role == TileRole::down_slope;
-  };
-  std::vector<Cell> cells;
-  for (Cell cell{0, 0}; cell.y < level.map.height(); ++cell.y) {
-    for (cell.x = 0; cell.x < level.map.width(); ++cell.x) {
-      const bool behind_slope = cell.x > 0 && is_slope({cell.x - 1, cell.y});
-      if (level.role_at(cell) == TileRole::none && !behind_slope) cells.push_back(cell);
-    }
-  }
-  return cells;
-}
-
-// Adds balls on free cells, each cell once; false when there are too few.
-bool spawn_balls(Level& level, int count, std::uint64_t seed) {
-  std::vector<Cell> cells = free_cells(level);
-  if (cells.size() < static_cast<std::size_t>(count)) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    std::swap(cells[i], cells[i + next_random(seed) % (cells.size() - i)]);
-    Spawn spawn;
-    spawn.position = {static_cast<double>(cells[i].x) * kTileSize,
-                      static_cast<double>(cells[i].y) * kTileSize};
-    level.spawns.push_back(spawn);
-  }
-  return true;
-}
 
 void bench(CommandContext& context, const BenchOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);

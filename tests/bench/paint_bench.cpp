@@ -1,5 +1,5 @@
-// What painting a cell of the largest map costs: a copy of the terrain, as undo keeps one, and its new
-// outline.
+// What painting a cell of the largest map costs: a copy of the terrain, its new outline, and the end of the
+// terrain before; and what compiling the whole costs.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,17 +16,20 @@ constexpr int kSide = 4096;     // cells
 constexpr int kEdits = 10'000;  // of one run
 constexpr std::uint8_t kEmpty = 0, kSolid = 1, kRising = 2, kFalling = 3;
 
-// 25 % of the cells are solid, and 3 % have a slope of 16 x 8 px, rising to either side.
-std::uint8_t random_tile(std::mt19937& random) {
+// sparse: 25 % of the cells are solid, and 3 % have a slope of 16 x 8 px, rising to either side. dense: every
+// cell is solid or has a slope.
+enum Map { kSparse, kDense };
+
+std::uint8_t random_tile(std::mt19937& random, Map map) {
   const auto percent = random() % 100;
-  if (percent < 25) return kSolid;
-  if (percent < 28) return random() % 2 == 0 ? kRising : kFalling;
+  if (percent < (map == kDense ? 50 : 25)) return kSolid;
+  if (percent < (map == kDense ? 100 : 28)) return random() % 2 == 0 ? kRising : kFalling;
   return kEmpty;
 }
 
-Terrain large_terrain(std::mt19937& random) {
+Terrain large_terrain(std::mt19937& random, Map map) {
   std::vector<std::uint8_t> cells(static_cast<std::size_t>(kSide) * kSide);
-  for (std::uint8_t& cell : cells) cell = random_tile(random);
+  for (std::uint8_t& cell : cells) cell = random_tile(random, map);
   TerrainSource source;
   source.width = source.height = kSide;
   source.cells = cells;
@@ -36,9 +39,16 @@ Terrain large_terrain(std::mt19937& random) {
   return Terrain(source);
 }
 
-void paint_cell(benchmark::State& state) {
+void compile(benchmark::State& state, Map map) {
+  for (auto _ : state) {
+    std::mt19937 random(1);
+    benchmark::DoNotOptimize(large_terrain(random, map).features());
+  }
+}
+
+void paint_cell(benchmark::State& state, Map map) {
   std::mt19937 random(1);
-  Terrain terrain = large_terrain(random);
+  Terrain terrain = large_terrain(random, map);
   std::vector<double> times;  // ms
   for (auto _ : state) {
     const Cell cell{static_cast<int>(random() % kSide), static_cast<int>(random() % kSide)};
@@ -46,8 +56,8 @@ void paint_cell(benchmark::State& state) {
     const auto begin = std::chrono::steady_clock::now();
     Terrain edited = terrain;
     edited.set_cell(cell, tile);
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
     terrain = std::move(edited);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
     state.SetIterationTime(time.count());
     times.push_back(time.count() * 1000);
   }
@@ -55,9 +65,19 @@ void paint_cell(benchmark::State& state) {
   state.counters["mean_ms"] =
       std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
   state.counters["median_ms"] = times[times.size() / 2];
+  state.counters["p999_ms"] = times[times.size() * 999 / 1000];
   state.counters["max_ms"] = times.back();
 }
-BENCHMARK(paint_cell)->Iterations(kEdits)->UseManualTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(paint_cell, sparse, kSparse)
+    ->Iterations(kEdits)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(paint_cell, dense, kDense)
+    ->Iterations(kEdits)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(compile, sparse, kSparse)->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(compile, dense, kDense)->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace talus
