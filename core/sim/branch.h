@@ -25,6 +25,7 @@ struct Branch {
   int id = 0;             // from 1, never used twice
   int parent = 0;         // id of the branch that it left, which may be gone; 0: none
   std::int64_t fork = 0;  // the frame in which it left its parent
+  int revision = 0;       // grows when frames that have been run are run again in another way
   bool draft = false;     // made by a re-run: the next one changes it in place (see Timeline)
   int compared = 0;       // id of the branch that it is shown with; 0: none
 

@@ -51,11 +51,12 @@ bool Timeline::replay() {
   return true;
 }
 
-void Timeline::step(const Input& input) {
+void Timeline::step(const Input& input, bool with_record) {
   if (in_past()) fork_at(frame());
   Branch& branch = now();
   if (branch.chapters.back().version != version_) begin_chapter();
-  cursor_.step_by(input, &record_);
+  record_.clear();
+  cursor_.step_by(input, with_record ? &record_ : nullptr);
   branch.inputs.push_back(input);
   branch.hashes.push_back(frame_hash(state()));
   keep(branch, state(), false);
@@ -88,12 +89,15 @@ void Timeline::begin_chapter() {
   Branch& branch = now();
   if (frame() == 0) return start_over();
   const bool kept_bodies = cursor_.edit(version_);
+  catching_up_.forget();
+  scout_.forget();
   Chapter& last = branch.chapters.back();
   if (last.first == frame() && last.kept_bodies && *last.version->spawns == *version_->spawns) {
     last = {frame(), version_, kept_bodies};
   } else {
     branch.chapters.push_back({frame(), version_, kept_bodies});
   }
+  ++branch.revision;
   branch.hashes.set(branch.hashes.size() - 1, frame_hash(state()));
   branch.keyframes.drop_from(frame());
   keep(branch, state(), true);

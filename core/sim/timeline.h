@@ -54,7 +54,8 @@ class Timeline {
   bool replay();
 
   // --- Going on
-  void step(const Input& input);
+  // with_record: whether record() is wanted of the step; else it is empty until another frame is shown.
+  void step(const Input& input, bool with_record = true);
   // The level was edited, in these cells of the map alone if they are given: it goes on from here on the
   // edited one. At frame 0 everything starts anew from it. What the simulation cannot see changes nothing.
   void edit(const Level& level, const std::vector<Cell>* cells = nullptr);
@@ -76,7 +77,7 @@ class Timeline {
   const std::vector<Branch>& branches() const { return branches_; }
   const Branch* find(int id) const;  // null: there is none
   const Branch& current() const { return *find(current_); }
-  int fork();                 // leaves the current branch where it is shown; the id of the new one
+  int fork();                 // leaves the current branch, unless it is empty, at the shown frame; the new id
   void switch_to(int id);     // shows the same frame, or its last; of no branch: nothing happens
   void drop(int id);          // of the last branch only what it holds
   void compare_with(int id);  // the current branch is shown with this one; 0, or no other branch: with none
@@ -95,7 +96,7 @@ class Timeline {
   State state_at(const Branch& branch, std::int64_t frame) const;
   StepRecord record_at(const Branch& branch, std::int64_t frame) const;
   // Calls visit for the frames first..last (asserted) in order, until it returns false. record: of the step
-  // that led there, null for frame 0 and where `with_records` is false.
+  // that led there, null for frame 0 and where `with_records` is false. visit must not look elsewhere itself.
   using Visit = FunctionRef<bool(const State& state, const StepRecord* record)>;
   void walk(const Branch& branch, std::int64_t first, std::int64_t last, bool with_records,
             Visit visit) const;
@@ -122,6 +123,7 @@ class Timeline {
   void begin_chapter();
   void start_over();
   Branch& draft();
+  void renumber_grabs(Branch& branch);
   void run_again_after(Branch& branch, std::int64_t frame);
   void keep(Branch& branch, const State& state, bool is_edit);
 

@@ -15,6 +15,7 @@ void Timeline::rerun(std::int64_t from) {
   from = std::clamp<std::int64_t>(from, 0, last_frame());
   if (last_frame() == 0) return start_over();
   Branch& branch = draft();
+  if (from == 0) renumber_grabs(branch);
   std::erase_if(branch.chapters, [&](const Chapter& chapter) { return chapter.first >= from; });
   branch.chapters.push_back({from, version_, false});
   run_again_after(branch, from - 1);
@@ -40,6 +41,28 @@ void Timeline::set_input(std::int64_t first, std::int64_t last, InputKey key, bo
   show_wanted();
 }
 
+// The bodies that the level as it is now starts may have other numbers: what the mouse held, it shall hold.
+void Timeline::renumber_grabs(Branch& branch) {
+  const VersionPtr before = branch.chapters.front().version;
+  State old = initial_state(*scenes_.scene_of(before));
+  old.frame = 1;  // so that its bodies go on with the numbers that they have
+  const State carried = edited_state(std::move(old), *before, *version_, *scene_);
+  const State now = initial_state(*scene_);
+  const auto number_now = [&](int number) {
+    const Body* body = carried.find(number);
+    if (body == nullptr) return 0;
+    const auto same = std::find_if(now.bodies.begin(), now.bodies.end(),
+                                   [&](const Body& b) { return b.origin == body->origin; });
+    return same == now.bodies.end() ? 0 : same->id;
+  };
+  for (std::size_t i = 0; i < branch.inputs.size(); ++i) {
+    Input input = branch.inputs[i];
+    if (input.grab == 0) continue;
+    input.grab = number_now(input.grab);
+    if (input != branch.inputs[i]) branch.inputs.set(i, input);
+  }
+}
+
 // The current branch if it is a draft, or a draft of it.
 Branch& Timeline::draft() {
   if (current().draft) return now();
@@ -56,6 +79,7 @@ Branch& Timeline::draft() {
 // What comes after a frame is still to be run; after -1, all.
 void Timeline::run_again_after(Branch& branch, std::int64_t frame) {
   frame = std::min(frame, branch.run_frame());
+  ++branch.revision;
   branch.hashes.cut(static_cast<std::size_t>(frame + 1));
   branch.keyframes.drop_from(frame + 1);
   branch.expected.cut(0);

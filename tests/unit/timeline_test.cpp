@@ -300,6 +300,19 @@ TEST(Timeline, FurtherEditsRunTheSameDraftAgain) {
   EXPECT_EQ(timeline.branches().size(), 3u) << "it was no draft any more";
 }
 
+TEST(Timeline, TheMouseHoldsTheSameBodyAgainThoughItsNumberIsAnother) {
+  Level level = level_of({".o...", ".....", ".....", "#####"});
+  Timeline timeline(level);
+  for (int i = 0; i < 20; ++i) timeline.step({.mouse = {30, 12}, .mouse_down = true, .grab = 1});
+  timeline.edit_and_rerun(level = with_tile(level, {0, 1}, 2), nullptr, 0);
+  finish(timeline);
+  EXPECT_EQ(timeline.state().grabbed, 2);
+  EXPECT_EQ(timeline.state().find(2)->origin.cell, (Cell{1, 0}));
+  EXPECT_EQ(timeline.compared()->input(1).grab, 1) << "the old run keeps its own";
+  timeline.edit_and_rerun(with_tile(level, {1, 0}, 0), nullptr, 0);
+  EXPECT_EQ(timeline.current().input(1).grab, 0) << "there is none to hold";
+}
+
 TEST(Timeline, CancelledItEndsWhereItIs) {
   Timeline timeline(drop());
   played(timeline, 50);
@@ -389,6 +402,17 @@ TEST(Timeline, WalkVisitsEachFrameOnceUntilItIsEnough) {
   EXPECT_EQ(timeline.frame(), 40) << "what is shown stays";
 }
 
+TEST(Timeline, LookingAtTheEndDoesNotOutliveAnEditThere) {
+  Timeline timeline(drop());
+  played(timeline, 9);
+  EXPECT_EQ(timeline.state_at(timeline.current(), 9).bodies.size(), 1u);
+  timeline.edit(with_tile(drop(), {4, 0}, 2));
+  EXPECT_EQ(timeline.state_at(timeline.current(), 9), timeline.state());
+  EXPECT_EQ(timeline.state().bodies.size(), 2u);
+  const State next = played(timeline, 1).state();
+  EXPECT_EQ(timeline.state_at(timeline.current(), 10), next);
+}
+
 TEST(Timeline, MarksAreByFrameAndGoWithTheirBranch) {
   Timeline timeline(drop());
   played(timeline, 30);
@@ -421,6 +445,25 @@ TEST(Timeline, KeyframesKeepToTheirBudgetAndSeeksStayShort) {
   std::int64_t frame = 1;
   for (int i = 0; i < 200; ++i) {
     frame = frame * 7919 % kFrames;
+    const std::int64_t before = timeline.steps_again();
+    timeline.seek(frame);
+    EXPECT_LE(timeline.steps_again() - before, timeline.keyframe_stride());
+    EXPECT_EQ(frame_hash(timeline.state()), timeline.current().hashes[static_cast<std::size_t>(frame)]);
+  }
+}
+
+TEST(Timeline, AHundredEditsDoNotMakeSeeksLong) {
+  Level level = room(SolverKind::exact);
+  Timeline timeline(level, 20'000);
+  for (std::int64_t frame = 1; frame <= 400; ++frame) {
+    const Cell cell{static_cast<int>(frame / 4 % 20) + 2, 2};
+    if (frame % 4 == 0) level.map.set(cell, level.map.at(cell) == 1 ? 0 : 1);
+    if (frame % 4 == 0) timeline.edit(level);
+    timeline.step(input_at(frame));
+    ASSERT_LE(timeline.keyframe_bytes(), 20'000u);
+  }
+  EXPECT_EQ(timeline.current().chapters.size(), 101u);
+  for (std::int64_t frame = 400; frame > 0; frame -= 13) {
     const std::int64_t before = timeline.steps_again();
     timeline.seek(frame);
     EXPECT_LE(timeline.steps_again() - before, timeline.keyframe_stride());
