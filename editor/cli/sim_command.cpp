@@ -1,10 +1,10 @@
 // talus sim FILE --frames N [--solver S] [--set KEY=VALUE] [--input F.jsonl] [--trace F.jsonl] [--hash]
 // talus sim FILE --verify [--solver S] [--set KEY=VALUE]
+// talus sim FILE.talusrec [--frames N] [--trace F.jsonl] [--hash], or --verify
 
-#include <fstream>
+#include <limits>
 #include <ostream>
 
-#include "command.h"
 #include "formats/atomic_file.h"
 #include "formats/hard_case.h"
 #include "formats/number_text.h"
@@ -12,23 +12,15 @@
 #include "sim/case_input.h"
 #include "sim/hard_case_run.h"
 #include "sim/solver.h"
+#include "sim_run.h"
 #include "trace.h"
 
 namespace talus {
 namespace {
 
-struct SimOptions {
-  std::string file, input, trace;
-  std::int64_t frames = 0;
-  bool hash = false;
-  bool no_contacts = false;
-  bool verify = false;
-  PhysicsOptions physics;
-};
-
 // The recorded input, an empty one without a file, or nothing after having failed.
-std::optional<std::vector<TimedInput>> load_input(CommandContext& context, const std::string& file) {
-  if (file.empty()) return std::vector<TimedInput>();
+std::optional<std::vector<RecordedInput>> load_input(CommandContext& context, const std::string& file) {
+  if (file.empty()) return std::vector<RecordedInput>();
   const auto bytes = read_file(file);
   if (!bytes) {
     fail(context, file, bytes.error().place, bytes.error().message);
@@ -59,38 +51,32 @@ void verify(CommandContext& context, const SimOptions& options, const Level& lev
   }
 }
 
-void simulate(CommandContext& context, const SimOptions& options) {
+void simulate_level(CommandContext& context, const SimOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
   apply_physics(options.physics, level->tuning);
   if (options.verify) return verify(context, options, *level);
-  std::optional<std::vector<TimedInput>> inputs = load_input(context, options.input);
+  std::optional<std::vector<RecordedInput>> inputs = load_input(context, options.input);
   if (!inputs) return;
   const auto hard = hard_case_of(*level);
   if (!hard) return fail(context, options.file, hard.error().place, hard.error().message);
   const std::vector<CaseInput> script = *hard ? (*hard)->input : std::vector<CaseInput>();
 
-  std::ofstream trace_file;
-  std::ostream* trace = options.trace == "-" ? &context.out : nullptr;
-  if (!options.trace.empty() && trace == nullptr) {
-    trace_file.open(options.trace, std::ios::binary);
-    if (!trace_file) return fail(context, options.trace, "", "cannot be written");
-    trace = &trace_file;
-  }
+  TraceFile trace(context, options);
+  if (!trace.good()) return;
 
   const auto scene = std::make_shared<const Scene>(compile_scene(*level));
   const std::unique_ptr<Solver> solver = make_solver(scene);
   State state = initial_state(*scene);
   InputPlayer player(std::move(*inputs));
   StepRecord record;
-  StepRecord* wanted = trace != nullptr && !options.no_contacts ? &record : nullptr;
+  StepRecord* wanted = trace.wants_contacts() ? &record : nullptr;
   for (std::int64_t i = 0; i < options.frames; ++i) {
     const std::int64_t frame = state.frame + 1;
     solver->step(state, added(case_input(script, frame), player.at(frame)), wanted);
-    if (trace != nullptr) *trace << trace_line(state, wanted) << '\n';
+    trace.write(state, wanted);
   }
-  if (trace_file.is_open() && !trace_file.flush())
-    return fail(context, options.trace, "", "cannot be written");
+  if (!trace.finish()) return;
   if (options.hash) context.out << hash_text(state_hash(state)) << '\n';
 }
 
@@ -99,12 +85,16 @@ void simulate(CommandContext& context, const SimOptions& options) {
 void add_sim_command(CLI::App& program, CommandContext& context) {
   CLI::App* command = program.add_subcommand("sim", "Run a level without a window and write what happens");
   auto options = std::make_shared<SimOptions>();
-  command->add_option("FILE", options->file, "Level or cart")->required();
-  CLI::Option* frames = command->add_option("--frames", options->frames, "Steps to make")
-                            ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+  command->add_option("FILE", options->file, "Level, cart or recording")->required();
+  CLI::Option* frames =
+      command
+          ->add_option("--frames", options->frames,
+                       "Steps to make; of a recording, at most and by default all of its own")
+          ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
   CLI::Option* verify_flag =
       command->add_flag("--verify", options->verify,
-                        "Run a hard case as its file says, and print each check of its right answer");
+                        "Run a hard case as its file says, and print each check of its right answer; or run "
+                        "a recording, and compare the hash of each frame");
   add_physics_options(*command, options->physics);
   command->add_option("--input", options->input,
                       "Recorded mouse and keys (JSON lines), besides those of a hard case");
@@ -113,8 +103,11 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
   for (const char* other : {"--frames", "--input", "--trace", "--hash"}) verify_flag->excludes(other);
   command->callback([&context, options, frames] {
-    if (!options->verify && frames->empty()) throw CLI::RequiredError("--frames");
-    simulate(context, *options);
+    const bool recording = is_recording_file(options->file);
+    if (!recording && !options->verify && frames->empty()) throw CLI::RequiredError("--frames");
+    if (!recording) return simulate_level(context, *options);
+    if (frames->empty()) options->frames = std::numeric_limits<std::int64_t>::max();
+    simulate_recording(context, *options);
   });
 }
 

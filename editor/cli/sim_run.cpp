@@ -1,0 +1,102 @@
+// Traces, and recordings.
+#include "sim_run.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "formats/atomic_file.h"
+#include "formats/recording.h"
+#include "sim/timeline.h"
+#include "trace.h"
+
+namespace talus {
+namespace {
+
+constexpr std::int64_t kStepsAtOnce = 4096;  // between looks for a frame that is not as recorded
+
+std::optional<Recording> load_recording_or_fail(CommandContext& context, const SimOptions& options) {
+  auto recording = load_recording(options.file);
+  if (!recording) {
+    fail(context, options.file, recording.error().place, recording.error().message);
+    return std::nullopt;
+  }
+  apply_physics(options.physics, recording->level.tuning);
+  for (RecordedEdit& edit : recording->edits) {
+    LevelVersion version = *edit.version;
+    apply_physics(options.physics, version.tuning);
+    edit.version = std::make_shared<const LevelVersion>(std::move(version));
+  }
+  return *std::move(recording);
+}
+
+// "passed 3600 frames", or "failed frame 61: hash .., recorded ..".
+void verify(CommandContext& context, Timeline& timeline) {
+  const Branch& branch = timeline.current();
+  while (timeline.behind() && !timeline.unexpected_frame(branch)) timeline.catch_up(kStepsAtOnce);
+  const auto failed = timeline.unexpected_frame(branch);
+  if (!failed) {
+    context.out << "passed " << branch.last_frame() << " frames\n";
+    return;
+  }
+  const auto at = static_cast<std::size_t>(*failed);
+  context.out << "failed frame " << *failed << ": hash " << hash_text(branch.hashes[at]) << ", recorded "
+              << hash_text(branch.expected[at]) << '\n';
+  context.status = kExitBad;
+}
+
+}  // namespace
+
+TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
+    : context_(context), options_(options) {
+  if (options.trace.empty()) return;
+  if (options.trace == "-") {
+    out_ = &context.out;
+    return;
+  }
+  file_.open(options.trace, std::ios::binary);
+  good_ = file_.is_open();
+  out_ = &file_;
+  if (!good_) fail(context, options.trace, "", "cannot be written");
+}
+
+void TraceFile::write(const State& state, const StepRecord* record) {
+  if (out_ != nullptr) *out_ << trace_line(state, record) << '\n';
+}
+
+bool TraceFile::finish() {
+  if (!file_.is_open() || file_.flush()) return true;
+  fail(context_, options_.trace, "", "cannot be written");
+  return false;
+}
+
+bool is_recording_file(const std::string& path) {
+  const FormatContext context = context_for_file(path);
+  if (is_recording("", context)) return true;
+  const auto bytes = read_file(path);
+  return bytes && is_recording(*bytes, context);
+}
+
+void simulate_recording(CommandContext& context, const SimOptions& options) {
+  if (!options.input.empty()) return fail(context, options.file, "", "has its own input; leave --input out");
+  const std::optional<Recording> recording = load_recording_or_fail(context, options);
+  if (!recording) return;
+  Timeline timeline(*recording);
+  if (options.verify) return verify(context, timeline);
+
+  TraceFile trace(context, options);
+  if (!trace.good()) return;
+  const Branch& branch = timeline.current();
+  const std::int64_t frames = std::min(options.frames, branch.last_frame());
+  timeline.catch_up(frames);
+  if (trace.wanted() && frames > 0) {
+    timeline.walk(branch, 1, frames, trace.wants_contacts(),
+                  [&](const State& state, const StepRecord* record) {
+                    trace.write(state, record);
+                    return true;
+                  });
+  }
+  if (!trace.finish()) return;
+  if (options.hash) context.out << hash_text(state_hash(timeline.state_at(branch, frames))) << '\n';
+}
+
+}  // namespace talus

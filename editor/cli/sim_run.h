@@ -1,0 +1,44 @@
+// What `talus sim` needs to run a level or a recording.
+#pragma once
+
+#include <fstream>
+
+#include "command.h"
+#include "sim/record.h"
+#include "sim/state.h"
+
+namespace talus {
+
+struct SimOptions {
+  std::string file, input, trace;
+  std::int64_t frames = 0;
+  bool hash = false;
+  bool no_contacts = false;
+  bool verify = false;
+  PhysicsOptions physics;
+};
+
+// Where the trace goes: a file, standard output or nowhere. What cannot be written fails the command.
+class TraceFile {
+ public:
+  TraceFile(CommandContext& context, const SimOptions& options);
+  bool good() const { return good_; }
+  bool wanted() const { return out_ != nullptr; }
+  bool wants_contacts() const { return wanted() && !options_.no_contacts; }
+  void write(const State& state, const StepRecord* record);
+  bool finish();
+
+ private:
+  CommandContext& context_;
+  const SimOptions& options_;
+  std::ofstream file_;
+  std::ostream* out_ = nullptr;
+  bool good_ = true;
+};
+
+bool is_recording_file(const std::string& path);
+// Plays a recording with its own input and edits, or, to verify it, until the first frame that is not as
+// recorded.
+void simulate_recording(CommandContext& context, const SimOptions& options);
+
+}  // namespace talus

@@ -1,0 +1,111 @@
+// talus sim FILE.talusrec: playing a recording, and verifying it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "cli/cli.h"
+#include "formats/recording.h"
+#include "level_text.h"
+#include "sim/timeline.h"
+
+namespace talus {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Answer {
+  int status;
+  std::string out, err;
+};
+
+Answer sim(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "sim");
+  std::ostringstream out, err;
+  const int status = run_cli(arguments, out, err);
+  return {status, out.str(), err.str()};
+}
+
+// A ball that is thrown, over a floor that gets a step after 30 frames.
+Recording sample() {
+  Level level = level_of({"o.......", "........", "........", "########"});
+  Timeline timeline(level);
+  for (std::int64_t frame = 1; frame <= 60; ++frame) {
+    if (frame == 31) {
+      level.map.set({3, 2}, 1);
+      timeline.edit(level);
+    }
+    timeline.step({.mouse = {40, 4}, .mouse_down = frame < 10, .grab = frame < 10 ? 1 : 0});
+  }
+  return timeline.recording(timeline.current(), level_of({"o.......", "........", "........", "########"}));
+}
+
+std::string saved(const std::string& name, const Recording& recording) {
+  const std::string path = testing::TempDir() + "talus_cli_" + name;
+  EXPECT_TRUE(save_recording(recording, path));
+  return path;
+}
+
+TEST(CliRecording, VerifiesWhatComesOutAsItWas) {
+  const Answer answer = sim({saved("good.talusrec", sample()), "--verify"});
+  EXPECT_EQ(answer.status, kExitGood) << answer.err;
+  EXPECT_EQ(answer.out, "passed 60 frames\n");
+}
+
+TEST(CliRecording, NamesTheFirstFrameThatDiffers) {
+  Recording recording = sample();
+  recording.hashes[42] ^= 1;
+  recording.hashes[50] ^= 1;
+  const Answer tampered = sim({saved("tampered.talusrec", recording), "--verify"});
+  EXPECT_EQ(tampered.status, kExitBad);
+  EXPECT_THAT(tampered.out, StartsWith("failed frame 42: hash "));
+  EXPECT_EQ(std::count(tampered.out.begin(), tampered.out.end(), '\n'), 1);
+
+  const Answer other = sim({saved("good.talusrec", sample()), "--verify", "--set", "fall_speed=4"});
+  EXPECT_EQ(other.status, kExitBad);
+  EXPECT_THAT(other.out, StartsWith("failed frame 10: hash ")) << "the first in which the ball falls";
+}
+
+TEST(CliRecording, PlaysWithItsOwnInputAndEdits) {
+  const std::string path = saved("good.talusrec", sample());
+  Timeline timeline(sample());
+  timeline.catch_up(60);
+  const auto hash = [&](std::int64_t frame) {
+    std::ostringstream text;
+    text << std::hex << std::setw(16) << std::setfill('0')
+         << state_hash(timeline.state_at(timeline.current(), frame)) << '\n';
+    return text.str();
+  };
+  EXPECT_EQ(sim({path, "--hash"}).out, hash(60));
+  EXPECT_EQ(sim({path, "--hash", "--frames", "12"}).out, hash(12));
+  EXPECT_EQ(sim({path, "--hash", "--frames", "1000"}).out, hash(60)) << "no further than it goes";
+  const Answer traced = sim({path, "--trace", "-"});
+  EXPECT_EQ(std::count(traced.out.begin(), traced.out.end(), '\n'), 60);
+  EXPECT_THAT(traced.out, StartsWith("{\"frame\":1,"));
+  EXPECT_THAT(traced.out, HasSubstr("\"contacts\":["));
+  EXPECT_THAT(sim({path, "--trace", "-", "--no-contacts"}).out, testing::Not(HasSubstr("contacts")));
+}
+
+TEST(CliRecording, IsToldByItsContentToo) {
+  EXPECT_EQ(sim({saved("good.json", sample()), "--verify"}).out, "passed 60 frames\n");
+}
+
+TEST(CliRecording, RefusesOtherInputAndBadFiles) {
+  const std::string path = saved("good.talusrec", sample());
+  const Answer input = sim({path, "--input", "x.jsonl"});
+  EXPECT_EQ(input.status, kExitBad);
+  EXPECT_THAT(input.err, HasSubstr("has its own input"));
+  const std::string bad = testing::TempDir() + "talus_cli_bad.talusrec";
+  std::ofstream(bad) << "{\"talus_recording\": 2}";
+  const Answer answer = sim({bad, "--verify"});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(answer.err, StartsWith(bad + ":key talus_recording: error: is of a newer Talus"));
+  EXPECT_EQ(answer.out, "");
+  EXPECT_EQ(sim({testing::TempDir() + "no_such.talusrec"}).status, kExitBad);
+}
+
+}  // namespace
+}  // namespace talus
