@@ -141,8 +141,8 @@ void App::run() {
 }
 
 void App::wait() {
-  const bool busy = session_->playback().running || ui_.wants_frames() || has_waiting_events() ||
-                    last_time_ - last_event_ < kLivelyAfterEvent;
+  const bool busy = session_->playback().running || session_->timeline().behind() || ui_.wants_frames() ||
+                    has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent;
   if (busy) {
     const double spent = (options_.clock() - last_time_) * 1000;
     if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));

@@ -3,48 +3,52 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <utility>
 
-#include "level/followed_spawn.h"
 #include "sim/case_input.h"
 
 namespace talus {
+namespace {
+
+bool holds_anything(const Input& input) {
+  return input.mouse_down || input.left || input.right || input.jump;
+}
+
+}  // namespace
 
 void Player::load(const Level& level) {
-  compile(compile_scene(level));
-  spawns_ = level.spawns;
+  timeline_.emplace(level);
+  start();
+}
+
+void Player::load(const Recording& recording) {
+  timeline_.emplace(recording);
+  start();
+}
+
+void Player::start() {
   set_running(false);
   playback_.input = {};
-  reset();
+  held_.reset();
 }
 
-void Player::recompile(const Level& edited) { go_on_in(compile_scene(edited)); }
-
-void Player::recompile(const Level& edited, std::span<const Cell> changed) {
-  go_on_in(recompile_scene(*scene_, edited, changed));
-}
-
-void Player::follow_spawns(const std::vector<Spawn>& edited) {
-  if (edited == spawns_) return;
-  std::erase_if(state_.bodies, [&](Body& body) {
-    if (body.origin.spawn < 0) return false;
-    const auto now = followed_spawn(spawns_, edited, body.origin.spawn);
-    body.origin.spawn = now.value_or(-1);
-    return !now;
-  });
-  spawns_ = edited;
-}
-
-void Player::go_on_in(Scene scene) {
-  if (scene == *scene_) return;
-  compile(std::move(scene));
-  state_ = state_.frame == 0 ? initial_state(*scene_) : carry_over(state_, *scene_);
+void Player::edit(const Level& edited, const std::vector<Cell>* cells) {
+  const bool reruns = rule_.kind != EditRule::Kind::go_on && timeline_->last_frame() > 0;
+  if (reruns) {
+    timeline_->edit_and_rerun(edited, cells, rule_.kind == EditRule::Kind::from_start ? 0 : rule_.frame);
+  } else {
+    timeline_->edit(edited, cells);
+  }
+  if (timeline_->frame() == 0) playback_.input.grab = 0;  // bodies may have other numbers now
+  show_held();
 }
 
 void Player::reset() {
-  state_ = initial_state(*scene_);
-  record_.clear();
+  timeline_->restart();
+  playback_.input.grab = 0;
   due_ = 0;
+  show_held();
 }
 
 void Player::set_running(bool running) {
@@ -58,14 +62,24 @@ void Player::set_speed(double factor) {
 }
 
 void Player::hold_mouse(const action::HoldMouse& mouse, int body) {
-  playback_.input.mouse = mouse.position;
-  const bool was_down = std::exchange(playback_.input.mouse_down, mouse.down);
-  if (mouse.down && !was_down && state_.find(body) != nullptr) {
-    state_.grabbed = body;
-    held_since_ = state_.frame;
+  Input& input = playback_.input;
+  input.mouse = mouse.position;
+  const bool was_down = std::exchange(input.mouse_down, mouse.down);
+  if (!mouse.down) {
+    input.grab = 0;
+  } else if (!was_down) {
+    input.grab = timeline_->state().find(body) != nullptr ? body : 0;
   }
-  const bool not_moved_yet = state_.frame == held_since_;
-  if (!mouse.down && was_down && not_moved_yet) state_.grabbed = 0;  // nothing to throw it with
+  show_held();
+}
+
+void Player::show_held() {
+  held_.reset();
+  const Input& input = playback_.input;
+  const State& state = timeline_->state();
+  if (!input.mouse_down || state.grabbed == input.grab || state.find(input.grab) == nullptr) return;
+  held_ = state;
+  held_->grabbed = input.grab;
 }
 
 void Player::hold_keys(const action::HoldKeys& keys) {
@@ -79,21 +93,35 @@ void Player::hold_keys(const action::HoldKeys& keys) {
 }
 
 void Player::step() {
-  if (solver_ == nullptr) solver_ = make_solver(scene_);
   const Input live = added(std::exchange(tapped_, {}), playback_.input);
-  solver_->step(state_, added(case_input(script_, state_.frame + 1), live), &record_);
+  if (timeline_->in_past() && !holds_anything(live)) {
+    timeline_->replay();
+  } else {
+    timeline_->step(added(case_input(script_, timeline_->frame() + 1), live));
+  }
+  show_held();
+}
+
+void Player::seek(std::int64_t frame) {
+  set_running(false);
+  timeline_->seek(frame);
+  show_held();
 }
 
 void Player::advance(double seconds) {
   assert(seconds >= 0);
+  if (timeline_->behind()) return run_again();
   if (!playback_.running) return;
   due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, Session::kMaxCatchUpSteps);
   for (; due_ >= 1; due_ -= 1) step();
 }
 
-void Player::compile(Scene scene) {
-  scene_ = std::make_shared<const Scene>(std::move(scene));
-  solver_.reset();
+void Player::run_again() {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const std::chrono::duration<double> most(kRerunSeconds);
+  while (timeline_->behind() && Clock::now() - start < most) timeline_->catch_up(16);
+  show_held();
 }
 
 }  // namespace talus

@@ -1,4 +1,5 @@
-// Session: editing, playing and choosing. Files are in session_files.cpp.
+// Session: editing, playing and choosing. Files are in session_files.cpp, the past is in
+// session_timeline.cpp.
 #include "session.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "level/followed_spawn.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -107,19 +109,25 @@ void Session::Impl::note_change(const Edit& edit) {
 void Session::Impl::refresh_scene() {
   if (scene_changes.empty()) return;
   const SceneChanges changes = std::exchange(scene_changes, {});
-  if (changes.whole) player.follow_spawns(level.spawns);
-  keep_chosen_body([&] {
-    if (changes.whole) return player.recompile(level);
-    player.recompile(level, changes.cells);
-  });
+  keep_chosen_body([&] { player.edit(level, changes.whole ? nullptr : &changes.cells); });
 }
 
 void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
+  const auto spawns = [this] {
+    const Branch& branch = player.timeline().current();
+    return branch.chapters[branch.chapter_at(player.timeline().frame())].version->spawns;
+  };
   const Body* chosen = player.state().find(choices.body);
   choices.body = 0;
   if (chosen == nullptr) return renumber();
-  const BodyOrigin origin = chosen->origin;
+  BodyOrigin origin = chosen->origin;
+  const auto before = spawns();
   renumber();
+  if (origin.spawn >= 0) {
+    const auto now = followed_spawn(*before, *spawns(), origin.spawn);
+    if (!now) return;
+    origin.spawn = *now;
+  }
   for (const Body& body : player.state().bodies) {
     if (body.origin == origin) choices.body = body.id;
   }
@@ -136,7 +144,7 @@ void Session::apply(const Actions& actions) {
   impl_->refresh_scene();
 }
 
-void Session::advance(double seconds) { impl_->player.advance(seconds); }
+void Session::advance(double seconds) { impl_->advance(seconds); }
 
 const Level& Session::level() const { return impl_->level; }
 std::uint64_t Session::revision() const { return impl_->revision; }
@@ -154,10 +162,16 @@ const std::vector<Problem>& Session::problems() const {
 }
 
 const std::optional<HardCase>& Session::hard_case() const { return impl_->hard_case; }
-const Scene& Session::scene() const { return impl_->player.scene(); }
+const Scene& Session::scene() const { return timeline().scene(); }
 const State& Session::state() const { return impl_->player.state(); }
-const StepRecord& Session::record() const { return impl_->player.record(); }
+const StepRecord& Session::record() const { return timeline().record(); }
 const Playback& Session::playback() const { return impl_->player.playback(); }
+const Timeline& Session::timeline() const { return impl_->player.timeline(); }
+const EditRule& Session::edit_rule() const { return impl_->player.rule(); }
+const std::vector<TrailPoint>& Session::trail(const Branch& branch, int body, std::int64_t first,
+                                              std::int64_t last) const {
+  return impl_->trails.trail(timeline(), branch, body, first, last);
+}
 const Choices& Session::choices() const { return impl_->choices; }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }

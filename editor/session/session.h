@@ -14,6 +14,7 @@
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
 #include "sim/solver.h"
+#include "trail.h"
 
 namespace talus {
 
@@ -55,6 +56,15 @@ struct Question {
   std::string text;  // "Save the changes to demo.talus.json?"
 };
 
+// Whatever plays is recorded (see sim/timeline.h). Playing and stepping at the end of the recording append to
+// it. At an earlier frame they show the next recorded ones, and append when they come to the end, unless a
+// key or the mouse's button is held: then the user takes over, and a new branch leaves the recording there.
+// Taking over, editing under EditRule go_on and resetting leave the old branch as it is, until it is dropped;
+// one without any frame is not kept. What is played new is played on the level as it is now; what is recorded
+// is shown on the level as it was.
+//
+// While the recorded input is run again, in advance(), a few ms each time, time stands still. The shown frame
+// is shown again as soon as it has been run.
 class Session {
  public:
   // path: the file that the level was read from, in the format of its extension; empty: none. name: for
@@ -66,7 +76,7 @@ class Session {
 
   // Carries actions out, in order. An edit is fitted to the level as it is by then (see rebase_edit). What
   // the simulation sees of an edit is in the next step: bodies go on from where they are, except that at
-  // frame 0 they start anew from the edited level.
+  // frame 0 they start anew from the edited level. With a recording, edit_rule() may say otherwise.
   void apply(const Action& action);
   void apply(const Actions& actions);
   // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a
@@ -83,10 +93,16 @@ class Session {
   const std::vector<Problem>& problems() const;      // lint of the level as it is
   const std::optional<HardCase>& hard_case() const;  // that the opened level is, whose input is played too
 
-  const Scene& scene() const;        // of the level as it is
-  const State& state() const;        // after the last finished step
-  const StepRecord& record() const;  // of the last finished step; empty at frame 0
+  // Of the shown frame: the one that was played last, unless an earlier one is visited.
+  const Scene& scene() const;        // of the level as it was there
+  const State& state() const;        // the mouse holds a body in it as soon as its button is down on one
+  const StepRecord& record() const;  // of the step that led there; empty at frame 0
   const Playback& playback() const;
+  const Timeline& timeline() const;
+  const EditRule& edit_rule() const;
+  // Where a body was in the frames first..last of a branch, for a trail; see Trails. Until the next call.
+  const std::vector<TrailPoint>& trail(const Branch& branch, int body, std::int64_t first,
+                                       std::int64_t last) const;
   const Choices& choices() const;
 
   const std::optional<Message>& message() const;    // stays until dismissed or replaced

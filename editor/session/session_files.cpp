@@ -2,7 +2,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "formats/atomic_file.h"
 #include "formats/hard_case.h"
+#include "formats/recording.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -78,6 +80,8 @@ void Session::Impl::continue_pending() {
 void Session::Impl::go_on(const Losing& losing) {
   if (const auto* file = std::get_if<action::OpenFile>(&losing)) {
     open(*file);
+  } else if (const auto* recording = std::get_if<action::OpenRecording>(&losing)) {
+    open_recording(recording->path);
   } else if (std::holds_alternative<action::NewLevel>(losing)) {
     replace_level(Level(), {}, nullptr);
     name = kUnnamed;
@@ -87,6 +91,9 @@ void Session::Impl::go_on(const Losing& losing) {
 }
 
 void Session::Impl::open(const action::OpenFile& file) {
+  const FormatContext context = context_for_file(file.path);
+  if (const auto bytes = read_file(file.path); bytes && is_recording(*bytes, context))
+    return open_recording(file.path);
   FormatResult<LoadedLevel> loaded = load_level(file.path);
   if (!loaded) {
     message = Message{to_string(loaded.error(), file.path), true};
@@ -99,6 +106,33 @@ void Session::Impl::open(const action::OpenFile& file) {
   }
 }
 
+// The level becomes what it was at the recording's end, so that playing goes on from there as it was played.
+void Session::Impl::open_recording(const std::string& file) {
+  const FormatResult<Recording> recording = load_recording(file);
+  if (!recording) {
+    message = Message{to_string(recording.error(), file), true};
+    return;
+  }
+  Level last = recording->level;
+  if (!recording->edits.empty()) put_version(*recording->edits.back().version, last);
+  replace_level(std::move(last), {}, nullptr);
+  name = name_of(file);
+  player.load(*recording);
+}
+
+void Session::Impl::carry_out(const action::SaveRecording& a) {
+  const Timeline& timeline = player.timeline();
+  if (timeline.behind()) {
+    message = Message{"The recording is being run again; save it when that is done.", true};
+    return;
+  }
+  const auto saved = save_recording(timeline.recording(timeline.current(), level), a.path);
+  message =
+      saved ? Message{"Saved " + name_of(a.path) + ", " + std::to_string(timeline.last_frame()) + " frames.",
+                      false}
+            : Message{to_string(saved.error(), a.path), true};
+}
+
 void Session::Impl::replace_level(Level opened, std::string opened_path, const Format* opened_format) {
   level = std::move(opened);
   path = std::move(opened_path);
@@ -107,6 +141,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   history.clear();
   ++revision;
   player.load(level);
+  trails = {};
   scene_changes = {};
   choices.body = 0;
   // An old error no longer holds, but what a saving on the way here dropped is still news.

@@ -1,4 +1,5 @@
-// What a Session is made of; for session.cpp and session_files.cpp alone.
+// What a Session is made of; for session.cpp, session_files.cpp, session_timeline.cpp
+// alone.
 #pragma once
 
 #include <variant>
@@ -25,7 +26,7 @@ struct SceneChanges {
 
 struct Session::Impl {
   // What loses the changes since the last save, and so is asked about first.
-  using Losing = std::variant<action::NewLevel, action::OpenFile, action::Quit>;
+  using Losing = std::variant<action::NewLevel, action::OpenFile, action::OpenRecording, action::Quit>;
 
   Impl(Level opened, std::string opened_path, std::string unsaved_name);
 
@@ -35,6 +36,8 @@ struct Session::Impl {
   void carry_out(const action::Redo&);
   void carry_out(const action::NewLevel& a) { ask_or_go_on(a); }
   void carry_out(const action::OpenFile& a) { ask_or_go_on(a); }
+  void carry_out(const action::OpenRecording& a) { ask_or_go_on(a); }
+  void carry_out(const action::SaveRecording& a);
   void carry_out(const action::SaveFile&) { save(); }
   void carry_out(const action::SaveFileAs& a);
   void carry_out(const action::Quit& a) { ask_or_go_on(a); }
@@ -50,6 +53,21 @@ struct Session::Impl {
   void carry_out(const action::SetSpeed& a) { player.set_speed(a.factor); }
   void carry_out(const action::HoldMouse& a) { player.hold_mouse(a, choices.body); }
   void carry_out(const action::HoldKeys& a) { player.hold_keys(a); }
+  void carry_out(const action::StepBack&) { seek(player.timeline().frame() - 1); }
+  void carry_out(const action::SeekStart&) { seek(0); }
+  void carry_out(const action::SeekEnd&) { seek(player.timeline().last_frame()); }
+  void carry_out(const action::SeekFrame& a) { seek(a.frame); }
+  void carry_out(const action::SetMark& a) { player.timeline().set_mark(a.frame, a.name); }
+  void carry_out(const action::RemoveMark& a) { player.timeline().remove_mark(a.frame); }
+  void carry_out(const action::JumpToMark& a);
+  void carry_out(const action::TakeOver&);
+  void carry_out(const action::SwitchBranch& a);
+  void carry_out(const action::DropBranch& a);
+  void carry_out(const action::CompareBranch& a) { player.timeline().compare_with(a.branch); }
+  void carry_out(const action::SetInput& a);
+  void carry_out(const action::SetEditRule& a) { player.set_rule(a.rule); }
+  void carry_out(const action::Rerun& a);
+  void carry_out(const action::CancelRerun&) { player.timeline().cancel(); }
   void carry_out(const action::SelectBody& a);
   void carry_out(const action::SelectSpawn& a);
   void carry_out(const action::SelectTiles& a);
@@ -64,6 +82,9 @@ struct Session::Impl {
   void carry_out(const action::SetGrid& a) { choices.grid = a.on; }
   void carry_out(const action::SetScreenBorders& a) { choices.screen_borders = a.on; }
 
+  void seek(std::int64_t frame);
+  void advance(double seconds);
+
   void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
   void refresh_scene();                // brings the simulation up to the level, if it is behind
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
@@ -72,6 +93,7 @@ struct Session::Impl {
   void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
   void go_on(const Losing& losing);
   void open(const action::OpenFile& file);
+  void open_recording(const std::string& file);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
   bool save();  // false when it failed or a name is needed first
@@ -89,6 +111,7 @@ struct Session::Impl {
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
 
   Player player;
+  Trails trails;
   SceneChanges scene_changes;
   Choices choices;
 

@@ -1,0 +1,72 @@
+// Session: going about in what was recorded.
+#include <algorithm>
+
+#include "session_impl.h"
+
+namespace talus {
+
+void Session::Impl::seek(std::int64_t frame) {
+  refresh_scene();
+  player.seek(frame);
+}
+
+void Session::Impl::carry_out(const action::JumpToMark& a) {
+  const std::vector<Mark>& marks = player.timeline().current().marks;
+  const std::int64_t frame = player.timeline().frame();
+  const auto next = std::find_if(marks.begin(), marks.end(), [&](const Mark& m) { return m.frame > frame; });
+  if (a.forwards && next != marks.end()) return seek(next->frame);
+  const auto before =
+      std::find_if(marks.rbegin(), marks.rend(), [&](const Mark& m) { return m.frame < frame; });
+  if (!a.forwards && before != marks.rend()) seek(before->frame);
+}
+
+void Session::Impl::carry_out(const action::TakeOver&) {
+  refresh_scene();
+  player.timeline().fork();
+}
+
+void Session::Impl::carry_out(const action::SwitchBranch& a) {
+  refresh_scene();
+  keep_chosen_body([&] {
+    player.set_running(false);
+    player.timeline().switch_to(a.branch);
+    player.show_held();
+  });
+}
+
+void Session::Impl::carry_out(const action::DropBranch& a) {
+  refresh_scene();
+  keep_chosen_body([&] {
+    if (a.branch == player.timeline().current().id) player.set_running(false);
+    player.timeline().drop(a.branch);
+    player.show_held();
+  });
+}
+
+void Session::Impl::carry_out(const action::SetInput& a) {
+  refresh_scene();
+  player.timeline().set_input(a.first, a.last, a.key, a.on);
+  player.show_held();
+}
+
+void Session::Impl::carry_out(const action::Rerun& a) {
+  refresh_scene();
+  keep_chosen_body([&] {
+    player.timeline().rerun(a.from);
+    player.show_held();
+  });
+}
+
+// A recording that was read must come out as it was recorded, or its user should know where it does not.
+void Session::Impl::advance(double seconds) {
+  const bool was_behind = player.timeline().behind();
+  player.advance(seconds);
+  const Timeline& timeline = player.timeline();
+  if (!was_behind || timeline.behind()) return;
+  if (const auto frame = timeline.unexpected_frame(timeline.current())) {
+    message = Message{
+        "Frame " + std::to_string(*frame) + " is not as it was recorded, nor may be later ones.", true};
+  }
+}
+
+}  // namespace talus

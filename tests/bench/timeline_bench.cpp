@@ -1,0 +1,107 @@
+// What recording costs a step, and what a seek in an hour takes. Both report the promise's own number as a
+// counter; the times of the benchmark itself say less.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "sim/timeline.h"
+
+namespace talus {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double nanoseconds(Clock::time_point from) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - from).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Floors with steps in them; balls that are thrown about, and so do not soon come to rest.
+Level level_with(int bodies, SolverKind solver) {
+  Level level;
+  level.tuning.solver = solver;
+  level.tuning.article.balls_block = 0;
+  level.tuning.article.floor_bounce = 1;
+  level.tuning.article.floor_grip = 1;
+  level.tuning.article.drift_blend = 0;
+  auto& flags = level.sheet(SheetId::tiles).flags;
+  flags[1] = 1;
+  for (Cell c{0, 0}; c.y < 136; ++c.y) {
+    for (c.x = 0; c.x < 240; ++c.x) {
+      if (c.y % 8 == 7 || (c.y % 8 == 6 && c.x % 8 == 3)) level.map.set(c, 1);
+    }
+  }
+  for (int i = 0; i < bodies; ++i) {
+    Spawn spawn;
+    spawn.position = {(i % 50) * 38.0 + 5, (i / 50 % 16) * 64.0 + 20};
+    spawn.velocity = {i % 7 - 3.0, 0};
+    level.spawns.push_back(spawn);
+  }
+  return level;
+}
+
+// The same frames of 1,000 bodies, stepped by a solver alone and by a timeline in turns. ratio: the median
+// step of the timeline, the keyframes that fall to it included, over the solver's. with_record: both note
+// contacts.
+void record(benchmark::State& state, SolverKind kind, bool with_record) {
+  const Level level = level_with(1'000, kind);
+  const auto scene = std::make_shared<const Scene>(compile_scene(level));
+  std::vector<double> alone, recorded;
+  for (auto _ : state) {
+    const auto solver = make_solver(scene);
+    State bodies = initial_state(*scene);
+    StepRecord record;
+    Timeline timeline(level);
+    for (int round = 0; round < 120; ++round) {
+      const auto first = Clock::now();
+      for (int i = 0; i < KeyframeStore::kFirstStride; ++i)
+        solver->step(bodies, {}, with_record ? &record : nullptr);
+      alone.push_back(nanoseconds(first));
+      const auto second = Clock::now();
+      for (int i = 0; i < KeyframeStore::kFirstStride; ++i) timeline.step({}, with_record);
+      recorded.push_back(nanoseconds(second));
+    }
+    if (timeline.state() != bodies) state.SkipWithError("the recording changed a result");
+  }
+  state.counters["ratio"] = median(recorded) / median(alone);
+  state.counters["step_us"] = median(alone) / KeyframeStore::kFirstStride / 1e3;
+}
+
+// An hour of 100 bodies at 60 frames a second, and seeks all over it. ms: the longest and the median one.
+void seek(benchmark::State& state, SolverKind kind) {
+  constexpr std::int64_t kHour = 216'000;
+  Timeline timeline(level_with(100, kind));
+  for (std::int64_t i = 0; i < kHour; ++i) timeline.step({.mouse = {}, .right = i % 64 < 32}, false);
+  std::vector<double> times;
+  std::int64_t frame = 1;
+  for (auto _ : state) {
+    frame = frame * 48'271 % kHour;
+    const auto begin = Clock::now();
+    timeline.seek(frame);
+    times.push_back(nanoseconds(begin) / 1e6);
+  }
+  state.counters["median_ms"] = median(times);
+  state.counters["longest_ms"] = *std::max_element(times.begin(), times.end());
+  state.counters["keyframe_MB"] = static_cast<double>(timeline.keyframe_bytes()) / 1e6;
+  state.counters["stride"] = static_cast<double>(timeline.keyframe_stride());
+}
+
+BENCHMARK_CAPTURE(record, article, SolverKind::article, false)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(record, bump, SolverKind::bump, false)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(record, exact, SolverKind::exact, false)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(record, exact_contacts, SolverKind::exact, true)
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(seek, article, SolverKind::article)->Iterations(500)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(seek, bump, SolverKind::bump)->Iterations(500)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(seek, exact, SolverKind::exact)->Iterations(500)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace talus
