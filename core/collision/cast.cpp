@@ -512,20 +512,6 @@ class Caster {
   bool is_other_ = false;
 };
 
-// A box that stands on its centre may be in a slope with its corners, behind the ends of walls and ceilings
-// that the slope covers. Its middle is not.
-template <class Real>
-void keep_middle_out(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
-                     Contact<Real>& first) {
-  const BasicRect<Real> middle{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h};
-  Caster<Real, kSlopes> caster(terrain, {middle, cast.motion, Foot::box}, ignored);
-  caster.against_terrain();
-  Contact<Real> contact = caster.contact();
-  if (!(contact.t < first.t)) return;
-  contact.position.x = moved_x(cast.box, contact.position.x - middle.x);
-  first = contact;
-}
-
 }  // namespace
 
 template <class Real, unsigned Parts>
@@ -536,9 +522,17 @@ Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast
   Caster<Real, Parts> caster(terrain, cast, ignored);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
   caster.against_terrain();
-  Contact<Real> contact = caster.contact();
+  const Contact<Real> contact = caster.contact();
   if constexpr (Parts != kTiles) {
-    if (cast.foot == Foot::centre) keep_middle_out(terrain, cast, ignored, contact);
+    if (cast.foot == Foot::box) return contact;
+    // Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so
+    // its middle.
+    const BasicRect<Real> middle{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h};
+    Contact<Real> hit = cast_box<Real, kSlopes>(terrain, {middle, cast.motion, Foot::box}, {}, ignored);
+    if (hit.t < contact.t) {
+      hit.position.x = moved_x(cast.box, hit.position.x - middle.x);
+      return hit;
+    }
   }
   return contact;
 }

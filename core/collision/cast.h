@@ -90,7 +90,7 @@ Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stret
 
 // box.x moved by dx, and rounded so that both its sides are exact; a mirrored box goes to the mirrored place.
 template <class Real>
-Real moved_x(const BasicRect<Real>& box, Real dx) {
+inline Real moved_x(const BasicRect<Real>& box, Real dx) {
   if (dx == 0) return box.x;
   const Real center = box.x + box.w / 2 + dx;
   const Real left = center - box.w / 2, right = center + box.w / 2;

@@ -20,11 +20,11 @@ struct CellSpan {
 
 // The cell at a coordinate within the limits of an int; 0 for what is before the first one.
 template <class Real>
-int cell_at(Real at) {
+inline int cell_at(Real at) {
   return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide));
 }
 template <class Real>
-CellSpan span_between(Real first, Real last, int count) {
+inline CellSpan span_between(Real first, Real last, int count) {
   return {cell_at(first), std::min(cell_at(last), count - 1)};
 }
 
