@@ -44,34 +44,28 @@ bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
   return false;
 }
 
-// Whether the box is in the body of a slope or profile whose line is `at(x)`.
+// Whether the box is in the body of a slope or profile that begins in the cell.
 template <class Real>
-bool overlaps_shape(const TileShape& shape, Cell cell, const BasicRect<Real>& box, Foot foot, Real slack) {
-  const bool floor = shape.side == TileShape::Side::floor;
-  const Real x0 = Real(cell.x) * kTileSide, width = Real(shape.tiles) * kTileSide;
-  const Real base = Real(cell.y + (floor ? 1 : 0)) * kTileSide;
-  Real from = std::max(box.x + slack, x0), to = std::min(box.x + box.w - slack, x0 + width);
-  if (foot == Foot::centre && floor) from = to = box.x + box.w / 2;
-  if (!(from <= to) || to < x0 || from > x0 + width) return false;
-  if (floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
-
-  const auto parts = static_cast<Real>(shape.heights.size() - 1);
-  const auto height_at = [&](Real x) {
-    const Real at = std::clamp((x - x0) / width * parts, Real(0), parts);
-    const auto i = std::min(static_cast<std::size_t>(at), shape.heights.size() - 2);
-    const Real share = at - static_cast<Real>(i);
-    return static_cast<Real>(shape.heights[i]) * (1 - share) +
-           static_cast<Real>(shape.heights[i + 1]) * share;
-  };
-  Real most = std::max(height_at(from), height_at(to));
-  for (std::size_t i = 0; i < shape.heights.size(); ++i) {
-    const Real x = x0 + width * static_cast<Real>(i) / parts;
-    if (x > from && x < to) most = std::max(most, static_cast<Real>(shape.heights[i]));
-  }
-  if (!(most > 0)) return false;
-  // The line as it is compiled is rounded to 1/256 px.
+bool overlaps_shape(const TileOutline& shape, Cell cell, const BasicRect<Real>& box, Foot foot, Real slack) {
+  const Real left = Real(cell.x) * kTileSide, top = Real(cell.y) * kTileSide;
+  const Real base = top + (shape.is_floor ? kTileSide : 0);
+  Real from = box.x + slack, to = box.x + box.w - slack;
+  if (foot == Foot::centre && shape.is_floor) from = to = box.x + box.w / 2;
+  if (shape.is_floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
+  // A box on a steep line is off it by many roundings.
   const Real forgiven = slack + Real(1) / 256;
-  return floor ? box.y + box.h > base - most + forgiven : box.y < base + most - forgiven;
+  for (const TileColumn& column : shape.columns) {
+    for (const OutlineLine& line : shape.is_floor ? column.top : column.bottom) {
+      const Real x0 = std::max(from, left + Real(line.x0)), x1 = std::min(to, left + Real(line.x1));
+      if (!(x0 <= x1)) continue;
+      for (const Real x : {x0, x1}) {
+        const Real y = top + Real(line.at(double(x - left)));
+        if (y == base) continue;
+        if (shape.is_floor ? box.y + box.h > y + forgiven : box.y < y - forgiven) return true;
+      }
+    }
+  }
+  return false;
 }
 
 template <class Real>
@@ -147,10 +141,8 @@ bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& bo
   const CellBlock block(ground, box, Real(kMaxShapeTiles * kTileSide));
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
-      const TileShape& shape = ground.shape_at(c);
-      const bool has_body =
-          !shape.one_way && (shape.kind == TileShape::Kind::slope || shape.kind == TileShape::Kind::profile);
-      if (has_body && overlaps_shape(shape, c, box, foot, slack)) return true;
+      const TileOutline& shape = ground.outline_at(c);
+      if (shape.line && !shape.one_way && overlaps_shape(shape, c, box, foot, slack)) return true;
     }
   }
   return false;
