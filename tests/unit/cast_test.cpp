@@ -230,20 +230,20 @@ TEST(Cast, ASteepLineDoesNotPushBoxesIntoTheFloor) {
   EXPECT_EQ(pushes.position.y, box.y);
 }
 
-// The box comes closer to the line, or the wall, so slowly that a rounding of its way there is worth more
-// than a thousand of its motion; then it is at the floor, or is not yet.
+// The box comes closer to the line, or the wall, so slowly that a rounding of the distance is worth
+// thousands of its motion; then it is at the floor, or is not yet.
 TEST(Cast, WhatIsMetFirstDoesNotHangOnARounding) {
   TestMap map({"..1.", "..1.", "1111", "1111"});
   const Terrain wall = map.compile();
   map.cells[2] = map.cells[6] = 0;
-  map.curves = {{Segment{{2, 2}, {30, 30}}, Curve::Faces::up}};
+  map.curves = {{Segment{{2, 8}, {30, 20}}, Curve::Faces::up}};
   const Terrain line = map.compile();
   for (int i = 1; i <= 100; ++i) {
     const double size = i * 0.03;
-    const auto by_line = cast(line, {4, 4 - size - 0.75 * 0x1p-20, 8, size}, {16, 16 + 0x1p-20});
+    const auto by_line = cast(line, {26 / 3.0, 76 / 7.0 - size - 0.75e-6, 8, size}, {16, 48 / 7.0 + 1e-6});
     ASSERT_TRUE(by_line);
     EXPECT_LE(by_line.position.y + size, 16 + 0x1p-47) << i;
-    const auto by_wall = cast(wall, {16 - size - 0.75 * 0x1p-20, 4 - size, size, size}, {0x1p-20, 16});
+    const auto by_wall = cast(wall, {16 - size - 0.75e-6, 4 - size, size, size}, {1e-6, 16});
     ASSERT_TRUE(by_wall);
     EXPECT_LE(by_wall.position.y + size, 16 + 0x1p-47) << i;
   }
