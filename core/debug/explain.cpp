@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr double kNoMotion = 1e-9;  // px: less is rounding
+constexpr double kNoMotion = 1e-9;  // px, or share of a step: less is rounding
 
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 bool is_slanted(Vec2 normal) { return normal.x != 0 && normal.y != 0; }
@@ -52,12 +52,10 @@ std::string direction_of(Vec2 way) {
 class ContactSentence {
  public:
   ContactSentence(const Frame& frame, std::size_t index)
-      : frame_(frame), contact_(frame.record.contacts[index]), index_(index) {
-    const auto& paths = frame.record.paths;
-    const auto at =
-        std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == contact_.body; });
-    path_ = at == paths.end() ? nullptr : &*at;
-  }
+      : frame_(frame),
+        contact_(frame.record.contacts[index]),
+        index_(index),
+        path_(path_of(frame.record, contact_.body)) {}
 
   std::string sentence() const {
     const bool is_crossed = contact_.response == Response::cross;
@@ -91,14 +89,15 @@ class ContactSentence {
   const Tuning& tuning() const { return frame_.scene->tuning; }
   bool is_article() const { return tuning().solver == SolverKind::article; }
   bool is_exact() const { return tuning().solver == SolverKind::exact; }
+  bool rebounds() const { return is_exact() && tuning().exact.rebound != 0; }
   bool is_cut() const { return is_exact() && tuning().exact.substeps > 1; }  // into parts of a step
 
   std::string when() const {
-    if (contact_.ti <= 0) return contact_.order == 0 ? " at once" : " at once then";
+    if (contact_.ti < kNoMotion) return " at once";
     const bool is_whole = path_ != nullptr && contact_.move == path_->goal - path_->from.position();
     const bool of_step = !is_cut() && (contact_.order == 0 || is_whole);
     const std::string what = of_step ? "the step" : is_cut() ? "a part of the step" : "the motion left";
-    if (contact_.ti >= 1) return " at the end of " + what;
+    if (contact_.ti > 0.995) return " at the end of " + what;
     return " at " + short_text(contact_.ti) + " of " + what;
   }
 
@@ -132,7 +131,7 @@ class ContactSentence {
     if (left < kNoMotion || !after) return "";
     const double went = length(*after);
     if (went < kNoMotion) return "; " + px(left) + " of motion left went into it and is lost";
-    if (dot(*after, contact_.normal) > kNoMotion)
+    if (rebounds() && dot(*after, contact_.normal) > kNoMotion)
       return "; it bounced off and went on " + px(went) + " " + direction_of(*after);
     const std::string slid = " slid " + direction_of(*after);
     if (short_text(went) == short_text(left)) return "; " + px(left) + " of motion left" + slid;
@@ -157,7 +156,7 @@ class ContactSentence {
   const Frame& frame_;
   const ContactRecord& contact_;
   const std::size_t index_;
-  const BodyPath* path_ = nullptr;
+  const BodyPath* const path_;
 };
 
 // "Body 1 wanted to go (2, 5) px and went (2, 1.2) px."
@@ -188,8 +187,10 @@ std::string reasons(const Frame& frame, const BodyPath& path) {
   if (!text.empty()) return text + ".";
   const Vec2 off = path.to.position() - path.goal;
   if (length(off) < kNoMotion) return " It met nothing.";
-  return " It met nothing, and then was moved by " + short_text(off) +
-         " px, onto the floor that it walks on.";
+  const Body* body = frame.state.find(path.body);
+  const bool walks = body->kind == BodyKind::player && body->gait.grounded;
+  if (walks) return " It met nothing, and then was moved by " + short_text(off) + " px, onto its floor.";
+  return " It met nothing, and its speed changed on the way.";
 }
 
 }  // namespace
@@ -202,11 +203,9 @@ Explanation explain_contact(const Frame& frame, std::size_t index) {
 
 std::string explain_step(const FrameView& view, int body) {
   const Frame& frame = view.now();
-  const auto& paths = frame.record.paths;
-  const auto path =
-      std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == body; });
+  const BodyPath* path = path_of(frame.record, body);
   const Body* after = frame.state.find(body);
-  if (path == paths.end() || after == nullptr) return {};
+  if (path == nullptr || after == nullptr) return {};
 
   std::string text = wanted_and_got(frame, *path);
   const Body* before = view.is_first() ? nullptr : view.before(1).state.find(body);

@@ -1,6 +1,7 @@
 // Evaluates expressions.
 #include "expression.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -30,10 +31,9 @@ bool is_at(const Obstacle& other, double column, double row) {
 
 template <class Matches>
 bool touches(const Frame& frame, int body, Matches matches) {
-  for (const ContactRecord& contact : frame.record.contacts) {
-    if (contact.body == body && has_effect(contact) && matches(contact.other)) return true;
-  }
-  return false;
+  const auto contacts = contacts_of(frame.record, body);
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const ContactRecord& c) { return has_effect(c) && matches(c.other); });
 }
 
 class Evaluator {

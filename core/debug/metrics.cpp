@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../collision/ground_queries.h"
 #include "compare.h"
@@ -48,18 +49,20 @@ constexpr std::array kInfos = {
 
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
-const BodyPath* path_of(const Frame& frame, int body) {
-  const auto& paths = frame.record.paths;
-  const auto at = std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == body; });
-  return at == paths.end() ? nullptr : &*at;
+// The entries of a body, of a list by body.
+template <class Entry>
+auto range_of(const std::vector<Entry>& entries, int body) {
+  const auto less = [](const Entry& entry, int id) { return entry.body < id; };
+  const auto first = std::lower_bound(entries.begin(), entries.end(), body, less);
+  const auto last = std::lower_bound(first, entries.end(), body + 1, less);
+  return std::make_pair(first, last);
 }
 
 // The last contact of a body for which `wanted` holds; null: none.
 template <class Wanted>
 const ContactRecord* last_contact(const Frame& frame, int body, Wanted wanted) {
-  const auto& contacts = frame.record.contacts;
-  const auto at = std::find_if(contacts.rbegin(), contacts.rend(),
-                               [&](const ContactRecord& c) { return c.body == body && wanted(c); });
+  const auto contacts = contacts_of(frame.record, body);
+  const auto at = std::find_if(contacts.rbegin(), contacts.rend(), wanted);
   return at == contacts.rend() ? nullptr : &*at;
 }
 
@@ -112,14 +115,23 @@ double slope_delta(const Frame& frame, int body) {
 }
 
 double contact_count(const Frame& frame, int body) {
-  return static_cast<double>(
-      std::count_if(frame.record.contacts.begin(), frame.record.contacts.end(),
-                    [&](const ContactRecord& c) { return c.body == body && has_effect(c); }));
+  const auto contacts = contacts_of(frame.record, body);
+  return static_cast<double>(std::count_if(contacts.begin(), contacts.end(), has_effect));
 }
 
 }  // namespace
 
 std::span<const MetricInfo> metric_infos() { return kInfos; }
+
+std::span<const ContactRecord> contacts_of(const StepRecord& record, int body) {
+  const auto [first, last] = range_of(record.contacts, body);
+  return {first, last};
+}
+
+const BodyPath* path_of(const StepRecord& record, int body) {
+  const auto [first, last] = range_of(record.paths, body);
+  return first != last ? &*first : nullptr;
+}
 
 bool has_effect(const ContactRecord& contact) {
   if (!contact.handled) return false;
@@ -172,10 +184,10 @@ double measure(Metric metric, const Frame& frame, const Body& body) {
     case Metric::slope_delta:
       return slope_delta(frame, body.id);
     case Metric::capped:
-      path = path_of(frame, body.id);
+      path = path_of(frame.record, body.id);
       return path != nullptr && path->capped;
     case Metric::limited:
-      path = path_of(frame, body.id);
+      path = path_of(frame.record, body.id);
       return path != nullptr && path->limited;
     case Metric::parting:
       return frame.other ? parting_of(body, *frame.other) : kNothing;

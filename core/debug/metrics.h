@@ -52,6 +52,10 @@ std::span<const MetricInfo> metric_infos();  // in the order of the enum
 // further; then a flight keeps its energy to rounding.
 double measure(Metric metric, const Frame& frame, const Body& body);
 
+// Of a step's record, which has the bodies one after the other, by id.
+std::span<const ContactRecord> contacts_of(const StepRecord& record, int body);
+const BodyPath* path_of(const StepRecord& record, int body);  // null: there is none
+
 // Whether a contact changed the way or the speed of its body: not when it was only crossed.
 bool has_effect(const ContactRecord& contact);
 // The normal that the body was turned by: of the article on a slope, the slope's, and not that of its box.

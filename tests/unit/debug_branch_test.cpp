@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "debug/compare.h"
+#include "debug/explain.h"
 #include "debug/stop_search.h"
+#include "formats/format.h"
+#include "formats/hard_case.h"
 #include "level_text.h"
+#include "sim/case_input.h"
 #include "sim/timeline.h"
 
 namespace talus {
@@ -90,6 +94,44 @@ TEST_F(BranchFramesTest, OfTwoBranchesAreCompared) {
   while (!search.advance(compared, 16)) {
   }
   EXPECT_EQ(search.found(), (Stop{51, 1, 1, 0}));
+}
+
+// A hard case that the article fails: from its end back to the frame in which the ball began to sink into the
+// slope, why it does, and where the exact solver goes another way.
+TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
+  auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
+  ASSERT_TRUE(loaded);
+  const auto hard = hard_case_of(loaded->level);
+  const auto run = [&](SolverKind solver) {
+    Level level = loaded->level;
+    level.tuning.solver = solver;
+    Timeline timeline(level);
+    for (std::int64_t i = 1; i <= (*hard)->frames; ++i) timeline.step(case_input((*hard)->input, i));
+    return timeline.current();
+  };
+  const BranchFrames article(run(SolverKind::article)), exact(run(SolverKind::exact));
+  StopSearch back({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1"})}, article.last() + 1,
+                  SearchDirection::backwards);
+  while (!back.advance(article, 64)) {
+  }
+  ASSERT_TRUE(back.found());
+  FrameHistory history(1);
+  history.go_to(article, back.found()->frame);
+  const std::string why = explain_step(history.view(), 1);
+  EXPECT_NE(why.find("under its centre the floor of the up-slope at (10, 12)"), std::string::npos) << why;
+
+  const ComparedFrames compared(article, exact);
+  StopSearch parting({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0.01)})}, -1,
+                     SearchDirection::forwards);
+  while (!parting.advance(compared, 64)) {
+  }
+  ASSERT_TRUE(parting.found());
+  EXPECT_LE(parting.found()->frame, back.found()->frame);
+  StopSearch never({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1e-9"})}, -1,
+                   SearchDirection::forwards);
+  while (!never.advance(exact, 64)) {
+  }
+  EXPECT_EQ(never.found(), std::nullopt);
 }
 
 }  // namespace

@@ -71,10 +71,23 @@ TEST_F(Sentences, OfASlope) {
 }
 
 TEST_F(Sentences, OfABounce) {
+  scene_->tuning.exact.rebound = 1;
   step({0, 4}, {10, 19});
   contact({.role = TileRole::ball, .cell = {}, .body = 3, .box = {}}, {0, -1}, 0.5, {0, 4}, {10, 22});
   EXPECT_EQ(sentence(),
             "stopped by the top of body 3 at 0.5 of the step; it bounced off and went on 3 px up");
+}
+
+TEST_F(Sentences, LeaveRoundingOut) {
+  step({4, 0}, {10, 20});
+  contact(tile_, {-1, 0}, 2e-14, {4, 0}, {10, 20});
+  EXPECT_EQ(sentence(),
+            "stopped by the left side of the tile at (12, 9) at once; 4 px of motion left went into it "
+            "and is lost");
+  frame_.record.contacts[0].ti = 0.999;
+  EXPECT_EQ(sentence(),
+            "stopped by the left side of the tile at (12, 9) at the end of the step; 4e-03 px of motion "
+            "left went into it and is lost");
 }
 
 TEST_F(Sentences, OfTheContactsAfterTheFirst) {
