@@ -165,6 +165,12 @@ class Caster {
 
   // ---- Which cells ----
 
+  // The cell at a coordinate within the limits of an int; 0 for what is before the first one.
+  static int cell_at(Real at) { return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide)); }
+  static CellSpan span_between(Real first, Real last, int count) {
+    return {cell_at(first), std::min(cell_at(last), count - 1)};
+  }
+
   // A box meets the ground with its leading sides alone, or with the centre of its bottom.
   void slice(Real from, Real to) {
     const Real x0 = box_.x + from * dx_, x1 = box_.x + to * dx_;

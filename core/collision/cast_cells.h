@@ -18,16 +18,6 @@ struct CellSpan {
   bool contains(int i) const { return first <= i && i <= last; }
 };
 
-// The cell at a coordinate within the limits of an int; 0 for what is before the first one.
-template <class Real>
-inline int cell_at(Real at) {
-  return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide));
-}
-template <class Real>
-inline CellSpan span_between(Real first, Real last, int count) {
-  return {cell_at(first), std::min(cell_at(last), count - 1)};
-}
-
 // The bits from the first to the last, of which those outside of a word are left out.
 inline std::uint64_t bits_between(int first, int last) {
   if (last < 0 || first > 63) return 0;
