@@ -167,7 +167,8 @@ class Caster {
 
   // The cell at a coordinate within the limits of an int; 0 for what is before the first one.
   static int cell_at(Real at) { return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide)); }
-  static CellSpan span_between(Real first, Real last, int count) {
+  // Left to themselves compilers call it, four times a cast: a twentieth of a step.
+  [[gnu::always_inline]] static CellSpan span_between(Real first, Real last, int count) {
     return {cell_at(first), std::min(cell_at(last), count - 1)};
   }
 
