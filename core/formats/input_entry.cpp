@@ -6,7 +6,7 @@
 namespace talus {
 namespace {
 
-constexpr double kMaxMouse = 1e6;  // px; farther than any level reaches
+constexpr double kMaxMouse = 1e8;  // px; farther than any level reaches
 
 // The keys that are held; those that the list does not name are up.
 std::string take_keys(const Json& names, RecordedInput& entry) {
@@ -31,7 +31,7 @@ std::string take_mouse(const Json& at, RecordedInput& entry) {
     return "\"mouse\" must be [x, y]";
   entry.mouse = {at[0].get<double>(), at[1].get<double>()};
   const bool near = std::abs(entry.mouse.x) <= kMaxMouse && std::abs(entry.mouse.y) <= kMaxMouse;
-  return near ? "" : "\"mouse\" must lie within a million pixels";
+  return near ? "" : "\"mouse\" must lie within 100 million pixels";
 }
 
 std::string take_member(const std::string& key, const Json& value, RecordedInput& entry) {

@@ -8,7 +8,7 @@ namespace talus {
 
 // Changes what `json` has keys for ("keys" lists all that are held) and keeps the rest. Returns what is
 // wrong, as a sentence that names the key, or an empty text.
-//   "frame"  whole, from 1; must be there.   "mouse"  [x, y], px, within one million.
+//   "frame"  whole, from 1; must be there.   "mouse"  [x, y], px, within 100 million.
 //   "down"   of the button, true or false.   "grab"   whole, from 0: see Input::grab.
 //   "keys"   a list of "left", "right" and "jump".
 std::string take_input_entry(const Json& json, RecordedInput& entry);

@@ -10,7 +10,7 @@
 //                  and ranges; and objects "exact" and "player" with the numbers of these groups, each
 //                  written only when a number in it is not the default.
 //   "spawns"       bodies placed by hand: "name" (""), "x", "y" in px (0), "vx", "vy" in px/frame (0), each
-//                  within one million; "kind", "ball" or "player" ("ball"); "size", [width, height],
+//                  within 100 million; "kind", "ball" or "player" ("ball"); "size", [width, height],
 //                  each 1/256..1024 px ([8, 8]); "foot", "box" or "centre" (the kind's own).
 //   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "kind",
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the

@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr double kMaxSpawnNumber = 1'000'000;  // px and px/frame; 30 times the largest map
+constexpr double kMaxSpawnNumber = 100'000'000;  // px and px/frame; six times the longest map
 
 using Names = std::span<const std::string_view>;  // of an enum's values, in order
 

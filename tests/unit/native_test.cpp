@@ -178,8 +178,8 @@ TEST(Native, ErrorsSayWhere) {
   expect_error(with(R"("roles": {"solid": 8})"), "key roles.solid", "must be a flag from 0 to 7, or null");
   expect_error(with(R"("palette": ["000000"])"), "key palette", "must be a list of 16 colours");
   expect_error(with(R"("flag_names": [1])"), "key flag_names", "must be a list of up to 8 strings");
-  expect_error(with(R"("spawns": [{}, {"x": 2000000}])"), "key spawns[1].x",
-               "must be a number from -1000000 to 1000000");
+  expect_error(with(R"("spawns": [{}, {"x": 200000000}])"), "key spawns[1].x",
+               "must be a number from -100000000 to 100000000");
   expect_error(with(R"("spawns": [7])"), "key spawns[0]", "must be an object");
   expect_error(with(R"("tiles": {"256": {}})"), "key tiles.256", "is no tile number from 0 to 255");
   expect_error(with(R"("tiles": {"01": {}})"), "key tiles.01", "is no tile number from 0 to 255");

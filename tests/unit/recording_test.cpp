@@ -153,7 +153,7 @@ TEST(RecordingFile, IsRefusedByTheInputThatIsWrong) {
   expect("key input[0].frame: is after the last frame", [](json& d) { d["input"] = {{{"frame", 41}}}; });
   expect("key input[0]: \"grab\" must be the number of a body, from 0",
          [](json& d) { d["input"][0]["grab"] = -1; });
-  expect("key input[0]: \"mouse\" must lie within a million pixels", [](json& d) {
+  expect("key input[0]: \"mouse\" must lie within 100 million pixels", [](json& d) {
     d["input"][0]["mouse"] = {1e9, 0};
   });
   expect("key input[0]: unknown key \"mice\"", [](json& d) { d["input"][0]["mice"] = 1; });
