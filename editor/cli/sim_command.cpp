@@ -1,6 +1,7 @@
 // talus sim FILE --frames N [--solver S] [--set KEY=VALUE] [--input F.jsonl] [--trace F.jsonl] [--hash]
 // talus sim FILE --verify [--solver S] [--set KEY=VALUE]
 // talus sim FILE.talusrec [--frames N] [--trace F.jsonl] [--hash], or --verify
+// Both with --until CONDITION: to the first frame in which it holds
 
 #include <limits>
 #include <ostream>
@@ -14,6 +15,7 @@
 #include "sim/solver.h"
 #include "sim_run.h"
 #include "trace.h"
+#include "until.h"
 
 namespace talus {
 namespace {
@@ -70,13 +72,23 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   State state = initial_state(*scene);
   InputPlayer player(std::move(*inputs));
   StepRecord record;
-  StepRecord* wanted = trace.wants_contacts() ? &record : nullptr;
-  for (std::int64_t i = 0; i < options.frames; ++i) {
+  Until until(options.until);
+  const auto ground = until.wanted() ? measured_ground(*scene, *level) : nullptr;
+  StepRecord* wanted = trace.wants_contacts() || until.wanted() ? &record : nullptr;
+  Input input;
+  const auto stops = [&] {
+    return until.wanted() && until.stops_at({scene, ground, state, record, input, {}});
+  };
+  bool stopped = stops();
+  for (std::int64_t i = 0; !stopped && i < options.frames; ++i) {
     const std::int64_t frame = state.frame + 1;
-    solver->step(state, added(case_input(script, frame), player.at(frame)), wanted);
-    trace.write(state, wanted);
+    input = added(case_input(script, frame), player.at(frame));
+    solver->step(state, input, wanted);
+    trace.write(state, trace.wants_contacts() ? wanted : nullptr);
+    stopped = stops();
   }
   if (!trace.finish()) return;
+  until.report(context, options.file);
   if (options.hash) context.out << hash_text(state_hash(state)) << '\n';
 }
 
@@ -101,7 +113,14 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
   command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
   command->add_flag("--no-contacts", options->no_contacts, "Leave the contacts out of the trace");
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
-  for (const char* other : {"--frames", "--input", "--trace", "--hash"}) verify_flag->excludes(other);
+  command
+      ->add_option(
+          "--until", options->until,
+          "Stop at the first frame in which this holds of any body, as in \"penetration > 1\", and print "
+          "the frame and why; exit status 1 when there is none")
+      ->check(problem_of_condition);
+  for (const char* other : {"--frames", "--input", "--trace", "--hash", "--until"})
+    verify_flag->excludes(other);
   command->callback([&context, options, frames] {
     const bool recording = is_recording_file(options->file);
     if (!recording && !options->verify && frames->empty()) throw CLI::RequiredError("--frames");

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <ostream>
 
+#include "debug/branch_frames.h"
 #include "formats/atomic_file.h"
 #include "formats/recording.h"
 #include "sim/timeline.h"
 #include "trace.h"
+#include "until.h"
 
 namespace talus {
 namespace {
@@ -86,8 +88,10 @@ void simulate_recording(CommandContext& context, const SimOptions& options) {
   TraceFile trace(context, options);
   if (!trace.good()) return;
   const Branch& branch = timeline.current();
-  const std::int64_t frames = std::min(options.frames, branch.last_frame());
+  std::int64_t frames = std::min(options.frames, branch.last_frame());
   timeline.catch_up(frames);
+  Until until(options.until);
+  if (until.wanted()) frames = until.run(BranchFrames(branch), frames);
   if (trace.wanted() && frames > 0) {
     timeline.walk(branch, 1, frames, trace.wants_contacts(),
                   [&](const State& state, const StepRecord* record) {
@@ -96,6 +100,7 @@ void simulate_recording(CommandContext& context, const SimOptions& options) {
                   });
   }
   if (!trace.finish()) return;
+  until.report(context, options.file);
   if (options.hash) context.out << hash_text(state_hash(timeline.state_at(branch, frames))) << '\n';
 }
 

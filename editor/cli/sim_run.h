@@ -11,6 +11,7 @@ namespace talus {
 
 struct SimOptions {
   std::string file, input, trace;
+  std::string until;  // see until.h; empty: all frames are made
   std::int64_t frames = 0;
   bool hash = false;
   bool no_contacts = false;
