@@ -2,6 +2,7 @@
 #include "keyframes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 namespace talus {
@@ -24,7 +25,8 @@ void Keyframes::drop_from(std::int64_t frame) {
 }
 
 void KeyframeStore::offer(Keyframes& keyframes, const State& state, bool is_edit) const {
-  if (state.frame == 0 || (state.frame % stride_ != 0 && !is_edit)) return;
+  const auto fewer = static_cast<std::int64_t>(std::bit_ceil(state.bodies.size() / kBodiesAStep));
+  if (state.frame == 0 || (state.frame % std::max(stride_, fewer) != 0 && !is_edit)) return;
   assert(keyframes.list_.empty() || keyframes.list_.back().frame < state.frame);
   *bytes_ += bytes_of(state);
   std::shared_ptr<const State> kept(new State(state), [total = bytes_](const State* old) {

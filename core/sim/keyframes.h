@@ -30,10 +30,13 @@ class Keyframes {
 
 // Says which states become keyframes, so that those of all branches together stay within a budget: each
 // `stride`th frame and the frames of edits, from which it would take a compiled level to go on. When they
-// take more, the stride doubles and every other one goes; those of edits go last.
+// take more, the stride doubles and every other one goes; those of edits go last. Of many bodies fewer frames
+// are kept from the start, so that no step pays for more than kBodiesAStep copies of a body.
 class KeyframeStore {
  public:
-  static constexpr std::int64_t kFirstStride = 8;  // frames; closer ones would cost more than 1 % of a step
+  static constexpr std::int64_t kFirstStride = 8;  // frames
+  // A copy of a body, with the memory that it is the first to use, takes about as long as its step at rest.
+  static constexpr std::size_t kBodiesAStep = 16;
 
   explicit KeyframeStore(std::size_t budget) : budget_(budget) {}
 

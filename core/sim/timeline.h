@@ -106,7 +106,8 @@ class Timeline {
   Recording recording(const Branch& branch, const Level& pictures) const;
 
   std::size_t keyframe_bytes() const { return keyframes_.bytes(); }
-  std::int64_t keyframe_stride() const { return keyframes_.stride(); }  // most steps of a seek, but for edits
+  // With up to a hundred bodies a seek takes no more steps than this.
+  std::int64_t keyframe_stride() const { return keyframes_.stride(); }
   std::int64_t steps_again() const;  // made so far to show, look at and run again what was recorded
 
  private:

@@ -452,6 +452,17 @@ TEST(Timeline, KeyframesKeepToTheirBudgetAndSeeksStayShort) {
   }
 }
 
+TEST(Timeline, OfManyBodiesFewerFramesAreKept) {
+  Level level;
+  level.tuning.article.balls_block = 0;
+  level.spawns.resize(1'000);
+  Timeline timeline(level);
+  played(timeline, 63);
+  EXPECT_EQ(timeline.keyframe_bytes(), 0u);
+  played(timeline, 1);
+  EXPECT_EQ(timeline.keyframe_bytes(), sizeof(State) + 1'000 * sizeof(Body));
+}
+
 TEST(Timeline, AHundredEditsDoNotMakeSeeksLong) {
   Level level = room(SolverKind::exact);
   Timeline timeline(level, 20'000);
