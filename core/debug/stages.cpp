@@ -1,0 +1,150 @@
+#include "stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "explain.h"
+#include "number_text.h"
+
+namespace talus {
+namespace {
+
+constexpr double kNoMotion = 1e-9;  // px: less is rounding
+
+bool is_motion(Vec2 v) { return std::abs(v.x) > kNoMotion || std::abs(v.y) > kNoMotion; }
+std::string count_of(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+class StageList {
+ public:
+  StageList(const Frame& frame, const BodyPath& path)
+      : frame_(frame), path_(path), foot_(frame.state.find(path.body)->foot), box_(path.from) {}
+
+  std::vector<Stage> make() {
+    const Vec2 wanted = path_.goal - path_.from.position();
+    add(StageKind::wanted, wanted,
+        is_motion(wanted) ? "wants to go " + short_text(wanted) + " px" : "wants to stay");
+    const auto& contacts = frame_.record.contacts;
+    motion_ = wanted;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (contacts[i].body == path_.body) add_contact(i);
+    }
+    if (!met_) search(wanted);
+    add_end();
+    return std::move(stages_);
+  }
+
+ private:
+  bool is_exact() const { return frame_.scene->tuning.solver == SolverKind::exact; }
+
+  Stage& add(StageKind kind, Vec2 motion, std::string sentence) {
+    Stage& stage = stages_.emplace_back();
+    stage.kind = kind;
+    stage.box = box_;
+    stage.motion = motion;
+    stage.sentence = std::move(sentence);
+    return stage;
+  }
+
+  // Exact searches anew for each contact; the others find all of a motion's contacts at once.
+  void search(Vec2 motion) {
+    if (!is_exact() && searched_) return;
+    searched_ = true;
+    Stage& stage = add(StageKind::searched, motion, {});
+    if (is_exact()) {
+      if (frame_.ground == nullptr) return stages_.pop_back();
+      CastTrace trace = trace_cast(*frame_.ground, {box_, motion, foot_});
+      stage.cells = std::move(trace.cells);
+      stage.candidates = std::move(trace.candidates);
+      stage.sentence = "looked at " + count_of(stage.cells.size(), "cell") + ", of which " +
+                       count_of(stage.candidates.size(), "side") + " faced the motion";
+      return;
+    }
+    for (const TestedBox& tested : frame_.record.tested) {
+      if (tested.body == path_.body) stage.cells.push_back(tested.other.cell);
+    }
+    stage.sentence =
+        "tested " + std::to_string(stage.cells.size()) + (stage.cells.size() == 1 ? " box" : " boxes");
+  }
+
+  void add_contact(std::size_t index) {
+    const ContactRecord& contact = frame_.record.contacts[index];
+    met_ = true;
+    if (is_exact() && index > 0) box_ = at(box_position_);
+    search(contact.move);
+    const Explanation why = explain_contact(frame_, index);
+    Stage& met = add(StageKind::met, contact.move, why.sentence);
+    met.numbers = why.numbers;
+    met.contact = static_cast<int>(index);
+    if (contact.response == Response::cross) return add_correction(contact, index);
+    box_position_ = contact.touch;
+    box_ = at(box_position_);
+    Stage& placed = add(StageKind::placed, {}, "put at " + short_text(box_position_));
+    placed.contact = static_cast<int>(index);
+    const Vec2 left = motion_after(index);
+    if (!is_motion(left)) return;
+    Stage& on = add(StageKind::went_on, left, "goes on by " + short_text(left) + " px");
+    on.contact = static_cast<int>(index);
+  }
+
+  // A body that crosses a slope goes on, and may be put on its floor after all of its motion.
+  void add_correction(const ContactRecord& contact, std::size_t index) {
+    if (!contact.slope || !contact.slope->corrected) return;
+    box_position_ = {path_.to.x, contact.slope->placed_y};
+    box_ = at(box_position_);
+    Stage& placed =
+        add(StageKind::placed, {}, "put on the slope's floor, its top at y " + short_text(box_position_.y));
+    placed.contact = static_cast<int>(index);
+  }
+
+  // What the next contact began with; after the last one, what it took to get where the body is.
+  Vec2 motion_after(std::size_t index) const {
+    const auto& contacts = frame_.record.contacts;
+    for (std::size_t i = index + 1; i < contacts.size(); ++i) {
+      if (contacts[i].body == path_.body) return contacts[i].move;
+    }
+    return path_.to.position() - box_.position();
+  }
+
+  // A walker is put on the floor below after all its motion; of the others the last motion leads to the end.
+  void add_end() {
+    const Vec2 rest = path_.to.position() - box_.position();
+    const bool snaps = is_exact() && !met_ && is_motion(path_.to.position() - path_.goal);
+    if (snaps) {
+      box_ = at(path_.goal);
+      const Vec2 by = path_.to.position() - path_.goal;
+      add(StageKind::snapped, by, "put on the floor that it walks on, " + short_text(by) + " px away");
+    } else if (is_motion(rest) && !met_) {
+      add(StageKind::went_on, rest, "nothing in the way: goes " + short_text(rest) + " px");
+    }
+    box_ = path_.to;
+    std::string text = "arrives at " + short_text(path_.to.position());
+    if (path_.capped) text += "; it met more than a step handles, and the rest of its motion is lost";
+    if (path_.limited) text += "; its way or its speed was cut to the largest allowed";
+    add(StageKind::arrived, {}, std::move(text));
+  }
+
+  Rect at(Vec2 position) const { return {position.x, position.y, path_.from.w, path_.from.h}; }
+
+  const Frame& frame_;
+  const BodyPath& path_;
+  const Foot foot_;
+  Rect box_;  // where the body is at the stage under way
+  Vec2 box_position_ = path_.from.position();
+  Vec2 motion_;
+  bool met_ = false, searched_ = false;
+  std::vector<Stage> stages_;
+};
+
+}  // namespace
+
+std::vector<Stage> stages_of(const Frame& frame, int body) {
+  const auto& paths = frame.record.paths;
+  const auto path =
+      std::find_if(paths.begin(), paths.end(), [&](const BodyPath& p) { return p.body == body; });
+  if (path == paths.end() || frame.state.find(body) == nullptr) return {};
+  return StageList(frame, *path).make();
+}
+
+}  // namespace talus

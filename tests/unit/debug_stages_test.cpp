@@ -1,0 +1,130 @@
+// The stages of a step, and the trace of a cast that they show.
+#include "debug/stages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/solver.h"
+
+namespace talus {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+
+// A floor in row 11, a slope of 8x8 px on it in column 5, and a wall from column 6 on.
+Level level_with_a_slope(SolverKind solver) {
+  Level level;
+  level.tuning.solver = solver;
+  level.map = TileMap(12, 12);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  for (int x = 0; x < 12; ++x) level.map.set({x, 11}, 1);
+  level.map.set({5, 10}, 2);
+  for (int x = 6; x < 12; ++x) level.map.set({x, 10}, 1);
+  return level;
+}
+
+Frame frame_after(const Level& level, int steps) {
+  Frame frame;
+  frame.scene = std::make_shared<const Scene>(compile_scene(level));
+  frame.ground = measured_ground(*frame.scene, level);
+  frame.state = initial_state(*frame.scene);
+  const auto solver = make_solver(frame.scene);
+  for (int i = 0; i < steps; ++i) solver->step(frame.state, {}, &frame.record);
+  return frame;
+}
+
+std::vector<StageKind> kinds(const std::vector<Stage>& stages) {
+  std::vector<StageKind> kinds;
+  for (const Stage& stage : stages) kinds.push_back(stage.kind);
+  return kinds;
+}
+
+TEST(CastTrace, TellsTheCellsAndSidesThatWereLookedAtAndTheFirst) {
+  const Level level = level_with_a_slope(SolverKind::exact);
+  const Scene scene = compile_scene(level);
+  const Cast<double> cast{{10, 76, 8, 8}, {0, 6}, Foot::box};
+  const CastTrace trace = trace_cast(*scene.ground, cast);
+  const Contact<double> contact = cast_box(*scene.ground, cast);
+  EXPECT_EQ(trace.contact.t, contact.t);
+  EXPECT_EQ(trace.contact.position, contact.position);
+  EXPECT_THAT(trace.cells, Contains(Cell{1, 11}));
+  EXPECT_THAT(trace.cells, Contains(Cell{2, 11}));
+  const auto firsts = std::count_if(trace.candidates.begin(), trace.candidates.end(),
+                                    [](const CastCandidate& c) { return c.is_first; });
+  ASSERT_EQ(firsts, 1);
+  const auto first = std::find_if(trace.candidates.begin(), trace.candidates.end(),
+                                  [](const CastCandidate& c) { return c.is_first; });
+  EXPECT_EQ(first->t, 4.0 / 6);
+  EXPECT_EQ(first->facing, Facing::up);
+  EXPECT_EQ(first->from.y, 88);
+  EXPECT_EQ(first->to.y, 88);
+}
+
+TEST(CastTrace, AMotionThroughAirHasNoFirst) {
+  const Level level = level_with_a_slope(SolverKind::exact);
+  const CastTrace trace = trace_cast(*compile_scene(level).ground, {{10, 10, 8, 8}, {3, 2}, Foot::box});
+  EXPECT_FALSE(trace.contact);
+  EXPECT_FALSE(trace.cells.empty());
+  EXPECT_TRUE(trace.candidates.empty());
+}
+
+TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  level.spawns.push_back({.position = {10, 79}, .velocity = {0, 4}});
+  const Frame frame = frame_after(level, 1);
+  const std::vector<Stage> stages = stages_of(frame, 1);
+  ASSERT_THAT(kinds(stages), ElementsAre(StageKind::wanted, StageKind::searched, StageKind::met,
+                                         StageKind::placed, StageKind::arrived));
+  EXPECT_EQ(stages[0].box, (Rect{10, 79, 8, 8}));
+  EXPECT_EQ(stages[0].motion, frame.record.paths[0].goal - (Vec2{10, 79}));
+  const auto first = std::find_if(stages[1].candidates.begin(), stages[1].candidates.end(),
+                                  [](const CastCandidate& c) { return c.is_first; });
+  ASSERT_NE(first, stages[1].candidates.end());
+  EXPECT_EQ(first->t, frame.record.contacts[0].ti);
+  EXPECT_EQ(stages[2].contact, 0);
+  EXPECT_NE(stages[2].sentence.find("stopped by the top of the tile"), std::string::npos)
+      << stages[2].sentence;
+  EXPECT_EQ(stages[3].box.y, 80);
+  EXPECT_EQ(stages[4].box, frame.state.bodies[0].box);
+}
+
+TEST(Stages, AWalkerIsSnappedOntoTheFloorBelow) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  level.spawns.push_back({.position = {44, 72}, .kind = BodyKind::player});
+  Frame frame = frame_after(level, 4);
+  const auto solver = make_solver(frame.scene);
+  std::vector<StageKind> seen;
+  for (int i = 0; i < 30; ++i) {
+    Input input;
+    input.left = true;
+    solver->step(frame.state, input, &frame.record);
+    for (const Stage& stage : stages_of(frame, 1)) seen.push_back(stage.kind);
+  }
+  EXPECT_THAT(seen, Contains(StageKind::snapped));
+}
+
+TEST(Stages, OfWorldHaveTheBoxesThatWereTestedOnce) {
+  Level level = level_with_a_slope(SolverKind::bump);
+  level.spawns.push_back({.position = {10, 79}, .velocity = {0, 4}});
+  const Frame frame = frame_after(level, 1);
+  const std::vector<Stage> stages = stages_of(frame, 1);
+  EXPECT_EQ(std::count_if(stages.begin(), stages.end(),
+                          [](const Stage& s) { return s.kind == StageKind::searched; }),
+            1);
+  EXPECT_FALSE(stages[1].cells.empty());
+  EXPECT_EQ(stages.back().box, frame.state.bodies[0].box);
+}
+
+TEST(Stages, ThereAreNoneAtFrameZeroAndOfNoBody) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  level.spawns.push_back({.position = {10, 79}});
+  EXPECT_TRUE(stages_of(frame_after(level, 0), 1).empty());
+  EXPECT_TRUE(stages_of(frame_after(level, 1), 7).empty());
+}
+
+}  // namespace
+}  // namespace talus
