@@ -7,11 +7,14 @@
 #include <variant>
 #include <vector>
 
+#include "debug/stop_search.h"
 #include "edit/edit.h"
 #include "edit/map_tools.h"
 #include "edit/sprite_tools.h"
 #include "overlay/overlay_id.h"
 #include "sim/timeline.h"
+#include "variant_run.h"
+#include "watches.h"
 
 namespace talus {
 
@@ -129,6 +132,33 @@ struct Rerun {            // the recorded input on the level as it is now
 };
 struct CancelRerun {};  // the branch ends where it has been run to
 
+// --- the debugger
+struct SetBreakpoint {  // in the place of the one with its id; id 0: a new one
+  Breakpoint breakpoint;
+};
+struct RemoveBreakpoint {
+  int breakpoint = 0;  // id
+};
+// Pauses, and shows the next frame at which a breakpoint stops, or the one before. Where nothing recorded
+// stops, forwards goes on playing.
+struct RunToStop {
+  SearchDirection direction = SearchDirection::forwards;
+};
+struct FindParting {     // shows the first frame in which a body is apart from the same one on the other side
+  double threshold = 0;  // px, finite and >= 0: by more than this
+};
+struct CancelSearch {};
+struct SetWatch {  // in the place of the one with this index; a larger one: a new one
+  std::size_t index = 0;
+  WatchText watch;
+};
+struct RemoveWatch {
+  std::size_t index = 0;
+};
+struct CompareVariant {            // runs the same input through it, beside what is shown
+  std::optional<Variant> variant;  // nothing: no longer
+};
+
 // --- what is chosen and shown
 struct SelectBody {
   int id = 0;  // 0, or the id of no body: none
@@ -177,11 +207,11 @@ using Action =
                  action::SeekStart, action::SeekEnd, action::SeekFrame, action::SetMark, action::RemoveMark,
                  action::JumpToMark, action::TakeOver, action::SwitchBranch, action::DropBranch,
                  action::CompareBranch, action::SetInput, action::SetEditRule, action::Rerun,
-                 action::CancelRerun,
-
-                 action::SelectBody, action::SelectSpawn, action::SelectTiles, action::SetStamp,
-                 action::SetMapTool, action::SetSpriteTool, action::SetColor, action::SetOverlay,
-                 action::SetFlagOverlay, action::SetGrid, action::SetScreenBorders>;
+                 action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
+                 action::FindParting, action::CancelSearch, action::SetWatch, action::RemoveWatch,
+                 action::CompareVariant, action::SelectBody, action::SelectSpawn, action::SelectTiles,
+                 action::SetStamp, action::SetMapTool, action::SetSpriteTool, action::SetColor,
+                 action::SetOverlay, action::SetFlagOverlay, action::SetGrid, action::SetScreenBorders>;
 using Actions = std::vector<Action>;
 
 }  // namespace talus

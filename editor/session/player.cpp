@@ -93,12 +93,16 @@ void Player::hold_keys(const action::HoldKeys& keys) {
 }
 
 void Player::step() {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   const Input live = added(std::exchange(tapped_, {}), playback_.input);
   if (timeline_->in_past() && !holds_anything(live)) {
     timeline_->replay();
   } else {
     timeline_->step(added(case_input(script_, timeline_->frame() + 1), live));
   }
+  const std::chrono::duration<double, std::nano> passed = Clock::now() - start;
+  step_times_.note(timeline_->frame(), passed.count());
   show_held();
 }
 
@@ -108,12 +112,15 @@ void Player::seek(std::int64_t frame) {
   show_held();
 }
 
-void Player::advance(double seconds) {
+void Player::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops) {
   assert(seconds >= 0);
   if (timeline_->behind()) return run_again();
   if (!playback_.running) return;
   due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, Session::kMaxCatchUpSteps);
-  for (; due_ >= 1; due_ -= 1) step();
+  for (; due_ >= 1 && playback_.running && may_step(); due_ -= 1) {
+    step();
+    if (stops()) set_running(false);
+  }
 }
 
 void Player::run_again() {

@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "collision/function_ref.h"
 #include "session.h"
+#include "step_times.h"
 
 namespace talus {
 
@@ -31,7 +33,9 @@ class Player {
 
   void step();                    // see Session
   void seek(std::int64_t frame);  // pauses
-  void advance(double seconds);   // see Session::advance
+  // See Session::advance. may_step() is asked before each step; false puts it off. stops() is asked after it;
+  // true pauses.
+  void advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops);
 
   // For what neither time nor the input is needed for; show_held() afterwards.
   Timeline& timeline() { return *timeline_; }
@@ -41,6 +45,7 @@ class Player {
   const State& state() const { return held_ ? *held_ : timeline_->state(); }
   const Playback& playback() const { return playback_; }
   const EditRule& rule() const { return rule_; }
+  const StepTimes& step_times() const { return step_times_; }
 
  private:
   static constexpr double kRerunSeconds = 0.008;  // of real time that a call of advance() spends on a re-run
@@ -54,6 +59,7 @@ class Player {
   Playback playback_;
   std::vector<CaseInput> script_;  // by frame
   Input tapped_;                   // keys held at any time since the last step; of a running simulation alone
+  StepTimes step_times_;
   double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
 };
 

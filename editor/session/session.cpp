@@ -134,7 +134,9 @@ void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
 }
 
 Session::Session(Level level, std::string path, std::string name)
-    : impl_(std::make_unique<Impl>(std::move(level), std::move(path), std::move(name))) {}
+    : impl_(std::make_unique<Impl>(std::move(level), std::move(path), std::move(name))) {
+  impl_->debugger.follow(timeline(), this->level());
+}
 Session::~Session() = default;
 
 void Session::apply(const Action& action) { apply(Actions{action}); }
@@ -142,6 +144,7 @@ void Session::apply(const Action& action) { apply(Actions{action}); }
 void Session::apply(const Actions& actions) {
   for (const Action& action : actions) std::visit([this](const auto& a) { impl_->carry_out(a); }, action);
   impl_->refresh_scene();
+  impl_->debugger.follow(timeline(), level());
 }
 
 void Session::advance(double seconds) { impl_->advance(seconds); }
@@ -173,6 +176,13 @@ const std::vector<TrailPoint>& Session::trail(const Branch& branch, int body, st
   return impl_->trails.trail(timeline(), branch, body, first, last);
 }
 const Choices& Session::choices() const { return impl_->choices; }
+const Debugger& Session::debugger() const { return impl_->debugger; }
+FrameView Session::frame_view() const { return impl_->debugger.view(timeline()); }
+const std::vector<Stage>& Session::stages() const {
+  return impl_->debugger.stages(timeline(), impl_->choices.body);
+}
+const State* Session::other_state() const { return impl_->debugger.other_state(timeline()); }
+const StepTimes& Session::step_times() const { return impl_->player.step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }
 bool Session::wants_save_as() const { return impl_->wants_save_as; }

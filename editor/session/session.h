@@ -8,12 +8,14 @@
 #include <string>
 
 #include "actions.h"
+#include "debugger.h"
 #include "edit/undo_stack.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
 #include "sim/solver.h"
+#include "step_times.h"
 #include "trail.h"
 
 namespace talus {
@@ -104,6 +106,13 @@ class Session {
   const std::vector<TrailPoint>& trail(const Branch& branch, int body, std::int64_t first,
                                        std::int64_t last) const;
   const Choices& choices() const;
+
+  // What stops, is watched and is compared; brought up to what is shown by apply() and advance().
+  const Debugger& debugger() const;
+  FrameView frame_view() const;              // the shown frame and those before it
+  const std::vector<Stage>& stages() const;  // of the chosen body's step to the shown frame
+  const State* other_state() const;          // of the other side of a comparison; null: none, or not yet run
+  const StepTimes& step_times() const;
 
   const std::optional<Message>& message() const;    // stays until dismissed or replaced
   const std::optional<Question>& question() const;  // waits for AnswerQuestion

@@ -1,10 +1,11 @@
-// What a Session is made of; for session.cpp, session_files.cpp, session_timeline.cpp
-// alone.
+// What a Session is made of; for session.cpp, session_files.cpp, session_timeline.cpp and
+// session_debug.cpp alone.
 #pragma once
 
 #include <variant>
 
 #include "collision/function_ref.h"
+#include "debugger.h"
 #include "player.h"
 #include "session.h"
 
@@ -68,6 +69,14 @@ struct Session::Impl {
   void carry_out(const action::SetEditRule& a) { player.set_rule(a.rule); }
   void carry_out(const action::Rerun& a);
   void carry_out(const action::CancelRerun&) { player.timeline().cancel(); }
+  void carry_out(const action::SetBreakpoint& a) { debugger.put(a.breakpoint); }
+  void carry_out(const action::RemoveBreakpoint& a) { debugger.remove_breakpoint(a.breakpoint); }
+  void carry_out(const action::RunToStop& a);
+  void carry_out(const action::FindParting& a);
+  void carry_out(const action::CancelSearch&) { debugger.cancel_search(); }
+  void carry_out(const action::SetWatch& a) { debugger.put(a.index, a.watch); }
+  void carry_out(const action::RemoveWatch& a) { debugger.remove_watch(a.index); }
+  void carry_out(const action::CompareVariant& a) { debugger.compare_with(a.variant); }
   void carry_out(const action::SelectBody& a);
   void carry_out(const action::SelectSpawn& a);
   void carry_out(const action::SelectTiles& a);
@@ -84,6 +93,8 @@ struct Session::Impl {
 
   void seek(std::int64_t frame);
   void advance(double seconds);
+  void play(double seconds);  // until a breakpoint stops it
+  void debug();               // goes on with what the debugger has to do
 
   void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
   void refresh_scene();                // brings the simulation up to the level, if it is behind
@@ -111,6 +122,8 @@ struct Session::Impl {
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
 
   Player player;
+  Debugger debugger;
+  bool plays_on = false;  // when the search that is under way finds nothing
   Trails trails;
   SceneChanges scene_changes;
   Choices choices;

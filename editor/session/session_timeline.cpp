@@ -60,7 +60,8 @@ void Session::Impl::carry_out(const action::Rerun& a) {
 // A recording that was read must come out as it was recorded, or its user should know where it does not.
 void Session::Impl::advance(double seconds) {
   const bool was_behind = player.timeline().behind();
-  player.advance(seconds);
+  play(seconds);
+  debug();
   const Timeline& timeline = player.timeline();
   if (!was_behind || timeline.behind()) return;
   if (const auto frame = timeline.unexpected_frame(timeline.current())) {

@@ -1,0 +1,34 @@
+// The frame that is shown, as the debugger sees it: with those before it, and its stages.
+#pragma once
+
+#include "debug/expression.h"
+#include "debug/stages.h"
+#include "sim/timeline.h"
+
+namespace talus {
+
+// Read only when somebody asks, and kept until another frame is shown.
+class ShownFrame {
+ public:
+  // source: the frames of the timeline's current branch, the shown one among them (asserted). Good until the
+  // next call for another frame.
+  FrameView view(const Timeline& timeline, const FrameSource& source);
+  const std::vector<Stage>& stages(const Timeline& timeline, const FrameSource& source, int body);
+
+ private:
+  struct Key {
+    int branch = 0, revision = 0;
+    std::int64_t frame = -1;
+    std::uint64_t hash = 0;
+    const FrameSource* source = nullptr;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  void read(const Timeline& timeline, const FrameSource& source);
+
+  Key key_;
+  FrameHistory history_{kMaxBefore + 1};
+  std::optional<int> staged_body_;  // whose stages are known
+  std::vector<Stage> stages_;
+};
+
+}  // namespace talus

@@ -1,0 +1,35 @@
+#include "side_by_side.h"
+
+#include <utility>
+
+namespace talus {
+
+const BranchFrames& FollowedFrames::of(const Branch& branch) {
+  if (frames_ && branch.id == branch_ && branch.revision == revision_) {
+    frames_->grow(branch);
+  } else {
+    frames_.emplace(branch);
+  }
+  branch_ = branch.id;
+  revision_ = branch.revision;
+  return *frames_;
+}
+
+void SideBySide::set_variant(std::optional<Variant> variant) {
+  variant_.reset();
+  frames_.clear();
+  if (variant) variant_.emplace(*variant);
+}
+
+void SideBySide::follow(const Timeline& shown, const Level& level, std::int64_t most_steps) {
+  if (variant_) {
+    variant_->follow(shown, level, most_steps);
+    frames_.of(variant_->timeline()->current());
+  } else if (const Branch* compared = shown.compared()) {
+    frames_.of(*compared);
+  } else {
+    frames_.clear();
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+// The other side of an A/B comparison: another branch of the timeline, or the same input through another
+// solver or precision.
+#pragma once
+
+#include <optional>
+
+#include "debug/branch_frames.h"
+#include "variant_run.h"
+
+namespace talus {
+
+// The frames of a branch that is followed while it grows.
+class FollowedFrames {
+ public:
+  // The same object as before while it is the same branch and nothing of it was run again; then it has grown.
+  const BranchFrames& of(const Branch& branch);
+  const BranchFrames* get() const { return frames_ ? &*frames_ : nullptr; }
+  void clear() { frames_.reset(); }
+
+ private:
+  int branch_ = 0, revision_ = 0;
+  std::optional<BranchFrames> frames_;
+};
+
+class SideBySide {
+ public:
+  // nothing: the timeline's compared branch, if there is one, is the other side.
+  void set_variant(std::optional<Variant> variant);
+  const VariantRun* variant() const { return variant_ ? &*variant_ : nullptr; }
+
+  // Brings it up to what is shown, a variant by at most so many steps.
+  void follow(const Timeline& shown, const Level& level, std::int64_t most_steps);
+  // The other side's frames as they were followed last; null: there is no other side, or it is not begun.
+  const BranchFrames* frames() const { return frames_.get(); }
+  // Whether it has come to the shown frame.
+  bool has(std::int64_t frame) const { return frames() != nullptr && frames()->last() >= frame; }
+
+ private:
+  std::optional<VariantRun> variant_;
+  FollowedFrames frames_;
+};
+
+}  // namespace talus

@@ -1,0 +1,27 @@
+// How long the steps took when they were made last, ns: by frame, for a plot. No part of any result.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "debug/watch.h"
+
+namespace talus {
+
+class StepTimes {
+ public:
+  // Of the step to this frame, from 1.
+  void note(std::int64_t frame, double ns) {
+    if (!series_ || frame < series_->frames()) series_.emplace(0, kMostPoints);
+    while (series_->frames() < frame) series_->add(std::numeric_limits<double>::quiet_NaN());
+    series_->add(ns);
+  }
+  void clear() { series_.reset(); }
+  const Series* series() const { return series_ ? &*series_ : nullptr; }  // null: no step was made
+
+ private:
+  static constexpr std::size_t kMostPoints = 1024;
+  std::optional<Series> series_;
+};
+
+}  // namespace talus

@@ -1,0 +1,75 @@
+#include "stops.h"
+
+#include <algorithm>
+
+namespace talus {
+
+void Stops::put(Breakpoint breakpoint) {
+  if (breakpoint.id == 0) breakpoint.id = ++last_id_;
+  last_id_ = std::max(last_id_, breakpoint.id);
+  const auto at = std::find_if(breakpoints_.begin(), breakpoints_.end(),
+                               [&](const Breakpoint& b) { return b.id == breakpoint.id; });
+  if (at == breakpoints_.end()) {
+    breakpoints_.push_back(std::move(breakpoint));
+  } else {
+    *at = std::move(breakpoint);
+  }
+  start_counting();
+}
+
+void Stops::remove(int breakpoint) {
+  std::erase_if(breakpoints_, [&](const Breakpoint& b) { return b.id == breakpoint; });
+  start_counting();
+}
+
+// Those whose condition is wrong stop nothing; the panel shows what is wrong.
+std::vector<ArmedBreakpoint> Stops::armed() const {
+  std::vector<ArmedBreakpoint> armed;
+  for (const Breakpoint& breakpoint : breakpoints_) {
+    if (auto ready = ArmedBreakpoint::arm(breakpoint)) armed.push_back(std::move(*ready));
+  }
+  return armed;
+}
+
+void Stops::start_counting() {
+  counter_ = HitCounter(armed());
+  history_.emplace(counter_.frames_before());
+  judged_ = -1;
+  search_.reset();
+}
+
+void Stops::forget_frames() { start_counting(); }
+
+bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
+  if (counter_.empty() || judged_ == frame) return true;
+  if (!counter_.counts()) {
+    history_->clear();
+    judged_ = frame;
+    return true;
+  }
+  if (judged_ > frame) start_counting();
+  for (; most_frames > 0 && judged_ < frame; --most_frames) judge(source, judged_ + 1);
+  return judged_ == frame;
+}
+
+std::optional<Stop> Stops::judge(const FrameSource& source, std::int64_t frame) {
+  if (counter_.empty() || frame > source.last()) return std::nullopt;
+  history_->go_to(source, frame);
+  judged_ = frame;
+  return counter_.judge(history_->view());
+}
+
+void Stops::search(std::int64_t from, SearchDirection direction) {
+  direction_ = direction;
+  found_.reset();
+  search_.emplace(armed(), from, direction);
+}
+
+bool Stops::advance_search(const FrameSource& source, std::int64_t most_frames) {
+  if (!search_ || !search_->advance(source, most_frames)) return false;
+  found_ = search_->found();
+  search_.reset();
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,53 @@
+// Where a run stops: breakpoints, judged while it runs, and searched for in what is recorded.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "debug/stop_search.h"
+
+namespace talus {
+
+class Stops {
+ public:
+  // --- Breakpoints. A change forgets the counted hits.
+  const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
+  void put(Breakpoint breakpoint);  // in the place of the one with its id; id 0: a new one
+  void remove(int breakpoint);
+  // Hits up to the last frame that was judged; 0 of one that is not there, or not in order.
+  int hits(int breakpoint) const { return counter_.hits(breakpoint); }
+
+  // --- While it runs. source: the frames of the run that is shown.
+  // Whether the hits up to this frame are counted; if not, counts those of so many frames more. Needed before
+  // the step from there is judged; takes no time where no breakpoint counts.
+  bool ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
+  // Judges the frame after the one that it was ready for.
+  std::optional<Stop> judge(const FrameSource& source, std::int64_t frame);
+  void forget_frames();  // the frames are of another run now
+
+  // --- Searching
+  void search(std::int64_t from, SearchDirection direction);
+  void cancel_search() { search_.reset(); }
+  bool searching() const { return search_.has_value(); }
+  SearchDirection direction() const { return direction_; }
+  double progress(const FrameSource& source) const { return search_ ? search_->progress(source) : 1; }
+  // Goes on; true when it has just come to its end: found() tells where.
+  bool advance_search(const FrameSource& source, std::int64_t most_frames);
+  const std::optional<Stop>& found() const { return found_; }
+
+ private:
+  std::vector<ArmedBreakpoint> armed() const;
+  void start_counting();
+
+  std::vector<Breakpoint> breakpoints_;
+  int last_id_ = 0;
+  HitCounter counter_{{}};
+  std::optional<FrameHistory> history_;  // while there are breakpoints
+  std::int64_t judged_ = -1;             // the last frame that was judged; -1: none
+
+  std::optional<StopSearch> search_;
+  SearchDirection direction_ = SearchDirection::forwards;
+  std::optional<Stop> found_;
+};
+
+}  // namespace talus

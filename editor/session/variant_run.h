@@ -1,0 +1,36 @@
+// A run with the same input through another solver or precision.
+#pragma once
+
+#include <memory>
+
+#include "sim/timeline.h"
+
+namespace talus {
+
+// What it has in place of the level's own.
+struct Variant {
+  SolverKind solver = SolverKind::exact;
+  bool single_precision = false;  // of exact
+  friend bool operator==(const Variant&, const Variant&) = default;
+};
+
+class VariantRun {
+ public:
+  explicit VariantRun(Variant variant) : variant_(variant) {}
+
+  const Variant& variant() const { return variant_; }
+  // Brings it up to the current branch of `a`, by at most so many steps; begins anew when that is another run
+  // than the one it followed. level: as Timeline::recording has it.
+  void follow(const Timeline& a, const Level& level, std::int64_t most_steps);
+  const Timeline* timeline() const { return timeline_.get(); }  // null before the first follow()
+
+ private:
+  void begin(const Timeline& a, const Level& level);
+
+  Variant variant_;
+  std::unique_ptr<Timeline> timeline_;
+  int branch_ = 0, revision_ = 0;  // that it follows
+  std::size_t chapters_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,216 @@
+// The debugger of a session: stopping, watching and comparing by actions alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "session/session.h"
+
+namespace talus {
+namespace {
+
+// A ball that bounces on a floor in row 16 of 30x17 cells, and one that lies on it.
+Level bouncing_level() {
+  Level level;
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  for (int x = 0; x < level.map.width(); ++x) level.map.set({x, 16}, 1);
+  level.spawns.push_back({.position = {40, 20}});
+  level.spawns.push_back({.position = {80, 120}});
+  return level;
+}
+
+class SessionDebug : public ::testing::Test {
+ protected:
+  void step(int count) {
+    for (int i = 0; i < count; ++i) session.apply(action::StepFrame{});
+  }
+  std::int64_t frame() const { return session.state().frame; }
+  // Lets real time pass until nothing is left to be done.
+  void settle() {
+    for (int i = 0; i < 1000; ++i) {
+      session.advance(0);
+      if (!session.debugger().is_busy()) return;
+    }
+    FAIL() << "the debugger is still busy";
+  }
+  void add_breakpoint(std::string condition, int count = 1) {
+    session.apply(action::SetBreakpoint{{.condition = std::move(condition), .body = 1, .count = count}});
+  }
+  // The frames at which the ball begins to move up.
+  std::vector<std::int64_t> bounces(int frames) {
+    std::vector<std::int64_t> found;
+    Session other(bouncing_level());
+    for (int i = 0; i < frames; ++i) {
+      const double before = other.state().bodies[0].velocity.y;
+      other.apply(action::StepFrame{});
+      if (before >= 0 && other.state().bodies[0].velocity.y < 0) found.push_back(other.state().frame);
+    }
+    return found;
+  }
+
+  Session session{bouncing_level()};
+};
+
+TEST_F(SessionDebug, PlayingStopsAtABreakpointAndGoesOnBeyondIt) {
+  const auto up = bounces(300);
+  ASSERT_GE(up.size(), 3u);
+  add_breakpoint("vy < 0");
+  for (std::size_t i = 0; i < 3; ++i) {
+    session.apply(action::Play{});
+    for (int k = 0; k < 400 && session.playback().running; ++k) session.advance(1.0 / 60);
+    EXPECT_FALSE(session.playback().running);
+    EXPECT_EQ(frame(), up[i]);
+    ASSERT_TRUE(session.debugger().stop());
+    EXPECT_EQ(session.debugger().stop()->frame, up[i]);
+  }
+}
+
+TEST_F(SessionDebug, RunsBackAndForthBetweenTheSameStops) {
+  const auto up = bounces(200);
+  ASSERT_GE(up.size(), 2u);
+  step(200);
+  add_breakpoint("vy < 0");
+  for (std::size_t i = up.size(); i-- > 0;) {
+    session.apply(action::RunToStop{SearchDirection::backwards});
+    settle();
+    EXPECT_EQ(frame(), up[i]);
+  }
+  session.apply(action::RunToStop{SearchDirection::backwards});
+  settle();
+  EXPECT_EQ(frame(), up[0]) << "there is none before: the shown frame stays";
+  EXPECT_TRUE(session.debugger().search_failed());
+  session.apply(action::RunToStop{SearchDirection::forwards});
+  settle();
+  EXPECT_EQ(frame(), up[1]);
+}
+
+TEST_F(SessionDebug, WhereNothingRecordedStopsForwardsGoesOnPlaying) {
+  const auto up = bounces(200);
+  add_breakpoint("vy < 0");
+  step(2);
+  session.apply(action::RunToStop{SearchDirection::forwards});
+  for (int k = 0;
+       k < 400 && (session.debugger().searching() || session.playback().running || frame() < up[0]); ++k)
+    session.advance(1.0 / 60);
+  EXPECT_EQ(frame(), up[0]);
+  EXPECT_EQ(session.timeline().last_frame(), up[0]);
+}
+
+TEST_F(SessionDebug, CountedHitsAreTheSameWhileItPlaysAndSearched) {
+  const auto up = bounces(300);
+  ASSERT_GE(up.size(), 3u);
+  add_breakpoint("vy < 0", 2);
+  session.apply(action::Play{});
+  for (int k = 0; k < 400 && session.playback().running; ++k) session.advance(1.0 / 60);
+  EXPECT_EQ(frame(), up[1]);
+  EXPECT_EQ(session.debugger().stops().hits(1), 2);
+  step(1);
+  session.apply(action::SeekFrame{1});
+  session.apply(action::RunToStop{SearchDirection::forwards});
+  settle();
+  EXPECT_EQ(frame(), up[1]);
+}
+
+TEST_F(SessionDebug, AWrongOrDisabledBreakpointStopsNothing) {
+  add_breakpoint("no such name");
+  session.apply(action::SetBreakpoint{{.condition = "vy < 0", .enabled = false}});
+  session.apply(action::Play{});
+  for (int k = 0; k < 200; ++k) session.advance(1.0 / 60);
+  EXPECT_TRUE(session.playback().running);
+  EXPECT_FALSE(session.debugger().stop());
+}
+
+TEST_F(SessionDebug, WatchesHaveTheNumberOfEveryFrameAndFollowTheRun) {
+  session.apply(action::SelectBody{1});
+  session.apply(action::SetWatch{0, {"body.vy * 2", 0}});
+  session.apply(action::SetWatch{1, {"vy +", 0}});
+  step(20);
+  settle();
+  const Watches& watches = session.debugger().watches();
+  ASSERT_EQ(watches.all().size(), 2u);
+  EXPECT_FALSE(watches.all()[1].expression);
+  EXPECT_EQ(watches.series(watches.all()[1]), nullptr);
+  const Series* series = watches.series(watches.all()[0]);
+  ASSERT_NE(series, nullptr);
+  EXPECT_EQ(series->frames(), 21);
+  EXPECT_EQ(series->points().back().last, session.state().bodies[0].velocity.y * 2);
+  EXPECT_EQ(Watches::value(watches.all()[0], session.frame_view(), 1),
+            session.state().bodies[0].velocity.y * 2);
+  session.apply(action::SelectBody{2});
+  settle();
+  EXPECT_EQ(watches.series(watches.all()[0])->points().back().last, session.state().bodies[1].velocity.y * 2);
+  session.apply(action::RemoveWatch{0});
+  EXPECT_EQ(watches.all().size(), 1u);
+}
+
+TEST_F(SessionDebug, TheOtherSideHasTheSameInputAndAnotherSolver) {
+  step(30);
+  session.apply(action::CompareVariant{Variant{SolverKind::bump, false}});
+  settle();
+  ASSERT_NE(session.other_state(), nullptr);
+  Level bump = bouncing_level();
+  bump.tuning.solver = SolverKind::bump;
+  Session other(bump);
+  for (int i = 0; i < 30; ++i) other.apply(action::StepFrame{});
+  EXPECT_EQ(session.other_state()->bodies, other.state().bodies);
+  step(3);
+  settle();
+  for (int i = 0; i < 3; ++i) other.apply(action::StepFrame{});
+  ASSERT_NE(session.other_state(), nullptr);
+  EXPECT_EQ(session.other_state()->bodies, other.state().bodies);
+  session.apply(action::CompareVariant{});
+  settle();
+  EXPECT_EQ(session.other_state(), nullptr);
+}
+
+TEST_F(SessionDebug, SinglePrecisionPartsFromDoubleAtTheFrameThatIsFound) {
+  step(60);
+  session.apply(action::CompareVariant{Variant{SolverKind::exact, true}});
+  settle();
+  session.apply(action::FindParting{1e-9});
+  settle();
+  const std::int64_t parting = frame();
+  const auto apart = [&] {
+    double most = 0;
+    for (const BodyDifference& body : differences(session.state(), *session.other_state()))
+      most = std::max(most, body.distance);
+    return most;
+  };
+  ASSERT_TRUE(session.debugger().stop());
+  EXPECT_GT(apart(), 1e-9);
+  session.apply(action::StepBack{});
+  settle();
+  EXPECT_EQ(frame(), parting - 1);
+  EXPECT_LE(apart(), 1e-9);
+}
+
+TEST_F(SessionDebug, AnEditedLevelIsComparedWithTheRunBefore) {
+  step(60);
+  session.apply(action::SetEditRule{{EditRule::Kind::from_start, 0}});
+  Tuning tuning = session.level().tuning;
+  tuning.article.floor_bounce = 0;
+  session.apply(action::EditLevel{set_tuning(session.level(), tuning)});
+  for (int k = 0; k < 100 && session.timeline().behind(); ++k) session.advance(1.0 / 60);
+  settle();
+  ASSERT_NE(session.timeline().compared(), nullptr);
+  ASSERT_TRUE(session.timeline().parting_frame());
+  const std::int64_t parting = *session.timeline().parting_frame();
+  session.apply(action::SeekFrame{parting - 1});
+  settle();
+  ASSERT_NE(session.other_state(), nullptr);
+  EXPECT_EQ(session.other_state()->bodies, session.state().bodies);
+  session.apply(action::SeekFrame{parting});
+  settle();
+  EXPECT_NE(session.other_state()->bodies, session.state().bodies);
+}
+
+TEST_F(SessionDebug, StepTimesHaveANumberForEachStepMade) {
+  EXPECT_EQ(session.step_times().series(), nullptr);
+  step(5);
+  ASSERT_NE(session.step_times().series(), nullptr);
+  EXPECT_EQ(session.step_times().series()->frames(), 6);
+  EXPECT_TRUE(std::isnan(session.step_times().series()->points()[0].last));
+  EXPECT_GT(session.step_times().series()->points()[5].last, 0);
+}
+
+}  // namespace
+}  // namespace talus
