@@ -58,6 +58,7 @@ class Linter {
   std::vector<Problem> run() {
     check_roles();
     check_shapes();
+    check_solver();
     for (int y = 0; y < level_.map.height(); ++y) {
       for (int x = 0; x < level_.map.width(); ++x) check_cell({x, y});
     }
@@ -124,6 +125,13 @@ class Linter {
       else if (leaves_map(curve.curve))
         add(Severity::warning, "curve-leaves-map", "curve " + name + " leaves the map between its ends");
     }
+  }
+
+  void check_solver() {
+    if (level_.curves.empty() || level_.tuning.solver == SolverKind::exact) return;
+    add(Severity::warning, "curves-need-exact",
+        "curves and segments stop bodies of the exact solver alone, and the level's is " +
+            std::string(solver_name(level_.tuning.solver)));
   }
 
   // Whether a curve with its ends on the map goes above or below it. Its pieces rise or fall throughout.

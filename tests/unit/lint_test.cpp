@@ -210,6 +210,16 @@ TEST(Lint, ACurveLeavesTheMapBetweenItsEnds) {
                                            "W curve-leaves-map: curve 2 leaves the map between its ends"));
 }
 
+TEST(Lint, CurvesThatTheSolverTakesNoNoticeOf) {
+  Level level = level_of({"o..", "###"});
+  level.curves.push_back({"", {Segment{{2, 4}, {20, 4}}, Curve::Faces::up}, ""});
+  EXPECT_THAT(problems(level), IsEmpty());
+  level.tuning.solver = SolverKind::bump;
+  EXPECT_THAT(problems(level),
+              ElementsAre("W curves-need-exact: curves and segments stop bodies of the exact solver "
+                          "alone, and the level's is bump"));
+}
+
 TEST(Lint, ShapesDecideWhatIsSolid) {
   Level level = level_of({"o.-.", "/-.."});
   level.spawns.push_back({"", {12, 0}, {}, ""});
