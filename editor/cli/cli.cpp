@@ -48,12 +48,6 @@ std::string apply_setting(const std::string& setting, Tuning& tuning) {
   return "";
 }
 
-std::vector<std::string> solver_names() {
-  std::vector<std::string> names;
-  for (const SolverKind solver : solver_kinds()) names.emplace_back(solver_name(solver));
-  return names;
-}
-
 }  // namespace
 
 int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
@@ -93,6 +87,12 @@ std::optional<Level> load_or_fail(CommandContext& context, const std::string& fi
     return std::nullopt;
   }
   return std::move(loaded->level);
+}
+
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const SolverKind solver : solver_kinds()) names.emplace_back(solver_name(solver));
+  return names;
 }
 
 void add_physics_options(CLI::App& command, PhysicsOptions& options) {

@@ -41,6 +41,7 @@ struct PhysicsOptions {
   std::string solver;                 // a solver's name; empty: the level's own
   std::vector<std::string> settings;  // "key=value" of tuning_fields()
 };
+std::vector<std::string> solver_names();
 void add_physics_options(CLI::App& command, PhysicsOptions& options);
 void apply_physics(const PhysicsOptions& options, Tuning& tuning);
 

@@ -1,4 +1,6 @@
 // talus shot FILE [--frame N] [--overlay a,b] [--body ID] [--zoom N | --window WxH] -o PNG
+// With --window also [--panel a,b] [--break CONDITION]... [--back] [--compare SOLVER [--two-views]] [--stage
+// N].
 
 #include <unistd.h>
 
@@ -21,6 +23,8 @@ struct ShotCommandOptions {
   std::string window;  // "1280x720"; empty: the play view alone
   PhysicsOptions physics;
   ShotOptions shot;
+  WindowShotOptions window_shot;
+  std::string compared;  // name of a solver; empty: none
 };
 
 // The size in "1280x720", or nothing.
@@ -40,12 +44,14 @@ std::string check_size(const std::string& text) {
 }
 
 void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
-  WindowShotOptions shot;
+  WindowShotOptions shot = options.window_shot;
   shot.file = options.file;
   std::tie(shot.width, shot.height) = *size_of(options.window);
   shot.frames = static_cast<int>(options.frame);
   shot.overlays = options.shot.overlays;
   shot.body = options.shot.body;
+  if (!options.physics.solver.empty()) shot.solver = solver_of_name(options.physics.solver);
+  if (!options.compared.empty()) shot.compared = solver_of_name(options.compared);
   const auto written = write_window_shot(shot, options.output);
   if (!written) fail(context, options.output, "", written.error());
 }
@@ -78,6 +84,25 @@ std::vector<std::string> overlay_keys() {
   return keys;
 }
 
+// What the debugger shows; for the whole window alone.
+void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
+  WindowShotOptions& shot = options.window_shot;
+  const std::string window = "--window";
+  command.add_option("--panel", shot.panels, "Open the debugger with these tabs")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"inspector", "why", "tuning", "input_roll", "watch", "stops", "compare"}))
+      ->needs(window);
+  command.add_option("--break", shot.stops, "Condition of a breakpoint, such as 'penetration > 1'")
+      ->needs(window);
+  command.add_flag("--back", shot.runs_back, "Run back to the last frame at which one stops")
+      ->needs("--break");
+  command.add_option("--compare", options.compared, "Show the same input through this solver, too")
+      ->check(CLI::IsMember(solver_names()))
+      ->needs(window);
+  command.add_flag("--two-views", shot.two_views, "In a view of its own")->needs("--compare");
+  command.add_option("--stage", shot.stage, "Draw this stage of the body's step, from 0")->needs(window);
+}
+
 }  // namespace
 
 void add_shot_command(CLI::App& program, CommandContext& context) {
@@ -96,7 +121,8 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
   command->add_option("--window", options->window, "Draw the editor's whole window in this size")
       ->type_name("WxH")
       ->check(check_size)
-      ->excludes(std::string("--set"), std::string("--solver"), std::string("--zoom"));
+      ->excludes(std::string("--set"), std::string("--zoom"));
+  add_debugger_options(*command, *options);
   command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {
     if (options->output == "-") return shoot_to_output(context, *options);

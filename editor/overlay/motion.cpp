@@ -64,15 +64,13 @@ void add_swept_paths(const OverlaySource& source, Rect visible, OverlayDrawing& 
   for (const BodyPath& path : source.record.paths) drawer.draw(path);
 }
 
-void add_trails(std::span<const Trail> trails, Rect visible, OverlayDrawing& drawing) {
+void add_trails(std::span<const Trail> trails, OverlayId color, Rect visible, OverlayDrawing& drawing) {
   for (const Trail& trail : trails) {
     for (std::size_t i = 1; i < trail.size(); ++i) {
       if (!meets(trail[i - 1], trail[i], visible)) continue;
       const double age = 1 - static_cast<double>(i) / static_cast<double>(trail.size() - 1);
-      drawing.lines.push_back({.overlay = OverlayId::trails,
-                               .from = trail[i - 1],
-                               .to = trail[i],
-                               .strength = 1 - age * (1 - kFaintest)});
+      drawing.lines.push_back(
+          {.overlay = color, .from = trail[i - 1], .to = trail[i], .strength = 1 - age * (1 - kFaintest)});
     }
   }
 }

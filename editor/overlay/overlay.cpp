@@ -68,7 +68,6 @@ class Drawer {
     if (overlays_.has(OverlayId::tested_tiles)) draw_tested();
     if (overlays_.has(OverlayId::boxes)) draw_boxes();
     if (ground_ != nullptr) draw_ground();
-    if (overlays_.has(OverlayId::trails)) add_trails(source_.trails, visible_, out_);
     if (overlays_.has(OverlayId::swept_path)) add_swept_paths(source_, visible_, out_);
     for (const Body& body : state_.bodies) {
       if (overlays_.has(OverlayId::velocity)) draw_velocity(body);

@@ -51,17 +51,13 @@ struct OverlayDrawing {
   std::vector<OverlayLabel> labels;
 };
 
-// Where a body's centre was, frame by frame, px; the last is where it is.
-using Trail = std::vector<Vec2>;
-
 // What is drawn: a frame of a run.
 struct OverlaySource {
   const Scene& scene;
   const State& state;
-  const StepRecord& record;            // of the step that led there
-  const Terrain* ground = nullptr;     // of the level, whatever the solver; null: not known
-  int chosen_body = 0;                 // id, whose details are always labelled; 0: none
-  std::span<const Trail> trails = {};  // of the bodies that have one
+  const StepRecord& record;         // of the step that led there
+  const Terrain* ground = nullptr;  // of the level, whatever the solver; null: not known
+  int chosen_body = 0;              // id, whose details are always labelled; 0: none
 };
 
 // `visible`: level px; what lies wholly outside is left out.

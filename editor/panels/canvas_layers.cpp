@@ -6,12 +6,18 @@
 #include <vector>
 
 #include "overlay/answer.h"
+#include "overlay/motion.h"
 #include "overlay/outline.h"
+#include "overlay/stage_drawing.h"
 #include "overlay/visible.h"
 #include "overlay_painter.h"
 
 namespace talus {
 namespace {
+
+constexpr double kSamePlace = 0.005;        // px: closer bodies hide one another
+constexpr std::int64_t kTrailFrames = 120;  // two seconds
+constexpr std::size_t kMostTrails = 4;      // as many as the session keeps
 
 // The corner and the opposite corner of an image on its sheet's texture.
 struct SheetUv {
@@ -203,9 +209,81 @@ void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& vie
   }
 }
 
+void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& view, float scale) {
+  const State* other = session.other_state();
+  if (other == nullptr) return;
+  const float width = std::max(1.0f, std::round(scale));
+  for (const BodyDifference& body : differences(session.state(), *other)) {
+    if (body.b == 0 || body.distance < kSamePlace) continue;
+    const Rect& box = other->find(body.b)->box;
+    if (!meet(box, view.visible())) continue;
+    const ImVec2 from = view.to_screen({box.x, box.y}), to = view.to_screen({box.right(), box.bottom()});
+    list.AddRectFilled(from, to, theme::color(theme::kText, 45));
+    list.AddRect(from, to, theme::color(theme::kDark, 200), 0, 0, width + 2);
+    list.AddRect(from, to, theme::color(theme::kText, 220), 0, 0, width);
+    if (const Body* ours = session.state().find(body.a))
+      list.AddLine(view.to_screen(ours->box.center()), view.to_screen(box.center()),
+                   theme::color(theme::kText, 150), width);
+  }
+}
+
+void draw_other_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui) {
+  const State* other = session.other_state();
+  if (other == nullptr) return;
+  for (const Body& body : other->bodies) {
+    if (meet(body.box, view.visible())) draw_body(list, session.level(), body, view, ui, 255);
+  }
+}
+
+namespace {
+
+// The last frames of the chosen body; of the first few, while none is chosen.
+std::vector<Trail> trails_of(const Session& session, const Branch& branch, std::int64_t first,
+                             std::int64_t last) {
+  std::vector<int> bodies{session.choices().body};
+  if (bodies[0] == 0) {
+    bodies.clear();
+    for (const Body& body : session.state().bodies)
+      if (bodies.size() < kMostTrails) bodies.push_back(body.id);
+  }
+  std::vector<Trail> trails;
+  for (const int body : bodies) {
+    Trail& trail = trails.emplace_back();
+    for (const TrailPoint& point : session.trail(branch, body, first, last))
+      trail.push_back(point.box.center());
+  }
+  return trails;
+}
+
+void add_all_trails(const Session& session, Rect visible, OverlayDrawing& drawing) {
+  const Timeline& timeline = session.timeline();
+  const std::int64_t frame = timeline.frame(), first = std::max<std::int64_t>(frame - kTrailFrames, 0);
+  const Branch* compared = timeline.compared();
+  // What is compared is drawn ahead too, so that one sees where the two part.
+  const std::int64_t last = compared != nullptr ? frame + kTrailFrames : frame;
+  const auto drawn_of = [&](const Branch& branch, OverlayId color) {
+    const std::int64_t end = std::min(last, branch.run_frame());
+    if (first < end) add_trails(trails_of(session, branch, first, end), color, visible, drawing);
+  };
+  if (compared != nullptr) drawn_of(*compared, OverlayId::tested_tiles);
+  drawn_of(timeline.current(), OverlayId::trails);
+}
+
+// Of the level there, whatever the solver; null where no overlay asks for it and the solver has none.
+std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet overlays) {
+  if (session.scene().ground) return session.scene().ground;
+  for (const OverlayId id : {OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way,
+                             OverlayId::floor_height, OverlayId::penetration})
+    if (overlays.has(id)) return session.frame_view().now().ground;
+  return nullptr;
+}
+
+}  // namespace
+
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale, int pointed_at) {
-  if (overlays.empty()) return;
+                   float scale, int pointed_at, int stage) {
+  const bool has_stage = stage >= 0 && static_cast<std::size_t>(stage) < session.stages().size();
+  if (overlays.empty() && !has_stage) return;
   const Rect visible = view.visible();
   std::vector<Rect> keep_clear;  // of labels: the bodies, and the ramps that they are on
   for (const Body& body : session.state().bodies) keep_clear.push_back(body.box);
@@ -213,12 +291,17 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
     const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
     if (slope && meet(item.box, visible)) keep_clear.push_back(item.box);
   }
+  const std::shared_ptr<const Terrain> ground = ground_for(session, overlays);
   OverlayDrawing drawing = make_overlays({.scene = session.scene(),
                                           .state = session.state(),
                                           .record = session.record(),
-                                          .ground = session.scene().ground.get(),
+                                          .ground = ground.get(),
                                           .chosen_body = session.choices().body},
                                          overlays, visible);
+  if (overlays.has(OverlayId::trails)) add_all_trails(session, visible, drawing);
+  if (has_stage)
+    add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
+              drawing);
   if (overlays.has(OverlayId::answer) && session.hard_case())
     add_answer(*session.hard_case(), session.level(), drawing);
   paint_overlays(list, drawing, keep_clear, view, scale, pointed_at);

@@ -20,9 +20,14 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
 void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui);
 // The bodies where they are now; the chosen one is framed. `alpha`: 0 to 255.
 void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha);
-// The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: none.
+// The bodies of the other side of a comparison, where they are elsewhere.
+void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& view, float scale);
+// The other side's bodies alone.
+void draw_other_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui);
+// The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: none. `stage`: of the
+// chosen body's step, drawn with them; -1: none.
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale, int pointed_at = 0);
+                   float scale, int pointed_at = 0, int stage = -1);
 // The cells filled with the stamp, repeated from their top-left corner. `alpha`: 0 to 255.
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,
                 int alpha);

@@ -33,12 +33,21 @@ void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       map_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
       break;
     case CanvasMode::play:
-      play_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
+      draw_play(session, actions, ui, ImGui::GetContentRegionAvail());
       break;
     case CanvasMode::both:
       draw_both(session, actions, ui);
       break;
   }
+}
+
+void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
+  if (!ui.view.split_compared || session.other_state() == nullptr)
+    return play_.draw(session, actions, ui, size);
+  const float gap = ui.px(2), half = (size.x - gap) / 2;
+  play_.draw(session, actions, ui, {half, size.y});
+  ImGui::SameLine(0, gap);
+  play_.draw_other_side(session, ui, {half, size.y});
 }
 
 void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
@@ -50,7 +59,7 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
   map_.draw(session, actions, ui, {room.x, upper});
   const float moved = splitter("canvas/split", {room.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.layout.canvas_split = (upper + moved) / room.y;
-  play_.draw(session, actions, ui, {room.x, room.y - upper - bar});
+  draw_play(session, actions, ui, {room.x, room.y - upper - bar});
   ImGui::PopStyleVar();
 }
 

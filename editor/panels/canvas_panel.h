@@ -15,6 +15,7 @@ class CanvasPanel : public Panel {
  private:
   void draw_toolbar(const Session& session, Actions& actions, Ui& ui);
   void draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui);
+  void draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
   void draw_both(const Session& session, Actions& actions, Ui& ui);
 
   LevelCanvas map_{LevelCanvas::Kind::map};

@@ -9,6 +9,7 @@
 namespace talus {
 
 std::vector<Command> general_commands();  // work everywhere
+std::vector<Command> debug_commands();    // work everywhere, too
 std::vector<Command> tool_commands();     // work in the sprites or in the map
 
 inline Command command(std::string_view id, KeyChord key, std::string_view label, std::string_view help,

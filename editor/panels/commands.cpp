@@ -8,7 +8,7 @@
 
 namespace talus {
 std::span<const Command> commands() {
-  static const std::vector<Command> all = joined({general_commands(), tool_commands()});
+  static const std::vector<Command> all = joined({general_commands(), debug_commands(), tool_commands()});
   return all;
 }
 

@@ -44,7 +44,8 @@ void draw_play_icon(const Pen& pen, Icon icon) {
   switch (icon) {
     case Icon::reset:
       pen.box(.15f, .2f, .27f, .8f);
-      pen.solid({{.85f, .2f}, {.85f, .8f}, {.33f, .5f}});
+      pen.solid({{.6f, .25f}, {.6f, .75f}, {.28f, .5f}});
+      pen.solid({{.92f, .25f}, {.92f, .75f}, {.6f, .5f}});
       break;
     case Icon::play:
       pen.solid({{.25f, .15f}, {.85f, .5f}, {.25f, .85f}});
@@ -53,9 +54,27 @@ void draw_play_icon(const Pen& pen, Icon icon) {
       pen.box(.22f, .18f, .42f, .82f);
       pen.box(.58f, .18f, .78f, .82f);
       break;
-    default:  // step
+    case Icon::step:
       pen.solid({{.15f, .2f}, {.65f, .5f}, {.15f, .8f}});
       pen.box(.72f, .2f, .84f, .8f);
+      break;
+    case Icon::step_back:
+      pen.solid({{.85f, .2f}, {.85f, .8f}, {.35f, .5f}});
+      pen.box(.16f, .2f, .28f, .8f);
+      break;
+    case Icon::run_on:
+      pen.solid({{.08f, .25f}, {.4f, .5f}, {.08f, .75f}});
+      pen.solid({{.4f, .25f}, {.72f, .5f}, {.4f, .75f}});
+      pen.solid({{.88f, .3f}, {.98f, .5f}, {.88f, .7f}, {.78f, .5f}});
+      break;
+    case Icon::run_back:
+      pen.solid({{.92f, .25f}, {.92f, .75f}, {.6f, .5f}});
+      pen.solid({{.6f, .25f}, {.6f, .75f}, {.28f, .5f}});
+      pen.solid({{.12f, .3f}, {.22f, .5f}, {.12f, .7f}, {.02f, .5f}});
+      break;
+    default:  // split
+      pen.frame(.1f, .2f, .46f, .8f);
+      pen.frame(.54f, .2f, .9f, .8f);
       break;
   }
 }
@@ -164,7 +183,7 @@ void draw_view_icon(const Pen& pen, Icon icon) {
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) {
   const Pen pen(list, at, size, color);
   if (icon == Icon::none) return;
-  if (icon <= Icon::step) return draw_play_icon(pen, icon);
+  if (icon <= Icon::split) return draw_play_icon(pen, icon);
   if (icon <= Icon::segment) return draw_map_tool_icon(pen, icon);
   if (icon <= Icon::clear) return draw_sprite_icon(pen, icon);
   draw_view_icon(pen, icon);

@@ -14,6 +14,8 @@ std::string key_name(int key) {
       return "Del";
     case kKeyHome:
       return "Home";
+    case kKeyEnd:
+      return "End";
     case kKeyLeft:
       return "Left";
     case kKeyRight:

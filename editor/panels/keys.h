@@ -11,6 +11,7 @@ enum Key : int {
   kKeyTab = 256,
   kKeyDelete,
   kKeyHome,
+  kKeyEnd,
   kKeyLeft,
   kKeyRight,
   kKeyUp,
@@ -18,9 +19,13 @@ enum Key : int {
   kKeyF1,
   kKeyF2,
   kKeyF3,
-  kKeyF5 = kKeyF1 + 4,
-  kKeyF10 = kKeyF1 + 9,
-  kKeyF12 = kKeyF1 + 11,
+  kKeyF4,
+  kKeyF5,
+  kKeyF7 = kKeyF1 + 6,
+  kKeyF9 = kKeyF1 + 8,
+  kKeyF10,
+  kKeyF11,
+  kKeyF12,
 };
 
 struct KeyChord {

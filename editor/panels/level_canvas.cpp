@@ -74,6 +74,21 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   list.PopClipRect();
 }
 
+void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) const {
+  size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
+  const CanvasView view = camera_.view(ImGui::GetCursorScreenPos(), size);
+  ImGui::Dummy(size);
+  ui.item("play/other_side");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(view.min, view.max, true);
+  draw_tiles(list, session.level(), view, ui, true);
+  draw_curves(list, session.level(), view, ui.scale);
+  draw_other_bodies(list, session, view, ui);
+  draw_plate(list, {view.min.x + ui.px(4), view.min.y + ui.px(4)}, "Other side", theme::color(theme::kMuted),
+             ui);
+  list.PopClipRect();
+}
+
 void LevelCanvas::draw_preview(const Session& session, const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -193,7 +208,8 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (!is_play()) return;
   const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
-  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at);
+  if (!ui.view.split_compared) draw_ghosts(list, session, view, ui.scale);
+  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage);
 }
 
 // A held ball moves with the steps alone: while there are none, a line shows where it is drawn to.

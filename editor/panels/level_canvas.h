@@ -20,6 +20,8 @@ class LevelCanvas {
   explicit LevelCanvas(Kind kind) : kind_(kind) {}
 
   void draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
+  // The other side of a comparison, where this canvas shows the first; with no mouse of its own.
+  void draw_other_side(const Session& session, Ui& ui, ImVec2 size) const;
 
  private:
   bool is_play() const { return kind_ == Kind::play; }

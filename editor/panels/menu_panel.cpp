@@ -79,6 +79,15 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       draw_command("overlay/" + std::string(info.key), session, actions, ui);
     ImGui::EndMenu();
   }
+  if (begin_menu("Debug", ui)) {
+    draw_commands(
+        {"view/debugger", "", "timeline/back", "play/step", "timeline/end", "timeline/mark",
+         "timeline/previous_mark", "timeline/next_mark", "timeline/rerun", "", "stops/forwards", "stops/back",
+         "", "why/next", "why/before", "", "compare/split", "", "file/save_recording"},
+        session, actions, ui);
+    draw_edit_rule(session, actions, ui);
+    ImGui::EndMenu();
+  }
   if (begin_menu("Help", ui)) {
     draw_commands({"help/keys", "help/commands"}, session, actions, ui);
     ImGui::EndMenu();
@@ -121,6 +130,26 @@ void MenuPanel::draw_hard_cases(Actions& actions, Ui& ui) {
     if (ImGui::MenuItem(name.c_str())) actions.push_back(action::OpenFile{files[i], true});
     ui.item("menu/hard_case" + std::to_string(i), files[i]);
   }
+  ImGui::EndMenu();
+}
+
+void MenuPanel::draw_edit_rule(const Session& session, Actions& actions, Ui& ui) {
+  using Kind = EditRule::Kind;
+  const bool open = ImGui::BeginMenu("When the level is edited");
+  ui.item("menu/edit_rule", "What becomes of the recording when the level changes under it.");
+  if (!open) return;
+  const EditRule now = session.edit_rule();
+  const std::int64_t frame = session.state().frame;
+  const auto choice = [&](Kind kind, const std::string& label, const char* name) {
+    if (ImGui::MenuItem(label.c_str(), nullptr, now.kind == kind))
+      actions.push_back(action::SetEditRule{{kind, kind == Kind::from_frame ? frame : 0}});
+    ui.item(std::string("menu/rule_") + name);
+  };
+  choice(Kind::go_on, "Go on from the shown frame", "go_on");
+  choice(Kind::from_start, "Run the recording again from frame 0", "from_start");
+  choice(Kind::from_frame,
+         "Run it again from frame " + std::to_string(now.kind == Kind::from_frame ? now.frame : frame),
+         "from_frame");
   ImGui::EndMenu();
 }
 

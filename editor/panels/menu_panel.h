@@ -17,6 +17,7 @@ class MenuPanel : public Panel {
  private:
   void draw_recent_files(Actions& actions, Ui& ui);
   void draw_hard_cases(Actions& actions, Ui& ui);
+  void draw_edit_rule(const Session& session, Actions& actions, Ui& ui);
   void draw_scale_choice(Ui& ui);
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "branch_choice.h"
 #include "commands.h"
 #include "overlay_painter.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr float kSwatch = 14;                    // px at scale 1
 constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
-constexpr float kFirstGap = 8, kControls = 250;  // px at scale 1: what is left of the switches on their line
+constexpr float kFirstGap = 8, kControls = 280;  // px at scale 1: what is left of the switches on their line
 
 float text_width(std::string_view text) {
   return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
@@ -19,7 +20,7 @@ float text_width(std::string_view text) {
 
 // Decided by the window's width alone, so that the legend and the switches agree.
 bool names_fit(const Ui& ui) {
-  float width = ui.px(kControls);
+  float width = ui.px(kControls + 2 * kBranchWidth);
   for (const OverlayInfo& info : overlay_infos())
     width += text_width(info.label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
   return width <= ImGui::GetIO().DisplaySize.x;

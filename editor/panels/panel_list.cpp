@@ -3,9 +3,11 @@
 
 #include "canvas_panel.h"
 #include "command_palette_panel.h"
+#include "compare_panel.h"
 #include "flags_panel.h"
 #include "help_panel.h"
 #include "history_panel.h"
+#include "input_roll_panel.h"
 #include "inspector_panel.h"
 #include "menu_panel.h"
 #include "message_panel.h"
@@ -15,8 +17,12 @@
 #include "question_panel.h"
 #include "sheet_panel.h"
 #include "status_panel.h"
+#include "stops_panel.h"
+#include "timeline_panel.h"
 #include "transport_panel.h"
 #include "tuning_panel.h"
+#include "watch_panel.h"
+#include "why_panel.h"
 
 namespace talus {
 namespace {
@@ -37,9 +43,15 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<FlagsPanel>(Region::flags));
   panels.push_back(place<CanvasPanel>(Region::canvas));
   panels.push_back(place<InspectorPanel>(Region::right_top));
+  panels.push_back(place<WhyPanel>(Region::right_top));
   panels.push_back(place<TuningPanel>(Region::right_top));
   panels.push_back(place<ProblemsPanel>(Region::right_bottom));
   panels.push_back(place<HistoryPanel>(Region::right_bottom));
+  panels.push_back(place<InputRollPanel>(Region::dock));
+  panels.push_back(place<WatchPanel>(Region::dock));
+  panels.push_back(place<StopsPanel>(Region::dock));
+  panels.push_back(place<ComparePanel>(Region::dock));
+  panels.push_back(place<TimelinePanel>(Region::timeline));
   panels.push_back(place<TransportPanel>(Region::transport));
   panels.push_back(place<StatusPanel>(Region::status));
   panels.push_back(place<HelpPanel>(Region::floating));

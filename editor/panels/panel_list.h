@@ -18,6 +18,8 @@ enum class Region {
   canvas,
   right_top,
   right_bottom,
+  dock,
+  timeline,
   transport,
   status,
   floating

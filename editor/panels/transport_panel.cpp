@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "branch_choice.h"
 #include "commands.h"
 #include "overlay_switches.h"
 
@@ -33,6 +34,8 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
 void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   command_button("transport/reset", "play/reset", Icon::reset, session, actions, ui);
   ImGui::SameLine();
+  command_button("transport/back", "timeline/back", Icon::step_back, session, actions, ui);
+  ImGui::SameLine();
   command_button("transport/play", "play/toggle", session.playback().running ? Icon::pause : Icon::play,
                  session, actions, ui);
   ImGui::SameLine();
@@ -47,6 +50,7 @@ void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetCursorPosY(row);
   draw_speed(session, actions, ui);
   draw_overlay_switches(session, actions, ui);
+  draw_branch_choice(session, actions, ui);
 }
 
 }  // namespace talus

@@ -108,6 +108,14 @@ bool Ui::begin_combo(std::string_view name, const std::string& preview, float wi
   return open;
 }
 
+void Ui::begin_row() {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(px(6), (px(theme::kButton) - ImGui::GetFontSize()) / 2));
+  ImGui::AlignTextToFramePadding();
+}
+
+void Ui::end_row() { ImGui::PopStyleVar(); }
+
 void Ui::label(std::string_view text) {
   // Dear ImGui lowers text after a button by the padding of its own, lower, buttons.
   const float lowered = ImGui::GetStyle().FramePadding.y;

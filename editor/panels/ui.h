@@ -54,6 +54,9 @@ class Ui {
   // A choice as high as a button; ImGui::EndCombo() must follow when it returns true.
   bool begin_combo(std::string_view name, const std::string& preview, float width, std::string_view help,
                    std::string_view key = {});
+  // Between these, fields are as high as buttons, and plain text is in line with both.
+  void begin_row();
+  void end_row();
   // Text in a row of buttons.
   void label(std::string_view text);
   // A small heading in the muted colour.

@@ -17,16 +17,17 @@ enum class Focus { sprites, map };
 enum class CanvasMode { map, play, both };
 
 // Which file dialog is asked for.
-enum class FileDialog { none, open, save_as };
+enum class FileDialog { none, open, save_as, save_recording };
 
 // Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
 // does not fit is clamped to the regions' smallest sizes.
 struct Layout {
   double left = 0.215;        // width of the left column
   double right = 0.305;       // width of the right column
-  double sheet = 0.485;       // height of the sheet, of the left column
+  double sheet = 0.49;        // height of the sheet, of the left column
   double right_split = 0.68;  // height of the inspector, of the right column
   double canvas_split = 0.5;  // height of the map, of the middle, when map and play are both shown
+  double dock = 0.3;          // height of the debugger's panels, of what is between menu and timeline
   friend bool operator==(const Layout&, const Layout&) = default;
 };
 
@@ -43,6 +44,7 @@ struct View {
   CanvasMode canvas = CanvasMode::both;
   Focus focus = Focus::map;
   bool paint_in_play = false;  // the left button paints in the play view, instead of holding balls
+  bool dock_open = false;      // the debugger's panels are shown
   double ui_scale = 0;         // 0: by the window's height; else 1 to 4
   FileDialog dialog = FileDialog::none;
   bool help_open = false;
@@ -52,6 +54,8 @@ struct View {
   std::vector<std::string> tabs;          // ids of the panels that are shown where several share a region
   int palette_color = 12;                 // 0..15, which the sliders edit
 
+  int stage = -1;                   // of the chosen body's step, drawn in the play view; -1: none
+  bool split_compared = false;      // the other side of a comparison has a view of its own
   std::optional<Cell> centre_on;    // asks the canvases to show this cell; taken by the next frame
   std::optional<Cell> marked_cell;  // outlined on the map: the last problem that was clicked
   bool play_active = false;  // of the two canvases, the play view was used last: it gets these requests,

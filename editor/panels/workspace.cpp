@@ -15,10 +15,11 @@ namespace {
 
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
-constexpr float kTransport = 32, kStatus = 24;
-constexpr float kSheetLeast = 164, kFlags = 126, kPalette = 112, kPixelsLeast = 198;
+constexpr float kTimeline = 16, kTransport = 30, kStatus = 24;
+constexpr float kSheetLeast = 164, kFlags = 118, kPalette = 112, kPixelsLeast = 192;
 constexpr float kMargin = 6;  // px at scale 1, above and below what is in a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
+constexpr float kDockLeast = 120, kAboveDockLeast = 300;
 
 // A part of `whole`, with `least` kept for itself and `rest` for the others where there is room for both.
 float part(double fraction, float whole, float least, float rest) {
@@ -83,13 +84,14 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
     if (place.region == Region::menu) place.panel->draw(session, actions, ui);
 
   const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
-  const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport);
-  const float height = bottom - top;
+  const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport) - ui.px(kTimeline);
   ui.bars_top = bottom;
   Layout& layout = ui.view.layout;
   const float right = part(layout.right, window.x, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
   const float left = part(layout.left, window.x, ui.px(kLeftLeast), right + ui.px(kMiddleLeast));
-  draw_left(frame, {0, top}, {left, height});
+  draw_left(frame, {0, top}, {left, bottom - top});
+  const float dock = draw_dock(frame, {left, top}, {window.x - left, bottom - top});
+  const float height = bottom - top - dock;
   ImGui::SetCursorScreenPos({left, top});
   const float moved_left = splitter("layout/left", {bar, height}, SplitterAxis::horizontal, ui);
   if (moved_left != 0) layout.left = (left + moved_left) / window.x;
@@ -98,8 +100,9 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   const float moved_right = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
   if (moved_right != 0) layout.right = (right - moved_right) / window.x;
   draw_right(frame, {window.x - right, top}, {right, height});
-  draw_region(frame, Region::transport, {0, bottom}, {window.x, ui.px(kTransport)});
-  draw_region(frame, Region::status, {0, bottom + ui.px(kTransport)}, {window.x, ui.px(kStatus)});
+  draw_region(frame, Region::timeline, {0, bottom}, {window.x, ui.px(kTimeline)});
+  draw_region(frame, Region::transport, {0, bottom + ui.px(kTimeline)}, {window.x, ui.px(kTransport)});
+  draw_region(frame, Region::status, {0, window.y - ui.px(kStatus)}, {window.x, ui.px(kStatus)});
   ImGui::End();
   for (PanelPlace& place : panels_)
     if (place.region == Region::floating) place.panel->draw(session, actions, ui);
@@ -137,11 +140,24 @@ void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
   draw_region(frame, Region::right_bottom, {at.x, at.y + upper + bar}, {size.x, size.y - upper - bar});
 }
 
+float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
+  Ui& ui = frame.ui;
+  if (!ui.view.dock_open) return 0;
+  const float bar = ui.px(kSplitterWidth);
+  const float height = part(ui.view.layout.dock, room.y, ui.px(kDockLeast), ui.px(kAboveDockLeast));
+  const float y = at.y + room.y - height;
+  ImGui::SetCursorScreenPos({at.x, y});
+  const float moved = splitter("layout/dock", {room.x, bar}, SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.layout.dock = (height - moved) / room.y;
+  draw_region(frame, Region::dock, {at.x, y + bar}, {room.x, height - bar});
+  return height;
+}
+
 void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
-  const bool bar = region == Region::transport || region == Region::status;
+  const bool bar = region == Region::timeline || region == Region::transport || region == Region::status;
   ImGui::SetCursorScreenPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(bar ? 4 : kMargin)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(bar ? 3 : kMargin)));
   ImGui::BeginChild(static_cast<ImGuiID>(region) + 1, size, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);

@@ -18,6 +18,8 @@ class Workspace {
     Ui& ui;
   };
   void draw_left(Frame& frame, ImVec2 at, ImVec2 size);
+  // The debugger's panels at the bottom of the room, if they are open; their height.
+  float draw_dock(Frame& frame, ImVec2 at, ImVec2 room);
   void draw_right(Frame& frame, ImVec2 at, ImVec2 size);
   // One region: its panel, or tabs of its panels.
   void draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size);

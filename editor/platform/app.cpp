@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "asset_path.h"
+#include "formats/recording.h"
 #include "panels/commands.h"
 #include "picture.h"
 #include "sdl_keys.h"
@@ -33,6 +34,14 @@ double machine_time() {
 // Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
 float automatic_scale(float window_height) {
   return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
+}
+
+// "demo.talus.json" gives "demo.talusrec", in the same folder.
+std::string recording_name(const std::string& level) {
+  const std::filesystem::path path(level);
+  const std::string name = path.filename().string();
+  return (path.parent_path() / (name.substr(0, name.find('.')) + "." + std::string(kRecordingExtension)))
+      .string();
 }
 
 std::string absolute_path(const std::string& path) {
@@ -101,6 +110,11 @@ void App::take_settings(const Settings& settings) {
   ui_.view.recent_files = settings.recent_files;
   ui_.view.hard_cases = hard_case_paths();
   ui_.view.tabs = settings.tabs;
+  ui_.view.dock_open = settings.dock_open;
+  for (const Breakpoint& breakpoint : settings.breakpoints)
+    session_->apply(action::SetBreakpoint{breakpoint});
+  for (std::size_t i = 0; i < settings.watches.size(); ++i)
+    session_->apply(action::SetWatch{i, {settings.watches[i], 0}});
   session_->apply(action::SetGrid{settings.grid});
   session_->apply(action::SetScreenBorders{settings.screen_borders});
   for (const OverlayInfo& info : overlay_infos())
@@ -120,6 +134,10 @@ Settings App::current_settings() const {
   settings.overlays = session_->choices().overlays;
   settings.recent_files = ui_.view.recent_files;
   settings.tabs = ui_.view.tabs;
+  settings.dock_open = ui_.view.dock_open;
+  settings.breakpoints = session_->debugger().stops().breakpoints();
+  for (const Watches::Entry& entry : session_->debugger().watches().all())
+    settings.watches.push_back(entry.watch.text);
   return settings;
 }
 
@@ -141,8 +159,9 @@ void App::run() {
 }
 
 void App::wait() {
-  const bool busy = session_->playback().running || session_->timeline().behind() || ui_.wants_frames() ||
-                    has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent;
+  const bool busy = session_->playback().running || session_->timeline().behind() ||
+                    session_->debugger().is_busy() || ui_.wants_frames() || has_waiting_events() ||
+                    last_time_ - last_event_ < kLivelyAfterEvent;
   if (busy) {
     const double spent = (options_.clock() - last_time_) * 1000;
     if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
@@ -251,6 +270,11 @@ void App::draw_file_dialog(Actions& actions) {
   if (ui_.view.dialog == FileDialog::save_as || session_->wants_save_as())
     purpose = FileBrowser::Purpose::save;
   std::string near = session_->path();
+  const bool is_recording = ui_.view.dialog == FileDialog::save_recording;
+  if (is_recording) {
+    purpose = FileBrowser::Purpose::save;
+    near = recording_name(near.empty() ? session_->file_name() : near);
+  }
   if (near.empty() && purpose == FileBrowser::Purpose::open && !ui_.view.recent_files.empty())
     near = ui_.view.recent_files.front();
   const auto answer = browser_.draw(purpose, near, ui_);
@@ -264,6 +288,8 @@ void App::draw_file_dialog(Actions& actions) {
   actions.push_back(action::DismissMessage{});
   if (purpose == FileBrowser::Purpose::open)
     actions.push_back(action::OpenFile{answer->path});
+  else if (is_recording)
+    actions.push_back(action::SaveRecording{answer->path});
   else
     actions.push_back(action::SaveFileAs{answer->path});
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "formats/format.h"
+#include "formats/recording.h"
 #include "panels/dialog.h"
 
 namespace talus {
@@ -74,7 +75,8 @@ void FileBrowser::enter(const std::string& folder) {
     std::error_code ignored;
     Entry entry{it->path().filename().string(), it->is_directory(ignored)};
     const bool hidden = entry.name.starts_with('.');
-    if (!hidden && (entry.is_folder || format_for_file(entry.name) != nullptr))
+    if (!hidden && (entry.is_folder || format_for_file(entry.name) != nullptr ||
+                    entry.name.ends_with("." + std::string(kRecordingExtension))))
       entries.push_back(std::move(entry));
     if (error) break;
   }

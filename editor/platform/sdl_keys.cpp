@@ -10,9 +10,10 @@ struct Row {
   int key;
   SDL_Keycode sdl;
 };
-constexpr std::array<Row, 7> kRows = {{{kKeyTab, SDLK_TAB},
+constexpr std::array<Row, 8> kRows = {{{kKeyTab, SDLK_TAB},
                                        {kKeyDelete, SDLK_DELETE},
                                        {kKeyHome, SDLK_HOME},
+                                       {kKeyEnd, SDLK_END},
                                        {kKeyLeft, SDLK_LEFT},
                                        {kKeyRight, SDLK_RIGHT},
                                        {kKeyUp, SDLK_UP},

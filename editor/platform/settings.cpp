@@ -20,11 +20,12 @@ struct LayoutField {
   const char* key;
   double Layout::*value;
 };
-constexpr std::array<LayoutField, 5> kLayoutFields = {{{"left", &Layout::left},
+constexpr std::array<LayoutField, 6> kLayoutFields = {{{"left", &Layout::left},
                                                        {"right", &Layout::right},
                                                        {"sheet", &Layout::sheet},
                                                        {"right_split", &Layout::right_split},
-                                                       {"canvas_split", &Layout::canvas_split}}};
+                                                       {"canvas_split", &Layout::canvas_split},
+                                                       {"dock", &Layout::dock}}};
 
 // Sets `value` if the object has a number of that name in the range.
 template <class T>
@@ -50,6 +51,35 @@ std::vector<std::string> read_strings(const json& object, const char* key) {
   return strings;
 }
 
+std::vector<Breakpoint> read_breakpoints(const json& object) {
+  std::vector<Breakpoint> breakpoints;
+  const auto it = object.find("breakpoints");
+  if (it == object.end() || !it->is_array()) return breakpoints;
+  for (const json& item : *it) {
+    if (!item.is_object() || breakpoints.size() == kMaxBreakpoints) continue;
+    const auto condition = item.find("condition");
+    if (condition == item.end() || !condition->is_string()) continue;
+    Breakpoint& b = breakpoints.emplace_back();
+    b.condition = condition->get<std::string>();
+    read_number(item, "body", 0, 1e9, b.body);
+    read_number(item, "count", 1, 1e9, b.count);
+    read_bool(item, "each_frame", b.each_frame);
+    read_bool(item, "enabled", b.enabled);
+  }
+  return breakpoints;
+}
+
+json to_json(const std::vector<Breakpoint>& breakpoints) {
+  json list = json::array();
+  for (const Breakpoint& b : breakpoints)
+    list.push_back({{"condition", b.condition},
+                    {"body", b.body},
+                    {"count", b.count},
+                    {"each_frame", b.each_frame},
+                    {"enabled", b.enabled}});
+  return list;
+}
+
 Settings from_json(const json& root) {
   Settings s = default_settings();
   read_number(root, "width", 320, 16384, s.width);
@@ -71,6 +101,10 @@ Settings from_json(const json& root) {
   if (s.recent_files.size() > kMaxRecentFiles) s.recent_files.resize(kMaxRecentFiles);
   s.tabs = read_strings(root, "tabs");
   if (s.tabs.size() > kMaxTabs) s.tabs.resize(kMaxTabs);
+  read_bool(root, "debugger", s.dock_open);
+  s.breakpoints = read_breakpoints(root);
+  s.watches = read_strings(root, "watches");
+  if (s.watches.size() > kMaxWatches) s.watches.resize(kMaxWatches);
   return s;
 }
 
@@ -88,7 +122,10 @@ json to_json(const Settings& s) {
           {"screen_borders", s.screen_borders},
           {"overlays", overlays},
           {"recent_files", s.recent_files},
-          {"tabs", s.tabs}};
+          {"tabs", s.tabs},
+          {"debugger", s.dock_open},
+          {"breakpoints", to_json(s.breakpoints)},
+          {"watches", s.watches}};
 }
 
 fs::path config_dir() {

@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "debug/breakpoint.h"
 #include "overlay/overlay_id.h"
 #include "panels/view.h"
 
@@ -20,8 +21,11 @@ struct Settings {
   OverlaySet overlays;                    // unknown names are left out
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
+  bool dock_open = false;                 // the debugger's panels
+  std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
+  std::vector<std::string> watches;       // expressions; at most kMaxWatches
 };
-inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16;
+inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoints = 64, kMaxWatches = 64;
 
 // What a first start shows.
 Settings default_settings();

@@ -16,6 +16,28 @@ Rect first_screen(const TileMap& map) {
           static_cast<double>(std::min(map.height(), kScreenRows) * kTileSize)};
 }
 
+constexpr int kFramesToSettle = 3;  // text and tables need more than one to find their sizes
+
+// Does what a user would do to see what the options ask for.
+void prepare(const WindowShotOptions& options, Session& session, View& view) {
+  if (options.solver) {
+    Tuning tuning = session.level().tuning;
+    tuning.solver = *options.solver;
+    session.apply(action::EditLevel{set_tuning(session.level(), tuning)});
+  }
+  for (int i = 0; i < options.frames; ++i) session.apply(action::StepFrame{});
+  session.apply(action::SelectBody{options.body});
+  for (const std::string& condition : options.stops)
+    session.apply(action::SetBreakpoint{{.condition = condition, .body = options.body}});
+  if (options.runs_back) session.apply(action::RunToStop{SearchDirection::backwards});
+  if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
+  view.tabs = options.panels;
+  view.dock_open = !options.panels.empty();
+  if (view.dock_open) view.canvas = CanvasMode::play;
+  view.split_compared = options.two_views;
+  view.stage = options.stage;
+}
+
 }  // namespace
 
 tl::expected<void, std::string> write_shot(const Session& session, const ShotOptions& options,
@@ -62,9 +84,10 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   session.apply(action::Pause{});
   for (const OverlayInfo& info : overlay_infos())
     session.apply(action::SetOverlay{info.id, options.overlays.has(info.id)});
-  for (int i = 0; i < options.frames; ++i) session.apply(action::StepFrame{});
-  session.apply(action::SelectBody{options.body});
-  for (int i = 0; i < 3; ++i) (*app)->frame();  // text and tables need more than one to find their sizes
+  prepare(options, session, (*app)->ui().view);
+  do {
+    for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();
+  } while (session.debugger().is_busy());
   return (*app)->screenshot(png_path);
 }
 

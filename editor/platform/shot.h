@@ -27,7 +27,14 @@ struct WindowShotOptions {
   int height = 720;
   int frames = 0;  // steps to run before the picture is taken
   OverlaySet overlays;
-  int body = 0;  // id of the chosen body; 0: none
+  int body = 0;                        // id of the chosen body; 0: none
+  std::optional<SolverKind> solver;    // in place of the level's own
+  std::vector<std::string> panels;     // ids of the tabs to show; some: the debugger's panels are open
+  std::vector<std::string> stops;      // conditions of breakpoints, about the chosen body
+  bool runs_back = false;              // after the steps, to the last frame at which one of these stops
+  std::optional<SolverKind> compared;  // runs the same input through it, too
+  bool two_views = false;              // for the two sides
+  int stage = -1;                      // of the chosen body's step, drawn; -1: none
 };
 
 // Draws the editor's whole window, with the default settings.

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "overlay/motion.h"
 #include "overlay/number_label.h"
 
 namespace talus {

@@ -1,0 +1,91 @@
+#include "stage_drawing.h"
+
+#include <cmath>
+
+#include "number_label.h"
+
+namespace talus {
+namespace {
+
+constexpr double kNormalLength = 10;  // px
+
+class StageDrawer {
+ public:
+  StageDrawer(const Stage& stage, int body, const StepRecord& record, OverlayDrawing& out)
+      : stage_(stage), body_(body), record_(record), out_(out) {}
+
+  void draw() {
+    out_.boxes.push_back({OverlayId::swept_path, stage_.box});
+    switch (stage_.kind) {
+      case StageKind::wanted:
+      case StageKind::went_on:
+      case StageKind::snapped:
+        draw_motion();
+        break;
+      case StageKind::searched:
+        draw_motion();
+        draw_search();
+        break;
+      case StageKind::met:
+        draw_contact();
+        break;
+      case StageKind::placed:
+      case StageKind::arrived:
+        out_.boxes.back().filled = true;
+        break;
+    }
+  }
+
+ private:
+  void draw_motion() {
+    if (stage_.motion == Vec2{}) return;
+    const Rect& b = stage_.box;
+    const Rect there{b.x + stage_.motion.x, b.y + stage_.motion.y, b.w, b.h};
+    out_.lines.push_back({OverlayId::swept_path, b.center(), there.center(), true});
+    if (stage_.kind != StageKind::snapped) out_.boxes.push_back({OverlayId::swept_path, there});
+  }
+
+  void draw_search() {
+    for (const Cell cell : stage_.cells)
+      out_.boxes.push_back({OverlayId::tested_tiles,
+                            {1.0 * cell.x * kTileSide, 1.0 * cell.y * kTileSide, kTileSide, kTileSide},
+                            true});
+    for (const CastCandidate& c : stage_.candidates) {
+      const bool is_met = std::isfinite(c.t);
+      out_.lines.push_back({.overlay = c.is_first ? OverlayId::touch_points : OverlayId::outline,
+                            .from = c.from,
+                            .to = c.to,
+                            .strength = is_met ? 1.0 : 0.5});
+      if (is_met) label((c.from + c.to) * 0.5, "t " + two_decimals(c.t));
+    }
+  }
+
+  void draw_contact() {
+    draw_motion();
+    const ContactRecord& contact = record_.contacts[static_cast<std::size_t>(stage_.contact)];
+    const Rect there{contact.touch.x, contact.touch.y, stage_.box.w, stage_.box.h};
+    out_.boxes.push_back({OverlayId::touch_points, there});
+    const Vec2 normal = contact.slope ? contact.slope->normal : contact.normal;
+    if (normal != Vec2{})
+      out_.lines.push_back(
+          {OverlayId::normals, there.center(), there.center() + normal * kNormalLength, true});
+    label({there.right(), there.y}, "t " + two_decimals(contact.ti));
+  }
+
+  void label(Vec2 at, std::string text) {
+    out_.labels.push_back({OverlayId::touch_points, at, std::move(text), true, body_, stage_.box});
+  }
+
+  const Stage& stage_;
+  const int body_;
+  const StepRecord& record_;
+  OverlayDrawing& out_;
+};
+
+}  // namespace
+
+void add_stage(const Stage& stage, int body, const StepRecord& record, OverlayDrawing& drawing) {
+  StageDrawer(stage, body, record, drawing).draw();
+}
+
+}  // namespace talus

@@ -1,0 +1,66 @@
+#include "branch_choice.h"
+
+#include <string>
+
+namespace talus {
+namespace {
+
+std::string branch_name(const Branch& branch) {
+  std::string name = "branch " + std::to_string(branch.id);
+  if (branch.parent != 0) name += ", from frame " + std::to_string(branch.fork);
+  return name;
+}
+
+void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
+  const auto percent = static_cast<int>(session.timeline().progress() * 100);
+  if (ui.text_button(
+          "timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
+          "The recorded input is run again on the changed level. Click to stop here: the branch ends "
+          "where it has come to.",
+          {}, true, ui.px(kBranchWidth)))
+    actions.push_back(action::CancelRerun{});
+}
+
+void draw_branches(const Session& session, Actions& actions, Ui& ui) {
+  const Timeline& timeline = session.timeline();
+  const bool open =
+      ui.begin_combo("timeline/branch", branch_name(timeline.current()), ui.px(kBranchWidth),
+                     "Runs that parted from one another: playing on from an earlier frame, editing, "
+                     "or other keys make a new one.");
+  if (!open) return;
+  for (const Branch& branch : timeline.branches()) {
+    ImGui::PushID(branch.id);
+    const std::string label = branch_name(branch) + "   " + std::to_string(branch.last_frame()) + " frames";
+    const bool is_current = branch.id == timeline.current().id;
+    const float drop = ui.px(48), width = ui.px(240);
+    if (ImGui::Selectable(label.c_str(), is_current, ImGuiSelectableFlags_None, {width, 0}))
+      actions.push_back(action::SwitchBranch{branch.id});
+    ui.item("timeline/branch" + std::to_string(branch.id), "Shows this run.");
+    ImGui::SameLine(width + ui.px(8));
+    if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
+    ui.item("timeline/drop" + std::to_string(branch.id), "Forgets this run.");
+    ImGui::SameLine(width + ui.px(8) + drop);
+    bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
+    ImGui::BeginDisabled(is_current);
+    if (ImGui::SmallButton(compared ? "compared" : "compare"))
+      actions.push_back(action::CompareBranch{compared ? 0 : branch.id});
+    ImGui::EndDisabled();
+    ui.item("timeline/compare" + std::to_string(branch.id),
+            "Draws this run's bodies as ghosts beside those of the run that is shown.", {}, !is_current);
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace
+
+void draw_branch_choice(const Session& session, Actions& actions, Ui& ui) {
+  const float width = ui.px(kBranchWidth), gap = ui.px(8);
+  ui.same_line_if_fits(width, gap);
+  draw_branches(session, actions, ui);
+  if (!session.timeline().behind()) return;
+  ui.same_line_if_fits(width);
+  draw_rerun(session, actions, ui);
+}
+
+}  // namespace talus

@@ -1,0 +1,160 @@
+// What is compared with what, and how far each body is from its other self.
+#include "compare_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "commands.h"
+#include "debug/compare.h"
+#include "overlay/number_label.h"
+#include "plot.h"
+
+namespace talus {
+namespace {
+
+struct Choice {
+  std::string_view label, key;
+  Variant variant;
+};
+constexpr std::array<Choice, 4> kChoices = {{{"exact", "exact", {SolverKind::exact, false}},
+                                             {"exact, single precision", "single", {SolverKind::exact, true}},
+                                             {"bump", "bump", {SolverKind::bump, false}},
+                                             {"article", "article", {SolverKind::article, false}}}};
+
+constexpr std::array<const char*, 6> kColumns = {"body", "apart px", "x", "y", "vx", "vy"};
+
+std::string other_side(const Session& session) {
+  if (const VariantRun* run = session.debugger().side_by_side().variant()) {
+    for (const Choice& choice : kChoices)
+      if (choice.variant == run->variant()) return std::string(choice.label);
+  }
+  if (const Branch* branch = session.timeline().compared()) return "branch " + std::to_string(branch->id);
+  return "nothing";
+}
+
+void draw_cell(double value, Ui& ui) {
+  ImGui::TableNextColumn();
+  ui.right_aligned(std::isinf(value) ? "alone" : two_decimals(value));
+  ui.tooltip(all_digits(value));
+}
+
+}  // namespace
+
+void ComparePanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_choice(session, actions, ui);
+  if (!session.other_state()) {
+    ui.hint(session.debugger().side_by_side().variant()
+                ? "The other side is still being run."
+                : "Choose what to compare with: the same input goes through both, and the other side "
+                  "is drawn as ghosts. Runs on changed levels are compared as branches: see the list "
+                  "beside the timeline.");
+    return;
+  }
+  draw_parting(session, actions, ui);
+  draw_bodies(session, actions, ui);
+}
+
+void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui) {
+  ui.begin_row();
+  ImGui::TextUnformatted("Compare with");
+  ImGui::SameLine();
+  if (ui.begin_combo("compare/with", other_side(session), ui.px(170),
+                     "What the run that is shown is compared with.")) {
+    if (ImGui::Selectable("nothing")) {
+      actions.push_back(action::CompareVariant{});
+      actions.push_back(action::CompareBranch{0});
+    }
+    ui.item("compare/nothing");
+    for (const Choice& choice : kChoices) {
+      if (ImGui::Selectable(std::string(choice.label).c_str(), other_side(session) == choice.label))
+        actions.push_back(action::CompareVariant{choice.variant});
+      ui.item("compare/" + std::string(choice.key));
+    }
+    for (const Branch& branch : session.timeline().branches()) {
+      if (branch.id == session.timeline().current().id) continue;
+      const std::string label = "branch " + std::to_string(branch.id);
+      if (ImGui::Selectable(label.c_str())) {
+        actions.push_back(action::CompareVariant{});
+        actions.push_back(action::CompareBranch{branch.id});
+      }
+      ui.item("compare/branch" + std::to_string(branch.id));
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+  command_button("compare/split", "compare/split", Icon::split, session, actions, ui);
+  ui.end_row();
+}
+
+void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui) {
+  ui.begin_row();
+  ImGui::SameLine(0, ui.px(16));
+  ImGui::SetNextItemWidth(ui.px(64));
+  ImGui::InputDouble("##threshold", &threshold_, 0, 0, "%.6g");
+  threshold_ = std::isfinite(threshold_) ? std::max(threshold_, 0.0) : 0;
+  ui.item("compare/threshold", "How far apart, px, counts as parted.");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("px");
+  ImGui::SameLine();
+  if (ui.text_button("compare/first", "First parting frame", false,
+                     "Shows the first frame in which a body is further than that from its other self."))
+    actions.push_back(action::FindParting{threshold_});
+  ImGui::SameLine();
+  if (ui.text_button("compare/stop", "Stop there", false,
+                     "Adds a breakpoint that stops a run where they part."))
+    actions.push_back(action::SetBreakpoint{{.condition = parting_condition(threshold_)}});
+  ui.end_row();
+  if (const Series* series = session.debugger().parting_series()) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, ui.px(44)};
+    ImGui::InvisibleButton("plot", size);
+    const FrameAxis axis{at.x, size.x, 0, std::max<std::int64_t>(session.timeline().last_frame(), 1)};
+    ui.item("compare/plot",
+            "How far the chosen body, or the one that is furthest off, is from its other self, px.");
+    if (ImGui::IsItemActivated()) actions.push_back(action::Pause{});
+    if (ImGui::IsItemActive()) actions.push_back(action::SeekFrame{axis.frame_at(ImGui::GetIO().MousePos.x)});
+    draw_plot(*ImGui::GetWindowDrawList(), *series, axis, at, {at.x + size.x, at.y + size.y},
+              session.state().frame, theme::color(theme::kError), ui);
+  }
+}
+
+void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui) {
+  const auto bodies = differences(session.state(), *session.other_state());
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("bodies", 6, kFlags, ImGui::GetContentRegionAvail())) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (std::size_t i = 0; i < kColumns.size(); ++i)
+    ImGui::TableSetupColumn(kColumns[i], ImGuiTableColumnFlags_WidthFixed, ui.px(i == 0 ? 56 : 84));
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const char* title : kColumns) {
+    ImGui::TableNextColumn();
+    if (title == kColumns[0]) {
+      ui.heading(title);
+    } else {
+      ui.right_aligned(title, theme::color(theme::kMuted));
+    }
+  }
+  for (const BodyDifference& body : bodies) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const int id = body.a != 0 ? body.a : body.b;
+    if (ImGui::Selectable(std::to_string(id).c_str(), id == session.choices().body,
+                          ImGuiSelectableFlags_SpanAllColumns) &&
+        body.a != 0)
+      actions.push_back(action::SelectBody{body.a});
+    ui.item("compare/body" + std::to_string(id), body.a == 0   ? "Only on the other side."
+                                                 : body.b == 0 ? "Only on this side."
+                                                               : "Click to choose it.");
+    draw_cell(body.distance, ui);
+    draw_cell(body.position.x, ui);
+    draw_cell(body.position.y, ui);
+    draw_cell(body.velocity.x, ui);
+    draw_cell(body.velocity.y, ui);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace talus

@@ -1,0 +1,93 @@
+#include "expression_field.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "debug/completion.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostCandidates = 8;
+
+void accept(const Completion& completion, const Candidate& candidate, std::string& text,
+            std::size_t& cursor) {
+  text.replace(completion.from, completion.to - completion.from, candidate.text);
+  cursor = completion.from + candidate.text.size();
+}
+
+// Tab puts the first candidate in; the cursor is told of in every frame.
+int on_edit(ImGuiInputTextCallbackData* data) {
+  auto& cursor = *static_cast<std::size_t*>(data->UserData);
+  cursor = static_cast<std::size_t>(data->CursorPos);
+  if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion) return 0;
+  const Completion completion = complete({data->Buf, static_cast<std::size_t>(data->BufTextLen)}, cursor);
+  if (completion.candidates.empty()) return 0;
+  const std::string& candidate = completion.candidates.front().text;
+  data->DeleteChars(static_cast<int>(completion.from), static_cast<int>(completion.to - completion.from));
+  data->InsertChars(static_cast<int>(completion.from), candidate.c_str());
+  return 0;
+}
+
+std::optional<ExpressionError> error_of(const std::string& text, bool condition) {
+  const auto parsed = condition ? Expression::parse_condition(text) : Expression::parse(text);
+  if (parsed) return std::nullopt;
+  return parsed.error();
+}
+
+}  // namespace
+
+bool ExpressionField::draw(std::string_view name, std::string& text, bool condition, float width,
+                           std::string_view hint, Ui& ui) {
+  const std::string id = "##" + std::string(name);
+  ImGui::SetNextItemWidth(width);
+  constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_CallbackAlways |
+                                         ImGuiInputTextFlags_CallbackCompletion |
+                                         ImGuiInputTextFlags_EnterReturnsTrue;
+  bool entered =
+      ImGui::InputTextWithHint(id.c_str(), std::string(hint).c_str(), &text, kFlags, on_edit, &cursor_);
+  entered = entered || ImGui::IsItemDeactivatedAfterEdit();
+  const bool active = ImGui::IsItemActive();
+  ui.item(name, "An expression such as \"vy > 3 && grounded\"; Tab completes a name.");
+  const auto error = text.empty() ? std::nullopt : error_of(text, condition);
+  if (error) draw_error(text, *error, ui);
+  if (active || open_) draw_candidates(name, text, ui);
+  open_ = active || (open_ && ImGui::IsMouseDown(0));
+  return entered && !error && !text.empty();
+}
+
+void ExpressionField::draw_error(const std::string& text, const ExpressionError& error, Ui& ui) const {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const auto width_to = [&](std::size_t at) {
+    return ImGui::CalcTextSize(text.data(), text.data() + std::min(at, text.size())).x;
+  };
+  const float x = min.x + ImGui::GetStyle().FramePadding.x + width_to(error.position);
+  const float end = std::max(x + ui.px(6), min.x + ImGui::GetStyle().FramePadding.x + width_to(text.size()));
+  ImGui::GetWindowDrawList()->AddRectFilled({x, max.y - ui.px(2)}, {end, max.y}, theme::color(theme::kError));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kError));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(("at " + std::to_string(error.position + 1) + ": " + error.message).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void ExpressionField::draw_candidates(std::string_view name, std::string& text, Ui& ui) {
+  const Completion completion = complete(text, cursor_);
+  const std::size_t count = std::min(completion.candidates.size(), kMostCandidates);
+  const bool only_itself =
+      count == 1 && completion.candidates[0].text.size() == completion.to - completion.from;
+  if (count == 0 || only_itself) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Candidate& candidate = completion.candidates[i];
+    if (i > 0) ui.same_line_if_fits(ImGui::CalcTextSize(candidate.label.c_str()).x + ui.px(8));
+    if (ImGui::SmallButton(candidate.label.c_str())) {
+      accept(completion, candidate, text, cursor_);
+      ImGui::SetWindowFocus();
+    }
+    ui.item(std::string(name) + "/" + candidate.text, candidate.help);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,66 @@
+#include "plot.h"
+
+#include <cmath>
+#include <limits>
+
+#include "overlay/number_label.h"
+
+namespace talus {
+namespace {
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  bool empty() const { return least > greatest; }
+};
+
+Range range_of(const Series& series) {
+  Range range;
+  for (const SeriesPoint& p : series.points()) {
+    if (!std::isfinite(p.least) || !std::isfinite(p.greatest)) continue;
+    range.least = std::min(range.least, p.least);
+    range.greatest = std::max(range.greatest, p.greatest);
+  }
+  return range;
+}
+
+}  // namespace
+
+void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, ImVec2 min, ImVec2 max,
+               std::int64_t at, ImU32 color, const Ui& ui) {
+  list.AddRectFilled(min, max, theme::color(theme::kDark), ui.px(2));
+  const Range range = range_of(series);
+  const float cursor = std::round(axis.x_of(static_cast<double>(at)));
+  list.AddRectFilled({cursor, min.y}, {cursor + ui.px(1), max.y}, theme::color(theme::kText, 140));
+  if (range.empty()) return;
+  const double span = range.greatest - range.least;
+  const float top = min.y + ui.px(2), height = max.y - min.y - 2 * ui.px(2);
+  const auto y_of = [&](double value) {
+    const double share = span > 0 ? (value - range.least) / span : 0.5;
+    return top + height * static_cast<float>(1 - share);
+  };
+  if (range.least < 0 && range.greatest > 0)
+    list.AddRectFilled({min.x, y_of(0)}, {max.x, y_of(0) + 1}, theme::color(theme::kLine));
+  ImVec2 before;
+  bool has_before = false;
+  for (std::size_t i = 0; i < series.points().size(); ++i) {
+    const SeriesPoint& p = series.points()[i];
+    const bool is_number = std::isfinite(p.least) && std::isfinite(p.greatest);
+    const float x = axis.x_of(
+        static_cast<double>(series.first() + static_cast<std::int64_t>(i) * series.frames_of_point()));
+    if (is_number) {
+      const ImVec2 here{x, y_of(std::isfinite(p.last) ? p.last : p.greatest)};
+      if (has_before) list.AddLine(before, here, color, ui.px(1));
+      if (!has_before || p.least != p.greatest)
+        list.AddLine({x, y_of(p.least)}, {x, std::max(y_of(p.greatest), y_of(p.least) + 1)}, color, ui.px(1));
+      before = here;
+    }
+    has_before = is_number;
+  }
+  const ImU32 muted = theme::color(theme::kMuted);
+  list.AddText({min.x + ui.px(3), min.y}, muted, two_decimals(range.greatest).c_str());
+  const float text = ImGui::GetTextLineHeight();
+  if (max.y - min.y > 2 * text && span > 0)
+    list.AddText({min.x + ui.px(3), max.y - text}, muted, two_decimals(range.least).c_str());
+}
+
+}  // namespace talus

@@ -1,0 +1,154 @@
+// The list of breakpoints, with what adds one and what runs to one.
+#include "stops_panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "commands.h"
+
+namespace talus {
+namespace {
+
+const StopKindInfo& info_of(StopKind kind) { return stop_kind_infos()[static_cast<std::size_t>(kind)]; }
+
+std::size_t field_count(const StopKindInfo& info) {
+  return static_cast<std::size_t>(std::count_if(info.fields.begin(), info.fields.end(),
+                                                [](const StopField& field) { return !field.label.empty(); }));
+}
+
+std::string stop_text(const Stop& stop) {
+  std::string text =
+      "Breakpoint " + std::to_string(stop.breakpoint) + " at frame " + std::to_string(stop.frame);
+  if (stop.body != 0) text += ", body " + std::to_string(stop.body);
+  if (stop.hit > 0) text += ", hit " + std::to_string(stop.hit);
+  return text + ".";
+}
+
+}  // namespace
+
+void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_run(session, actions, ui);
+  draw_add(session, actions, ui);
+  if (session.debugger().stops().breakpoints().empty()) {
+    ui.hint(
+        "No breakpoint yet. Choose what to stop at and add it; the run stops there while it plays, and can "
+        "be "
+        "run back to the last time that it was true.");
+    return;
+  }
+  draw_list(session, actions, ui);
+}
+
+void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
+  const Stops& stops = session.debugger().stops();
+  command_button("stops/back", "stops/back", Icon::run_back, session, actions, ui);
+  ImGui::SameLine();
+  command_button("stops/forwards", "stops/forwards", Icon::run_on, session, actions, ui);
+  ImGui::SameLine();
+  if (session.debugger().searching()) {
+    const int percent = static_cast<int>(session.debugger().search_progress() * 100);
+    if (ui.text_button("stops/cancel", "searching " + std::to_string(percent) + " %  x", false,
+                       "Stops searching; the shown frame stays."))
+      actions.push_back(action::CancelSearch{});
+    return;
+  }
+  if (session.debugger().stop()) {
+    ui.label(stop_text(*session.debugger().stop()));
+  } else if (session.debugger().search_failed()) {
+    ui.label(stops.direction() == SearchDirection::backwards ? "Nothing stops before this frame."
+                                                             : "Nothing stops after this frame.");
+  } else {
+    ui.label("");
+  }
+}
+
+void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
+  const StopKindInfo& info = info_of(kind_);
+  ui.begin_row();
+  if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(170), "What to stop at.")) {
+    for (const StopKindInfo& each : stop_kind_infos()) {
+      if (ImGui::Selectable(std::string(each.label).c_str(), each.kind == kind_)) {
+        kind_ = each.kind;
+        fields_set_ = false;
+      }
+      ui.item("stops/kind_" + std::to_string(static_cast<int>(each.kind)));
+    }
+    ImGui::EndCombo();
+  }
+  for (std::size_t i = 0; i < field_count(info); ++i) {
+    const StopField& field = info.fields[i];
+    if (!fields_set_) fields_[i] = field.standard;
+    ui.same_line_if_fits(ui.px(110));
+    ImGui::SetNextItemWidth(ui.px(64));
+    ImGui::InputDouble(("##field" + std::to_string(i)).c_str(), &fields_[i], 0, 0, "%.6g");
+    const std::string help =
+        std::string(field.label) + (field.unit.empty() ? "" : ", " + std::string(field.unit));
+    ui.item("stops/field" + std::to_string(i), help);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ui.heading(field.label);
+  }
+  fields_set_ = true;
+  ui.same_line_if_fits(ui.px(48), ui.px(8));
+  const int body = session.choices().body;
+  if (ui.text_button(
+          "stops/add", "Add", false,
+          body != 0 ? "Adds this breakpoint for the chosen body." : "Adds this breakpoint for any body."))
+    actions.push_back(
+        action::SetBreakpoint{{.condition = condition_of(kind_, std::span(fields_).first(field_count(info))),
+                               .body = body,
+                               .each_frame = info.each_frame}});
+  ui.end_row();
+}
+
+void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("stops", 6, kFlags, ImGui::GetContentRegionAvail())) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
+  ImGui::TableSetupColumn("stops when", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("body", ImGuiTableColumnFlags_WidthFixed, ui.px(44));
+  ImGui::TableSetupColumn("from hit", ImGuiTableColumnFlags_WidthFixed, ui.px(60));
+  ImGui::TableSetupColumn("hits", ImGuiTableColumnFlags_WidthFixed, ui.px(40));
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
+  ImGui::TableHeadersRow();
+  for (const Breakpoint& breakpoint : session.debugger().stops().breakpoints()) {
+    ImGui::PushID(breakpoint.id);
+    draw_row(breakpoint, session, actions, ui);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
+}
+
+void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui) {
+  const std::string name = "stops/" + std::to_string(breakpoint.id);
+  Breakpoint changed = breakpoint;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::Checkbox("##enabled", &changed.enabled);
+  ui.item(name + "/enabled", "Whether it stops.");
+  ImGui::TableNextColumn();
+  std::string& text = texts_.try_emplace(breakpoint.id, breakpoint.condition).first->second;
+  ExpressionField& field = condition_fields_[breakpoint.id];
+  if (field.draw(name + "/condition", text, true, -1, "a condition", ui)) changed.condition = text;
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputInt("##body", &changed.body, 0);
+  changed.body = std::max(changed.body, 0);
+  ui.item(name + "/body", "The id of the body that it is asked about; 0: any.");
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputInt("##count", &changed.count, 0);
+  changed.count = std::max(changed.count, 1);
+  ui.item(name + "/count", "Stops at this hit and those after it; hits are counted from frame 0.");
+  ImGui::TableNextColumn();
+  const int hits = session.debugger().stops().hits(breakpoint.id);
+  if (hits > 0) ui.right_aligned(std::to_string(hits));
+  ui.tooltip("Hits counted up to the shown frame.");
+  ImGui::TableNextColumn();
+  if (ImGui::SmallButton("x")) actions.push_back(action::RemoveBreakpoint{breakpoint.id});
+  ui.item(name + "/remove", "Removes it.");
+  if (changed != breakpoint) actions.push_back(action::SetBreakpoint{std::move(changed)});
+}
+
+}  // namespace talus

@@ -1,0 +1,117 @@
+// The strip above the transport.
+#include "timeline_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "commands.h"
+#include "frame_axis.h"
+
+namespace talus {
+namespace {
+
+constexpr float kTrack = 10;  // px at scale 1
+
+// Small triangles below what the axis shows at a frame.
+void draw_pin(ImDrawList& list, float x, float bottom, float size, ImU32 color) {
+  list.AddTriangleFilled({x - size, bottom - size * 1.6f}, {x + size, bottom - size * 1.6f}, {x, bottom},
+                         color);
+}
+
+class Track {
+ public:
+  Track(const Session& session, ImVec2 at, ImVec2 size, const Ui& ui)
+      : session_(session),
+        branch_(session.timeline().current()),
+        ui_(ui),
+        list_(*ImGui::GetWindowDrawList()),
+        min_(at),
+        max_({at.x + size.x, at.y + size.y}),
+        axis_{at.x + ui.px(6), size.x - ui.px(12), 0, std::max<std::int64_t>(branch_.last_frame(), 1)} {}
+
+  const FrameAxis& axis() const { return axis_; }
+
+  void draw() const {
+    list_.AddRectFilled(min_, max_, theme::color(theme::kControl), ui_.px(3));
+    // What is still to be run again is empty.
+    const float run = axis_.x_of(static_cast<double>(branch_.run_frame()));
+    list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {axis_.left + axis_.width, middle() + ui_.px(2)},
+                        theme::color(theme::kDark));
+    list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {run, middle() + ui_.px(2)},
+                        theme::color(theme::kMuted, 150));
+    for (const Chapter& chapter : branch_.chapters)
+      if (chapter.first > 0) tick(chapter.first, theme::color(theme::kWarning, 170));
+    if (branch_.parent != 0) tick(branch_.fork, theme::color(theme::kText, 170));
+    for (const Mark& mark : branch_.marks)
+      draw_pin(list_, axis_.x_of(static_cast<double>(mark.frame)), middle(), ui_.px(4),
+               theme::color(theme::kAccent));
+    if (const auto parting = session_.timeline().parting_frame())
+      draw_pin(list_, axis_.x_of(static_cast<double>(*parting)), middle(), ui_.px(5),
+               theme::color(theme::kError));
+    cursor();
+  }
+
+  // The mark whose pin is at this place of the screen, or null.
+  const Mark* mark_at(ImVec2 mouse) const {
+    for (const Mark& mark : branch_.marks) {
+      const float x = axis_.x_of(static_cast<double>(mark.frame));
+      if (std::abs(mouse.x - x) <= ui_.px(4) && mouse.y <= middle()) return &mark;
+    }
+    return nullptr;
+  }
+
+ private:
+  float middle() const { return std::round((min_.y + max_.y) / 2) + ui_.px(1); }
+  void tick(std::int64_t frame, ImU32 color) const {
+    const float x = std::round(axis_.x_of(static_cast<double>(frame)));
+    list_.AddRectFilled({x, middle() - ui_.px(5)}, {x + ui_.px(1), middle() + ui_.px(5)}, color);
+  }
+  void cursor() const {
+    const float x = std::round(axis_.x_of(static_cast<double>(session_.state().frame)));
+    list_.AddRectFilled({x - ui_.px(3), min_.y}, {x + ui_.px(3), max_.y}, theme::color(theme::kDark),
+                        ui_.px(2));
+    list_.AddRectFilled({x - ui_.px(2), min_.y + ui_.px(1)}, {x + ui_.px(2), max_.y - ui_.px(1)},
+                        theme::color(theme::kText), ui_.px(2));
+  }
+
+  const Session& session_;
+  const Branch& branch_;
+  const Ui& ui_;
+  ImDrawList& list_;
+  const ImVec2 min_, max_;
+  const FrameAxis axis_;
+};
+
+std::string help_at(const Session& session, const Track& track, ImVec2 mouse) {
+  if (const Mark* mark = track.mark_at(mouse))
+    return "Mark at frame " + std::to_string(mark->frame) + (mark->name.empty() ? "" : ": " + mark->name);
+  std::string text = "Frame " + std::to_string(track.axis().frame_at(mouse.x)) + " of " +
+                     std::to_string(session.timeline().last_frame());
+  if (const auto parting = session.timeline().parting_frame())
+    text += ". The compared branch parts at frame " + std::to_string(*parting) + " (red).";
+  return text;
+}
+
+}  // namespace
+
+void TimelinePanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_track(session, actions, ui, {ImGui::GetContentRegionAvail().x, ui.px(kTrack)});
+}
+
+void TimelinePanel::draw_track(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
+  ImGui::InvisibleButton("track", size);
+  const Track track(session, at, size, ui);
+  track.draw();
+  ui.item("timeline/track", help_at(session, track, mouse),
+          keys_of(find_command("timeline/back")) + "  " + keys_of(find_command("play/step")));
+  if (!ImGui::IsItemActive()) return;
+  const Mark* mark = ImGui::IsItemActivated() ? track.mark_at(mouse) : nullptr;
+  const std::int64_t frame = mark != nullptr ? mark->frame : track.axis().frame_at(mouse.x);
+  if (ImGui::IsItemActivated()) actions.push_back(action::Pause{});
+  if (frame != session.state().frame) actions.push_back(action::SeekFrame{frame});
+}
+
+}  // namespace talus

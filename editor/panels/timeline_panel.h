@@ -1,0 +1,18 @@
+// The timeline: every recorded frame in one strip to drag along, with marks and what else is of interest.
+#pragma once
+
+#include "panel.h"
+
+namespace talus {
+
+class TimelinePanel final : public Panel {
+ public:
+  std::string_view id() const override { return "timeline"; }
+  std::string_view title() const override { return "Timeline"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_track(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
+};
+
+}  // namespace talus

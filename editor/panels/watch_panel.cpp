@@ -1,0 +1,127 @@
+// A row for every watch: its text, its value, and its plot.
+#include "watch_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands.h"
+#include "debug/metrics.h"
+#include "overlay/number_label.h"
+#include "plot.h"
+
+namespace talus {
+namespace {
+
+constexpr float kTextWidth = 150, kRowHeight = 40;  // px at scale 1
+
+// Colours of Okabe and Ito, in turn.
+ImU32 color_of(std::size_t index) {
+  constexpr std::uint32_t kColors[] = {0x56b4e9, 0xe69f00, 0x009e73, 0xf0e442, 0xcc79a7, 0xd55e00};
+  return theme::color(kColors[index % std::size(kColors)]);
+}
+
+std::string value_text(const Watches::Entry& entry, double value) {
+  if (std::isnan(value)) return "-";
+  if (entry.expression->type() == ValueType::truth) return value != 0 ? "true" : "false";
+  return two_decimals(value);
+}
+
+}  // namespace
+
+void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_add(session, actions, ui);
+  if (session.debugger().watches().all().empty() && !shows_times_) {
+    ui.hint(
+        "Nothing watched yet: choose a number, or type an expression. Each is plotted over the whole run, "
+        "for "
+        "the chosen body; a click on a plot shows that frame.");
+    return;
+  }
+  if (session.choices().body == 0) ui.hint("No body chosen: click one in the play view.");
+  draw_rows(session, actions, ui);
+}
+
+void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
+  const std::size_t next = session.debugger().watches().all().size();
+  ui.begin_row();
+  if (ui.begin_combo("watch/choose", "plot...", ui.px(110), "Numbers of a body to plot.")) {
+    for (const MetricInfo& info : metric_infos()) {
+      if (info.metric == Metric::id) continue;
+      if (ImGui::Selectable(std::string(info.name).c_str()))
+        actions.push_back(action::SetWatch{next, {std::string(info.name), 0}});
+      ui.item("watch/choose_" + std::string(info.name), info.help);
+    }
+    if (ImGui::Selectable("ns a step")) shows_times_ = true;
+    ui.item("watch/choose_times", "How long the steps take.");
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+  if (new_field_.draw("watch/new", new_text_, false, ui.px(300), "or an expression: max(vx, vy) * 2", ui)) {
+    actions.push_back(action::SetWatch{next, {new_text_, 0}});
+    new_text_.clear();
+  }
+  ui.end_row();
+}
+
+void WatchPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
+  ImGui::BeginChild("rows");
+  for (std::size_t i = 0; i < session.debugger().watches().all().size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    draw_row(i, session, actions, ui);
+    ImGui::PopID();
+  }
+  if (shows_times_) draw_times(session, actions, ui);
+  ImGui::EndChild();
+}
+
+void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const Watches::Entry& entry = session.debugger().watches().all()[index];
+  const std::string name = "watch/" + std::to_string(index);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::SmallButton("x")) actions.push_back(action::RemoveWatch{index});
+  ui.item(name + "/remove", "No longer watches it.");
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, color_of(index));
+  ImGui::TextUnformatted(entry.watch.text.c_str());
+  ImGui::PopStyleColor();
+  ui.item(name + "/text", entry.expression ? entry.watch.text : entry.error.message);
+  if (entry.expression) {
+    const double value = Watches::value(entry, session.frame_view(), session.choices().body);
+    ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetTextLineHeight() + ui.px(3)});
+    ImGui::TextUnformatted(value_text(entry, value).c_str());
+    ui.item(name + "/value", all_digits(value), "click to copy");
+    if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all_digits(value).c_str());
+  }
+  draw_curve(name, session.debugger().watches().series(entry), color_of(index), at, session, actions, ui);
+}
+
+// How long the steps took: measured while they were made, so no expression can tell.
+void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::SmallButton("x")) shows_times_ = false;
+  ui.item("watch/times/remove", "No longer shows it.");
+  ImGui::SameLine();
+  ImGui::TextUnformatted("ns a step");
+  ui.tooltip("Nanoseconds that each step took when it was made last, of all bodies together.");
+  draw_curve("watch/times", session.step_times().series(), theme::color(theme::kText), at, session, actions,
+             ui);
+}
+
+void WatchPanel::draw_curve(const std::string& name, const Series* series, ImU32 color, ImVec2 at,
+                            const Session& session, Actions& actions, Ui& ui) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const ImVec2 min{at.x + ui.px(kTextWidth), at.y}, max{right, at.y + ui.px(kRowHeight)};
+  ImGui::SetCursorScreenPos(min);
+  ImGui::InvisibleButton("plot", {std::max(max.x - min.x, 1.0f), max.y - min.y});
+  const FrameAxis axis{min.x, max.x - min.x, 0, std::max<std::int64_t>(session.timeline().last_frame(), 1)};
+  const std::int64_t pointed_at = axis.frame_at(ImGui::GetIO().MousePos.x);
+  ui.item(name + "/plot", "Frame " + std::to_string(pointed_at) + "; click to show it.");
+  if (ImGui::IsItemActivated()) actions.push_back(action::Pause{});
+  if (ImGui::IsItemActive()) actions.push_back(action::SeekFrame{pointed_at});
+  if (series != nullptr)
+    draw_plot(*ImGui::GetWindowDrawList(), *series, axis, min, max, session.state().frame, color, ui);
+  ImGui::SetCursorScreenPos({at.x, max.y + ui.px(3)});
+  ImGui::Dummy({0, 0});
+}
+
+}  // namespace talus

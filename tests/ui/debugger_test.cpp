@@ -1,0 +1,260 @@
+// The debugger: the timeline, the input roll, breakpoints, plots, comparison and the stages of a step.
+#include <algorithm>
+#include <cmath>
+
+#include "harness.h"
+
+namespace talus {
+namespace {
+
+class UiDebugger : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  void play(int steps) {
+    for (int i = 0; i < steps; ++i) key(kKeyF10);
+  }
+  std::int64_t frame() { return session().state().frame; }
+  const Timeline& timeline() { return session().timeline(); }
+  ImVec2 on_track(std::int64_t at) {
+    const Widget* track = find("timeline/track");
+    if (track == nullptr) {
+      ADD_FAILURE() << "no timeline";
+      return {};
+    }
+    const float inset = app().ui().px(6), width = track->max.x - track->min.x - 2 * inset;
+    const float share = static_cast<float>(at) / static_cast<float>(timeline().last_frame());
+    return {track->min.x + inset + share * width, (track->min.y + track->max.y) / 2 + 3};
+  }
+  void open_tab(const std::string& id) {
+    if (!app().ui().view.dock_open) key(kKeyF4);
+    frames(2);
+    click("tabs/" + id);
+    frames(2);
+  }
+  int choose_ball() {
+    session().apply(action::SelectBody{ball().id});
+    return ball().id;
+  }
+};
+
+TEST_F(UiDebugger, DraggingTheTimelineShowsEachFrameAsItWas) {
+  std::vector<State> states{session().state()};
+  for (int i = 0; i < 40; ++i) {
+    play(1);
+    states.push_back(session().state());
+  }
+  move(on_track(40));
+  press();
+  for (const std::int64_t at : {31, 12, 3, 25, 0, 40}) {
+    move(on_track(at));
+    EXPECT_EQ(frame(), at);
+    EXPECT_EQ(session().state(), states[static_cast<std::size_t>(at)]);
+  }
+  release();
+  EXPECT_EQ(timeline().last_frame(), 40);
+}
+
+TEST_F(UiDebugger, StepsBackAndForthByKeyWithoutLosingTheRest) {
+  play(10);
+  const State last = session().state();
+  for (int i = 0; i < 4; ++i) key(shift(kKeyF10));
+  EXPECT_EQ(frame(), 6);
+  play(4);
+  EXPECT_EQ(session().state(), last);
+  EXPECT_EQ(timeline().branches().size(), 1u);
+  key(shift(kKeyF10));
+  key(kKeyEnd);
+  EXPECT_EQ(frame(), 10);
+}
+
+TEST_F(UiDebugger, MarksAreSetByKeyAndJumpedTo) {
+  play(20);
+  key(ctrl('m'));
+  for (int i = 0; i < 8; ++i) key(shift(kKeyF10));
+  key(ctrl('m'));
+  key(kKeyEnd);
+  key(alt(kKeyLeft));
+  EXPECT_EQ(frame(), 12);
+  key(alt(kKeyRight));
+  EXPECT_EQ(frame(), 20);
+  click(on_track(5));
+  key(ctrl('m'));
+  ASSERT_EQ(timeline().current().marks.size(), 3u);
+  key(ctrl('m'));
+  EXPECT_EQ(timeline().current().marks.size(), 2u);
+}
+
+TEST_F(UiDebugger, TakingTheBallInThePastMakesABranchThatCanBeSwitchedFromAndDropped) {
+  play(30);
+  click(on_track(10));
+  ASSERT_EQ(frame(), 10);
+  const Rect box = ball().box;
+  move(on_canvas("play", {box.x + 4, box.y + 4}));
+  press();
+  key(kKeyF5);
+  move(on_canvas("play", {164, 40}));
+  frames(5);
+  release();
+  key(kKeyF5);
+  ASSERT_EQ(timeline().branches().size(), 2u);
+  const int made = timeline().current().id;
+  EXPECT_EQ(timeline().current().fork, 10);
+  click("timeline/branch");
+  frames(2);
+  click("timeline/branch1");
+  frames(2);
+  EXPECT_EQ(timeline().current().id, 1);
+  EXPECT_EQ(timeline().last_frame(), 30);
+  click("timeline/branch");
+  frames(2);
+  click("timeline/drop" + std::to_string(made));
+  frames(2);
+  EXPECT_EQ(timeline().branches().size(), 1u);
+}
+
+TEST_F(UiDebugger, InputRollPressesAKeyOverARange) {
+  play(12);
+  open_tab("input_roll");
+  const Widget* row = find("input_roll/jump");
+  ASSERT_NE(row, nullptr);
+  const float column = app().ui().px(12), y = (row->min.y + row->max.y) / 2, left = row->min.x;
+  const auto at = [&](int column_number) {
+    return ImVec2{left + column * (static_cast<float>(column_number) + 0.5f), y};
+  };
+  drag(at(3), at(6));
+  frames(5);
+  EXPECT_EQ(timeline().branches().size(), 2u);
+  for (std::int64_t f = 1; f <= 12; ++f) EXPECT_EQ(timeline().current().input(f).jump, f >= 4 && f <= 7) << f;
+  EXPECT_EQ(timeline().last_frame(), 12);
+  EXPECT_FALSE(timeline().behind());
+  click(at(4));
+  frames(5);
+  EXPECT_FALSE(timeline().current().input(5).jump);
+  EXPECT_EQ(timeline().branches().size(), 2u) << "the same draft";
+}
+
+// The ball falls from row 10 and meets the floor at y 128.
+TEST_F(UiDebugger, ABreakpointStopsAtTheFloorAndIsRunBackTo) {
+  choose_ball();
+  open_tab("stops");
+  click("stops/kind");
+  frames(2);
+  click("stops/kind_0");  // contact with a tile
+  frames(2);
+  const auto enter = [&](const std::string& field, const std::string& number) {
+    click(field);
+    click(field);
+    key(ctrl('a'));
+    type(number);
+    key(kKeyTab);
+  };
+  enter("stops/field0", "5");
+  enter("stops/field1", "16");
+  click("stops/add");
+  frames(2);
+  ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u);
+  EXPECT_EQ(session().debugger().stops().breakpoints()[0].body, ball().id);
+  key(kKeyF5);
+  frames(200);
+  EXPECT_FALSE(session().playback().running);
+  const std::int64_t stopped = frame();
+  ASSERT_GT(stopped, 5);
+  ASSERT_LT(stopped, 200);
+  const auto& contacts = session().record().contacts;
+  EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(), [](const ContactRecord& c) {
+    return c.other.cell == Cell{5, 16};
+  }));
+  play(1);
+  key(shift(kKeyF9));
+  frames(10);
+  EXPECT_EQ(frame(), stopped);
+  click(on_track(1));
+  key(kKeyF9);
+  frames(10);
+  EXPECT_EQ(frame(), stopped);
+}
+
+TEST_F(UiDebugger, AWrongConditionSaysWhereAndStopsNothing) {
+  session().apply(action::SetBreakpoint{{.condition = "vy > 1"}});
+  open_tab("stops");
+  click("stops/1/condition");
+  key(ctrl('a'));
+  type("vz > 1");
+  frames(3);
+  EXPECT_EQ(session().debugger().stops().breakpoints()[0].condition, "vy > 1");
+}
+
+TEST_F(UiDebugger, PlotsGrowWithTheRunAndAClickShowsTheFrame) {
+  choose_ball();
+  open_tab("watch");
+  click("watch/choose");
+  frames(2);
+  click("watch/choose_vy");
+  frames(2);
+  play(30);
+  frames(3);
+  const auto& watches = session().debugger().watches();
+  ASSERT_EQ(watches.all().size(), 1u);
+  const Series* series = watches.series(watches.all()[0]);
+  ASSERT_NE(series, nullptr);
+  EXPECT_EQ(series->frames(), 31);
+  EXPECT_EQ(series->points().back().last, ball().velocity.y);
+  const Widget* plot = find("watch/0/plot");
+  ASSERT_NE(plot, nullptr);
+  click(ImVec2{plot->min.x + (plot->max.x - plot->min.x) * 0.5f, (plot->min.y + plot->max.y) / 2});
+  EXPECT_EQ(frame(), 15);
+}
+
+// Article's box sticks at the end of the slope, and exact's passes.
+TEST_F(UiDebugger, ComparesWithAnotherSolverAndFindsWhereTheyPart) {
+  start(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
+  Tuning tuning = level().tuning;
+  tuning.solver = SolverKind::article;
+  session().apply(action::EditLevel{set_tuning(level(), tuning)});
+  choose_ball();
+  play(60);
+  open_tab("compare");
+  click("compare/with");
+  frames(2);
+  click("compare/exact");
+  frames(20);
+  ASSERT_NE(session().other_state(), nullptr);
+  EXPECT_EQ(session().other_state()->frame, frame());
+  click("compare/first");
+  frames(20);
+  const std::int64_t parting = frame();
+  const auto apart = [&] {
+    return differences(session().state(), *session().other_state()).front().distance;
+  };
+  if (parting == 60) GTEST_FAIL() << "they do not part";
+  EXPECT_GT(apart(), 0.01);
+  key(shift(kKeyF10));
+  frames(3);
+  EXPECT_LE(apart(), 0.01);
+}
+
+TEST_F(UiDebugger, StagesAreWalkedThroughByKey) {
+  choose_ball();
+  for (int i = 0; i < 200 && session().record().contacts.empty(); ++i) play(1);
+  ASSERT_FALSE(session().record().contacts.empty());
+  click("tabs/why");
+  frames(2);
+  const auto& stages = session().stages();
+  ASSERT_GE(stages.size(), 4u);
+  EXPECT_EQ(stages.front().kind, StageKind::wanted);
+  EXPECT_EQ(stages.back().kind, StageKind::arrived);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    key(kKeyF11);
+    EXPECT_EQ(app().ui().view.stage, static_cast<int>(i));
+  }
+  key(shift(kKeyF11));
+  EXPECT_EQ(app().ui().view.stage, static_cast<int>(stages.size()) - 2);
+  click("why/stage0");
+  EXPECT_EQ(app().ui().view.stage, 0);
+}
+
+}  // namespace
+}  // namespace talus
