@@ -289,15 +289,15 @@ RC_GTEST_PROP(ExactProperty, MirroredCurvesGiveTheMirroredContact, (std::uint64_
   });
 }
 
-// Far from the origin a cast is as right as near it, by the same count of units in the last place. (32768 px
-// is as far as a map of 4096 cells reaches.)
+// As far as 2^20 px from the origin, in x or in y, a cast is as right as near it, by the same bound: 3 units
+// in the last place of the largest coordinate (there 7e-10 px), and 1e-12 px more with curves.
 RC_GTEST_PROP(ExactProperty, MovedGroundGivesTheMovedContact, (std::uint64_t seed)) {
   Dice dice(seed);
   for (int i = grounds_of_a_seed(); i > 0; --i) {
     const GroundKinds kinds{.one_way = true, .segments = true, .curves = dice.one_in(2)};
     const Scene near(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
     const bool to_the_right = dice.one_in(2);
-    const int cells = 1 << dice.up_to(11);
+    const int cells = 1 << dice.up_to(17);
     const Cell by{to_the_right ? cells : dice.up_to(2), to_the_right ? dice.up_to(2) : cells};
     const Scene far(near.ground.moved(by.x, by.y));
     for (int k = 0; k < kMovesOnAGround; ++k) {
