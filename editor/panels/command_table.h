@@ -12,6 +12,12 @@ std::vector<Command> general_commands();  // work everywhere
 std::vector<Command> debug_commands();    // work everywhere, too
 std::vector<Command> tool_commands();     // work in the sprites or in the map
 
+// Emits an action that needs nothing else.
+template <class T>
+void emit(const Session&, Actions& actions, Ui&) {
+  actions.push_back(T{});
+}
+
 inline Command command(std::string_view id, KeyChord key, std::string_view label, std::string_view help,
                        decltype(Command::run) run, decltype(Command::enabled) enabled = nullptr) {
   return {id, label, help, Scope::everywhere, key, {}, false, run, enabled, nullptr};

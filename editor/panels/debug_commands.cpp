@@ -10,11 +10,6 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-template <class T>
-void emit(S, A actions, U) {
-  actions.push_back(T{});
-}
-
 bool in_past(S session, const Ui&) { return session.state().frame < session.timeline().last_frame(); }
 bool has_frames(S session, const Ui&) { return session.timeline().last_frame() > 0; }
 bool after_start(S session, const Ui&) { return session.state().frame > 0; }

@@ -9,11 +9,6 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-template <class T>
-void emit(S, A actions, U) {
-  actions.push_back(T{});
-}
-
 template <CanvasMode mode>
 void show_canvas(S, A, U ui) {
   ui.view.canvas = mode;

@@ -187,6 +187,56 @@ TEST_F(UiDebugger, AWrongConditionSaysWhereAndStopsNothing) {
   EXPECT_EQ(session().debugger().stops().breakpoints()[0].condition, "vy > 1");
 }
 
+TEST_F(UiDebugger, BreakpointsAndWatchesAreRememberedBetweenStarts) {
+  session().apply(action::SetBreakpoint{{.condition = "vy > 1", .body = 2, .count = 3, .enabled = false}});
+  session().apply(action::SetWatch{0, {"speed", 0}});
+  key(kKeyF4);
+  stop();
+  start();
+  EXPECT_TRUE(app().ui().view.dock_open);
+  ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u);
+  const Breakpoint& kept = session().debugger().stops().breakpoints()[0];
+  EXPECT_EQ(kept.condition, "vy > 1");
+  EXPECT_EQ(kept.body, 2);
+  EXPECT_EQ(kept.count, 3);
+  EXPECT_FALSE(kept.enabled);
+  ASSERT_EQ(session().debugger().watches().all().size(), 1u);
+  EXPECT_EQ(session().debugger().watches().all()[0].watch.text, "speed");
+}
+
+TEST_F(UiDebugger, ARecordingIsSavedFromTheMenuAndOpenedAgain) {
+  play(25);
+  const State last = session().state();
+  key(ctrl_shift('e'));
+  frames(3);
+  click("files/confirm");
+  frames(3);
+  ASSERT_TRUE(std::filesystem::exists(path("level.talusrec")));
+  drop(path("level.talusrec"));
+  frames(5);
+  EXPECT_EQ(timeline().last_frame(), 25);
+  session().apply(action::SeekEnd{});
+  EXPECT_EQ(session().state(), last);
+}
+
+TEST_F(UiDebugger, EditingRunsTheRecordingAgainWhereTheMenuSaysSo) {
+  play(60);
+  click("menu/Debug");
+  frames(2);
+  click("menu/edit_rule");
+  frames(2);
+  click("menu/rule_from_start");
+  frames(2);
+  EXPECT_EQ(session().edit_rule().kind, EditRule::Kind::from_start);
+  click(on_sheet(1));
+  for (int x = 4; x <= 6; ++x) click(on_map({x, 13}));
+  frames(10);
+  EXPECT_EQ(timeline().last_frame(), 60);
+  EXPECT_EQ(timeline().branches().size(), 2u) << "a stroke of edits makes one branch";
+  ASSERT_TRUE(timeline().parting_frame());
+  EXPECT_LE(ball().box.bottom(), 13 * 8 + 0.01);
+}
+
 TEST_F(UiDebugger, PlotsGrowWithTheRunAndAClickShowsTheFrame) {
   choose_ball();
   open_tab("watch");
