@@ -25,9 +25,10 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        "computed "
        "on a slope, before and after rounding, and the slope's surface.",
        0xd55e00},
-      {OverlayId::tested_tiles, "tested_tiles", "tested tiles",
-       "Tinted boxes that the last step of article or bump tested against the bodies' ways; exact has no "
-       "boxes.",
+      {OverlayId::tested_tiles, "tested_tiles", "cells visited",
+       "Tinted boxes that the last step tested: of article and bump the tiles in the bodies' ways, of exact "
+       "the "
+       "cells that the chosen body's casts looked at.",
        0xf4f4f4},
       {OverlayId::answer, "answer", "right answer",
        "Of a hard case: where bodies start, where they should be, and the floor they should keep to.",

@@ -1,5 +1,6 @@
 #include "stage_drawing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "number_label.h"
@@ -46,10 +47,7 @@ class StageDrawer {
   }
 
   void draw_search() {
-    for (const Cell cell : stage_.cells)
-      out_.boxes.push_back({OverlayId::tested_tiles,
-                            {1.0 * cell.x * kTileSide, 1.0 * cell.y * kTileSide, kTileSide, kTileSide},
-                            true});
+    add_visited_cells({&stage_, 1}, out_);
     for (const CastCandidate& c : stage_.candidates) {
       const bool is_met = std::isfinite(c.t);
       out_.lines.push_back({.overlay = c.is_first ? OverlayId::touch_points : OverlayId::outline,
@@ -83,6 +81,18 @@ class StageDrawer {
 };
 
 }  // namespace
+
+void add_visited_cells(std::span<const Stage> stages, OverlayDrawing& drawing) {
+  std::vector<Cell> seen;
+  for (const Stage& stage : stages) {
+    for (const Cell cell : stage.cells) {
+      if (std::find(seen.begin(), seen.end(), cell) != seen.end()) continue;
+      seen.push_back(cell);
+      const Rect box{1.0 * cell.x * kTileSide, 1.0 * cell.y * kTileSide, kTileSide, kTileSide};
+      drawing.boxes.push_back({OverlayId::tested_tiles, box, true});
+    }
+  }
+}
 
 void add_stage(const Stage& stage, int body, const StepRecord& record, OverlayDrawing& drawing) {
   StageDrawer(stage, body, record, drawing).draw();

@@ -299,6 +299,8 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
                                           .chosen_body = session.choices().body},
                                          overlays, visible);
   if (overlays.has(OverlayId::trails)) add_all_trails(session, visible, drawing);
+  if (overlays.has(OverlayId::tested_tiles) && session.record().tested.empty())
+    add_visited_cells(session.stages(), drawing);
   if (has_stage)
     add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
               drawing);
