@@ -8,8 +8,8 @@
 
 namespace talus {
 
-// Larger files are refused unread: of the largest levels a full map of 4096x4096 cells takes 34 MB, and one of
-// 8x2097152, with its many lines, 55 MB.
+// Larger files are refused unread: of the largest levels a full map of 4096x4096 cells takes 34 MB, and one
+// of 8x2097152, with its many lines, 55 MB.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 
 // The file's bytes; an error for directories, unreadable files and files over kMaxFileBytes.

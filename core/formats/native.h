@@ -22,7 +22,8 @@
 //   "tiles"        by tile number "0".."255": "flags", a list of the flags set (none), and "pixels", eight
 //                  rows of eight hexadecimal palette indices, "." for 0 (all 0). Blank tiles are left out.
 //   "sprites"      the same for the images that are not on the map.
-//   "map"          "width" (240) and "height" (136), 1..2097152 cells each and 16777216 in all; "rows", from the top: two hexadecimal
+//   "map"          "width" (240) and "height" (136), 1..2097152 cells each and 16777216 in all; "rows", from
+//   the top: two hexadecimal
 //                  digits a cell, ".." for tile 0; empty cells at the end of a row and empty rows at the
 //                  end are left out.
 //   "cart"         what else the cart held that the level came from (see native_cart.h). Default: none.

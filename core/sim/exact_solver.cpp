@@ -197,7 +197,8 @@ class ExactSolver final : public Solver {
   static int body_at(const State& state, Vec2 point) {
     for (const Body& body : state.bodies) {
       const Rect& box = body.box;
-      const bool inside = point.x > box.x && point.x < box.right() && point.y > box.y && point.y < box.bottom();
+      const bool inside =
+          point.x > box.x && point.x < box.right() && point.y > box.y && point.y < box.bottom();
       if (inside) return body.id;
     }
     return 0;

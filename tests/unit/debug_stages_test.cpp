@@ -27,6 +27,13 @@ Level level_with_a_slope(SolverKind solver) {
   return level;
 }
 
+void place(Level& level, Vec2 position, Vec2 velocity, BodyKind kind = BodyKind::ball) {
+  Spawn& spawn = level.spawns.emplace_back();
+  spawn.position = position;
+  spawn.velocity = velocity;
+  spawn.kind = kind;
+}
+
 Frame frame_after(const Level& level, int steps) {
   Frame frame;
   frame.scene = std::make_shared<const Scene>(compile_scene(level));
@@ -74,7 +81,7 @@ TEST(CastTrace, AMotionThroughAirHasNoFirst) {
 
 TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
   Level level = level_with_a_slope(SolverKind::exact);
-  level.spawns.push_back({.position = {10, 79}, .velocity = {0, 4}});
+  place(level, {10, 79}, {0, 4});
   const Frame frame = frame_after(level, 1);
   const std::vector<Stage> stages = stages_of(frame, 1);
   ASSERT_THAT(kinds(stages), ElementsAre(StageKind::wanted, StageKind::searched, StageKind::met,
@@ -94,7 +101,7 @@ TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
 
 TEST(Stages, AWalkerIsSnappedOntoTheFloorBelow) {
   Level level = level_with_a_slope(SolverKind::exact);
-  level.spawns.push_back({.position = {44, 72}, .kind = BodyKind::player});
+  place(level, {44, 72}, {}, BodyKind::player);
   Frame frame = frame_after(level, 4);
   const auto solver = make_solver(frame.scene);
   std::vector<StageKind> seen;
@@ -109,7 +116,7 @@ TEST(Stages, AWalkerIsSnappedOntoTheFloorBelow) {
 
 TEST(Stages, OfWorldHaveTheBoxesThatWereTestedOnce) {
   Level level = level_with_a_slope(SolverKind::bump);
-  level.spawns.push_back({.position = {10, 79}, .velocity = {0, 4}});
+  place(level, {10, 79}, {0, 4});
   const Frame frame = frame_after(level, 1);
   const std::vector<Stage> stages = stages_of(frame, 1);
   EXPECT_EQ(std::count_if(stages.begin(), stages.end(),
@@ -121,7 +128,7 @@ TEST(Stages, OfWorldHaveTheBoxesThatWereTestedOnce) {
 
 TEST(Stages, ThereAreNoneAtFrameZeroAndOfNoBody) {
   Level level = level_with_a_slope(SolverKind::exact);
-  level.spawns.push_back({.position = {10, 79}});
+  place(level, {10, 79}, {});
   EXPECT_TRUE(stages_of(frame_after(level, 0), 1).empty());
   EXPECT_TRUE(stages_of(frame_after(level, 1), 7).empty());
 }

@@ -357,8 +357,8 @@ TEST(Overlays, SweptPathGoesFromContactToContact) {
 
 TEST(Overlays, TrailsFadeWithAge) {
   const std::vector<Trail> trails = {{{0, 0}, {4, 0}, {8, 0}}};
-  OverlayDrawing drawing = make_overlays({.scene = {}, .state = {}, .record = {}, .trails = trails},
-                                         only(OverlayId::trails), kEverything);
+  OverlayDrawing drawing;
+  add_trails(trails, OverlayId::trails, kEverything, drawing);
   ASSERT_EQ(drawing.lines.size(), 2u);
   EXPECT_LT(drawing.lines[0].strength, drawing.lines[1].strength);
   EXPECT_EQ(drawing.lines[1].strength, 1);

@@ -13,8 +13,7 @@ Level bouncing_level() {
   Level level;
   level.tile_shapes[1].kind = TileShape::Kind::solid;
   for (int x = 0; x < level.map.width(); ++x) level.map.set({x, 16}, 1);
-  level.spawns.push_back({.position = {40, 20}});
-  level.spawns.push_back({.position = {80, 120}});
+  for (const Vec2 position : {Vec2{40, 20}, Vec2{80, 120}}) level.spawns.emplace_back().position = position;
   return level;
 }
 
