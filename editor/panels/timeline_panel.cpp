@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr float kTrack = 10;  // px at scale 1
+constexpr float kTrack = 8;  // px at scale 1
 
 // Small triangles below what the axis shows at a frame.
 void draw_pin(ImDrawList& list, float x, float bottom, float size, ImU32 color) {

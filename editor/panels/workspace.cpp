@@ -15,7 +15,7 @@ namespace {
 
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
-constexpr float kTimeline = 16, kTransport = 30, kStatus = 24;
+constexpr float kTimeline = 14, kTransport = 30, kStatus = 20;
 constexpr float kSheetLeast = 164, kFlags = 118, kPalette = 112, kPixelsLeast = 192;
 constexpr float kMargin = 6;  // px at scale 1, above and below what is in a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
