@@ -10,7 +10,7 @@ namespace {
 
 using S = ReportScene;
 constexpr std::uint8_t kSolidTile = 1, kSlopeTile = 2;
-constexpr int kSlopes = 12;  // of the hillside
+constexpr int kHillSlopes = 12;  // of the hillside
 
 // Places in px and cells, from the origin of the scene.
 constexpr double kFlatY = 88;
@@ -65,7 +65,7 @@ void lay_floor(Level& level, Cell at, int columns) {
 }
 
 void lay_hill(Level& level, Cell corner) {
-  for (int i = 0; i < kSlopes; ++i) {
+  for (int i = 0; i < kHillSlopes; ++i) {
     const Cell slope = {corner.x + kHillFoot.x + 2 * i, corner.y + kHillFoot.y - i};
     level.map.set(slope, kSlopeTile);
     for (int y = slope.y + 1; y <= corner.y + kHillFoot.y + 1; ++y) {
@@ -159,7 +159,7 @@ TrueFloor true_floor(const Setup& setup) {
     case S::slope_tiles:
     case S::tiny_bodies: {
       const Vec2 foot = origin + Vec2{kHillFoot.x * 1.0 * kTileSize, (kHillFoot.y + 1.0) * kTileSize};
-      return wide({foot, foot + Vec2{kSlopes * 2.0 * kTileSize, -kSlopes * 1.0 * kTileSize}});
+      return wide({foot, foot + Vec2{kHillSlopes * 2.0 * kTileSize, -kHillSlopes * 1.0 * kTileSize}});
     }
     case S::segment:
       return wide(moved(kLine, origin));
