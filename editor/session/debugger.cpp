@@ -22,39 +22,25 @@ class Clock {
 
 }  // namespace
 
-const FrameSource& Debugger::source() const {
-  if (compared_) return *compared_;
-  return *shown_.get();
-}
-
-const FrameSource& Debugger::source_of_shown(const Timeline& timeline) const {
-  if (compared_ && side_.has(timeline.frame())) return *compared_;
-  return *shown_.get();
-}
-
 FrameView Debugger::view(const Timeline& timeline) const {
-  return shown_frame_.view(timeline, source_of_shown(timeline));
+  return shown_frame_.view(timeline, source_, side_.has(timeline.frame()) ? side_.run() : 0);
 }
 
 const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) const {
-  return shown_frame_.stages(timeline, source_of_shown(timeline), body);
+  view(timeline);
+  return shown_frame_.stages(body);
 }
 
 const State* Debugger::other_state(const Timeline& timeline) const {
-  const FrameSource& source = source_of_shown(timeline);
-  if (&source == shown_.get()) return nullptr;
-  const auto& other = shown_frame_.view(timeline, source).now().other;
+  const auto& other = view(timeline).now().other;
   return other ? &*other : nullptr;
 }
 
 void Debugger::follow(const Timeline& timeline, const Level& level) {
   const Branch& branch = timeline.current();
   const bool is_other = branch.id != branch_ || branch.revision != revision_;
-  const BranchFrames* const before = side_.frames();
-  const BranchFrames& shown = shown_.of(branch);
+  shown_.of(branch);
   side_.follow(timeline, level, kFrames);
-  if (side_.frames() != before || is_other) compared_.reset();
-  if (side_.frames() != nullptr && !compared_) compared_.emplace(shown, *side_.frames());
   if (is_other) {
     stops_.forget_frames();
     watches_.begin_again();
@@ -84,21 +70,20 @@ void Debugger::cancel_search() {
 }
 
 double Debugger::search_progress() const {
-  return parting_ ? parting_->progress(source()) : stops_.progress(source());
+  return parting_ ? parting_->progress(source_) : stops_.progress(source_);
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
-  return stops_.ready(source(), timeline.frame(), kCounted);
+  return stops_.ready(source_, timeline.frame(), kCounted);
 }
 
 bool Debugger::stops_at(const Timeline& timeline) {
-  stop_ = stops_.judge(source(), timeline.frame());
+  stop_ = stops_.judge(source_, timeline.frame());
   return stop_.has_value();
 }
 
 void Debugger::compare_with(std::optional<Variant> variant) {
   side_.set_variant(variant);
-  compared_.reset();
   watches_.begin_again();
   parting_watch_.begin_again();
 }
@@ -108,40 +93,42 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
   do {
     follow(timeline, level);
     const bool side_behind = side_.variant() != nullptr && !side_.has(timeline.current().run_frame());
-    if (!side_behind && searching() && advance_search()) {
+    is_busy_ = side_behind;
+    if (side_behind) continue;
+    if (searching() && advance_search()) {
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
-    is_busy_ = !advance_plots(timeline, chosen_body) || side_behind || searching();
+    is_busy_ = !advance_plots(timeline, chosen_body) || searching();
   } while (is_busy_ && !clock.is_up());
   return std::nullopt;
 }
 
 // True when they have come to the last frame.
 bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
-  const bool done = watches_.advance(source(), chosen_body, kFrames);
-  if (!compared_) return done;
+  const bool done = watches_.advance(source_, chosen_body, kFrames);
+  if (side_.frames() == nullptr) return done;
   if (parting_watch_.all().empty()) parting_watch_.put(0, {"parting", 0});
   const auto& bodies = timeline.state().bodies;
   const int body = chosen_body != 0 || bodies.empty() ? chosen_body : bodies.front().id;
-  return parting_watch_.advance(source(), body, kFrames) && done;
+  return parting_watch_.advance(source_, body, kFrames) && done;
 }
 
 // True when it has just come to its end.
 bool Debugger::advance_search() {
   if (!parting_) {
-    if (!stops_.advance_search(source(), kFrames)) return false;
+    if (!stops_.advance_search(source_, kFrames)) return false;
     stop_ = stops_.found();
     return true;
   }
-  if (!parting_->advance(source(), kFrames)) return false;
+  if (!parting_->advance(source_, kFrames)) return false;
   stop_ = parting_->found();
   parting_.reset();
   return true;
 }
 
 const Series* Debugger::parting_series() const {
-  if (!compared_ || parting_watch_.all().empty()) return nullptr;
+  if (side_.frames() == nullptr || parting_watch_.all().empty()) return nullptr;
   return parting_watch_.series(parting_watch_.all().front());
 }
 

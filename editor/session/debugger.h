@@ -55,8 +55,6 @@ class Debugger {
   const Series* parting_series() const;  // px from the other side, of the chosen body; null: there is none
 
  private:
-  const FrameSource& source() const;
-  const FrameSource& source_of_shown(const Timeline& timeline) const;
   bool advance_search();
   bool advance_plots(const Timeline& timeline, int chosen_body);
 
@@ -64,8 +62,8 @@ class Debugger {
   Watches watches_, parting_watch_;
   SideBySide side_;
   FollowedFrames shown_;
-  std::optional<ComparedFrames> compared_;  // shown_ beside side_
-  int branch_ = 0, revision_ = 0;           // of what is followed
+  ShownFrames source_{shown_, side_};
+  int branch_ = 0, revision_ = 0;  // of what is followed
 
   mutable ShownFrame shown_frame_;  // a cache
 

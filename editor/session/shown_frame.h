@@ -12,18 +12,19 @@ class ShownFrame {
  public:
   // source: the frames of the timeline's current branch, the shown one among them (asserted). Good until the
   // next call for another frame.
-  FrameView view(const Timeline& timeline, const FrameSource& source);
-  const std::vector<Stage>& stages(const Timeline& timeline, const FrameSource& source, int body);
+  // other: the run of the other side whose frame is there; 0: none is.
+  FrameView view(const Timeline& timeline, const FrameSource& source, int other);
+  // Of the frame that was viewed last.
+  const std::vector<Stage>& stages(int body);
 
  private:
   struct Key {
     int branch = 0, revision = 0;
     std::int64_t frame = -1;
     std::uint64_t hash = 0;
-    const FrameSource* source = nullptr;
+    int other = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  void read(const Timeline& timeline, const FrameSource& source);
 
   Key key_;
   FrameHistory history_{kMaxBefore + 1};

@@ -9,10 +9,19 @@ const BranchFrames& FollowedFrames::of(const Branch& branch) {
     frames_->grow(branch);
   } else {
     frames_.emplace(branch);
+    ++run_;
   }
   branch_ = branch.id;
   revision_ = branch.revision;
   return *frames_;
+}
+
+void ShownFrames::read(std::int64_t frame, Frame& into) const {
+  shown_.get()->read(frame, into);
+  if (!side_.has(frame)) return;
+  Frame other;
+  side_.frames()->read(frame, other);
+  into.other = std::move(other.state);
 }
 
 void SideBySide::set_variant(std::optional<Variant> variant) {

@@ -16,10 +16,26 @@ class FollowedFrames {
   const BranchFrames& of(const Branch& branch);
   const BranchFrames* get() const { return frames_ ? &*frames_ : nullptr; }
   void clear() { frames_.reset(); }
+  int run() const { return run_; }  // a number that every new run followed has for itself
 
  private:
-  int branch_ = 0, revision_ = 0;
+  int branch_ = 0, revision_ = 0, run_ = 0;
   std::optional<BranchFrames> frames_;
+};
+
+class SideBySide;
+
+// The shown branch's frames, all of them, each with the other side's where that has come so far.
+class ShownFrames final : public FrameSource {
+ public:
+  // Both must stay while this is used.
+  ShownFrames(const FollowedFrames& shown, const SideBySide& side) : shown_(shown), side_(side) {}
+  std::int64_t last() const override { return shown_.get()->last(); }
+  void read(std::int64_t frame, Frame& into) const override;
+
+ private:
+  const FollowedFrames& shown_;
+  const SideBySide& side_;
 };
 
 class SideBySide {
@@ -32,7 +48,8 @@ class SideBySide {
   void follow(const Timeline& shown, const Level& level, std::int64_t most_steps);
   // The other side's frames as they were followed last; null: there is no other side, or it is not begun.
   const BranchFrames* frames() const { return frames_.get(); }
-  // Whether it has come to the shown frame.
+  int run() const { return frames_.run(); }
+  // Whether it has come to this frame.
   bool has(std::int64_t frame) const { return frames() != nullptr && frames()->last() >= frame; }
 
  private:

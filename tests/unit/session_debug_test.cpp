@@ -182,6 +182,26 @@ TEST_F(SessionDebug, SinglePrecisionPartsFromDoubleAtTheFrameThatIsFound) {
   EXPECT_LE(apart(), 1e-9);
 }
 
+TEST_F(SessionDebug, BreakpointsStopAndPlotsGoOnBeyondTheEndOfTheOtherSide) {
+  step(3);
+  session.apply(action::SeekFrame{1});
+  session.apply(action::TakeOver{});
+  step(1);
+  session.apply(action::CompareBranch{1});  // of 3 frames
+  session.apply(action::SelectBody{1});
+  session.apply(action::SetWatch{0, {"y", 0}});
+  const auto up = bounces(100);
+  ASSERT_FALSE(up.empty());
+  add_breakpoint("vy < 0");
+  session.apply(action::Play{});
+  for (int k = 0; k < 400 && session.playback().running; ++k) session.advance(1.0 / 60);
+  EXPECT_EQ(frame(), up[0]);
+  settle();
+  EXPECT_EQ(session.other_state(), nullptr);
+  const Watches& watches = session.debugger().watches();
+  EXPECT_EQ(watches.series(watches.all()[0])->frames(), up[0] + 1);
+}
+
 TEST_F(SessionDebug, AnEditedLevelIsComparedWithTheRunBefore) {
   step(60);
   session.apply(action::SetEditRule{{EditRule::Kind::from_start, 0}});
