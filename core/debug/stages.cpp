@@ -26,7 +26,6 @@ class StageList {
     add(StageKind::wanted, wanted,
         is_motion(wanted) ? "wants to go " + short_text(wanted) + " px" : "wants to stay");
     const auto& contacts = frame_.record.contacts;
-    motion_ = wanted;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (contacts[i].body == path_.body) add_contact(i);
     }
@@ -132,7 +131,6 @@ class StageList {
   const Foot foot_;
   Rect box_;  // where the body is at the stage under way
   Vec2 box_position_ = path_.from.position();
-  Vec2 motion_;
   bool met_ = false, searched_ = false;
   std::vector<Stage> stages_;
 };

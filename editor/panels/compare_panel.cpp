@@ -107,18 +107,9 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
                      "Adds a breakpoint that stops a run where they part."))
     actions.push_back(action::SetBreakpoint{{.condition = parting_condition(threshold_)}});
   ui.end_row();
-  if (const Series* series = session.debugger().parting_series()) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, ui.px(44)};
-    ImGui::InvisibleButton("plot", size);
-    const FrameAxis axis{at.x, size.x, 0, std::max<std::int64_t>(session.timeline().last_frame(), 1)};
-    ui.item("compare/plot",
-            "How far the chosen body, or the one that is furthest off, is from its other self, px.");
-    if (ImGui::IsItemActivated()) actions.push_back(action::Pause{});
-    if (ImGui::IsItemActive()) actions.push_back(action::SeekFrame{axis.frame_at(ImGui::GetIO().MousePos.x)});
-    draw_plot(*ImGui::GetWindowDrawList(), *series, axis, at, {at.x + size.x, at.y + size.y},
-              session.state().frame, theme::color(theme::kError), ui);
-  }
+  if (const Series* series = session.debugger().parting_series())
+    draw_timeline_plot("compare/plot", "How far the chosen body is from its other self, px. ", series,
+                       theme::color(theme::kError), ui.px(44), session, actions, ui);
 }
 
 void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui) {

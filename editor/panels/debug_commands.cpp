@@ -10,7 +10,7 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-bool in_past(S session, const Ui&) { return session.state().frame < session.timeline().last_frame(); }
+bool in_past(S session, const Ui&) { return session.timeline().in_past(); }
 bool has_frames(S session, const Ui&) { return session.timeline().last_frame() > 0; }
 bool after_start(S session, const Ui&) { return session.state().frame > 0; }
 bool has_stops(S session, const Ui&) { return !session.debugger().stops().breakpoints().empty(); }

@@ -14,12 +14,12 @@ constexpr int kRulerStep = 10;                          // frames
 
 struct Row {
   InputKey key;
-  std::string_view label, name;
+  std::string_view label;
 };
-constexpr std::array<Row, 4> kRows = {{{InputKey::left, "left", "left"},
-                                       {InputKey::right, "right", "right"},
-                                       {InputKey::jump, "jump", "jump"},
-                                       {InputKey::mouse, "mouse", "mouse"}}};
+constexpr std::array<Row, 4> kRows = {{{InputKey::left, "left"},
+                                       {InputKey::right, "right"},
+                                       {InputKey::jump, "jump"},
+                                       {InputKey::mouse, "mouse"}}};
 
 bool holds(const Branch& branch, std::int64_t frame, InputKey key) {
   Input input = branch.input(frame);
@@ -70,7 +70,6 @@ void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui
   ui.item("input_roll/ruler", "The frames that the input leads to; click to show one.");
   if (ImGui::IsItemActive()) {
     const auto i = static_cast<std::int64_t>((ImGui::GetIO().MousePos.x - at.x) / column);
-    actions.push_back(action::Pause{});
     actions.push_back(action::SeekFrame{view.first + i});
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();

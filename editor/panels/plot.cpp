@@ -63,4 +63,18 @@ void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, Im
     list.AddText({min.x + ui.px(3), max.y - text}, muted, two_decimals(range.least).c_str());
 }
 
+void draw_timeline_plot(const std::string& name, std::string_view help, const Series* series, ImU32 color,
+                        float height, const Session& session, Actions& actions, Ui& ui) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const ImVec2 max{std::max(right, min.x + 1), min.y + height};
+  ImGui::InvisibleButton(name.c_str(), {max.x - min.x, height});
+  const FrameAxis axis{min.x, max.x - min.x, 0, std::max<std::int64_t>(session.timeline().last_frame(), 1)};
+  const std::int64_t pointed_at = axis.frame_at(ImGui::GetIO().MousePos.x);
+  ui.item(name, std::string(help) + "Frame " + std::to_string(pointed_at) + "; click to show it.");
+  if (ImGui::IsItemActive()) actions.push_back(action::SeekFrame{pointed_at});
+  if (series != nullptr)
+    draw_plot(*ImGui::GetWindowDrawList(), *series, axis, min, max, session.state().frame, color, ui);
+}
+
 }  // namespace talus

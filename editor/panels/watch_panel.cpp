@@ -109,18 +109,9 @@ void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
 
 void WatchPanel::draw_curve(const std::string& name, const Series* series, ImU32 color, ImVec2 at,
                             const Session& session, Actions& actions, Ui& ui) {
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  const ImVec2 min{at.x + ui.px(kTextWidth), at.y}, max{right, at.y + ui.px(kRowHeight)};
-  ImGui::SetCursorScreenPos(min);
-  ImGui::InvisibleButton("plot", {std::max(max.x - min.x, 1.0f), max.y - min.y});
-  const FrameAxis axis{min.x, max.x - min.x, 0, std::max<std::int64_t>(session.timeline().last_frame(), 1)};
-  const std::int64_t pointed_at = axis.frame_at(ImGui::GetIO().MousePos.x);
-  ui.item(name + "/plot", "Frame " + std::to_string(pointed_at) + "; click to show it.");
-  if (ImGui::IsItemActivated()) actions.push_back(action::Pause{});
-  if (ImGui::IsItemActive()) actions.push_back(action::SeekFrame{pointed_at});
-  if (series != nullptr)
-    draw_plot(*ImGui::GetWindowDrawList(), *series, axis, min, max, session.state().frame, color, ui);
-  ImGui::SetCursorScreenPos({at.x, max.y + ui.px(3)});
+  ImGui::SetCursorScreenPos({at.x + ui.px(kTextWidth), at.y});
+  draw_timeline_plot(name + "/plot", "", series, color, ui.px(kRowHeight), session, actions, ui);
+  ImGui::SetCursorScreenPos({at.x, at.y + ui.px(kRowHeight + 3)});
   ImGui::Dummy({0, 0});
 }
 

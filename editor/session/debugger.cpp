@@ -61,23 +61,17 @@ void Debugger::search_parting(double threshold) {
   stop_.reset();
   auto armed = ArmedBreakpoint::arm({.condition = parting_condition(threshold)});
   if (!armed || side_.frames() == nullptr) return;
-  parting_.emplace(std::vector{std::move(*armed)}, -1, SearchDirection::forwards);
-}
-
-void Debugger::cancel_search() {
-  stops_.cancel_search();
-  parting_.reset();
-}
-
-double Debugger::search_progress() const {
-  return parting_ ? parting_->progress(source_) : stops_.progress(source_);
+  stops_.search_first(std::move(*armed));
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
   return stops_.ready(source_, timeline.frame(), kCounted);
 }
 
-bool Debugger::stops_at(const Timeline& timeline) {
+bool Debugger::stops_at(const Timeline& timeline, const Level& level) {
+  stop_.reset();
+  if (stops_.breakpoints().empty()) return false;
+  follow(timeline, level);
   stop_ = stops_.judge(source_, timeline.frame());
   return stop_.has_value();
 }
@@ -95,7 +89,8 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
     const bool side_behind = side_.variant() != nullptr && !side_.has(timeline.current().run_frame());
     is_busy_ = side_behind;
     if (side_behind) continue;
-    if (searching() && advance_search()) {
+    if (stops_.advance_search(source_, kFrames)) {
+      stop_ = stops_.found();
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
@@ -112,19 +107,6 @@ bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
   const auto& bodies = timeline.state().bodies;
   const int body = chosen_body != 0 || bodies.empty() ? chosen_body : bodies.front().id;
   return parting_watch_.advance(source_, body, kFrames) && done;
-}
-
-// True when it has just come to its end.
-bool Debugger::advance_search() {
-  if (!parting_) {
-    if (!stops_.advance_search(source_, kFrames)) return false;
-    stop_ = stops_.found();
-    return true;
-  }
-  if (!parting_->advance(source_, kFrames)) return false;
-  stop_ = parting_->found();
-  parting_.reset();
-  return true;
 }
 
 const Series* Debugger::parting_series() const {

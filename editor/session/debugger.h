@@ -28,7 +28,7 @@ class Debugger {
   void search(const Timeline& timeline, SearchDirection direction);
   // The first frame in which a body is further than this, px, from the same one on the other side.
   void search_parting(double threshold);
-  void cancel_search();
+  void cancel_search() { stops_.cancel_search(); }
 
   // --- While it runs
   // Brings everything up to the timeline; to be called whenever that has changed.
@@ -36,15 +36,16 @@ class Debugger {
   // Whether a step may be made: the hits of the breakpoints up to the shown frame are counted. If not, it
   // counts some more of them.
   bool may_step(const Timeline& timeline);
-  // Judges the frame that a step has just led to: whether it stops there.
-  bool stops_at(const Timeline& timeline);
+  // Judges the frame that a step has just led to: whether it stops there. Without breakpoints it costs
+  // nothing.
+  bool stops_at(const Timeline& timeline, const Level& level);
   // Spends a few ms on what is still to be done; the frame that a search has just found, if it has.
   std::optional<std::int64_t> advance(const Timeline& timeline, const Level& level, int chosen_body);
 
   // Whether the last call of advance() left something to do.
   bool is_busy() const { return is_busy_; }
-  bool searching() const { return stops_.searching() || parting_.has_value(); }
-  double search_progress() const;
+  bool searching() const { return stops_.searching(); }
+  double search_progress() const { return stops_.progress(source_); }
   bool search_failed() const { return search_failed_; }      // the last one came to its end without a stop
   const std::optional<Stop>& stop() const { return stop_; }  // where it was stopped last
   // The shown frame with those before it, and the other side's, once that is there.
@@ -55,7 +56,6 @@ class Debugger {
   const Series* parting_series() const;  // px from the other side, of the chosen body; null: there is none
 
  private:
-  bool advance_search();
   bool advance_plots(const Timeline& timeline, int chosen_body);
 
   Stops stops_;
@@ -68,7 +68,6 @@ class Debugger {
   mutable ShownFrame shown_frame_;  // a cache
 
   std::optional<Stop> stop_;
-  std::optional<StopSearch> parting_;
   bool search_failed_ = false;
   bool is_busy_ = false;
 };

@@ -20,14 +20,9 @@ void Session::Impl::carry_out(const action::FindParting& a) {
 }
 
 void Session::Impl::play(double seconds) {
-  const auto may_step = [this] {
-    debugger.follow(player.timeline(), level);
-    return debugger.may_step(player.timeline());
-  };
-  const auto stops = [this] {
-    debugger.follow(player.timeline(), level);
-    return debugger.stops_at(player.timeline());
-  };
+  debugger.follow(player.timeline(), level);
+  const auto may_step = [this] { return debugger.may_step(player.timeline()); };
+  const auto stops = [this] { return debugger.stops_at(player.timeline(), level); };
   player.advance(seconds, may_step, stops);
 }
 

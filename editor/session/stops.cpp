@@ -14,12 +14,12 @@ void Stops::put(Breakpoint breakpoint) {
   } else {
     *at = std::move(breakpoint);
   }
-  start_counting();
+  forget_frames();
 }
 
 void Stops::remove(int breakpoint) {
   std::erase_if(breakpoints_, [&](const Breakpoint& b) { return b.id == breakpoint; });
-  start_counting();
+  forget_frames();
 }
 
 // Those whose condition is wrong stop nothing; the panel shows what is wrong.
@@ -31,14 +31,12 @@ std::vector<ArmedBreakpoint> Stops::armed() const {
   return armed;
 }
 
-void Stops::start_counting() {
+void Stops::forget_frames() {
   counter_ = HitCounter(armed());
   history_.emplace(counter_.frames_before());
   judged_ = -1;
   search_.reset();
 }
-
-void Stops::forget_frames() { start_counting(); }
 
 bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
   if (counter_.empty() || judged_ == frame) return true;
@@ -47,7 +45,7 @@ bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t mo
     judged_ = frame;
     return true;
   }
-  if (judged_ > frame) start_counting();
+  if (judged_ > frame) forget_frames();
   for (; most_frames > 0 && judged_ < frame; --most_frames) judge(source, judged_ + 1);
   return judged_ == frame;
 }
@@ -63,6 +61,12 @@ void Stops::search(std::int64_t from, SearchDirection direction) {
   direction_ = direction;
   found_.reset();
   search_.emplace(armed(), from, direction);
+}
+
+void Stops::search_first(ArmedBreakpoint condition) {
+  direction_ = SearchDirection::forwards;
+  found_.reset();
+  search_.emplace(std::vector{std::move(condition)}, -1, direction_);
 }
 
 bool Stops::advance_search(const FrameSource& source, std::int64_t most_frames) {

@@ -23,10 +23,11 @@ class Stops {
   bool ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
   // Judges the frame after the one that it was ready for.
   std::optional<Stop> judge(const FrameSource& source, std::int64_t frame);
-  void forget_frames();  // the frames are of another run now
+  void forget_frames();  // the frames are of another run now, or the breakpoints are others
 
   // --- Searching
   void search(std::int64_t from, SearchDirection direction);
+  void search_first(ArmedBreakpoint condition);  // in the whole run, forwards; not one of the list
   void cancel_search() { search_.reset(); }
   bool searching() const { return search_.has_value(); }
   SearchDirection direction() const { return direction_; }
@@ -37,7 +38,6 @@ class Stops {
 
  private:
   std::vector<ArmedBreakpoint> armed() const;
-  void start_counting();
 
   std::vector<Breakpoint> breakpoints_;
   int last_id_ = 0;
