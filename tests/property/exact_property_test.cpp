@@ -144,8 +144,9 @@ double stretch_of(const Move& m, Vec2 normal) {
 }
 // What a rounding of x and y is worth in y on what was hit.
 double steepness(const Contact<double>& hit) {
+  constexpr double kMost = 1e9;  // the upright end of an arc bends away before it is worth more
   const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
-  return wall || hit.on_end ? 1 : 1 + std::abs(hit.normal.x / hit.normal.y);
+  return wall || hit.on_end ? 1 : std::min(kMost, 1 + std::abs(hit.normal.x / hit.normal.y));
 }
 
 const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
