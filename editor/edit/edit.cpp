@@ -31,6 +31,10 @@ auto& place(L& level, const FlagNameChange& c) {
   return level.flag_names[c.flag];
 }
 template <class L>
+auto& place(L& level, const FlagFieldsChange&) {
+  return level.flag_fields;
+}
+template <class L>
 auto& place(L& level, const RolesChange&) {
   return level.roles;
 }
@@ -53,6 +57,18 @@ auto& place(L& level, const TuningChange&) {
 template <class L>
 auto& place(L& level, const SpawnsChange&) {
   return level.spawns;
+}
+template <class L>
+auto& place(L& level, const BrushesChange&) {
+  return level.brushes;
+}
+template <class L>
+auto& place(L& level, const AutoTilesChange&) {
+  return level.auto_tiles;
+}
+template <class L>
+auto& place(L& level, const LevelChange&) {
+  return level;
 }
 template <class L>
 auto& place(L& level, const MapChange&) {
@@ -94,6 +110,12 @@ bool is_no_change(const Change& change) {
 }
 
 }  // namespace
+
+Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::string label) {
+  Edit edit{std::move(label), {}};
+  if (level != *other) edit.changes.emplace_back(LevelChange{level, LevelCopy(std::move(other))});
+  return edit;
+}
 
 void apply_edit(Level& level, const Edit& edit) {
   for (const Change& change : edit.changes) {
@@ -142,6 +164,10 @@ EditMerger::EditMerger(const Edit& edit) {
 
 void EditMerger::merge(Edit& edit, const Edit& next) {
   for (const Change& change : next.changes) merge_change(edit, change);
+  if (edit.selection && next.selection)
+    edit.selection->after = next.selection->after;
+  else if (next.selection)
+    edit.selection = next.selection;
   // Checked once, not for each cell that was folded into it: comparing maps is dear.
   const auto map = index_of_place_.find(kMapKey);
   if (map != index_of_place_.end() && is_no_change(edit.changes[map->second])) remove(edit, map->second);

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <variant>
 #include <vector>
 
+#include "cell_rect.h"
 #include "level/level.h"
 
 namespace talus {
@@ -37,6 +40,9 @@ struct FlagNameChange {
   int flag;  // 0..7
   std::string before, after;
 };
+struct FlagFieldsChange {
+  std::vector<FlagField> before, after;
+};
 struct RolesChange {
   FlagRoles before, after;
 };
@@ -57,27 +63,59 @@ struct TuningChange {
 struct SpawnsChange {
   std::vector<Spawn> before, after;
 };
+struct BrushesChange {
+  std::vector<Brush> before, after;
+};
+struct AutoTilesChange {
+  AutoTiles before, after;
+};
+// A whole level that stands in for its value in a change, so that other changes stay small.
+class LevelCopy {
+ public:
+  LevelCopy(const Level& level) : level_(std::make_shared<const Level>(level)) {}
+  explicit LevelCopy(std::shared_ptr<const Level> level) : level_(std::move(level)) {}  // never null
+  operator const Level&() const { return *level_; }
+
+ private:
+  std::shared_ptr<const Level> level_;
+};
+struct LevelChange {  // all of it, by a file that was read again
+  LevelCopy before, after;
+};
 struct MapChange {  // the whole map: its size, or too many cells to list
   TileMap before, after;
 };
 
 using Change =
-    std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, RolesChange,
-                 TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange, MapChange>;
+    std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, FlagFieldsChange,
+                 RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange,
+                 BrushesChange, AutoTilesChange, LevelChange, MapChange>;
+
+// What an edit does to the selection of cells on the map, so that undo takes that back too.
+struct SelectionChange {
+  std::optional<CellRect> before, after;
+  // How the tiles in `after` came there: moved from `before`, or put over what was there. While they are the
+  // last change, they can be moved on, and what they covered comes back. `stays`: none of these.
+  enum class Tiles { stays, moved, put } tiles = Tiles::stays;
+};
 
 struct Edit {
   std::string label;            // for the Edit menu and the history: "Paint tiles"
   std::vector<Change> changes;  // at most one for each place; applied first to last, undone last to first
+  std::optional<SelectionChange> selection = {};
   bool empty() const { return changes.empty(); }
 };
+
+// The whole level becomes `other`, which is never null; empty when it is the same.
+Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::string label);
 
 void apply_edit(Level& level, const Edit& edit);
 void revert_edit(Level& level, const Edit& edit);
 // Fits an edit to a level that has changed since the tool saw it: each `before` becomes what the level holds.
 // Changes that lost their place, or change nothing any more, vanish.
 void rebase_edit(const Level& level, Edit& edit);
-// Appends `next`, keeping one change for each place: its first `before` and last `after`. Changes that end
-// where they began vanish.
+// Appends `next`, keeping one change for each place, and for the selection: its first `before` and last
+// `after`. Changes that end where they began vanish.
 void merge_edit(Edit& edit, const Edit& next);
 
 // merge_edit for a stroke of many edits: it knows where each place's change is, so that a merge takes time by

@@ -22,11 +22,15 @@ class UndoStack {
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t position() const { return next_; }  // edits before it are applied
 
+  int open_stroke() const { return open_stroke_; }  // that the last entry still takes edits of; 0: none
+
   // Ends the open stroke too, since an entry that went on growing would no longer be what was saved.
   void mark_saved() {
     saved_ = static_cast<std::ptrdiff_t>(next_);
     open_stroke_ = 0;
   }
+  // What was saved is there no longer: it was lost or replaced by others.
+  void forget_saved() { saved_ = -1; }
   bool is_saved() const { return saved_ == static_cast<std::ptrdiff_t>(next_); }
 
  private:

@@ -49,6 +49,7 @@ struct OverlayDrawing {
   std::vector<OverlayMark> marks;
   std::vector<OverlayBar> bars;
   std::vector<OverlayLabel> labels;
+  OverlayPalette palette = OverlayPalette::standard;
 };
 
 // What is drawn: a frame of a run.

@@ -23,18 +23,24 @@ enum class OverlayId {
   one_way,
   swept_path,
   trails,
-  penetration
+  penetration,
+  shapes,
+  reach
 };
-inline constexpr int kOverlayCount = 14;
+inline constexpr int kOverlayCount = 16;
 
 struct OverlayInfo {
   OverlayId id;
-  std::string_view key;    // on the command line: "floor_height"
-  std::string_view label;  // on screen: "floor height"
-  std::string_view help;   // what it shows, one sentence
-  std::uint32_t color;     // 0xRRGGBB, the same in canvas, legend and tables
+  std::string_view key;      // on the command line: "floor_height"
+  std::string_view label;    // on screen: "floor height"
+  std::string_view help;     // what it shows, one sentence
+  std::uint32_t color;       // 0xRRGGBB, the same in canvas, legend and tables
+  std::uint32_t safe_color;  // in the palette for colour-blind eyes
 };
+// Which of its colours an overlay is drawn in.
+enum class OverlayPalette { standard, colour_blind };
 const std::array<OverlayInfo, kOverlayCount>& overlay_infos();
+std::uint32_t overlay_color(OverlayId id, OverlayPalette palette);
 std::optional<OverlayId> find_overlay(std::string_view key);
 
 class OverlaySet {

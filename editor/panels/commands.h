@@ -13,7 +13,7 @@
 namespace talus {
 
 // Where a command's keys work.
-enum class Scope { everywhere, sprites, map };
+enum class Scope { everywhere, sprites, map, input };
 
 struct Command {
   std::string_view id;     // "play/step", also the name of its widgets
@@ -33,9 +33,13 @@ struct Command {
 std::span<const Command> commands();
 // The command must exist (asserted).
 const Command& find_command(std::string_view id);
-// "F5", or "Ctrl+Y, Ctrl+Shift+Z".
-std::string keys_of(const Command& command);
+// Its keys as the user has them: those in the preferences, or else its own.
+CommandKeys command_keys(const Command& command, const KeyBindings& bindings);
+// "F5", or "Ctrl+Y, Ctrl+Shift+Z"; empty without a key.
+std::string keys_of(const Command& command, const Ui& ui);
 std::string_view scope_label(Scope scope);
+// The command that gives the focus to where a scope's commands work; not of everywhere (asserted).
+const Command& focus_command(Scope scope);
 // Whether the command's keys work where the focus is.
 bool has_focus(const Command& command, const View& view);
 
@@ -45,5 +49,8 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
 // A button that runs a command and shows its state, help and keys.
 void command_button(std::string_view widget, std::string_view command, Icon icon, const Session& session,
                     Actions& actions, Ui& ui);
+// The same with the command's label.
+void command_text_button(std::string_view widget, std::string_view command, const Session& session,
+                         Actions& actions, Ui& ui);
 
 }  // namespace talus

@@ -42,7 +42,7 @@ void draw_scope(Scope scope, Ui& ui) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
-    ImGui::TextUnformatted(keys_of(command).c_str());
+    ImGui::TextUnformatted(keys_of(command, ui).c_str());
     ImGui::PopStyleColor();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(command.label.data(), command.label.data() + command.label.size());
@@ -103,7 +103,7 @@ void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
     draw_player_keys(ui);
-    for (Scope scope : {Scope::everywhere, Scope::map, Scope::sprites}) draw_scope(scope, ui);
+    for (Scope scope : {Scope::everywhere, Scope::map, Scope::sprites, Scope::input}) draw_scope(scope, ui);
     ui.place("help/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
               ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});

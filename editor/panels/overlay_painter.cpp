@@ -16,10 +16,6 @@ constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so
 constexpr float kPiece = 16;       // px at scale 1: lines are kept clear in pieces of this length
 constexpr int kMostPieces = 64;
 
-ImU32 color_of(OverlayId id, int alpha = 255) {
-  return theme::color(overlay_infos()[static_cast<std::size_t>(id)].color, alpha);
-}
-
 // What is thin and without a rim, so that it does not hide what it is about.
 bool is_faint(OverlayId id) { return id == OverlayId::removed_edges || id == OverlayId::trails; }
 
@@ -29,9 +25,10 @@ bool covers_much(OverlayId id) {
 
 class Painter {
  public:
-  Painter(ImDrawList& list, const CanvasView& view, float scale, int pointed_at)
+  Painter(ImDrawList& list, const CanvasView& view, float scale, int pointed_at, OverlayPalette palette)
       : list_(list),
         view_(view),
+        palette_(palette),
         scale_(scale),
         pointed_at_(pointed_at),
         width_(std::max(1.0f, std::round(scale * 1.5f))) {}
@@ -53,6 +50,9 @@ class Painter {
   }
 
  private:
+  ImU32 color_of(OverlayId id, int alpha = 255) const {
+    return theme::color(overlay_color(id, palette_), alpha);
+  }
   static ImU32 outline() { return theme::color(theme::kDark, 190); }
   float rim() const { return std::max(1.0f, std::round(scale_ * 0.75f)); }
 
@@ -157,6 +157,7 @@ class Painter {
 
   ImDrawList& list_;
   const CanvasView& view_;
+  OverlayPalette palette_;
   float scale_;
   int pointed_at_;
   float width_;
@@ -168,11 +169,11 @@ class Painter {
 void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<const Rect> keep_clear,
                     const CanvasView& view, float scale, int pointed_at) {
   list.PushClipRect(view.min, view.max, true);
-  Painter(list, view, scale, pointed_at).paint(drawing, keep_clear);
+  Painter(list, view, scale, pointed_at, drawing.palette).paint(drawing, keep_clear);
   list.PopClipRect();
 }
 
-void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size) {
+void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size, OverlayPalette palette) {
   // The swatch is a canvas of 8 by 8 level pixels that holds one piece of the overlay.
   const CanvasView view{at, {at.x + size, at.y + size}, {at.x, at.y}, size / 8};
   OverlayDrawing sample;
@@ -223,12 +224,20 @@ void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size)
       sample.boxes.push_back({id, {1, 4, 6, 4}, true});
       sample.lines.push_back({id, {4, 6}, {4, 1}, true});
       break;
+    case OverlayId::shapes:
+      sample.lines.push_back({id, {0, 7}, {5, 2}});
+      sample.lines.push_back({id, {5, 2}, {8, 2}});
+      break;
+    case OverlayId::reach:
+      sample.boxes.push_back({id, {0, 0, 8, 7}, true});
+      sample.lines.push_back({id, {0, 7}, {8, 7}});
+      break;
     case OverlayId::answer:
       sample.boxes.push_back({id, {3, 1, 4, 4}, true});
       sample.lines.push_back({id, {0, 6.5}, {8, 6.5}});
       break;
   }
-  Painter(list, view, size / 16, 0).paint(sample, {});
+  Painter(list, view, size / 16, 0, palette).paint(sample, {});
 }
 
 }  // namespace talus

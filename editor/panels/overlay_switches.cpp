@@ -37,9 +37,10 @@ void draw_switch(const OverlayInfo& info, bool named, const Session& session, Ac
   ImGui::PushStyleColor(ImGuiCol_Button, theme::color(on ? theme::kControlHot : theme::kPanel));
   if (ImGui::Button(("##" + id).c_str(), {width, height})) command.run(session, actions, ui);
   ImGui::PopStyleColor();
-  ui.item(id, named ? std::string(info.help) : label + ": " + std::string(info.help), keys_of(command));
+  ui.item(id, named ? std::string(info.help) : label + ": " + std::string(info.help), keys_of(command, ui));
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  paint_overlay_swatch(list, info.id, {at.x + pad, at.y + (height - swatch) / 2}, swatch);
+  paint_overlay_swatch(list, info.id, {at.x + pad, at.y + (height - swatch) / 2}, swatch,
+                       session.choices().overlay_palette);
   if (named)
     list.AddText({at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
                  theme::color(on ? theme::kText : theme::kMuted), label.c_str());
@@ -55,7 +56,8 @@ void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
   for (const OverlayInfo& info : overlay_infos()) draw_switch(info, named, session, actions, ui);
 }
 
-void draw_overlay_legend(ImDrawList& list, OverlaySet shown, const CanvasView& view, const Ui& ui) {
+void draw_overlay_legend(ImDrawList& list, const Choices& choices, const CanvasView& view, const Ui& ui) {
+  const OverlaySet shown = choices.overlays;
   if (shown.empty() || names_fit(ui)) return;
   const float line = ImGui::GetTextLineHeight() + ui.px(2), pad = ui.px(kPad), swatch = ui.px(kSwatch);
   float width = 0, height = 2 * pad;
@@ -71,7 +73,8 @@ void draw_overlay_legend(ImDrawList& list, OverlaySet shown, const CanvasView& v
   float y = at.y + pad;
   for (const OverlayInfo& info : overlay_infos()) {
     if (!shown.has(info.id)) continue;
-    paint_overlay_swatch(list, info.id, {at.x + pad, y + (line - swatch) / 2}, swatch);
+    paint_overlay_swatch(list, info.id, {at.x + pad, y + (line - swatch) / 2}, swatch,
+                         choices.overlay_palette);
     list.AddText({at.x + pad + swatch + ui.px(kTextGap), y}, theme::color(theme::kMuted), info.label.data(),
                  info.label.data() + info.label.size());
     y += line;

@@ -11,6 +11,6 @@ namespace talus {
 void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui);
 
 // The names of what is shown, in the canvas's corner, while the switches have no room for them.
-void draw_overlay_legend(ImDrawList& list, OverlaySet shown, const CanvasView& view, const Ui& ui);
+void draw_overlay_legend(ImDrawList& list, const Choices& choices, const CanvasView& view, const Ui& ui);
 
 }  // namespace talus

@@ -1,30 +1,63 @@
-// A modal with three answers.
+// A modal with its answers.
 #include "question_panel.h"
+
+#include <array>
+#include <span>
 
 #include "dialog.h"
 
 namespace talus {
+namespace {
+
+struct Choice {
+  const char* widget;
+  const char* label;
+  const char* help;
+  action::Answer answer;
+  ImGuiKey key;  // ImGuiKey_COUNT: none
+};
+constexpr std::array<Choice, 3> kUnsaved = {
+    {{"question/save", "Save", "Saves, then goes on.", action::Answer::save, ImGuiKey_Enter},
+     {"question/discard", "Discard", "Goes on without saving.", action::Answer::discard, ImGuiKey_COUNT},
+     {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, ImGuiKey_Escape}}};
+constexpr std::array<Choice, 2> kChanged = {
+    {{"question/reload", "Read again", "Takes what the file has now; Undo brings your changes back.",
+      action::Answer::reload, ImGuiKey_COUNT},
+     {"question/keep", "Keep mine", "Leaves the level as it is here; the next save replaces the file.",
+      action::Answer::keep, ImGuiKey_Escape}}};
+
+const char* key_label(ImGuiKey key) {
+  return key == ImGuiKey_Enter ? "Enter" : key == ImGuiKey_Escape ? "Esc" : "";
+}
+
+void draw_choices(std::span<const Choice> choices, Actions& actions, Ui& ui) {
+  for (const Choice& choice : choices) {
+    const bool is_first = &choice == choices.data();
+    if (!is_first) ImGui::SameLine();
+    if (ui.text_button(choice.widget, choice.label, is_first, choice.help, key_label(choice.key), true,
+                       ui.px(96)) ||
+        (choice.key != ImGuiKey_COUNT && key_pressed(choice.key)))
+      actions.push_back(action::AnswerQuestion{choice.answer});
+  }
+}
+
+}  // namespace
 
 void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  constexpr const char* kTitle = "Unsaved changes";
-  if (!begin_dialog(kTitle, session.question().has_value(), {0, 0}, ui)) return;
-  if (session.question()) {
-    ImGui::TextUnformatted(session.question()->text.c_str());
-    ImGui::Spacing();
-    const float width = ui.px(96);
-    const auto answer = [&](action::Answer a) { actions.push_back(action::AnswerQuestion{a}); };
-    if (ui.text_button("question/save", "Save", true, "Saves, then goes on.", "Enter", true, width) ||
-        key_pressed(ImGuiKey_Enter))
-      answer(action::Answer::save);
-    ImGui::SameLine();
-    if (ui.text_button("question/discard", "Discard", false, "Goes on without saving.", {}, true, width))
-      answer(action::Answer::discard);
-    ImGui::SameLine();
-    if (ui.text_button("question/cancel", "Cancel", false, "Goes back to the level.", "Esc", true, width) ||
-        key_pressed(ImGuiKey_Escape))
-      answer(action::Answer::cancel);
+  const auto& question = session.question();
+  const bool changed = question && question->kind == Question::Kind::changed_outside;
+  // Two titles: where one question follows the other, a new dialog opens.
+  for (const bool about_file : {false, true}) {
+    const char* title = about_file ? "Changed by another program" : "Unsaved changes";
+    if (!begin_dialog(title, question && changed == about_file, {0, 0}, ui)) continue;
+    if (question && changed == about_file) {
+      ImGui::TextUnformatted(question->text.c_str());
+      ImGui::Spacing();
+      draw_choices(about_file ? std::span<const Choice>(kChanged) : std::span<const Choice>(kUnsaved),
+                   actions, ui);
+    }
+    ImGui::EndPopup();
   }
-  ImGui::EndPopup();
 }
 
 }  // namespace talus

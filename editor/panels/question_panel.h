@@ -1,4 +1,4 @@
-// The question about unsaved changes.
+// The questions about unsaved changes, and about a file that another program has changed.
 #pragma once
 
 #include "panel.h"

@@ -1,25 +1,55 @@
-// The style of the window: a quiet dark theme on a grid of 4 px.
+// The style of the window on a grid of 4 px: a quiet dark theme and a light one.
 #include "theme.h"
+
+#include <algorithm>
+#include <array>
 
 namespace talus::theme {
 namespace {
 
-ImVec4 vec(std::uint32_t rgb, float alpha = 1) {
-  ImVec4 v = ImGui::ColorConvertU32ToFloat4(color(rgb));
-  v.w = alpha;
-  return v;
+struct Tone {
+  std::uint32_t dark, light;
+};
+// The colours of panels in both themes. The light ones of text have a contrast of 4.5 at least on kPanel's.
+constexpr std::array<Tone, 16> kTones = {{{kBackground, 0xdfe3ee},
+                                          {kPanel, 0xf3f5fa},
+                                          {kControl, 0xd0d7e6},
+                                          {kControlHot, 0xb9c4da},
+                                          {kPressed, 0x9fadc9},
+                                          {kPopup, 0xffffff},
+                                          {kTableHeader, 0xdde3f0},
+                                          {kLine, 0xb3bdd2},
+                                          {kText, 0x1a1c2c},
+                                          {kMuted, 0x55607a},
+                                          {kAccent, 0x1668b8},
+                                          {kError, 0xb3203c},
+                                          {kWarning, 0x805300},
+                                          {kNote, 0xd3e6fa},
+                                          {kErrorNote, 0xfbdce2},
+                                          {kStripe, 0x000000}}};
+
+bool is_light() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5f; }
+
+std::uint32_t in_theme(std::uint32_t rgb, bool light) {
+  const auto tone = std::find_if(kTones.begin(), kTones.end(), [&](const Tone& t) { return t.dark == rgb; });
+  return light && tone != kTones.end() ? tone->light : rgb;
 }
 
-void set_colors(ImVec4* c) {
+void set_colors(ImVec4* c, bool light) {
+  const auto vec = [&](std::uint32_t rgb, float alpha = 1) {
+    ImVec4 v = ImGui::ColorConvertU32ToFloat4(color(in_theme(rgb, light)));
+    v.w = alpha;
+    return v;
+  };
   c[ImGuiCol_Text] = vec(kText);
   c[ImGuiCol_TextDisabled] = vec(kMuted);
   c[ImGuiCol_WindowBg] = vec(kBackground);
   c[ImGuiCol_ChildBg] = vec(kPanel);
-  c[ImGuiCol_PopupBg] = vec(0x262a42);
+  c[ImGuiCol_PopupBg] = vec(kPopup);
   c[ImGuiCol_Border] = vec(kLine);
   c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = c[ImGuiCol_Header] = vec(kControl);
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = vec(kControlHot);
-  c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = vec(0x4d5680);
+  c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = vec(kPressed);
   c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = vec(kControl);
   c[ImGuiCol_MenuBarBg] = vec(kBackground);
   c[ImGuiCol_ScrollbarBg] = vec(kPanel);
@@ -29,16 +59,18 @@ void set_colors(ImVec4* c) {
   c[ImGuiCol_Tab] = vec(kPanel);
   c[ImGuiCol_TabHovered] = vec(kControlHot);
   c[ImGuiCol_TabActive] = vec(kControl);
-  c[ImGuiCol_TableHeaderBg] = vec(0x2a2e46);
+  c[ImGuiCol_TableHeaderBg] = vec(kTableHeader);
   c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = vec(kLine);
-  c[ImGuiCol_TableRowBgAlt] = vec(0xffffff, 0.03f);
+  c[ImGuiCol_TableRowBgAlt] = vec(kStripe, 0.03f);
   c[ImGuiCol_TextSelectedBg] = vec(kAccent, 0.4f);
-  c[ImGuiCol_ModalWindowDimBg] = vec(kDark, 0.6f);
+  c[ImGuiCol_ModalWindowDimBg] = vec(kDark, light ? 0.35f : 0.6f);
 }
 
 }  // namespace
 
-void apply(float scale) {
+ImU32 tone(std::uint32_t rgb, int alpha) { return color(in_theme(rgb, is_light()), alpha); }
+
+void apply(float scale, ThemeKind kind) {
   ImGuiStyle style;
   style.WindowPadding = {8, 8};
   style.FramePadding = {6, 3};
@@ -52,7 +84,7 @@ void apply(float scale) {
   style.WindowBorderSize = style.ChildBorderSize = 0;
   style.PopupBorderSize = 1;
   style.ScaleAllSizes(scale);
-  set_colors(style.Colors);
+  set_colors(style.Colors, kind == ThemeKind::light);
   ImGui::GetStyle() = style;
 }
 

@@ -21,7 +21,7 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
   const std::string now = speed_text(session.playback().speed);
   const bool open = ui.begin_combo(
       "transport/speed", now, ui.px(68), "How fast the simulation runs; x1 is 60 frames a second.",
-      keys_of(find_command("play/slower")) + "  " + keys_of(find_command("play/faster")));
+      keys_of(find_command("play/slower"), ui) + "  " + keys_of(find_command("play/faster"), ui));
   if (!open) return;
   for (double speed : {0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
     if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.playback().speed))

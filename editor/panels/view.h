@@ -2,22 +2,35 @@
 // is remembered between starts (platform/settings.h).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "collision/geometry.h"
+#include "level/tileset.h"
+#include "preferences.h"
+#include "problems_view.h"
 
 namespace talus {
 
 // Which part of the window the keys go to.
-enum class Focus { sprites, map };
+enum class Focus { sprites, map, input };  // input: the input roll
 
 // What the middle of the window shows.
-enum class CanvasMode { map, play, both };
+enum class CanvasMode { map, play, both, two_maps };
 
 // Which file dialog is asked for.
-enum class FileDialog { none, open, save_as, save_recording };
+enum class FileDialog {
+  none,
+  open,
+  save_as,
+  save_recording,
+  import_png,
+  export_tiles,
+  export_sprites,
+  export_palette
+};
 
 // Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
 // does not fit is clamped to the regions' smallest sizes.
@@ -33,10 +46,11 @@ struct Layout {
 
 // Where the mouse is over a canvas, for the status bar.
 struct Hover {
-  std::optional<Cell> cell;    // on the map
-  std::optional<Vec2> pixel;   // px, in the level
-  std::optional<Cell> sprite;  // px, in the pixel canvas
-  std::optional<int> tile;     // on the sheet, 0..255
+  std::optional<Cell> cell;     // on the map
+  std::optional<Vec2> pixel;    // px, in the level
+  std::optional<Cell> sprite;   // px, in the pixel canvas
+  std::optional<int> tile;      // on the sheet, 0..255
+  std::optional<Cell> dragged;  // cells, width and height of the rectangle that is being dragged on the map
 };
 
 struct View {
@@ -46,21 +60,37 @@ struct View {
   bool paint_in_play = false;  // the left button paints in the play view, instead of holding balls
   bool dock_open = false;      // the debugger's panels are shown
   double ui_scale = 0;         // 0: by the window's height; else 1 to 4
+  Preferences preferences;
+  ProgramView program;
   FileDialog dialog = FileDialog::none;
   bool help_open = false;
   bool command_palette_open = false;
+  bool resize_open = false;               // the dialog of the map's size
+  bool find_tiles_open = false;           // the window that finds and replaces tiles
   std::vector<std::string> recent_files;  // absolute paths, the latest first
   std::vector<std::string> hard_cases;    // paths of the levels that come with the program, in order
   std::vector<std::string> tabs;          // ids of the panels that are shown where several share a region
   int palette_color = 12;                 // 0..15, which the sliders edit
+  bool neighbours_shown = false;          // the pixel canvas among the tiles around it on the map
+  std::array<std::optional<Cell>, kTileCount> tile_places;  // where on the map the mouse was on each tile last
+  std::optional<Focus> side_pointed_at;  // that the mouse was over in the last frame
 
-  int stage = -1;                   // of the chosen body's step, drawn in the play view; -1: none
-  bool split_compared = false;      // the other side of a comparison has a view of its own
-  std::optional<Cell> centre_on;    // asks the canvases to show this cell; taken by the next frame
-  std::optional<Cell> marked_cell;  // outlined on the map: the last problem that was clicked
+  int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: none
+  int input_row = 0;                        // of the input roll, that its keys change
+  std::optional<std::int64_t> input_range;  // where the range of its keys began; it ends at the shown frame
+  bool shows_times = false;                 // the time of each step is plotted
+  double parting = 0.01;                       // px, by more than which the sides of a comparison have parted
+  std::string wants_tab;                    // id of a panel that is to come to the front of its region
+  std::string wants_text;                   // name of a text field that is to get the keys
+  bool split_compared = false;              // the other side of a comparison has a view of its own
+  std::optional<Cell> centre_on;            // asks the canvases to show this cell; taken by the next frame
+  std::optional<Cell> marked_cell;          // outlined on the map: the last problem that was clicked
+  ProblemsView problems;
   bool play_active = false;  // of the two canvases, the play view was used last: it gets these requests,
   Vec2 scroll_by;            // each taken by the next frame: scroll, px of the screen
   int zoom_by = 0;           // zoom in (> 0) or out
+  bool minimap = false;      // the whole map in a corner of the map, to go elsewhere
+  bool second_map = false;   // of two maps, the second was used last: as play_active
   bool fit_map = false;      // show the whole map, or go back
   int level_number = 0;      // grows when another file is opened: the canvases start afresh
   Hover hover;               // of this frame

@@ -179,12 +179,13 @@ void App::frame() {
   dismiss_old_note();
   ui_.scale =
       ui_.view.ui_scale > 0 ? static_cast<float>(ui_.view.ui_scale) : automatic_scale(window_->size().y);
-  window_->set_scale(ui_.scale);
+  window_->set_style({ui_.scale, ui_.view.preferences.font_size, ui_.view.preferences.theme});
   textures_->update(session_->level(), session_->revision(), ui_);
   Actions actions;
   window_->begin_frame(events_);
   draw(actions);
   window_->end_frame();
+  window_->present();
   session_->apply(actions);
   note_dialog_result();
   note_changes();

@@ -21,7 +21,6 @@ namespace {
 
 constexpr int kLeastWidth = 1152, kLeastHeight = 700;  // px: below, panels are cut off
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kFontSize = 14;         // px at scale 1
 constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp at whole multiples of this only
 
 void set_gl_attributes() {
@@ -44,16 +43,17 @@ ImVec2 first_size(bool offscreen) {
   return {most(room.w, designed.x), most(room.h, designed.y)};
 }
 
-void load_fonts(float scale, float pixel_ratio) {
+void load_fonts(const WindowStyle& style, float pixel_ratio) {
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
   ImFontConfig config;
   std::error_code error;
   if (std::filesystem::exists(kFontFile, error)) {
     config.OversampleH = 2;
-    io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontSize * scale * pixel_ratio), &config);
+    io.Fonts->AddFontFromFileTTF(
+        kFontFile, std::round(static_cast<float>(style.font_size) * style.scale * pixel_ratio), &config);
   } else {
-    config.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(scale * pixel_ratio));
+    config.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(style.scale * pixel_ratio));
     io.Fonts->AddFontDefault(&config);
   }
   io.FontGlobalScale = 1 / pixel_ratio;
@@ -129,11 +129,11 @@ float GlWindow::pixel_ratio() const {
   return width > 0 && drawable > 0 ? static_cast<float>(drawable) / static_cast<float>(width) : 1;
 }
 
-void GlWindow::set_scale(float scale) {
-  if (scale == scale_) return;
-  scale_ = scale;
-  theme::apply(scale);
-  load_fonts(scale, pixel_ratio());
+void GlWindow::set_style(const WindowStyle& style) {
+  if (style == style_) return;
+  style_ = style;
+  theme::apply(style.scale, style.theme);
+  load_fonts(style, pixel_ratio());
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -174,7 +174,10 @@ void GlWindow::end_frame() {
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  SDL_GL_SwapWindow(window_);
+}
+
+void GlWindow::present() {
+  if (!offscreen_) SDL_GL_SwapWindow(window_);
 }
 
 }  // namespace talus

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "event_queue.h"
+#include "panels/preferences.h"
 
 namespace talus {
 
@@ -16,6 +17,13 @@ struct WindowOptions {
   std::string title = "Talus";
   int width = 0, height = 0;  // px of the screen; 0: most of the display, 1280x720 without one
   bool offscreen = false;     // without any display, by SDL's driver of that name
+};
+
+struct WindowStyle {
+  float scale = 1;                             // of text and controls
+  double font_size = Preferences().font_size;  // px at scale 1
+  ThemeKind theme = ThemeKind::dark;
+  friend bool operator==(const WindowStyle&, const WindowStyle&) = default;
 };
 
 class GlWindow {
@@ -31,14 +39,15 @@ class GlWindow {
   float pixel_ratio() const;  // pixels of the framebuffer for one of the window
   bool is_minimized() const { return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0; }
 
-  // Fonts and style for a scale of the interface; cheap when it is the one already set.
-  void set_scale(float scale);
+  // Fonts and colours; cheap when it is the style already set.
+  void set_style(const WindowStyle& style);
   void process_event(const SDL_Event& event);
   void begin_frame(const EventQueue& events);
   void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
-  // Draws what was put into Dear ImGui since begin_frame() and shows it. Offscreen nobody would see it: there
-  // draw_picture() draws, when a picture is wanted.
+  // Draws what was put into Dear ImGui since begin_frame(); present() shows it. Offscreen nobody would see
+  // it: there draw_picture() draws, when a picture is wanted.
   void end_frame();
+  void present();
 
  private:
   GlWindow() = default;
@@ -50,7 +59,7 @@ class GlWindow {
   bool offscreen_ = false;
   bool has_video_ = false;
   bool has_backend_ = false;
-  float scale_ = 0;  // of the fonts
+  WindowStyle style_{0, 0, ThemeKind::dark};  // that was set last
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Rendering into a framebuffer object, and the PNG.
+// Rendering into a framebuffer object.
 #define GL_GLEXT_PROTOTYPES
 #include "picture.h"
 
@@ -6,33 +6,10 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include <zlib.h>
-
-#include <cstdlib>
-
-namespace {
-// In stb's place, whose own compression gives files twice as large. Its caller frees the result.
-unsigned char* compress_for_png(unsigned char* data, int size, int* compressed_size, int) {
-  uLongf length = compressBound(static_cast<uLong>(size));
-  auto* compressed = static_cast<unsigned char*>(std::malloc(length));
-  if (compressed != nullptr &&
-      compress2(compressed, &length, data, static_cast<uLong>(size), Z_BEST_COMPRESSION) != Z_OK) {
-    std::free(compressed);
-    return nullptr;
-  }
-  *compressed_size = static_cast<int>(length);
-  return compressed;
-}
-}  // namespace
-
-#define STBIW_ZLIB_COMPRESS compress_for_png
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#include <stb_image_write.h>
-
 #include <algorithm>
 
 #include "formats/atomic_file.h"
+#include "formats/png_picture.h"
 
 namespace talus {
 namespace {
@@ -60,10 +37,6 @@ class Framebuffer {
  private:
   GLuint color_ = 0, frame_ = 0;
 };
-
-void append(void* context, void* data, int size) {
-  static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-}
 
 }  // namespace
 
@@ -97,11 +70,8 @@ tl::expected<Picture, std::string> draw_picture() {
 }
 
 tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path) {
-  std::string bytes;
-  stbi_write_force_png_filter = 0;  // flat colours pack best as they are
-  if (!stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 4, picture.rgba.data(),
-                              picture.width * 4))
-    return tl::unexpected(std::string("cannot encode the PNG"));
+  const std::string bytes = encode_png(picture.width, picture.height, 4, picture.rgba.data());
+  if (bytes.empty()) return tl::unexpected(std::string("cannot encode the PNG"));
   if (const auto written = write_file_atomic(path, bytes); !written)
     return tl::unexpected(written.error().message);
   return {};

@@ -10,8 +10,9 @@ struct Row {
   int key;
   SDL_Keycode sdl;
 };
-constexpr std::array<Row, 8> kRows = {{{kKeyTab, SDLK_TAB},
+constexpr std::array<Row, 9> kRows = {{{kKeyTab, SDLK_TAB},
                                        {kKeyDelete, SDLK_DELETE},
+                                       {kKeyEscape, SDLK_ESCAPE},
                                        {kKeyHome, SDLK_HOME},
                                        {kKeyEnd, SDLK_END},
                                        {kKeyLeft, SDLK_LEFT},

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kCanvasNames = {"map", "play", "both"};  // by CanvasMode
+constexpr std::array<std::string_view, 4> kCanvasNames = {"map", "play", "both", "two_maps"};  // by CanvasMode
 
 struct LayoutField {
   const char* key;

@@ -53,7 +53,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   SheetTextures textures;
   Ui ui;
   ui.scale = std::clamp(zoom / 3, 1.0f, 3.0f);  // overlays stay in proportion to the art
-  (*window)->set_scale(ui.scale);
+  (*window)->set_style({.scale = ui.scale});
   textures.update(session.level(), session.revision(), ui);
   (*window)->begin_picture(size);
   const CanvasView view{{0, 0}, size, {std::round(-area.x * zoom), std::round(-area.y * zoom)}, zoom};

@@ -2,15 +2,21 @@
 // them out. Tests and the command palette speak the same language.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "debug/stop_search.h"
+#include "edit/curve_tools.h"
 #include "edit/edit.h"
 #include "edit/map_tools.h"
+#include "edit/png_import.h"
+#include "edit/pixel_selection.h"
+#include "edit/sprite_shapes.h"
 #include "edit/sprite_tools.h"
+#include "level/lint.h"
 #include "overlay/overlay_id.h"
 #include "sim/timeline.h"
 #include "variant_run.h"
@@ -18,10 +24,27 @@
 
 namespace talus {
 
-// The tools of the map, in the order of their keys 1 to 9; 1, 2 and 4 as in TIC-80.
-enum class MapTool { stamp, pan, rectangle, fill, erase, pick, body, slope, segment };
-// The tools of the sprite canvas, in the order of their keys 1, 2 and 4, as in TIC-80.
-enum class SpriteTool { pencil, pick, fill };
+// The tools of the map: those of the keys 1 to 9 and 0 in their order, 1 to 4 as in TIC-80; then those that
+// have letters.
+enum class MapTool {
+  stamp,
+  pan,
+  select,
+  fill,
+  line,
+  rectangle,
+  ellipse,
+  slope,
+  segment,
+  body,
+  erase,
+  pick,
+  ground,
+  flag,
+  curve
+};
+// The tools of the sprite canvas; the first four in the order of their keys 1 to 4, as in TIC-80.
+enum class SpriteTool { pencil, pick, select, fill, line, rectangle, ellipse };
 
 // What an edit does while there is a recording. Whatever it says, an edit without one starts anew.
 struct EditRule {
@@ -47,13 +70,9 @@ struct Redo {};
 
 // --- files. What would lose unsaved changes is asked about first: see Session::question().
 struct NewLevel {};
-struct OpenFile {
+struct OpenFile {  // a level, or a recording with its level
   std::string path;
   bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
-};
-// A recording and its level; asks as OpenFile does, which does the same when its file is a recording.
-struct OpenRecording {
-  std::string path;
 };
 struct SaveRecording {  // of the current branch; not while it is run again
   std::string path;
@@ -62,12 +81,34 @@ struct SaveFile {};  // to its own path and format; without a name: see Session:
 struct SaveFileAs {
   std::string path;  // the format by its extension; with an unknown one nothing is saved
 };
+struct ExportPng {
+  PngPart part = PngPart::tiles;
+  std::string path;
+};
+struct OpenPng {  // to be taken into the level: see Session::png_import()
+  std::string path;
+};
+struct SetPngImport {
+  PngImportOptions options;
+};
+struct ApplyPngImport {};  // while its plan is an error, nothing happens
+struct CancelPngImport {};
 struct Quit {};
-enum class Answer { save, discard, cancel };
+// To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep.
+enum class Answer { save, discard, cancel, reload, keep };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;
 };
 struct CancelSaveAs {};
+// A level that was saved by itself before the program was killed: its file is opened, if it has one, and the
+// level comes as a change of it that can be undone. Asks as OpenFile does.
+struct RecoverLevel {
+  std::shared_ptr<const Level> level;  // never null
+  std::string path;                    // empty: none
+  std::string name;                    // for titles, without a path
+};
+// Looks whether another program has changed the level's file; see Session::question().
+struct CheckFile {};
 struct ShowMessage {  // for what panels and the platform find out
   std::string text;
   bool is_error = false;
@@ -124,6 +165,10 @@ struct SetInput {
   InputKey key = InputKey::left;
   bool on = true;
 };
+struct SetMouse {  // where the mouse is in those steps, in the same way
+  std::int64_t first = 1, last = 1;
+  Vec2 position;  // px, in the level; finite
+};
 struct SetEditRule {
   EditRule rule;
 };
@@ -159,12 +204,28 @@ struct CompareVariant {            // runs the same input through it, beside wha
   std::optional<Variant> variant;  // nothing: no longer
 };
 
+// --- where players get to (see session/reach_finder.h)
+struct FindReach {};    // of the level as it is now; what was found before is forgotten
+struct CancelReach {};  // keeps what has been found
+struct ShowWay {        // plays the way to a reached cell as a new branch; to another one nothing happens
+  Cell cell;
+};
+
 // --- what is chosen and shown
+struct SetLintOptions {
+  LintOptions options;  // clamped
+};
 struct SelectBody {
   int id = 0;  // 0, or the id of no body: none
 };
 struct SelectSpawn {  // the body of a spawn of the level
   int spawn = 0;      // its index; of none: no body
+};
+struct SelectCurve {
+  int curve = -1;  // its index in the level; of none: none
+};
+struct SetCurveKind {  // what the segment tool draws
+  CurveKind kind = CurveKind::segment;
 };
 struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp
   SpriteArea area;
@@ -172,11 +233,40 @@ struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, 
 struct SetStamp {
   Stamp stamp;
 };
+struct SetRandomStamp {  // each painted cell takes a tile of the stamp at random
+  bool on = true;
+  std::uint32_t seed = 1;  // of what is painted from now on
+};
+struct SelectCells {  // on the map; cut at its edge, and wholly outside, or nothing: no selection
+  std::optional<CellRect> cells;
+};
+struct SetPasted {  // tiles that hang at the mouse until a click puts them on the map; nothing: none any more
+  std::optional<Stamp> tiles;
+};
 struct SetMapTool {
   MapTool tool;
 };
 struct SetSpriteTool {
   SpriteTool tool;
+};
+struct SetBrush {  // of the tools that draw pixels
+  int size = 1;    // px, 1..kMaxBrush; clamped
+};
+struct SelectPixels {  // in the canvas, until another tool or canvas is chosen
+  std::optional<CellRect> rect;  // px of the canvas, clamped to it; nothing: none
+};
+// The selected pixels are lifted from the canvas: the right button's colour stays behind, and they float
+// until something else changes the canvas. All moves in a row are one undo. Without a selection nothing
+// happens.
+struct MovePixels {
+  Cell by;  // px
+};
+struct TurnPixels {  // the selected ones, in the same way, or all of the canvas, which rotates if it is square
+  PixelTurn turn = PixelTurn::flip_horizontal;
+};
+struct PastePixels {  // they are selected, and float
+  PixelBlock block;   // 1 px or more in each direction
+  Cell at;            // px of the canvas; one px stays inside
 };
 struct SetColor {
   int color = 0;           // 0..15
@@ -187,7 +277,11 @@ struct SetOverlay {
   bool on = true;
 };
 struct SetFlagOverlay {
-  std::optional<int> flag;  // 0..7 tints the map where that flag is set; nothing: no tint
+  // Tints the map and the sheet where tiles match it; it is what is painted and looked for. Nothing: no tint.
+  std::optional<FlagPattern> pattern;
+};
+struct SetOverlayPalette {
+  OverlayPalette palette;
 };
 struct SetGrid {
   bool on = true;
@@ -198,20 +292,24 @@ struct SetScreenBorders {
 
 }  // namespace action
 
-using Action =
-    std::variant<action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile,
-                 action::OpenRecording, action::SaveRecording, action::SaveFile, action::SaveFileAs,
-                 action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::ShowMessage,
-                 action::DismissMessage, action::Play, action::Pause, action::TogglePlay, action::StepFrame,
-                 action::ResetPlay, action::SetSpeed, action::HoldMouse, action::HoldKeys, action::StepBack,
-                 action::SeekStart, action::SeekEnd, action::SeekFrame, action::SetMark, action::RemoveMark,
-                 action::JumpToMark, action::TakeOver, action::SwitchBranch, action::DropBranch,
-                 action::CompareBranch, action::SetInput, action::SetEditRule, action::Rerun,
-                 action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
-                 action::FindParting, action::CancelSearch, action::SetWatch, action::RemoveWatch,
-                 action::CompareVariant, action::SelectBody, action::SelectSpawn, action::SelectTiles,
-                 action::SetStamp, action::SetMapTool, action::SetSpriteTool, action::SetColor,
-                 action::SetOverlay, action::SetFlagOverlay, action::SetGrid, action::SetScreenBorders>;
+using Action = std::variant<
+    action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile, action::SaveRecording,
+    action::SaveFile, action::SaveFileAs, action::ExportPng, action::OpenPng, action::SetPngImport,
+    action::ApplyPngImport, action::CancelPngImport, action::Quit, action::AnswerQuestion,
+    action::CancelSaveAs, action::RecoverLevel, action::CheckFile, action::ShowMessage,
+    action::DismissMessage, action::Play, action::Pause, action::TogglePlay, action::StepFrame,
+    action::ResetPlay, action::SetSpeed, action::HoldMouse, action::HoldKeys, action::StepBack,
+    action::SeekStart, action::SeekEnd, action::SeekFrame, action::SetMark, action::RemoveMark,
+    action::JumpToMark, action::TakeOver, action::SwitchBranch, action::DropBranch, action::CompareBranch,
+    action::SetInput, action::SetMouse, action::SetEditRule, action::Rerun, action::CancelRerun,
+    action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop, action::FindParting,
+    action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant, action::SelectBody,
+    action::SelectSpawn, action::SelectCurve, action::SetCurveKind, action::SelectTiles, action::SetStamp,
+    action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool, action::SetSpriteTool, action::SetBrush,
+                 action::SelectPixels, action::MovePixels, action::TurnPixels, action::PastePixels,
+                 action::SetColor, action::SetOverlay, action::SetFlagOverlay, action::SetOverlayPalette, action::FindReach, action::CancelReach,
+    action::ShowWay, action::SetLintOptions, action::SetGrid,
+    action::SetScreenBorders>;
 using Actions = std::vector<Action>;
 
 }  // namespace talus

@@ -14,6 +14,8 @@
 #include "level/hard_case.h"
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
+#include "png_import.h"
+#include "reach_finder.h"
 #include "sim/solver.h"
 #include "step_times.h"
 #include "trail.h"
@@ -26,13 +28,22 @@ inline constexpr double kStepsPerSecond = 60;  // at speed 1; TIC-80's rate
 struct Choices {
   MapTool map_tool = MapTool::stamp;
   SpriteTool sprite_tool = SpriteTool::pencil;
-  SpriteArea area;          // shown in the canvas and the flags panel
-  Stamp stamp;              // painted on the map
-  int color = 12;           // left button, 0..15
-  int secondary_color = 0;  // right button, 0..15
-  int body = 0;             // id of the chosen body; 0: none
-  OverlaySet overlays;      // shown in the play view
-  std::optional<int> flag_overlay;
+  SpriteArea area;                            // shown in the canvas and the flags panel
+  int brush = 1;            // px, of the sprite tools, 1..kMaxBrush
+  PixelSelection pixels;    // in the canvas, with the select tool
+  Stamp stamp;                                // painted on the map
+  bool random_stamp = false;                  // each cell takes a tile of the stamp at random
+  std::uint32_t random_seed = 1;              // see random_tile()
+  std::optional<CellRect> selection;          // on the map, wholly inside it
+  std::optional<Stamp> pasted;                // hangs at the mouse
+  int color = 12;                             // left button, 0..15
+  int secondary_color = 0;                    // right button, 0..15
+  int body = 0;                               // id of the chosen body; 0: none
+  int curve = -1;                             // index of the chosen curve; of none: no curve
+  CurveKind curve_kind = CurveKind::segment;  // that the segment tool draws
+  OverlaySet overlays;                        // shown in the play view
+  OverlayPalette overlay_palette = OverlayPalette::standard;
+  std::optional<FlagPattern> flag_overlay;  // tinted, painted and looked for
   bool grid = true;
   bool screen_borders = true;
 };
@@ -55,7 +66,9 @@ struct Message {
 
 // Something that would lose unsaved changes waits for an answer.
 struct Question {
+  enum class Kind { unsaved_changes, changed_outside };
   std::string text;  // "Save the changes to demo.talus.json?"
+  Kind kind = Kind::unsaved_changes;
 };
 
 // Whatever plays is recorded (see sim/timeline.h). Playing and stepping at the end of the recording append to
@@ -93,6 +106,12 @@ class Session {
   std::string file_name() const;                     // for titles: "demo.talus.json"
   bool modified() const;                             // differs from the file
   const std::vector<Problem>& problems() const;      // lint of the level as it is
+  // The same as far as advance() has come since the last change, and what was known before of the rest: for
+  // those who must not wait.
+  const std::vector<Problem>& listed_problems() const;
+  std::uint64_t listing() const;  // grows when listed_problems() changes
+  bool is_linting() const;        // they are not all of the level as it is
+  const LintOptions& lint_options() const;
   const std::optional<HardCase>& hard_case() const;  // that the opened level is, whose input is played too
 
   // Of the shown frame: the one that was played last, unless an earlier one is visited.
@@ -113,11 +132,16 @@ class Session {
   const std::vector<Stage>& stages() const;  // of the chosen body's step to the shown frame
   const State* other_state() const;          // of the other side of a comparison; null: none, or not yet run
   const StepTimes& step_times() const;
+  const ReachFinder& reach() const;  // where a player of the level gets to
+  // How far a large level is compiled that was edited or opened, 0..1; until it is, the simulation goes on as
+  // it was before. Nothing: it sees the level as it is.
+  std::optional<double> compile_progress() const;
 
-  const std::optional<Message>& message() const;    // stays until dismissed or replaced
-  const std::optional<Question>& question() const;  // waits for AnswerQuestion
-  bool wants_save_as() const;                       // waits for SaveFileAs or CancelSaveAs
-  bool wants_quit() const;                          // the program should end
+  const std::optional<Message>& message() const;       // stays until dismissed or replaced
+  const std::optional<Question>& question() const;     // waits for AnswerQuestion
+  const std::optional<PngImport>& png_import() const;  // waits for ApplyPngImport or CancelPngImport
+  bool wants_save_as() const;                          // waits for SaveFileAs or CancelSaveAs
+  bool wants_quit() const;                             // the program should end
 
   // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and
   // give the same number to each of its edits.

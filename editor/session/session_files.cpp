@@ -45,7 +45,12 @@ void Session::Impl::carry_out(const action::SaveFileAs& a) {
 
 void Session::Impl::carry_out(const action::AnswerQuestion& a) {
   if (!question) return;
+  const bool about_file = question->kind == Question::Kind::changed_outside;
   question.reset();
+  if (about_file) {
+    if (a.answer == action::Answer::reload) reload();
+    return;
+  }
   const bool may_go_on = a.answer == action::Answer::discard || (a.answer == action::Answer::save && save());
   if (may_go_on) {
     continue_pending();
@@ -80,8 +85,8 @@ void Session::Impl::continue_pending() {
 void Session::Impl::go_on(const Losing& losing) {
   if (const auto* file = std::get_if<action::OpenFile>(&losing)) {
     open(*file);
-  } else if (const auto* recording = std::get_if<action::OpenRecording>(&losing)) {
-    open_recording(recording->path);
+  } else if (const auto* saved = std::get_if<action::RecoverLevel>(&losing)) {
+    recover(*saved);
   } else if (std::holds_alternative<action::NewLevel>(losing)) {
     replace_level(Level(), {}, nullptr);
     name = kUnnamed;
@@ -94,6 +99,7 @@ void Session::Impl::open(const action::OpenFile& file) {
   const FormatContext context = context_for_file(file.path);
   if (const auto bytes = read_file(file.path); bytes && is_recording(*bytes, context))
     return open_recording(file.path);
+  const auto before = stamp_of_file(file.path);  // what is written while it is read shows later
   FormatResult<LoadedLevel> loaded = load_level(file.path);
   if (!loaded) {
     message = Message{to_string(loaded.error(), file.path), true};
@@ -103,6 +109,7 @@ void Session::Impl::open(const action::OpenFile& file) {
     name = file_name.substr(0, file_name.find('.')) + " (copy)";
   } else {
     replace_level(std::move(loaded->level), file.path, loaded->format);
+    stamp = before;
   }
 }
 
@@ -118,6 +125,64 @@ void Session::Impl::open_recording(const std::string& file) {
   replace_level(std::move(last), {}, nullptr);
   name = name_of(file);
   player.load(*recording);
+}
+
+void Session::Impl::recover(const action::RecoverLevel& saved) {
+  FormatResult<LoadedLevel> file = tl::unexpected(FormatError{});
+  if (!saved.path.empty()) file = load_level(saved.path);
+  if (file)
+    replace_level(std::move(file->level), saved.path, file->format);
+  else
+    replace_level(Level(), saved.path, saved.path.empty() ? nullptr : format_for_file(saved.path));
+  name = saved.name;
+  carry_out(action::EditLevel{replace_by(level, saved.level, "Recover what was not saved")});
+  read_hard_case();
+  history.forget_saved();
+  message = Message{
+      "Recovered " + file_name() + ". It is not saved yet; undo goes back to what the file has.", false};
+}
+
+void Session::Impl::carry_out(const action::CheckFile&) {
+  if (stamp && !question && !wants_save_as) take_file_change(file_change(path, *stamp));
+}
+
+void Session::Impl::note_file() { stamp = path.empty() ? std::nullopt : stamp_of_file(path); }
+
+// Each state of the file is asked or told about once.
+void Session::Impl::take_file_change(FileChange change) {
+  if (change == FileChange::none || (change == FileChange::gone && stamp->is_gone())) return;
+  if (change == FileChange::gone) {
+    stamp->set_gone();
+    history.forget_saved();
+    message =
+        Message{file_name() + " was removed or renamed by another program. Saving writes it anew.", true};
+    return;
+  }
+  note_file();
+  if (history.is_saved()) return reload();
+  question = Question{file_name() +
+                          " was changed by another program.\n"
+                          "Read it again, or keep what is here? Undo goes back from the one to the other.",
+                      Question::Kind::changed_outside};
+}
+
+// As an edit, so that nothing is lost whichever was right.
+void Session::Impl::reload() {
+  note_file();  // first: what is written from now on is another change
+  const FormatResult<LoadedLevel> loaded = load_level(path);
+  if (!loaded) {
+    history.forget_saved();
+    message = Message{
+        "Another program changed this file, and it cannot be read again: " + to_string(loaded.error(), path),
+        true};
+    return;
+  }
+  carry_out(action::EditLevel{
+      replace_by(level, std::make_shared<const Level>(loaded->level), "Read " + file_name() + " again")});
+  read_hard_case();
+  history.mark_saved();
+  message =
+      Message{"Read " + file_name() + " again, as another program changed it. Undo takes that back.", false};
 }
 
 void Session::Impl::carry_out(const action::SaveRecording& a) {
@@ -137,13 +202,18 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   level = std::move(opened);
   path = std::move(opened_path);
   format = opened_format;
+  note_file();
   read_hard_case();
   history.clear();
   ++revision;
   player.load(level);
+  lint_cache.note_change();
+  reach.forget();
   trails = {};
   scene_changes = {};
   choices.body = 0;
+  choices.selection.reset();
+  choices.pixels.drop();
   // An old error no longer holds, but what a saving on the way here dropped is still news.
   if (message && message->is_error) message.reset();
 }
@@ -159,6 +229,10 @@ bool Session::Impl::save() {
     wants_save_as = true;
     return false;
   }
+  if (stamp && file_change(path, *stamp) == FileChange::content) {
+    take_file_change(FileChange::content);
+    return false;
+  }
   return save_to(path, *format);
 }
 
@@ -170,6 +244,7 @@ bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_f
   }
   path = saved_path;
   format = &saved_format;
+  note_file();
   history.mark_saved();
   std::string text = "Saved " + file_name() + ".";
   if (!dropped->empty()) text += " Not stored in this format: " + joined(*dropped, "") + ".";

@@ -1,11 +1,13 @@
-// What a Session is made of; for session.cpp, session_files.cpp, session_timeline.cpp and
-// session_debug.cpp alone.
+// What a Session is made of; for session.cpp, session_files.cpp, session_timeline.cpp,
+// session_debug.cpp and session_pictures.cpp alone.
 #pragma once
 
 #include <variant>
 
 #include "collision/function_ref.h"
 #include "debugger.h"
+#include "level/lint_cache.h"
+#include "file_stamp.h"
 #include "player.h"
 #include "session.h"
 
@@ -27,7 +29,7 @@ struct SceneChanges {
 
 struct Session::Impl {
   // What loses the changes since the last save, and so is asked about first.
-  using Losing = std::variant<action::NewLevel, action::OpenFile, action::OpenRecording, action::Quit>;
+  using Losing = std::variant<action::NewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
 
   Impl(Level opened, std::string opened_path, std::string unsaved_name);
 
@@ -37,13 +39,19 @@ struct Session::Impl {
   void carry_out(const action::Redo&);
   void carry_out(const action::NewLevel& a) { ask_or_go_on(a); }
   void carry_out(const action::OpenFile& a) { ask_or_go_on(a); }
-  void carry_out(const action::OpenRecording& a) { ask_or_go_on(a); }
   void carry_out(const action::SaveRecording& a);
   void carry_out(const action::SaveFile&) { save(); }
   void carry_out(const action::SaveFileAs& a);
+  void carry_out(const action::ExportPng& a);
+  void carry_out(const action::OpenPng& a);
+  void carry_out(const action::SetPngImport& a);
+  void carry_out(const action::ApplyPngImport&);
+  void carry_out(const action::CancelPngImport&) { png_import.reset(); }
   void carry_out(const action::Quit& a) { ask_or_go_on(a); }
   void carry_out(const action::AnswerQuestion& a);
   void carry_out(const action::CancelSaveAs&);
+  void carry_out(const action::RecoverLevel& a) { ask_or_go_on(a); }
+  void carry_out(const action::CheckFile&);
   void carry_out(const action::ShowMessage& a) { message = Message{a.text, a.is_error}; }
   void carry_out(const action::DismissMessage&) { message.reset(); }
   void carry_out(const action::Play&) { player.set_running(true); }
@@ -66,6 +74,7 @@ struct Session::Impl {
   void carry_out(const action::DropBranch& a);
   void carry_out(const action::CompareBranch& a) { player.timeline().compare_with(a.branch); }
   void carry_out(const action::SetInput& a);
+  void carry_out(const action::SetMouse& a);
   void carry_out(const action::SetEditRule& a) { player.set_rule(a.rule); }
   void carry_out(const action::Rerun& a);
   void carry_out(const action::CancelRerun&) { player.timeline().cancel(); }
@@ -77,17 +86,35 @@ struct Session::Impl {
   void carry_out(const action::SetWatch& a) { debugger.put(a.index, a.watch); }
   void carry_out(const action::RemoveWatch& a) { debugger.remove_watch(a.index); }
   void carry_out(const action::CompareVariant& a) { debugger.compare_with(a.variant); }
+  void carry_out(const action::FindReach&);
+  void carry_out(const action::CancelReach&) { reach.cancel(); }
+  void carry_out(const action::ShowWay& a);
+  void carry_out(const action::SetLintOptions& a);
   void carry_out(const action::SelectBody& a);
   void carry_out(const action::SelectSpawn& a);
+  void carry_out(const action::SelectCurve& a) { choices.curve = a.curve; }
+  void carry_out(const action::SetCurveKind& a) { choices.curve_kind = a.kind; }
   void carry_out(const action::SelectTiles& a);
   void carry_out(const action::SetStamp& a) { choices.stamp = a.stamp; }
+  void carry_out(const action::SetRandomStamp& a) {
+    choices.random_stamp = a.on;
+    choices.random_seed = a.seed;
+  }
+  void carry_out(const action::SelectCells& a);
+  void carry_out(const action::SetPasted& a) { choices.pasted = a.tiles; }
   void carry_out(const action::SetMapTool& a) { choices.map_tool = a.tool; }
-  void carry_out(const action::SetSpriteTool& a) { choices.sprite_tool = a.tool; }
+  void carry_out(const action::SetSpriteTool& a);
+  void carry_out(const action::SetBrush& a);
+  void carry_out(const action::SelectPixels& a);
+  void carry_out(const action::MovePixels& a);
+  void carry_out(const action::TurnPixels& a);
+  void carry_out(const action::PastePixels& a);
   void carry_out(const action::SetColor& a) {
     (a.secondary ? choices.secondary_color : choices.color) = a.color;
   }
   void carry_out(const action::SetOverlay& a) { choices.overlays.set(a.overlay, a.on); }
-  void carry_out(const action::SetFlagOverlay& a) { choices.flag_overlay = a.flag; }
+  void carry_out(const action::SetFlagOverlay& a) { choices.flag_overlay = a.pattern; }
+  void carry_out(const action::SetOverlayPalette& a) { choices.overlay_palette = a.palette; }
   void carry_out(const action::SetGrid& a) { choices.grid = a.on; }
   void carry_out(const action::SetScreenBorders& a) { choices.screen_borders = a.on; }
 
@@ -107,6 +134,11 @@ struct Session::Impl {
   void open_recording(const std::string& file);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
+  void recover(const action::RecoverLevel& saved);
+  // Notes what the level's file holds now, as what this session knows of it.
+  void note_file();
+  void take_file_change(FileChange change);  // by another program; asks or tells what becomes of the level
+  void reload();
   bool save();  // false when it failed or a name is needed first
   bool save_to(const std::string& saved_path, const Format& saved_format);
   void continue_pending();
@@ -119,6 +151,7 @@ struct Session::Impl {
 
   std::string name;                // for titles, while there is no file
   std::string path;                // empty: none
+  std::optional<FileStamp> stamp;  // of the file as it was read, written or asked about last; none: no file
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
 
   Player player;
@@ -130,12 +163,18 @@ struct Session::Impl {
 
   std::optional<Message> message;
   std::optional<Question> question;
+  std::optional<PngImport> png_import;
   std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
   bool wants_save_as = false;
   bool wants_quit = false;
+  int pixel_stroke = 0;  // of the selected pixels' moves, while they float
 
-  std::vector<Problem> problems;  // of the level at linted_revision
-  std::optional<std::uint64_t> linted_revision;
+  void lint_some();  // spends a few ms on what of the level has not been looked at
+  void find_reach();  // the same on the search for where a player gets to
+
+  LintCache lint_cache;
+  LintOptions lint_options;
+  ReachFinder reach;
 };
 
 }  // namespace talus

@@ -1,0 +1,52 @@
+// FrameMetrics: what the last frames of the window have cost.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace talus {
+
+struct FrameCost {
+  double interface_ms = 0;  // processor time for panels, canvases and overlays, without showing the picture
+  int vertices = 0;
+  int draw_calls = 0;
+};
+
+class FrameMetrics {
+ public:
+  static constexpr std::size_t kFrames = 120;  // remembered
+
+  void note(const FrameCost& cost) {
+    costs_[next_] = cost;
+    next_ = (next_ + 1) % kFrames;
+    count_ = std::min(count_ + 1, kFrames);
+  }
+  void clear() { count_ = next_ = 0; }
+  std::size_t frames() const { return count_; }
+  // Of the frames that are remembered; all 0 before the first one.
+  double median_ms() const {
+    std::vector<double> times = all_ms();
+    if (times.empty()) return 0;
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+  }
+  double max_ms() const {
+    const std::vector<double> times = all_ms();
+    return times.empty() ? 0 : *std::max_element(times.begin(), times.end());
+  }
+  FrameCost last() const { return count_ == 0 ? FrameCost{} : costs_[(next_ + kFrames - 1) % kFrames]; }
+
+ private:
+  std::vector<double> all_ms() const {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < count_; ++i) times.push_back(costs_[i].interface_ms);
+    return times;
+  }
+  std::array<FrameCost, kFrames> costs_{};
+  std::size_t next_ = 0, count_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+// Stamps by time, size and content.
+#include "file_stamp.h"
+
+#include <sys/stat.h>
+
+#include <functional>
+#include <string_view>
+
+#include "formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+// Time and size; nothing when there is no such file.
+std::optional<FileStamp> outer_stamp(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  return FileStamp{status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size, 0};
+}
+
+}  // namespace
+
+std::optional<FileStamp> stamp_of_file(const std::string& path) {
+  std::optional<FileStamp> stamp = outer_stamp(path);  // before the bytes: what comes between shows later
+  if (!stamp) return std::nullopt;
+  const auto bytes = read_file(path);
+  if (!bytes) return std::nullopt;
+  stamp->content = std::hash<std::string_view>()(*bytes);
+  return stamp;
+}
+
+FileChange file_change(const std::string& path, FileStamp& known) {
+  const auto outer = outer_stamp(path);
+  if (!outer) return FileChange::gone;
+  if (outer->modified == known.modified && outer->size == known.size) return FileChange::none;
+  const auto now = stamp_of_file(path);
+  if (!now || now->content != known.content) return FileChange::content;
+  known = *now;
+  return FileChange::none;
+}
+
+}  // namespace talus

@@ -1,0 +1,28 @@
+// FileStamp: what a file held at some time, to tell whether another program has changed it since.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace talus {
+
+struct FileStamp {
+  std::int64_t modified = 0;  // ns since 1970, as the file system says
+  std::int64_t size = 0;      // bytes
+  std::uint64_t content = 0;  // hash of the bytes
+
+  // It is known that the file went away: if it comes back, its content counts.
+  bool is_gone() const { return size < 0; }
+  void set_gone() { modified = size = -1; }
+};
+
+// Of the file as it is; nothing when it cannot be read.
+std::optional<FileStamp> stamp_of_file(const std::string& path);
+
+enum class FileChange { none, content, gone };
+// What has become of the file since `known`. The bytes are read only where time or size differ; where they
+// are the same after all, `known` is brought up to the file.
+FileChange file_change(const std::string& path, FileStamp& known);
+
+}  // namespace talus
