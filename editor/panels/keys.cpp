@@ -12,6 +12,8 @@ std::string key_name(int key) {
       return "Tab";
     case kKeyDelete:
       return "Del";
+    case kKeyEscape:
+      return "Esc";
     case kKeyHome:
       return "Home";
     case kKeyEnd:
@@ -46,6 +48,25 @@ std::string to_string(KeyChord chord) {
   if (!chord) return "";
   return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") + (chord.shift ? "Shift+" : "") +
          key_name(chord.key);
+}
+
+std::optional<KeyChord> parse_chord(std::string_view text) {
+  KeyChord chord;
+  const auto take = [&](std::string_view prefix) {
+    if (!text.starts_with(prefix)) return false;
+    text.remove_prefix(prefix.size());
+    return true;
+  };
+  chord.ctrl = take("Ctrl+");
+  chord.alt = take("Alt+");
+  chord.shift = take("Shift+");
+  constexpr int kLastKey = kKeyF12, kLastCharacter = '~';
+  for (int key = ' '; key <= kLastKey; ++key) {
+    if (key == kLastCharacter + 1) key = kKeyTab;
+    if ((key < 'A' || key > 'Z') && key_name(key) == text) chord.key = key;
+  }
+  if (!chord && (!text.empty() || chord != KeyChord{})) return std::nullopt;
+  return chord;
 }
 
 }  // namespace talus

@@ -1,7 +1,9 @@
 // Keys and their names, without any windowing library.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace talus {
 
@@ -10,6 +12,7 @@ enum Key : int {
   kNoKey = 0,
   kKeyTab = 256,
   kKeyDelete,
+  kKeyEscape,
   kKeyHome,
   kKeyEnd,
   kKeyLeft,
@@ -21,8 +24,10 @@ enum Key : int {
   kKeyF3,
   kKeyF4,
   kKeyF5,
-  kKeyF7 = kKeyF1 + 6,
-  kKeyF9 = kKeyF1 + 8,
+  kKeyF6,
+  kKeyF7,
+  kKeyF8,
+  kKeyF9,
   kKeyF10,
   kKeyF11,
   kKeyF12,
@@ -41,6 +46,7 @@ constexpr KeyChord ctrl_shift(int key) { return {key, true, true, false}; }
 constexpr KeyChord alt(int key) { return {key, false, false, true}; }
 constexpr KeyChord alt_shift(int key) { return {key, false, true, true}; }
 
-std::string to_string(KeyChord chord);  // "Ctrl+Shift+S"; empty for no key
+std::string to_string(KeyChord chord);                       // "Ctrl+Shift+S"; empty for no key
+std::optional<KeyChord> parse_chord(std::string_view text);  // what to_string() makes, no key included
 
 }  // namespace talus

@@ -6,29 +6,46 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 
 #include "asset_path.h"
+#include "external_program.h"
 #include "formats/recording.h"
 #include "panels/commands.h"
 #include "picture.h"
 #include "sdl_keys.h"
+#include "user_folder.h"
 
 namespace talus {
 namespace {
 
 constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and what an action leads to
-constexpr int kFrameBudget = 8;    // ms: the least time of a frame where the driver does not wait itself
-constexpr int kIdleWait = 10'000;  // ms
-constexpr int kBlinkWait = 250;    // ms: while something changes slowly, such as a text cursor
-constexpr double kNoteTime = 6;    // s
+constexpr int kFrameBudget = 8;      // ms: the least time of a frame where the driver does not wait itself
+constexpr double kIdleWait = 3600;   // s
+constexpr double kBlinkWait = 0.25;  // s: while something changes slowly, such as a text cursor
+constexpr double kNoteTime = 6;      // s
 // Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
 // in an opened one the text field has the focus one frame later.
 constexpr int kFramesOfADialogsChange = 2;
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// s, of this thread.
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+FrameCost cost_of_frame(double seconds) {
+  const ImDrawData& data = *ImGui::GetDrawData();
+  FrameCost cost{seconds * 1000, data.TotalVtxCount, 0};
+  for (int i = 0; i < data.CmdListsCount; ++i) cost.draw_calls += data.CmdLists[i]->CmdBuffer.Size;
+  return cost;
 }
 
 // Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
@@ -68,6 +85,10 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   app->last_time_ = app->last_event_ = app->options_.clock();
   app->open_first_level();
   app->take_settings(settings);
+  if (app->options_.remember) {
+    app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string());
+    app->guard_->start(app->ui_.view);
+  }
   if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
   app->note_changes();
   return app;
@@ -84,6 +105,7 @@ std::string App::open_window(Settings& settings) {
   if (!opened) return opened.error();
   window_ = std::move(*opened);
   textures_ = std::make_unique<SheetTextures>();
+  map_textures_ = std::make_unique<MapTextureCache>();
   SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
   return {};
 }
@@ -111,6 +133,8 @@ void App::take_settings(const Settings& settings) {
   ui_.view.hard_cases = hard_case_paths();
   ui_.view.tabs = settings.tabs;
   ui_.view.dock_open = settings.dock_open;
+  ui_.view.preferences = noted_preferences_ = settings.preferences;
+  session_->apply(action::SetOverlayPalette{settings.overlay_palette});
   for (const Breakpoint& breakpoint : settings.breakpoints)
     session_->apply(action::SetBreakpoint{breakpoint});
   for (std::size_t i = 0; i < settings.watches.size(); ++i)
@@ -135,6 +159,8 @@ Settings App::current_settings() const {
   settings.recent_files = ui_.view.recent_files;
   settings.tabs = ui_.view.tabs;
   settings.dock_open = ui_.view.dock_open;
+  settings.preferences = ui_.view.preferences;
+  settings.overlay_palette = session_->choices().overlay_palette;
   settings.breakpoints = session_->debugger().stops().breakpoints();
   for (const Watches::Entry& entry : session_->debugger().watches().all())
     settings.watches.push_back(entry.watch.text);
@@ -148,27 +174,40 @@ void App::remember() const {
 }
 
 App::~App() {
-  if (session_) remember();
+  if (!session_) return;
+  remember();
+  if (guard_) guard_->end(*session_);
 }
 
 void App::run() {
-  while (!session_->wants_quit()) {
-    wait();
-    frame();
-  }
+  while (!session_->wants_quit()) turn();
 }
 
-void App::wait() {
+void App::turn() {
+  if (wait() || follow_work()) frame();
+}
+
+bool App::follow_work() {
+  const bool busy = ImGui::IsAnyMouseDown() || frames_to_hold_ > 0;
+  return guard_ && guard_->follow(*session_, options_.clock(), busy);
+}
+
+bool App::wait() {
   const bool busy = session_->playback().running || session_->timeline().behind() ||
                     session_->debugger().is_busy() || ui_.wants_frames() || has_waiting_events() ||
                     last_time_ - last_event_ < kLivelyAfterEvent;
+  const double now = options_.clock();
   if (busy) {
-    const double spent = (options_.clock() - last_time_) * 1000;
+    const double spent = (now - last_time_) * 1000;
     if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
-  } else {
-    const bool blinks = ImGui::GetIO().WantTextInput || !note_.empty();
-    SDL_WaitEventTimeout(nullptr, blinks ? kBlinkWait : kIdleWait);
+    return true;
   }
+  double next_frame = now + kIdleWait;
+  if (!note_.empty()) next_frame = std::min(next_frame, note_since_ + kNoteTime);
+  if (ImGui::GetIO().WantTextInput) next_frame = std::min(next_frame, last_time_ + kBlinkWait);
+  const double until = guard_ ? std::min(next_frame, guard_->due()) : next_frame;
+  const double ms = std::ceil(std::max(0.0, until - now) * 1000);
+  return SDL_WaitEventTimeout(nullptr, static_cast<int>(ms)) == 1 || options_.clock() >= next_frame;
 }
 
 void App::frame() {
@@ -177,16 +216,22 @@ void App::frame() {
   session_->advance(now - last_time_);
   last_time_ = ui_.time = now;
   dismiss_old_note();
+  follow_work();
   ui_.scale =
       ui_.view.ui_scale > 0 ? static_cast<float>(ui_.view.ui_scale) : automatic_scale(window_->size().y);
   window_->set_style({ui_.scale, ui_.view.preferences.font_size, ui_.view.preferences.theme});
   textures_->update(session_->level(), session_->revision(), ui_);
+  map_textures_->update(session_->level(), session_->revision(), ui_);
   Actions actions;
+  const double start = processor_time();
   window_->begin_frame(events_);
   draw(actions);
   window_->end_frame();
+  ui_.view.program.metrics.note(cost_of_frame(processor_time() - start));
   window_->present();
+  ++drawn_frames_;
   session_->apply(actions);
+  open_wanted_program();
   note_dialog_result();
   note_changes();
   hold_presses_while_dialogs_change();
@@ -197,13 +242,15 @@ void App::draw(Actions& actions) {
   if (ui_.problems == nullptr || !ImGui::IsAnyMouseDown()) ui_.problems = &session_->problems();
   workspace_.draw(*session_, actions, ui_);
   draw_file_dialog(actions);
+  if (guard_) guard_->draw(*session_, ui_);
 }
 
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
-  const std::array<bool, 4> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
-                                      session_->question().has_value(), ui_.view.command_palette_open};
+  const std::array<bool, 6> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
+                                      session_->question().has_value(),    ui_.view.command_palette_open,
+                                      ui_.view.program.keys_open,          ui_.view.program.recovery_open};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
@@ -233,8 +280,23 @@ void App::handle_events() {
 void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   if (key.keysym.sym == SDLK_ESCAPE && ui_.view.help_open) ui_.view.help_open = false;
   const KeyChord chord = chord_of(key.keysym);
-  if (!chord || keys_are_taken(chord) || steer(chord, actions)) return;
+  if (!chord || capture_key(chord) || keys_are_taken(chord) || steer(chord, actions)) return;
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
+}
+
+// A key for a command goes to the dialog that asked for it; Escape stays its own.
+bool App::capture_key(KeyChord chord) {
+  auto& capture = ui_.view.program.key_capture;
+  if (!capture || capture->pressed) return false;
+  if (chord.key != kKeyEscape) capture->pressed = chord;
+  return true;
+}
+
+void App::open_wanted_program() {
+  const auto wanted = std::exchange(ui_.view.program.wanted_program, std::nullopt);
+  if (!wanted) return;
+  const std::string copies = (std::filesystem::path(state_folder()) / "copies").string();
+  open_in_program(*session_, *wanted, ui_.view.preferences.programs, copies);
 }
 
 // Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the
@@ -314,6 +376,10 @@ void App::note_changes() {
       session_->history().edits().empty()) {
     ++ui_.view.level_number;
     ui_.view.marked_cell.reset();
+  }
+  if (ui_.view.preferences != noted_preferences_) {
+    noted_preferences_ = ui_.view.preferences;
+    remember();
   }
   if (session_->path() == noted_path_) return;
   noted_path_ = session_->path();

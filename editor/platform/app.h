@@ -10,12 +10,14 @@
 #include "event_queue.h"
 #include "file_browser.h"
 #include "gl_window.h"
+#include "map_texture_cache.h"
 #include "panels/keys.h"
 #include "panels/play_keys.h"
 #include "panels/workspace.h"
 #include "session/session.h"
 #include "settings.h"
 #include "sheet_textures.h"
+#include "work_guard.h"
 
 namespace talus {
 
@@ -23,7 +25,7 @@ struct AppOptions {
   std::string file;               // to open; empty: the demo level, playing
   int width = 0, height = 0;      // px, of the window; 0: as the settings have it
   bool offscreen = false;         // without a display
-  bool remember = true;           // reads and writes the settings
+  bool remember = true;           // reads and writes settings, and saves by itself
   std::function<double()> clock;  // s, never running backwards; none: the machine's
 };
 
@@ -33,6 +35,8 @@ class App {
   ~App();  // remembers the settings
 
   void run();  // until the user quits
+  // Waits for what there is to do next, and does it: without anything, no frame is drawn.
+  void turn();
   // One frame: the events that wait, the time that passed, the window drawn.
   void frame();
   // Draws the last frame once more, into a PNG.
@@ -41,6 +45,7 @@ class App {
   Session& session() { return *session_; }
   Ui& ui() { return ui_; }
   bool has_waiting_events() const { return !events_.empty(); }
+  int drawn_frames() const { return drawn_frames_; }
 
  private:
   explicit App(AppOptions options) : options_(std::move(options)) {}
@@ -52,6 +57,8 @@ class App {
 
   void hold_presses_while_dialogs_change();
   void handle_events();
+  bool capture_key(KeyChord chord);
+  void open_wanted_program();
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);
   bool keys_are_taken(KeyChord chord) const;
   bool steer(KeyChord chord, Actions& actions);
@@ -61,14 +68,17 @@ class App {
   void note_dialog_result();
   void note_changes();
   void dismiss_old_note();
-  void wait();
+  bool follow_work();  // true when there is something new to show
+  bool wait();         // whether a frame is due
 
   AppOptions options_;
   std::unique_ptr<GlWindow> window_;
   std::unique_ptr<SheetTextures> textures_;
+  std::unique_ptr<MapTextureCache> map_textures_;
   std::unique_ptr<Session> session_;
   Workspace workspace_;
   FileBrowser browser_;
+  std::optional<WorkGuard> guard_;  // none where nothing is remembered
   EventQueue events_;
   HeldPlayKeys play_keys_;
   Ui ui_;
@@ -79,10 +89,12 @@ class App {
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::array<bool, 4> wanted_dialogs_{};  // one for each dialog, when last looked at
+  std::array<bool, 6> wanted_dialogs_{};  // one for each dialog, when last looked at
   int frames_to_hold_ = 0;                // in which presses wait
   std::string note_;                      // the message that is timed
   double note_since_ = 0;                 // s
+  Preferences noted_preferences_;         // that were remembered last
+  int drawn_frames_ = 0;
 };
 
 // The editor on a file; empty: the demo level. Returns the exit status.

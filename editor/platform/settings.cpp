@@ -2,11 +2,12 @@
 #include "settings.h"
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
+#include "preferences_json.h"
+#include "user_folder.h"
 
 namespace talus {
 namespace {
@@ -14,7 +15,10 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kCanvasNames = {"map", "play", "both", "two_maps"};  // by CanvasMode
+constexpr std::array<std::string_view, 4> kCanvasNames = {"map", "play", "both",
+                                                          "two_maps"};  // by CanvasMode
+
+constexpr const char* kColourBlind = "colour_blind";
 
 struct LayoutField {
   const char* key;
@@ -105,6 +109,9 @@ Settings from_json(const json& root) {
   s.breakpoints = read_breakpoints(root);
   s.watches = read_strings(root, "watches");
   if (s.watches.size() > kMaxWatches) s.watches.resize(kMaxWatches);
+  if (root.contains("overlay_palette") && root["overlay_palette"] == kColourBlind)
+    s.overlay_palette = OverlayPalette::colour_blind;
+  if (root.contains("preferences")) s.preferences = preferences_of_json(root["preferences"]);
   return s;
 }
 
@@ -125,17 +132,9 @@ json to_json(const Settings& s) {
           {"tabs", s.tabs},
           {"debugger", s.dock_open},
           {"breakpoints", to_json(s.breakpoints)},
-          {"watches", s.watches}};
-}
-
-fs::path config_dir() {
-  const auto from = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value ? value : "");
-  };
-  if (const fs::path own = from("TALUS_CONFIG_DIR"); !own.empty()) return own;
-  if (const fs::path xdg = from("XDG_CONFIG_HOME"); xdg.is_absolute()) return xdg / "talus";
-  return from("HOME") / ".config/talus";
+          {"watches", s.watches},
+          {"overlay_palette", s.overlay_palette == OverlayPalette::colour_blind ? kColourBlind : "standard"},
+          {"preferences", to_json(s.preferences)}};
 }
 
 }  // namespace
@@ -148,7 +147,7 @@ Settings default_settings() {
   return settings;
 }
 
-std::string settings_path() { return (config_dir() / "settings.json").string(); }
+std::string settings_path() { return (fs::path(config_folder()) / "settings.json").string(); }
 
 tl::expected<Settings, std::string> load_settings(const std::string& path) {
   std::error_code error;

@@ -24,13 +24,15 @@ struct Settings {
   bool dock_open = false;                 // the debugger's panels
   std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
   std::vector<std::string> watches;       // expressions; at most kMaxWatches
+  OverlayPalette overlay_palette = OverlayPalette::standard;
+  Preferences preferences;
 };
 inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoints = 64, kMaxWatches = 64;
 
 // What a first start shows.
 Settings default_settings();
 
-// $TALUS_CONFIG_DIR, else $XDG_CONFIG_HOME/talus, else ~/.config/talus; then "settings.json".
+// "settings.json" in config_folder().
 std::string settings_path();
 
 // The defaults when there is no such file; an error in one sentence when it cannot be read.

@@ -1,0 +1,67 @@
+// Autosave: writes the level away while it has unsaved changes, so that a crash costs a few seconds at most,
+// and finds what programs that ended without warning have left.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "session/session.h"
+
+namespace talus {
+
+// What was saved of a level before the program that edited it ended.
+struct SavedWork {
+  std::string file;                    // that holds it
+  std::string path;                    // the level's own file; empty: none
+  std::string name;                    // for titles
+  std::int64_t time = 0;               // s since 1970, when it was saved
+  std::shared_ptr<const Level> level;  // never null
+};
+
+tl::expected<void, std::string> write_saved_work(const SavedWork& work);
+// An error in one sentence when the file is damaged.
+tl::expected<SavedWork, std::string> read_saved_work(const std::string& file);
+
+class Autosave {
+ public:
+  // Unsaved work is in a file within this time, s, and a moment for writing it.
+  static constexpr double kDelay = 4.5;
+
+  // folder: made when it is needed. Another process with the same one keeps files of its own.
+  explicit Autosave(std::string folder);
+  ~Autosave();  // waits for what is being written; what there is stays
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
+
+  // To be called often; now: s. Writes on a thread of its own. The error of the last writing, once.
+  std::optional<std::string> follow(const Session& session, double now);
+  // The same at once, waiting for it.
+  tl::expected<void, std::string> save_now(const Session& session);
+  // When the next writing is due; nothing while all is written.
+  std::optional<double> due() const;
+  void remove();  // nothing is worth keeping any more
+
+  // What ended processes have left, the latest first; of a running process nothing. Damaged files are left
+  // alone and not listed.
+  std::vector<SavedWork> left_behind() const;
+  // Of what left_behind() gave: it was taken over by this process, or is wanted no more.
+  static void discard(const SavedWork& work);
+
+ private:
+  std::string no_room() const;  // the error of a folder that cannot be written
+  bool hold_lock();             // that tells others that this process runs; false when there can be none
+  std::optional<std::string> finish_writing();
+  SavedWork work_of(const Session& session) const;
+
+  std::string folder_, file_;  // file_: of this process
+  int lock_ = -1;              // descriptor
+  std::optional<std::uint64_t> written_revision_;
+  std::optional<double> changed_since_;  // s
+  std::future<tl::expected<void, std::string>> writing_;
+};
+
+}  // namespace talus

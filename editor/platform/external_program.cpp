@@ -1,0 +1,164 @@
+// Splitting, forking, and what to open.
+#include "external_program.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "formats/format.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What stands for the words in braces; an error for one that nobody knows.
+tl::expected<std::string, std::string> filled_in(const std::string& word, const std::string& file) {
+  std::string text;
+  for (std::size_t at = 0; at < word.size();) {
+    const std::size_t open = word.find('{', at), close = word.find('}', open);
+    text += word.substr(at, open - at);
+    if (open == std::string::npos) break;
+    if (close == std::string::npos) return tl::unexpected("A } is missing after " + word.substr(open) + ".");
+    const std::string name = word.substr(open, close + 1 - open);
+    if (name == "{file}")
+      text += file;
+    else if (name == "{folder}")
+      text += fs::path(file).parent_path().string();
+    else
+      return tl::unexpected(name + " stands for nothing: write {file} or {folder}.");
+    at = close + 1;
+  }
+  return text;
+}
+
+void point_at_nothing() {
+  const int null = ::open("/dev/null", O_RDWR);
+  for (int descriptor = 0; null >= 0 && descriptor <= 2; ++descriptor) ::dup2(null, descriptor);
+}
+
+// In the child of a child, which nobody has to wait for. Only calls that are safe after a fork.
+[[noreturn]] void become(char* const* arguments, int errors) {
+  ::setsid();
+  if (::fork() != 0) ::_exit(0);
+  point_at_nothing();
+  ::execvp(arguments[0], arguments);
+  const int error = errno;
+  const ssize_t told = ::write(errors, &error, sizeof error);
+  ::_exit(told == sizeof error ? 1 : 2);
+}
+
+struct FileToOpen {
+  std::string path;
+  std::string note;  // what was done to have it
+};
+
+// The level's own file, saved if need be, or a copy in the program's format. Nothing when it cannot be had;
+// then a message or question of the session tells why.
+std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, const std::string& copies) {
+  const auto fail = [&](const std::string& text) {
+    session.apply(action::ShowMessage{text, true});
+    return std::nullopt;
+  };
+  const std::string label(info.label);
+  const Format* own = session.path().empty() ? nullptr : format_for_file(session.path());
+  const Format* wanted = info.format.empty() ? own : find_format(info.format);
+  if (info.format.empty() && own == nullptr)
+    return fail("Save the level into the folder of its game first, for " + label + ".");
+  if (wanted == nullptr) return fail("Levels cannot be written for " + label + ".");
+  if (own == wanted) {
+    if (!session.modified()) return FileToOpen{session.path(), ""};
+    session.apply(action::SaveFile{});
+    if (session.modified() || !session.message()) return std::nullopt;
+    return FileToOpen{session.path(), session.message()->text + " "};
+  }
+  std::error_code error;
+  fs::create_directories(copies, error);
+  const std::string name = session.file_name();
+  const std::string copy =
+      (fs::path(copies) / (name.substr(0, name.find('.')) + "." + std::string(wanted->extensions.front())))
+          .string();
+  const auto dropped = save_level(session.level(), *wanted, copy);
+  if (!dropped) return fail(to_string(dropped.error(), copy));
+  FileToOpen file{copy, "Wrote a copy of the level. "};
+  for (const std::string& what : *dropped) file.note += "Not in it: " + what + ". ";
+  return file;
+}
+
+}  // namespace
+
+tl::expected<std::vector<std::string>, std::string> split_command(std::string_view line,
+                                                                  const std::string& file) {
+  std::vector<std::string> words;
+  char quote = 0;        // that is open
+  bool in_word = false;  // also in an empty one, ""
+  for (const char c : line) {
+    const bool blank = c == ' ' || c == '\t';
+    if (quote == 0 && blank) {
+      in_word = false;
+      continue;
+    }
+    if (!in_word) words.emplace_back();
+    in_word = true;
+    if (quote == 0 && (c == '"' || c == '\''))
+      quote = c;
+    else if (c == quote)
+      quote = 0;
+    else
+      words.back() += c;
+  }
+  if (quote != 0) return tl::unexpected(std::string("A ") + quote + " is missing at the end of the command.");
+  if (words.empty()) return tl::unexpected(std::string("The command is empty."));
+  for (std::string& word : words) {
+    auto filled = filled_in(word, file);
+    if (!filled) return tl::unexpected(filled.error());
+    word = std::move(*filled);
+  }
+  return words;
+}
+
+tl::expected<void, std::string> start_detached(const std::vector<std::string>& arguments) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  const auto failure = [&](int error) {
+    return tl::unexpected(arguments.front() +
+                          " cannot be started: " + std::generic_category().message(error) + ".");
+  };
+  int pipe[2];  // closes itself when the program starts, and else tells why it did not
+  if (::pipe2(pipe, O_CLOEXEC) != 0) return failure(errno);
+  const pid_t child = ::fork();
+  if (child == 0) become(pointers.data(), pipe[1]);
+  const int fork_error = errno;
+  ::close(pipe[1]);
+  int error = 0;
+  const bool failed = child >= 0 && ::read(pipe[0], &error, sizeof error) == sizeof error;
+  ::close(pipe[0]);
+  if (child < 0) return failure(fork_error);
+  ::waitpid(child, nullptr, 0);
+  if (failed) return failure(error);
+  return {};
+}
+
+void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
+                     const std::string& copies) {
+  const auto index = static_cast<std::size_t>(program);
+  const ProgramInfo& info = program_infos()[index];
+  const std::string label(info.label);
+  const auto tell = [&](const std::string& error) {
+    session.apply(action::ShowMessage{label + ": " + error + " Its command is in Edit > Settings.", true});
+  };
+  if (const auto tried = split_command(commands[index], "file"); !tried) return tell(tried.error());
+  const auto file = file_for(session, info, copies);
+  if (!file) return;
+  const auto arguments = split_command(commands[index], file->path);
+  if (const auto started = start_detached(*arguments); !started) return tell(started.error());
+  session.apply(action::ShowMessage{file->note + "Opened " + file->path + " in " + label + ".", false});
+}
+
+}  // namespace talus

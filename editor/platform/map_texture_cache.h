@@ -1,0 +1,50 @@
+// The map from afar as OpenGL textures, each made when it is first seen and again when the level has changed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include "level/level.h"
+#include "overlay/map_picture.h"
+#include "panels/map_textures.h"
+#include "panels/ui.h"
+
+namespace talus {
+
+// Needs a current OpenGL context all its life.
+class MapTextureCache : public MapTextures {
+ public:
+  MapTextureCache() = default;
+  ~MapTextureCache() override;
+  MapTextureCache(const MapTextureCache&) = delete;
+  MapTextureCache& operator=(const MapTextureCache&) = delete;
+
+  // At the start of a frame. level: until the next call. revision: of the level, as Session counts it.
+  void update(const Level& level, std::uint64_t revision, Ui& ui);
+  std::vector<Piece> pieces(const CellRect& cells, int block, const MapLook& look) override;
+
+ private:
+  static constexpr int kSide = 256;          // texels of a texture
+  static constexpr std::size_t kMost = 128;  // textures kept, each 256 KB here and there
+
+  struct Texture {
+    unsigned name = 0;
+    std::vector<std::uint8_t> rgba;  // as it is in the texture
+    MapLook look;                    // that it has
+    std::uint64_t revision = 0;      // of the level that it shows
+    std::uint64_t used = 0;          // frame
+  };
+  // Which texture: block, balls hidden, column and row among those of the same kind.
+  using Key = std::tuple<int, bool, int, int>;
+
+  void draw(Texture& texture, const Key& key, const MapLook& look) const;
+  void forget_oldest();
+
+  const Level* level_ = nullptr;
+  std::uint64_t revision_ = 0;
+  std::uint64_t frame_ = 0;
+  std::map<Key, Texture> textures_;
+};
+
+}  // namespace talus

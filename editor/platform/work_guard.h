@@ -1,0 +1,39 @@
+// WorkGuard: keeps what the user made from being lost: saves it by itself, offers it after a crash, and looks
+// whether other programs change the level's file.
+#pragma once
+
+#include <vector>
+
+#include "autosave.h"
+#include "recovery_dialog.h"
+
+namespace talus {
+
+class WorkGuard {
+ public:
+  static constexpr double kFileInterval = 1;  // s, between two looks at the level's file
+
+  explicit WorkGuard(std::string folder) : autosave_(std::move(folder)) {}
+
+  // Offers what was left behind, if there is any.
+  void start(View& view);
+  // To be called often; now: s. busy: the user is in the middle of a gesture, so that no question may come.
+  // True when the session has something new to show.
+  bool follow(Session& session, double now, bool busy);
+  // When follow() has something to do next, s.
+  double due() const;
+  void draw(Session& session, Ui& ui);
+  void end(const Session& session);  // the program ends as it should
+
+ private:
+  void recover(std::size_t index, Session& session, View& view);
+  void drop(std::size_t index) { works_.erase(works_.begin() + static_cast<std::ptrdiff_t>(index)); }
+
+  Autosave autosave_;
+  RecoveryDialog dialog_;
+  std::vector<SavedWork> works_;  // offered
+  bool was_open_ = false;         // the dialog, when last looked at
+  double next_look_ = 0;          // s, at the file
+};
+
+}  // namespace talus
