@@ -4,18 +4,30 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "commands.h"
 #include "dialog.h"
+#include "fuzzy_match.h"
 
 namespace talus {
 namespace {
 
-bool matches(std::string_view label, std::string_view typed) {
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::search(label.begin(), label.end(), typed.begin(), typed.end(), same) != label.end();
+struct Match {
+  const Command* command;
+  int score;
+};
+
+// Every command that fits, the best first; without letters in the order of the table.
+std::vector<Match> matches(std::string_view typed) {
+  std::vector<Match> found;
+  for (const Command& command : commands()) {
+    if (const auto score = fuzzy_score(command.label, typed)) found.push_back({&command, *score});
+  }
+  if (!typed.empty())
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Match& a, const Match& b) { return a.score > b.score; });
+  return found;
 }
 
 }  // namespace
@@ -28,7 +40,7 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##typed", "type a part of its name", &typed_)) chosen_ = 0;
+  if (ImGui::InputTextWithHint("##typed", "type a few letters of its name", &typed_)) chosen_ = 0;
   ui.item("command_palette/text");
   draw_list(session, actions, ui);
   if (key_pressed(ImGuiKey_Escape)) ui.view.command_palette_open = false;
@@ -36,27 +48,31 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
 }
 
 void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
-  std::vector<const Command*> found;
-  for (const Command& command : commands())
-    if (command.is_enabled(session, ui) && matches(command.label, typed_)) found.push_back(&command);
-  const int last = static_cast<int>(found.size()) - 1;
+  const std::vector<Match> found = matches(typed_);
+  const int last = static_cast<int>(found.size()) - 1, before = chosen_;
   if (key_pressed(ImGuiKey_DownArrow)) ++chosen_;
   if (key_pressed(ImGuiKey_UpArrow)) --chosen_;
   chosen_ = std::clamp(chosen_, 0, std::max(last, 0));
+  const bool moved = chosen_ != before;  // else the wheel may scroll where it likes
   const Command* run =
-      key_pressed(ImGuiKey_Enter) && last >= 0 ? found[static_cast<std::size_t>(chosen_)] : nullptr;
-  if (found.empty()) ui.hint("No command has this in its name.");
+      key_pressed(ImGuiKey_Enter) && last >= 0 ? found[static_cast<std::size_t>(chosen_)].command : nullptr;
+  if (found.empty()) ui.hint("No command has these letters in its name, in this order.");
   ImGui::BeginChild("list");
   for (int i = 0; i <= last; ++i) {
-    const Command& command = *found[static_cast<std::size_t>(i)];
-    if (ImGui::Selectable(std::string(command.label).c_str(), i == chosen_)) run = &command;
-    if (i == chosen_) ImGui::SetScrollHereY();
-    ui.item("command_palette/" + std::string(command.id), command.help);
+    const Command& command = *found[static_cast<std::size_t>(i)].command;
+    const bool enabled = command.is_enabled(session, ui);
+    ImGui::BeginDisabled(!enabled);
+    if (ImGui::Selectable((std::string(command.label) + "##" + std::string(command.id)).c_str(),
+                          i == chosen_))
+      run = &command;
+    ImGui::EndDisabled();
+    if (i == chosen_ && moved) ImGui::SetScrollHereY();
+    ui.item("command_palette/" + std::string(command.id), command.help, {}, enabled);
     ImGui::SameLine();
-    ui.right_aligned(keys_of(command), theme::color(theme::kMuted));
+    ui.right_aligned(keys_of(command, ui), theme::tone(theme::kMuted));
   }
   ImGui::EndChild();
-  if (run == nullptr) return;
+  if (run == nullptr || !run->is_enabled(session, ui)) return;
   ui.view.command_palette_open = false;
   run->run(session, actions, ui);
 }

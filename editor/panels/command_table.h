@@ -8,9 +8,17 @@
 
 namespace talus {
 
-std::vector<Command> general_commands();  // work everywhere
-std::vector<Command> debug_commands();    // work everywhere, too
-std::vector<Command> tool_commands();     // work in the sprites or in the map
+std::vector<Command> general_commands();     // work everywhere
+std::vector<Command> debug_commands();       // work everywhere, too
+std::vector<Command> program_commands();  // work everywhere, too
+std::vector<Command> tool_commands();        // work in the sprites
+std::vector<Command> map_commands();         // work in the map: its tools and its selection
+std::vector<Command> brush_commands();       // work in the map: brushes, ground, minimap
+std::vector<Command> flag_commands();        // work everywhere
+std::vector<Command> picture_commands();     // work everywhere
+std::vector<Command> curve_commands();       // work in the map, on curves and bodies
+std::vector<Command> shape_commands();       // work everywhere, on the selected tiles
+std::vector<Command> input_roll_commands();  // work in the input roll, and give it the keys
 
 // Emits an action that needs nothing else.
 template <class T>

@@ -9,7 +9,8 @@
 namespace talus {
 std::span<const Command> commands() {
   static const std::vector<Command> all =
-      joined({general_commands(), debug_commands(), input_roll_commands(), tool_commands(), map_commands()});
+      joined({general_commands(), program_commands(), debug_commands(), input_roll_commands(), tool_commands(), map_commands(), brush_commands(),
+              curve_commands(), shape_commands(), flag_commands(), picture_commands()});
   return all;
 }
 
@@ -36,11 +37,11 @@ std::string keys_of(const Command& command, const Ui& ui) {
 std::string_view scope_label(Scope scope) {
   switch (scope) {
     case Scope::sprites:
-      return "In the sprites (F2)";
+      return "In the sprites";
     case Scope::map:
-      return "In the map (F3)";
+      return "In the map";
     case Scope::input:
-      return "In the input roll (F6)";
+      return "In the input roll";
     default:
       return "Everywhere";
   }

@@ -35,7 +35,9 @@ bool begin_help_table(const char* id, Ui& ui, float first) {
 
 void draw_scope(Scope scope, Ui& ui) {
   ImGui::Spacing();
-  ui.heading(scope_label(scope));
+  std::string title(scope_label(scope));
+  if (scope != Scope::everywhere) title += " (" + keys_of(focus_command(scope), ui) + ")";
+  ui.heading(title);
   if (!begin_help_table(scope_label(scope).data(), ui, 150)) return;
   for (const Command& command : commands()) {
     if (command.scope != scope) continue;

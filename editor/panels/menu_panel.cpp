@@ -13,10 +13,9 @@ namespace {
 // The key of a command as it works where the focus is: those of the other side of the window need the focus
 // first.
 std::string keys_from_here(const Command& command, const Ui& ui) {
-  const std::string key = to_string(command.key);
+  const std::string key = keys_of(command, ui);
   if (has_focus(command, ui.view)) return key;
-  return to_string(find_command(command.scope == Scope::sprites ? "view/sprites" : "view/map").key) + ", " +
-         key;
+  return keys_of(focus_command(command.scope), ui) + ", " + key;
 }
 
 void draw_command(std::string_view id, const Session& session, Actions& actions, Ui& ui) {
@@ -39,6 +38,9 @@ void draw_commands(std::initializer_list<std::string_view> ids, const Session& s
   }
 }
 
+// The part of an id before the slash: "map".
+std::string_view group_of(const Command& command) { return command.id.substr(0, command.id.find('/')); }
+
 bool begin_menu(const char* label, Ui& ui) {
   const bool open = ImGui::BeginMenu(label);
   ui.item(std::string("menu/") + label);
@@ -53,20 +55,107 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_commands({"file/new", "file/open"}, session, actions, ui);
     draw_recent_files(actions, ui);
     draw_hard_cases(actions, ui);
-    draw_commands({"", "file/save", "file/save_as", "", "file/quit"}, session, actions, ui);
+    draw_commands({"", "file/save", "file/save_as", "file/recover", "", "program/tic80", "program/love",
+                   "program/tiled", ""},
+                  session, actions, ui);
+    draw_commands({"picture/import", "picture/export_tiles", "picture/export_sprites",
+                   "picture/export_palette", "", "file/quit"},
+                  session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("Edit", ui)) {
-    draw_commands({"edit/undo", "edit/redo", "", "map/stamp", "map/pan", "map/rectangle", "map/fill",
-                   "map/erase", "map/pick", "map/body", "map/slope", "map/segment", "", "pixels/flip_h",
-                   "pixels/flip_v", "pixels/rotate", "pixels/clear"},
+    draw_commands({"edit/undo",
+                   "edit/redo",
+                   "",
+                   "map/stamp",
+                   "map/pan",
+                   "map/rectangle",
+                   "map/fill",
+                   "map/erase",
+                   "map/pick",
+                   "map/body",
+                   "map/slope",
+                   "map/segment",
+                   "map/curve",
+                   "map/duplicate",
+                   "map/ground",
+                   "map/random",
+                   "map/shuffle",
+                   "brushes/add",
+                   "ground/propose",
+                   "",
+                   "shape/suggest",
+                   "shape/give",
+                   "",
+                   "flags/brush",
+                   "flags/find",
+                   "flags/next",
+                   "flags/previous",
+                   "",
+                   "edit/settings",
+                   "edit/keys"},
+                  session, actions, ui);
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Sprites", ui)) {
+    draw_commands({"pixels/cut",
+                   "pixels/copy",
+                   "pixels/paste",
+                   "pixels/deselect",
+                   "",
+                   "pixels/pencil",
+                   "pixels/pick",
+                   "pixels/select",
+                   "pixels/fill",
+                   "pixels/line",
+                   "pixels/rectangle",
+                   "pixels/ellipse",
+                   "pixels/smaller_brush",
+                   "pixels/larger_brush",
+                   "",
+                   "pixels/flip_h",
+                   "pixels/flip_v",
+                   "pixels/rotate",
+                   "pixels/shift_left",
+                   "pixels/shift_right",
+                   "pixels/shift_up",
+                   "pixels/shift_down",
+                   "pixels/clear",
+                   "",
+                   "palette/copy",
+                   "palette/paste",
+                   "",
+                   "sheet/switch",
+                   "pixels/neighbours"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("View", ui)) {
-    draw_commands({"view/sprites", "view/map", "", "canvas/map", "canvas/play", "canvas/both", "",
-                   "canvas/zoom_in", "canvas/zoom_out", "map/fit", "", "canvas/grid", "canvas/borders",
-                   "canvas/flag_tint", "", "view/reset_layout"},
+    draw_commands({"view/sprites",
+                   "view/map",
+                   "",
+                   "canvas/map",
+                   "canvas/play",
+                   "canvas/both",
+                   "canvas/two_maps",
+                   "",
+                   "canvas/zoom_in",
+                   "canvas/zoom_out",
+                   "map/fit",
+                   "map/minimap",
+                   "",
+                   "canvas/grid",
+                   "canvas/borders",
+                   "canvas/flag_tint",
+                   "",
+                   "view/layout_draw",
+                   "view/layout_play",
+                   "view/layout_debug",
+                   "view/reset_layout",
+                   "",
+                   "view/light_theme",
+                   "view/safe_colours",
+                   "view/metrics"},
                   session, actions, ui);
     draw_scale_choice(ui);
     ImGui::EndMenu();
@@ -80,27 +169,80 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::EndMenu();
   }
   if (begin_menu("Debug", ui)) {
-    draw_commands(
-        {"view/debugger", "", "timeline/back", "play/step", "timeline/end", "timeline/mark",
-         "timeline/previous_mark", "timeline/next_mark", "timeline/rerun", "", "stops/forwards", "stops/back",
-         "", "why/next", "why/before", "", "compare/split", "", "file/save_recording"},
-        session, actions, ui);
+    draw_commands({"view/debugger",
+                   "view/input",
+                   "",
+                   "timeline/start",
+                   "timeline/back",
+                   "play/step",
+                   "timeline/end",
+                   "timeline/mark",
+                   "timeline/previous_mark",
+                   "timeline/next_mark",
+                   "",
+                   "timeline/fork",
+                   "timeline/previous_branch",
+                   "timeline/next_branch",
+                   "timeline/drop_branch",
+                   "timeline/rerun",
+                   "timeline/cancel",
+                   "",
+                   "stops/forwards",
+                   "stops/back",
+                   "stops/new",
+                   "stops/switch_all",
+                   "",
+                   "why/next",
+                   "why/before",
+                   "",
+                   "watch/new_watch",
+                   "watch/choose_times",
+                   "",
+                   "compare/next",
+                   "compare/split",
+                   "compare/first",
+                   "compare/stop",
+                   "",
+                   "file/save_recording"},
+                  session, actions, ui);
     draw_edit_rule(session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("Help", ui)) {
     draw_commands({"help/keys", "help/commands"}, session, actions, ui);
+    draw_all_commands(session, actions, ui);
     ImGui::EndMenu();
   }
   const std::string title = session.file_name() + (session.modified() ? " *" : "");
   const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
-  ImGui::SameLine(ui.px(270));
+  ImGui::SameLine(ui.px(330));
   ImGui::TextUnformatted(title.c_str());
   ui.tooltip(session.path().empty() ? "Not in a file yet." : session.path());
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(solver.c_str()).x - ui.px(8));
   ui.heading(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
   ImGui::EndMenuBar();
+}
+
+// So that the mouse alone reaches every command, whichever menus leave it out.
+void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& ui) {
+  const bool open = ImGui::BeginMenu("All commands");
+  ui.item("menu/all", "Every command there is, by what it is about.");
+  if (!open) return;
+  std::vector<std::string_view> groups;
+  for (const Command& command : commands()) {
+    if (std::find(groups.begin(), groups.end(), group_of(command)) == groups.end())
+      groups.push_back(group_of(command));
+  }
+  for (std::string_view group : groups) {
+    const bool group_open = ImGui::BeginMenu(std::string(group).c_str());
+    ui.item("menu/all/" + std::string(group));
+    if (!group_open) continue;
+    for (const Command& command : commands())
+      if (group_of(command) == group) draw_command(command.id, session, actions, ui);
+    ImGui::EndMenu();
+  }
+  ImGui::EndMenu();
 }
 
 void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {

@@ -15,6 +15,7 @@ class MenuPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  void draw_all_commands(const Session& session, Actions& actions, Ui& ui);
   void draw_recent_files(Actions& actions, Ui& ui);
   void draw_hard_cases(Actions& actions, Ui& ui);
   void draw_edit_rule(const Session& session, Actions& actions, Ui& ui);

@@ -1,20 +1,30 @@
 // Every panel and its region.
 #include "panel_list.h"
 
+#include "brushes_panel.h"
 #include "canvas_panel.h"
+#include "color_panel.h"
 #include "command_palette_panel.h"
 #include "compare_panel.h"
+#include "find_tiles_panel.h"
+#include "flag_search_panel.h"
 #include "flags_panel.h"
 #include "help_panel.h"
 #include "history_panel.h"
 #include "input_roll_panel.h"
 #include "inspector_panel.h"
+#include "keys_panel.h"
+#include "metrics_panel.h"
+#include "settings_panel.h"
 #include "menu_panel.h"
 #include "message_panel.h"
 #include "palette_panel.h"
+#include "picture_import_panel.h"
 #include "pixel_panel.h"
 #include "problems_panel.h"
 #include "question_panel.h"
+#include "resize_panel.h"
+#include "shape_panel.h"
 #include "sheet_panel.h"
 #include "status_panel.h"
 #include "stops_panel.h"
@@ -41,12 +51,16 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<PixelPanel>(Region::pixels));
   panels.push_back(place<PalettePanel>(Region::palette));
   panels.push_back(place<FlagsPanel>(Region::flags));
+  panels.push_back(place<ColorPanel>(Region::flags));
   panels.push_back(place<CanvasPanel>(Region::canvas));
   panels.push_back(place<InspectorPanel>(Region::right_top));
   panels.push_back(place<WhyPanel>(Region::right_top));
+  panels.push_back(place<ShapePanel>(Region::right_top));
   panels.push_back(place<TuningPanel>(Region::right_top));
+  panels.push_back(place<BrushesPanel>(Region::right_top));
   panels.push_back(place<ProblemsPanel>(Region::right_bottom));
   panels.push_back(place<HistoryPanel>(Region::right_bottom));
+  panels.push_back(place<FlagSearchPanel>(Region::right_bottom));
   panels.push_back(place<InputRollPanel>(Region::dock));
   panels.push_back(place<WatchPanel>(Region::dock));
   panels.push_back(place<StopsPanel>(Region::dock));
@@ -55,7 +69,13 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<TransportPanel>(Region::transport));
   panels.push_back(place<StatusPanel>(Region::status));
   panels.push_back(place<HelpPanel>(Region::floating));
+  panels.push_back(place<MetricsPanel>(Region::floating));
+  panels.push_back(place<SettingsPanel>(Region::floating));
+  panels.push_back(place<KeysPanel>(Region::floating));
+  panels.push_back(place<FindTilesPanel>(Region::floating));
+  panels.push_back(place<ResizePanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));
+  panels.push_back(place<PictureImportPanel>(Region::floating));
   panels.push_back(place<QuestionPanel>(Region::floating));
   panels.push_back(place<MessagePanel>(Region::floating));
   return panels;

@@ -1,0 +1,54 @@
+// A table of numbers with their units.
+#include "metrics_panel.h"
+
+#include <cstdio>
+
+namespace talus {
+namespace {
+
+void row(const char* name, const char* format, double value, const char* help, Ui& ui) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(name);
+  ui.tooltip(help);
+  ImGui::TableNextColumn();
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  ui.right_aligned(text, theme::tone(theme::kText));
+}
+
+}  // namespace
+
+void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
+  bool& open = ui.view.program.metrics_open;
+  if (!open) return;
+  const FrameMetrics& metrics = ui.view.program.metrics;
+  const FrameCost last = metrics.last();
+  const Series* steps = session.step_times().series();
+  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});
+  if (ImGui::Begin("Times of the window", &open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                       ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::BeginTable("metrics", 2)) {
+      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(180));
+      ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
+      constexpr const char* kFrames =
+          "Processor time for panels, canvases and overlays, without showing the picture; of the last 120 "
+          "frames.";
+      row("frame, median   ms", "%.2f", metrics.median_ms(), kFrames, ui);
+      row("frame, longest   ms", "%.2f", metrics.max_ms(), kFrames, ui);
+      row("vertices", "%.0f", last.vertices, "That Dear ImGui drew in the last frame.", ui);
+      row("draw calls", "%.0f", last.draw_calls, "That they were drawn with.", ui);
+      if (steps != nullptr && !steps->points().empty())
+        row("step   ns", "%.0f", steps->points().back().last,
+            "Of the last step of the simulation, all bodies.", ui);
+      ImGui::EndTable();
+    }
+    ui.place("metrics/window", ImGui::GetWindowPos(),
+             {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+              ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+  }
+  ImGui::End();
+}
+
+}  // namespace talus

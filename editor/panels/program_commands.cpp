@@ -1,0 +1,118 @@
+// The commands about the program itself: settings, layouts, other programs.
+#include "command_table.h"
+
+namespace talus {
+namespace {
+
+using S = const Session&;
+using A = Actions&;
+using U = Ui&;
+
+// A way to share the window out; sizes in fractions as in Layout.
+struct ReadyLayout {
+  Layout layout;
+  CanvasMode canvas;
+  Focus focus;
+  bool dock_open;
+  std::string_view tab;  // id of the panel that comes to the front
+};
+
+constexpr Layout layout_of(double left, double right, double sheet) {
+  Layout layout;
+  layout.left = left;
+  layout.right = right;
+  layout.sheet = sheet;
+  return layout;
+}
+constexpr ReadyLayout kDraw{layout_of(0.34, 0.22, 0.5), CanvasMode::map, Focus::sprites, false, "problems"};
+constexpr ReadyLayout kPlay{layout_of(0.215, 0.22, 0.49), CanvasMode::play, Focus::map, false, "tuning"};
+constexpr ReadyLayout kDebug{layout_of(0.215, 0.305, 0.49), CanvasMode::play, Focus::map, true, "inspector"};
+
+template <const ReadyLayout& ready>
+void take_layout(S, A, U ui) {
+  ui.view.layout = ready.layout;
+  ui.view.canvas = ready.canvas;
+  ui.view.focus = ready.focus;
+  ui.view.dock_open = ready.dock_open;
+  ui.view.wants_tab = std::string(ready.tab);
+}
+
+template <ProgramId id>
+void open_program(S, A, U ui) {
+  ui.view.program.wanted_program = id;
+}
+
+template <bool ProgramView::*window>
+void toggle_window(S, A, U ui) {
+  ui.view.program.*window = !(ui.view.program.*window);
+}
+template <bool ProgramView::*window>
+bool has_window(S, const Ui& ui) {
+  return ui.view.program.*window;
+}
+
+std::vector<Command> settings_commands() {
+  return {
+      toggle("edit/settings", ctrl(','), "Settings...", "Theme, size, colours, other programs and keys.",
+             toggle_window<&ProgramView::settings_open>, has_window<&ProgramView::settings_open>),
+      command("edit/keys", ctrl_shift('k'), "Change keys...", "Gives commands other keys.",
+              [](S, A, U ui) { ui.view.program.keys_open = true; }),
+      toggle(
+          "view/light_theme", ctrl_shift('d'), "Light theme",
+          "Dark text on light panels; art stays on dark ground.",
+          [](S, A, U ui) {
+            ThemeKind& theme = ui.view.preferences.theme;
+            theme = theme == ThemeKind::light ? ThemeKind::dark : ThemeKind::light;
+          },
+          [](S, const Ui& ui) { return ui.view.preferences.theme == ThemeKind::light; }),
+      toggle(
+          "view/safe_colours", ctrl_shift('b'), "Colours for colour-blind eyes",
+          "Draws the overlays in colours that stay apart without red, green or blue.",
+          [](S s, A actions, U) {
+            const bool safe = s.choices().overlay_palette == OverlayPalette::colour_blind;
+            actions.push_back(
+                action::SetOverlayPalette{safe ? OverlayPalette::standard : OverlayPalette::colour_blind});
+          },
+          [](S s, const Ui&) { return s.choices().overlay_palette == OverlayPalette::colour_blind; }),
+      toggle("view/metrics", ctrl_shift('m'), "Times of the window",
+             "Shows what frames of the window and steps of the simulation cost.",
+             toggle_window<&ProgramView::metrics_open>, has_window<&ProgramView::metrics_open>),
+  };
+}
+
+std::vector<Command> layout_commands() {
+  return {
+      command("view/layout_draw", ctrl_shift('1'), "Layout to draw",
+              "Much room for the sheet, the pixels and the map.", take_layout<kDraw>),
+      command("view/layout_play", ctrl_shift('2'), "Layout to play",
+              "Much room for the play view, and the tuning.", take_layout<kPlay>),
+      command("view/layout_debug", ctrl_shift('3'), "Layout to debug",
+              "The play view with the inspector and the debugger's panels.", take_layout<kDebug>),
+  };
+}
+
+std::vector<Command> file_commands() {
+  return {
+      command("file/recover", ctrl_shift('y'), "Recover...",
+              "Offers what was saved by itself before the program was killed.",
+              [](S, A, U ui) { ui.view.program.recovery_open = true; }),
+      command(
+          "program/tic80", ctrl_shift('t'), "Open in TIC-80",
+          "Saves the cart and opens it in TIC-80; of a level that is no cart, a copy. TIC-80 reads it again "
+          "whenever it is saved here.",
+          open_program<ProgramId::tic80>),
+      command("program/love", ctrl_shift('l'), "Run in LÖVE",
+              "Saves the level and runs the game in its folder in LÖVE.", open_program<ProgramId::love>),
+      command("program/tiled", ctrl_shift('i'), "Open in Tiled",
+              "Opens the level in Tiled: its own file if that is one of Tiled's, or else a copy.",
+              open_program<ProgramId::tiled>),
+  };
+}
+
+}  // namespace
+
+std::vector<Command> program_commands() {
+  return joined({file_commands(), settings_commands(), layout_commands()});
+}
+
+}  // namespace talus

@@ -1,0 +1,129 @@
+// A floating window of rows: a name at the left, a control at the right.
+#include "settings_panel.h"
+
+#include <imgui_stdlib.h>
+
+#include <array>
+
+#include "commands.h"
+#include "overlay_painter.h"
+
+namespace talus {
+namespace {
+
+constexpr float kNames = 150, kControls = 250, kFieldWidth = 300;  // px at scale 1
+constexpr std::array<double, 9> kScales = {0, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+
+std::string scale_label(double scale) {
+  return scale == 0 ? "by the window's height" : std::to_string(static_cast<int>(scale * 100)) + " %";
+}
+
+void row(std::string_view name, Ui& ui) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name.data(), name.data() + name.size());
+  ImGui::SameLine(ui.px(kNames));
+}
+
+void draw_switch(const char* widget, std::string_view id, const char* label, const Session& session,
+                 Actions& actions, Ui& ui) {
+  const Command& command = find_command(id);
+  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
+    command.run(session, actions, ui);
+}
+
+void draw_theme(const Session& session, Actions& actions, Ui& ui) {
+  Preferences& preferences = ui.view.preferences;
+  row("Theme", ui);
+  for (const auto& [kind, label, widget] : {std::tuple{ThemeKind::dark, "Dark", "settings/dark"},
+                                            std::tuple{ThemeKind::light, "Light", "settings/light"}}) {
+    if (ui.text_button(widget, label, preferences.theme == kind, "The colours of the panels.",
+                       keys_of(find_command("view/light_theme"), ui), true, ui.px(72)))
+      preferences.theme = kind;
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+  row("Size of everything", ui);
+  if (ui.begin_combo("settings/scale", scale_label(ui.view.ui_scale), ui.px(kControls),
+                     "How large text and controls are, for screens with many pixels.")) {
+    for (double scale : kScales) {
+      if (ImGui::Selectable(scale_label(scale).c_str(), ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+      ui.item("settings/scale/" + std::to_string(static_cast<int>(scale * 100)));
+    }
+    ImGui::EndCombo();
+  }
+  row("Size of text", ui);
+  int size = static_cast<int>(preferences.font_size);
+  ImGui::SetNextItemWidth(ui.px(kControls));
+  if (ImGui::SliderInt("##font_size", &size, static_cast<int>(kMinFontSize), static_cast<int>(kMaxFontSize),
+                       "%d px"))
+    preferences.font_size = std::clamp<double>(size, kMinFontSize, kMaxFontSize);
+  ui.item("settings/font_size", "The height of text, in controls of the same size.");
+  row("Overlays", ui);
+  draw_switch("settings/safe_colours", "view/safe_colours", "Colours for colour-blind eyes", session, actions,
+              ui);
+  ImGui::SetCursorPosX(ui.px(kNames));
+  const float swatch = ui.px(14);
+  for (const OverlayInfo& info : overlay_infos()) {
+    paint_overlay_swatch(*ImGui::GetWindowDrawList(), info.id, ImGui::GetCursorScreenPos(), swatch,
+                         session.choices().overlay_palette);
+    ImGui::Dummy({swatch, swatch});
+    ui.tooltip(info.label);
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+}
+
+void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
+  row("Layout", ui);
+  draw_switch("settings/layout_draw", "view/layout_draw", "Draw", session, actions, ui);
+  ImGui::SameLine();
+  draw_switch("settings/layout_play", "view/layout_play", "Play", session, actions, ui);
+  ImGui::SameLine();
+  draw_switch("settings/layout_debug", "view/layout_debug", "Debug", session, actions, ui);
+  ImGui::SameLine();
+  draw_switch("settings/reset_layout", "view/reset_layout", "Reset", session, actions, ui);
+  row("Keys", ui);
+  draw_switch("settings/keys", "edit/keys", "Change keys...", session, actions, ui);
+}
+
+}  // namespace
+
+void SettingsPanel::draw_programs(Ui& ui) {
+  Preferences& preferences = ui.view.preferences;
+  ui.heading("Other programs: {file} is the level's file, {folder} its folder");
+  for (const ProgramInfo& info : program_infos()) {
+    const auto index = static_cast<std::size_t>(info.id);
+    const std::string widget = "settings/" + std::string(info.key);
+    row(info.label, ui);
+    ImGui::SetNextItemWidth(ui.px(kFieldWidth));
+    ImGui::InputText(("##" + widget).c_str(), &typed_[index]);
+    if (ImGui::IsItemDeactivatedAfterEdit()) preferences.programs[index] = typed_[index];
+    if (!ImGui::IsItemActive()) typed_[index] = preferences.programs[index];
+    ui.item(widget, info.settings);
+    ImGui::SameLine();
+    if (ui.icon_button(widget + "_reset", Icon::reset, false, "Puts the first command back.", {},
+                       preferences.programs[index] != info.command))
+      preferences.programs[index] = std::string(info.command);
+  }
+}
+
+void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  bool& open = ui.view.program.settings_open;
+  if (!open) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (ImGui::Begin("Settings", &open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                       ImGuiWindowFlags_AlwaysAutoResize)) {
+    ui.begin_row();
+    draw_theme(session, actions, ui);
+    ImGui::Separator();
+    draw_layouts(session, actions, ui);
+    ImGui::Separator();
+    draw_programs(ui);
+    ui.end_row();
+  }
+  ImGui::End();
+}
+
+}  // namespace talus
