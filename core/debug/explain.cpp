@@ -20,24 +20,24 @@ std::string place_of(Cell cell) {
   return " at (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
 }
 
-std::string name_of(const Obstacle& other) {
+std::string name_of(const Scene& scene, const Obstacle& other) {
   if (other.body != 0) return "body " + std::to_string(other.body);
-  if (other.curve >= 0) return "curve " + std::to_string(other.curve);
+  if (other.curve >= 0) return name_of_curve(scene, other.curve);
   if (other.role == TileRole::up_slope) return "the up-slope" + place_of(other.cell);
   if (other.role == TileRole::down_slope) return "the down-slope" + place_of(other.cell);
   return "the tile" + place_of(other.cell);
 }
 
 // "the left side of the tile at (12, 9)"; of a slope's own line, the slope; of no side, the whole.
-std::string met_part(const ContactRecord& contact) {
+std::string met_part(const Scene& scene, const ContactRecord& contact) {
   const Vec2 n = contact.normal;
   if (is_slanted(n) && n.y > 0) {
-    return contact.other.curve >= 0 ? "the underside of " + name_of(contact.other)
+    return contact.other.curve >= 0 ? "the underside of " + name_of(scene, contact.other)
                                     : "the sloped ceiling" + place_of(contact.other.cell);
   }
-  if (is_slanted(n) || n == Vec2{}) return name_of(contact.other);
+  if (is_slanted(n) || n == Vec2{}) return name_of(scene, contact.other);
   const char* side = n.x < 0 ? "left side" : n.x > 0 ? "right side" : n.y < 0 ? "top" : "bottom";
-  return std::string("the ") + side + " of " + name_of(contact.other);
+  return std::string("the ") + side + " of " + name_of(scene, contact.other);
 }
 
 // "down", "up to the left": the ways that a motion has a good part of.
@@ -60,7 +60,8 @@ class ContactSentence {
   std::string sentence() const {
     const bool is_crossed = contact_.response == Response::cross;
     if (is_crossed)
-      return is_article() ? article_slope() : "passed above the floor of " + name_of(contact_.other);
+      return is_article() ? article_slope()
+                          : "passed above the floor of " + name_of(*frame_.scene, contact_.other);
     std::string text = stopped() + rest();
     if (!contact_.handled) text += "; its velocity was left alone, as a slope had put the body on its floor";
     return text;
@@ -68,8 +69,8 @@ class ContactSentence {
 
   // What stopped it and when, without what became of the rest.
   std::string stopped() const {
-    if (contact_.overlaps) return "was inside " + name_of(contact_.other) + pushed_out();
-    return "stopped by " + met_part(contact_) + when();
+    if (contact_.overlaps) return "was inside " + name_of(*frame_.scene, contact_.other) + pushed_out();
+    return "stopped by " + met_part(*frame_.scene, contact_) + when();
   }
 
   std::string numbers() const {
@@ -119,7 +120,8 @@ class ContactSentence {
       const Vec2 left = motion_left();
       return left - contact_.normal * std::min(0.0, dot(left, contact_.normal));
     }
-    if (is_cut() || path_ == nullptr) return std::nullopt;
+    if (is_cut()) return contact_.after;
+    if (path_ == nullptr) return std::nullopt;
     const bool is_last = index_ + 1 == contacts.size() || contacts[index_ + 1].body != contact_.body;
     return is_last ? path_->to.position() - contact_.touch : contacts[index_ + 1].move;
   }
@@ -140,14 +142,14 @@ class ContactSentence {
 
   // The article's bodies cross slopes, and are put on their floors afterwards.
   std::string article_slope() const {
-    std::string text = "came into the box of " + name_of(contact_.other);
+    std::string text = "came into the box of " + name_of(*frame_.scene, contact_.other);
     if (!contact_.overlaps) text += when();
     if (!contact_.handled) return text + "; another slope had already put the body on its floor";
     if (!contact_.slope)
       return text + "; it moved up, or no slope was straight below it, so it was left as it was";
     const SlopeProbe& probe = *contact_.slope;
-    text +=
-        "; under its centre the floor of " + name_of(probe.slope) + " is at y " + short_text(probe.floor_y);
+    text += "; under its centre the floor of " + name_of(*frame_.scene, probe.slope) + " is at y " +
+            short_text(probe.floor_y);
     if (probe.corrected) return text + ", so its top was put at y " + short_text(probe.placed_y);
     return text + ", and its top was above y " + short_text(probe.placed_y) +
            " already, so it was left as it was";
@@ -194,6 +196,12 @@ std::string reasons(const Frame& frame, const BodyPath& path) {
 }
 
 }  // namespace
+
+std::string name_of_curve(const Scene& scene, int curve) {
+  const auto number = static_cast<std::size_t>(curve);
+  const bool named = number < scene.curve_names.size() && !scene.curve_names[number].empty();
+  return "curve " + (named ? '"' + scene.curve_names[number] + '"' : std::to_string(curve));
+}
 
 Explanation explain_contact(const Frame& frame, std::size_t index) {
   assert(index < frame.record.contacts.size());

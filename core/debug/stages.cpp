@@ -36,6 +36,7 @@ class StageList {
 
  private:
   bool is_exact() const { return frame_.scene->tuning.solver == SolverKind::exact; }
+  bool is_cut() const { return is_exact() && frame_.scene->tuning.exact.substeps > 1; }  // into parts
 
   Stage& add(StageKind kind, Vec2 motion, std::string sentence) {
     Stage& stage = stages_.emplace_back();
@@ -70,7 +71,11 @@ class StageList {
   void add_contact(std::size_t index) {
     const ContactRecord& contact = frame_.record.contacts[index];
     met_ = true;
-    if (is_exact() && index > 0) box_ = at(box_position_);
+    if (is_cut()) {
+      box_ = at(start_of(contact));
+    } else if (is_exact() && index > 0) {
+      box_ = at(box_position_);
+    }
     search(contact.move);
     const Explanation why = explain_contact(frame_, index);
     Stage& met = add(StageKind::met, contact.move, why.sentence);
@@ -97,9 +102,16 @@ class StageList {
     placed.contact = static_cast<int>(index);
   }
 
+  // Where the part of the step was begun that led to a contact; the parts before it may have met nothing.
+  Vec2 start_of(const ContactRecord& contact) const {
+    const Vec2 start = contact.touch - contact.move * std::clamp(contact.ti, 0.0, 1.0);
+    return is_motion(start - box_position_) ? start : box_position_;
+  }
+
   // What the next contact began with; after the last one, what it took to get where the body is.
   Vec2 motion_after(std::size_t index) const {
     const auto& contacts = frame_.record.contacts;
+    if (is_cut()) return contacts[index].after.value_or(Vec2{});
     for (std::size_t i = index + 1; i < contacts.size(); ++i) {
       if (contacts[i].body == path_.body) return contacts[i].move;
     }

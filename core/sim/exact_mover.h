@@ -77,6 +77,7 @@ class Mover {
   struct Result {
     int passes = 0;
     bool capped = false;  // the passes were used up, and the rest of the motion dropped
+    bool wedged = false;  // between the last two contacts: the rest of the motion leads nowhere
   };
 
   // rest: what this body met before, in this terrain and without others; null: nothing is remembered.
@@ -119,7 +120,10 @@ class Mover {
       motion = respond(contact, motion);
       // Sliding along one plane into the one before, there is nowhere to go.
       const bool slides = dot(motion, contact.normal) <= tolerance(motion);
-      if (before && slides && dot(motion, *before) < -tolerance(motion)) break;
+      if (before && slides && dot(motion, *before) < -tolerance(motion)) {
+        result.wedged = true;
+        break;
+      }
       before = contact.normal;
       followed = nullptr;
       if constexpr ((Parts & kCurves) != 0) {

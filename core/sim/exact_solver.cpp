@@ -153,10 +153,17 @@ class ExactSolver final : public Solver {
   void move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
     gather(state, index, moving, motion);
     Mover<Real, Parts> mover(ground_, others_, max_passes_, Pairs ? nullptr : &rests_[index]);
-    const auto result = mover.move(moving, motion, respond, [&](const Contact<Real>& contact, Vec way) {
+    const auto answer = [&](const Contact<Real>& contact, Vec way) {
+      const Vec after = respond(contact, way);
+      if (record_ != nullptr) record_->contacts.back().after = widen(after);
+      return after;
+    };
+    const auto result = mover.move(moving, motion, answer, [&](const Contact<Real>& contact, Vec way) {
       if (record_ != nullptr) note(state.bodies[index], contact, way);
     });
-    if (record_ != nullptr) record_->paths.back().capped = record_->paths.back().capped || result.capped;
+    if (record_ == nullptr) return;
+    if (result.wedged) record_->contacts.back().after = Vec2{};
+    record_->paths.back().capped = record_->paths.back().capped || result.capped;
   }
 
   // The other bodies that the motion, whichever way it turns, may meet.

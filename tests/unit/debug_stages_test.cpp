@@ -79,6 +79,54 @@ TEST(CastTrace, AMotionThroughAirHasNoFirst) {
   EXPECT_TRUE(trace.candidates.empty());
 }
 
+// A foot in the middle has a second cast, of the middle alone.
+TEST(CastTrace, OfACentreFootTheFirstIsTheOneThatCounts) {
+  const Level level = level_with_a_slope(SolverKind::exact);
+  const Scene scene = compile_scene(level);
+  int met = 0;
+  for (double x = 26; x <= 46; x += 1) {
+    for (const Vec2 motion : {Vec2{12, 0}, Vec2{12, 6}, Vec2{0, 20}, Vec2{12, -6}}) {
+      const Cast<double> cast{{x, 77, 8, 8}, motion, Foot::centre};
+      const CastTrace trace = trace_cast(*scene.ground, cast);
+      EXPECT_EQ(trace.contact.t, cast_box(*scene.ground, cast).t);
+      if (!trace.contact) continue;
+      ++met;
+      int firsts = 0;
+      for (const CastCandidate& candidate : trace.candidates) {
+        if (!candidate.is_first) continue;
+        ++firsts;
+        EXPECT_EQ(candidate.t, trace.contact.t) << x << " by " << motion.x << ", " << motion.y;
+      }
+      EXPECT_EQ(firsts, 1) << x << " by " << motion.x << ", " << motion.y;
+    }
+  }
+  EXPECT_GT(met, 20);
+}
+
+// The ball falls 4 px in two parts: the floor is 1 px below, so 1 px of the first part is left, and slides.
+TEST(Stages, OfAStepInPartsTellWhatIsLeftOfEach) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  level.tuning.exact.substeps = 2;
+  level.tuning.exact.rebound = 0;
+  place(level, {10, 79}, {2, 4});
+  const Frame frame = frame_after(level, 1);
+  ASSERT_FALSE(frame.record.contacts.empty());
+  const ContactRecord& contact = frame.record.contacts[0];
+  ASSERT_TRUE(contact.after);
+  EXPECT_EQ(contact.after->y, 0);
+  EXPECT_NEAR(contact.after->x, contact.move.x * (1 - contact.ti), 1e-12);
+  const std::vector<Stage> stages = stages_of(frame, 1);
+  const auto met = std::find_if(stages.begin(), stages.end(),
+                                [](const Stage& stage) { return stage.kind == StageKind::met; });
+  ASSERT_NE(met, stages.end());
+  EXPECT_THAT(met->sentence, testing::HasSubstr(" of a part of the step; of "));
+  EXPECT_THAT(met->sentence, testing::HasSubstr(" px slid to the right"));
+  const auto on = std::find_if(met, stages.end(),
+                               [](const Stage& stage) { return stage.kind == StageKind::went_on; });
+  ASSERT_NE(on, stages.end());
+  EXPECT_EQ(on->motion, *contact.after);
+}
+
 TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
   Level level = level_with_a_slope(SolverKind::exact);
   place(level, {10, 79}, {0, 4});
