@@ -59,8 +59,11 @@ double parting_of(const Body& body, const State& other) {
 }
 
 void ComparedFrames::read(std::int64_t frame, Frame& into) const {
-  b_.read(frame, into);
-  State other = std::move(into.state);
+  std::optional<State> other;
+  if (b_ != nullptr && frame <= b_->last()) {
+    b_->read(frame, into);
+    other = std::move(into.state);
+  }
   a_.read(frame, into);
   into.other = std::move(other);
 }

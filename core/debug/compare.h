@@ -21,17 +21,17 @@ std::vector<BodyDifference> differences(const State& a, const State& b);
 // How far a body is from the same one in another state, px; infinite when that has none.
 double parting_of(const Body& body, const State& other);
 
-// One run with another beside it, for conditions on `parting`. Has the frames that both have.
+// One run, all of its frames, with another beside it, as far as that goes, for conditions on `parting`.
 class ComparedFrames final : public FrameSource {
  public:
-  // Both must stay while this is used.
-  ComparedFrames(const FrameSource& a, const FrameSource& b) : a_(a), b_(b) {}
-  std::int64_t last() const override { return std::min(a_.last(), b_.last()); }
+  // b: null: there is no other. Both must stay while this is used.
+  ComparedFrames(const FrameSource& a, const FrameSource* b) : a_(a), b_(b) {}
+  std::int64_t last() const override { return a_.last(); }
   void read(std::int64_t frame, Frame& into) const override;
 
  private:
   const FrameSource& a_;
-  const FrameSource& b_;
+  const FrameSource* b_;
 };
 
 // The condition that a body of ComparedFrames is more than so far (px, finite) from its other self. To find

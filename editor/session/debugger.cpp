@@ -23,7 +23,7 @@ class Clock {
 }  // namespace
 
 FrameView Debugger::view(const Timeline& timeline) const {
-  return shown_frame_.view(timeline, source_, side_.has(timeline.frame()) ? side_.run() : 0);
+  return shown_frame_.view(timeline, source(), side_.has(timeline.frame()) ? side_.run() : 0);
 }
 
 const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) const {
@@ -65,14 +65,14 @@ void Debugger::search_parting(double threshold) {
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
-  return stops_.ready(source_, timeline.frame(), kCounted);
+  return stops_.ready(source(), timeline.frame(), kCounted);
 }
 
 bool Debugger::stops_at(const Timeline& timeline, const Level& level) {
   stop_.reset();
   if (stops_.breakpoints().empty()) return false;
   follow(timeline, level);
-  stop_ = stops_.judge(source_, timeline.frame());
+  stop_ = stops_.judge(source(), timeline.frame());
   return stop_.has_value();
 }
 
@@ -89,7 +89,7 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
     const bool side_behind = side_.variant() != nullptr && !side_.has(timeline.current().run_frame());
     is_busy_ = side_behind;
     if (side_behind) continue;
-    if (stops_.advance_search(source_, kFrames)) {
+    if (stops_.advance_search(source(), kFrames)) {
       stop_ = stops_.found();
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
@@ -101,12 +101,12 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
 
 // True when they have come to the last frame.
 bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
-  const bool done = watches_.advance(source_, chosen_body, kFrames);
+  const bool done = watches_.advance(source(), chosen_body, kFrames);
   if (side_.frames() == nullptr) return done;
   if (parting_watch_.all().empty()) parting_watch_.put(0, {"parting", 0});
   const auto& bodies = timeline.state().bodies;
   const int body = chosen_body != 0 || bodies.empty() ? chosen_body : bodies.front().id;
-  return parting_watch_.advance(source_, body, kFrames) && done;
+  return parting_watch_.advance(source(), body, kFrames) && done;
 }
 
 const Series* Debugger::parting_series() const {

@@ -45,7 +45,7 @@ class Debugger {
   // Whether the last call of advance() left something to do.
   bool is_busy() const { return is_busy_; }
   bool searching() const { return stops_.searching(); }
-  double search_progress() const { return stops_.progress(source_); }
+  double search_progress() const { return stops_.progress(source()); }
   bool search_failed() const { return search_failed_; }      // the last one came to its end without a stop
   const std::optional<Stop>& stop() const { return stop_; }  // where it was stopped last
   // The shown frame with those before it, and the other side's, once that is there.
@@ -56,13 +56,14 @@ class Debugger {
   const Series* parting_series() const;  // px from the other side, of the chosen body; null: there is none
 
  private:
+  // The shown run with the other side; it must be followed (asserted).
+  ComparedFrames source() const { return {*shown_.get(), side_.frames()}; }
   bool advance_plots(const Timeline& timeline, int chosen_body);
 
   Stops stops_;
   Watches watches_, parting_watch_;
   SideBySide side_;
   FollowedFrames shown_;
-  ShownFrames source_{shown_, side_};
   int branch_ = 0, revision_ = 0;  // of what is followed
 
   mutable ShownFrame shown_frame_;  // a cache

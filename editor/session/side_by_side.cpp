@@ -1,7 +1,5 @@
 #include "side_by_side.h"
 
-#include <utility>
-
 namespace talus {
 
 const BranchFrames& FollowedFrames::of(const Branch& branch) {
@@ -14,14 +12,6 @@ const BranchFrames& FollowedFrames::of(const Branch& branch) {
   branch_ = branch.id;
   revision_ = branch.revision;
   return *frames_;
-}
-
-void ShownFrames::read(std::int64_t frame, Frame& into) const {
-  shown_.get()->read(frame, into);
-  if (!side_.has(frame)) return;
-  Frame other;
-  side_.frames()->read(frame, other);
-  into.other = std::move(other.state);
 }
 
 void SideBySide::set_variant(std::optional<Variant> variant) {

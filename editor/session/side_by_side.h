@@ -23,21 +23,6 @@ class FollowedFrames {
   std::optional<BranchFrames> frames_;
 };
 
-class SideBySide;
-
-// The shown branch's frames, all of them, each with the other side's where that has come so far.
-class ShownFrames final : public FrameSource {
- public:
-  // Both must stay while this is used.
-  ShownFrames(const FollowedFrames& shown, const SideBySide& side) : shown_(shown), side_(side) {}
-  std::int64_t last() const override { return shown_.get()->last(); }
-  void read(std::int64_t frame, Frame& into) const override;
-
- private:
-  const FollowedFrames& shown_;
-  const SideBySide& side_;
-};
-
 class SideBySide {
  public:
   // nothing: the timeline's compared branch, if there is one, is the other side.

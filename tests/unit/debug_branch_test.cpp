@@ -87,7 +87,7 @@ TEST_F(BranchFramesTest, OfTwoBranchesAreCompared) {
   timeline_.edit(level_);
   for (int i = 0; i < 10; ++i) timeline_.step({});
   const BranchFrames a(timeline_.current()), b(old);
-  const ComparedFrames compared(a, b);
+  const ComparedFrames compared(a, &b);
   EXPECT_EQ(compared.last(), 60);
   StopSearch search({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0)})}, -1,
                     SearchDirection::forwards);
@@ -120,7 +120,7 @@ TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
   const std::string why = explain_step(history.view(), 1);
   EXPECT_NE(why.find("under its centre the floor of the up-slope at (10, 12)"), std::string::npos) << why;
 
-  const ComparedFrames compared(article, exact);
+  const ComparedFrames compared(article, &exact);
   StopSearch parting({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0.01)})}, -1,
                      SearchDirection::forwards);
   while (!parting.advance(compared, 64)) {

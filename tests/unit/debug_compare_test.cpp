@@ -44,7 +44,7 @@ TEST(Compare, BodiesAreMatchedByTheirOrigin) {
 }
 
 std::optional<Stop> first_parting(const FrameSource& a, const FrameSource& b, double threshold) {
-  const ComparedFrames compared(a, b);
+  const ComparedFrames compared(a, &b);
   const auto armed = ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(threshold)});
   StopSearch search({*armed}, -1, SearchDirection::forwards);
   while (!search.advance(compared, 10)) {
@@ -69,15 +69,17 @@ TEST(Compare, FindsTheFirstFrameWhereSolversPart) {
   EXPECT_EQ(first_parting(article, exact, 1e6), std::nullopt);
 }
 
-TEST(Compare, HasTheFramesThatBothHave) {
+TEST(Compare, HasAllFramesAndTheOthersAsFarAsItGoes) {
   const MadeFrames a({state_of({}), state_of({}), state_of({})}),
       b({state_of({body_at(1, 0, 0)}), state_of({})});
-  const ComparedFrames compared(a, b);
-  EXPECT_EQ(compared.last(), 1);
+  const ComparedFrames compared(a, &b);
+  EXPECT_EQ(compared.last(), 2);
   Frame frame;
   compared.read(0, frame);
   EXPECT_TRUE(frame.state.bodies.empty());
   EXPECT_EQ(frame.other->bodies.size(), 1u);
+  compared.read(2, frame);
+  EXPECT_EQ(frame.other, std::nullopt);
 }
 
 TEST(Compare, PartingAtTheStartIsFound) {
