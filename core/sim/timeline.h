@@ -67,6 +67,7 @@ class Timeline {
   void rerun(std::int64_t from);  // the same on the level as it is now
   // With a key held or not in the steps that lead to the frames first..last, clamped to 1..last_frame().
   void set_input(std::int64_t first, std::int64_t last, InputKey key, bool on);
+  void set_mouse(std::int64_t first, std::int64_t last, Vec2 position);  // the same with the mouse's place
 
   bool behind() const { return current().behind(); }
   double progress() const;                 // of what the current branch has to run, 0..1; 1: nothing
@@ -105,6 +106,8 @@ class Timeline {
   // physics does not see.
   Recording recording(const Branch& branch, const Level& pictures) const;
 
+  const ScenePtr& level_scene() const { return scene_; }  // of the level as it is now
+
   std::size_t keyframe_bytes() const { return keyframes_.bytes(); }
   // With up to a hundred bodies a seek takes no more steps than this.
   std::int64_t keyframe_stride() const { return keyframes_.stride(); }
@@ -124,6 +127,7 @@ class Timeline {
   void begin_chapter();
   void start_over();
   Branch& draft();
+  void change_inputs(std::int64_t first, std::int64_t last, FunctionRef<void(Input&)> change);
   void renumber_grabs(Branch& branch);
   void run_again_after(Branch& branch, std::int64_t frame);
   void keep(Branch& branch, const State& state, bool is_edit);

@@ -23,20 +23,26 @@ void Timeline::rerun(std::int64_t from) {
 }
 
 void Timeline::set_input(std::int64_t first, std::int64_t last, InputKey key, bool on) {
+  change_inputs(first, last, [=](Input& input) { key_in(input, key) = on; });
+}
+
+void Timeline::set_mouse(std::int64_t first, std::int64_t last, Vec2 position) {
+  change_inputs(first, last, [=](Input& input) { input.mouse = position; });
+}
+
+void Timeline::change_inputs(std::int64_t first, std::int64_t last, FunctionRef<void(Input&)> change) {
   first = std::max<std::int64_t>(first, 1);
   last = std::min(last, last_frame());
-  const auto differs = [&](std::int64_t frame) {
+  const auto changed = [&](std::int64_t frame) {
     Input input = current().input(frame);
-    return key_in(input, key) != on;
+    change(input);
+    return input;
   };
-  while (first <= last && !differs(first)) ++first;
+  while (first <= last && changed(first) == current().input(first)) ++first;
   if (first > last) return;
   Branch& branch = draft();
-  for (std::int64_t frame = first; frame <= last; ++frame) {
-    Input input = branch.input(frame);
-    key_in(input, key) = on;
-    branch.inputs.set(static_cast<std::size_t>(frame - 1), input);
-  }
+  for (std::int64_t frame = first; frame <= last; ++frame)
+    branch.inputs.set(static_cast<std::size_t>(frame - 1), changed(frame));
   run_again_after(branch, first - 1);
   show_wanted();
 }

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "commands.h"
+
 namespace talus {
 namespace {
 
@@ -17,7 +19,7 @@ void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
           "timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
           "The recorded input is run again on the changed level. Click to stop here: the branch ends "
           "where it has come to.",
-          {}, true, ui.px(kBranchWidth)))
+          keys_of(find_command("timeline/cancel"), ui), true, ui.px(kBranchWidth)))
     actions.push_back(action::CancelRerun{});
 }
 
@@ -26,7 +28,9 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
   const bool open =
       ui.begin_combo("timeline/branch", branch_name(timeline.current()), ui.px(kBranchWidth),
                      "Runs that parted from one another: playing on from an earlier frame, editing, "
-                     "or other keys make a new one.");
+                     "or other keys make a new one.",
+                     keys_of(find_command("timeline/previous_branch"), ui) + "  " +
+                         keys_of(find_command("timeline/next_branch"), ui));
   if (!open) return;
   for (const Branch& branch : timeline.branches()) {
     ImGui::PushID(branch.id);
@@ -38,7 +42,8 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
     ui.item("timeline/branch" + std::to_string(branch.id), "Shows this run.");
     ImGui::SameLine(width + ui.px(8));
     if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
-    ui.item("timeline/drop" + std::to_string(branch.id), "Forgets this run.");
+    ui.item("timeline/drop" + std::to_string(branch.id), "Forgets this run.",
+            is_current ? keys_of(find_command("timeline/drop_branch"), ui) : "");
     ImGui::SameLine(width + ui.px(8) + drop);
     bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
     ImGui::BeginDisabled(is_current);
@@ -46,7 +51,8 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
       actions.push_back(action::CompareBranch{compared ? 0 : branch.id});
     ImGui::EndDisabled();
     ui.item("timeline/compare" + std::to_string(branch.id),
-            "Draws this run's bodies as ghosts beside those of the run that is shown.", {}, !is_current);
+            "Draws this run's bodies as ghosts beside those of the run that is shown.",
+            keys_of(find_command("compare/next"), ui), !is_current);
     ImGui::PopID();
   }
   ImGui::EndCombo();

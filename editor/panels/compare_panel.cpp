@@ -7,6 +7,7 @@
 #include <string>
 
 #include "commands.h"
+#include "compare_choice.h"
 #include "debug/compare.h"
 #include "overlay/number_label.h"
 #include "plot.h"
@@ -14,25 +15,7 @@
 namespace talus {
 namespace {
 
-struct Choice {
-  std::string_view label, key;
-  Variant variant;
-};
-constexpr std::array<Choice, 4> kChoices = {{{"exact", "exact", {SolverKind::exact, false}},
-                                             {"exact, single precision", "single", {SolverKind::exact, true}},
-                                             {"bump", "bump", {SolverKind::bump, false}},
-                                             {"article", "article", {SolverKind::article, false}}}};
-
 constexpr std::array<const char*, 6> kColumns = {"body", "apart px", "x", "y", "vx", "vy"};
-
-std::string other_side(const Session& session) {
-  if (const VariantRun* run = session.debugger().side_by_side().variant()) {
-    for (const Choice& choice : kChoices)
-      if (choice.variant == run->variant()) return std::string(choice.label);
-  }
-  if (const Branch* branch = session.timeline().compared()) return "branch " + std::to_string(branch->id);
-  return "nothing";
-}
 
 void draw_cell(double value, Ui& ui) {
   ImGui::TableNextColumn();
@@ -60,26 +43,13 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
   ui.begin_row();
   ImGui::TextUnformatted("Compare with");
   ImGui::SameLine();
-  if (ui.begin_combo("compare/with", other_side(session), ui.px(170),
-                     "What the run that is shown is compared with.")) {
-    if (ImGui::Selectable("nothing")) {
-      actions.push_back(action::CompareVariant{});
-      actions.push_back(action::CompareBranch{0});
-    }
-    ui.item("compare/nothing");
-    for (const Choice& choice : kChoices) {
-      if (ImGui::Selectable(std::string(choice.label).c_str(), other_side(session) == choice.label))
-        actions.push_back(action::CompareVariant{choice.variant});
-      ui.item("compare/" + std::string(choice.key));
-    }
-    for (const Branch& branch : session.timeline().branches()) {
-      if (branch.id == session.timeline().current().id) continue;
-      const std::string label = "branch " + std::to_string(branch.id);
-      if (ImGui::Selectable(label.c_str())) {
-        actions.push_back(action::CompareVariant{});
-        actions.push_back(action::CompareBranch{branch.id});
-      }
-      ui.item("compare/branch" + std::to_string(branch.id));
+  const CompareChoice now = compare_choice(session);
+  if (ui.begin_combo("compare/with", now.label, ui.px(170),
+                     "What the run that is shown is compared with. The key takes the next one.",
+                     keys_of(find_command("compare/next"), ui))) {
+    for (const CompareChoice& choice : compare_choices(session)) {
+      if (ImGui::Selectable(choice.label.c_str(), choice == now)) compare_with(choice, actions);
+      ui.item("compare/" + choice.key);
     }
     ImGui::EndCombo();
   }
@@ -92,24 +62,21 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   ui.begin_row();
   ImGui::SameLine(0, ui.px(16));
   ImGui::SetNextItemWidth(ui.px(64));
-  ImGui::InputDouble("##threshold", &threshold_, 0, 0, "%.6g");
-  threshold_ = std::isfinite(threshold_) ? std::max(threshold_, 0.0) : 0;
+  double& parting = ui.view.parting;
+  ImGui::InputDouble("##threshold", &parting, 0, 0, "%.6g");
+  parting = std::isfinite(parting) ? std::max(parting, 0.0) : 0;
   ui.item("compare/threshold", "How far apart, px, counts as parted.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("px");
   ImGui::SameLine();
-  if (ui.text_button("compare/first", "First parting frame", false,
-                     "Shows the first frame in which a body is further than that from its other self."))
-    actions.push_back(action::FindParting{threshold_});
+  command_text_button("compare/first", "compare/first", session, actions, ui);
   ImGui::SameLine();
-  if (ui.text_button("compare/stop", "Stop there", false,
-                     "Adds a breakpoint that stops a run where they part."))
-    actions.push_back(action::SetBreakpoint{{.condition = parting_condition(threshold_)}});
+  command_text_button("compare/stop", "compare/stop", session, actions, ui);
   ui.end_row();
   if (const Series* series = session.debugger().parting_series())
     draw_timeline_plot("compare/plot", "How far the chosen body is from its other self, px. ", series,
-                       theme::color(theme::kError), ui.px(44), session, actions, ui);
+                       theme::tone(theme::kError), ui.px(44), session, actions, ui);
 }
 
 void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui) {
@@ -125,7 +92,7 @@ void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui)
     if (title == kColumns[0]) {
       ui.heading(title);
     } else {
-      ui.right_aligned(title, theme::color(theme::kMuted));
+      ui.right_aligned(title, theme::tone(theme::kMuted));
     }
   }
   for (const BodyDifference& body : bodies) {

@@ -15,8 +15,6 @@ class ComparePanel final : public Panel {
   void draw_choice(const Session& session, Actions& actions, Ui& ui);
   void draw_parting(const Session& session, Actions& actions, Ui& ui);
   void draw_bodies(const Session& session, Actions& actions, Ui& ui);
-
-  double threshold_ = 0.01;  // px, beyond which the two sides count as parted
 };
 
 }  // namespace talus

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "command_table.h"
+#include "compare_choice.h"
+#include "debug/compare.h"
 
 namespace talus {
 namespace {
@@ -41,26 +43,116 @@ void change_stage(S session, A, U ui) {
   ui.view.stage = direction > 0 ? std::min(now + 1, last) : std::max(now - 1, -1);
 }
 
-std::vector<Command> timeline_commands() {
+template <int by>
+void seek_by(S session, A actions, U) {
+  actions.push_back(action::SeekFrame{session.state().frame + by});
+}
+
+template <int by>
+void change_branch(S session, A actions, U) {
+  const auto& branches = session.timeline().branches();
+  const auto count = static_cast<int>(branches.size());
+  int now = 0;
+  while (branches[static_cast<std::size_t>(now)].id != session.timeline().current().id) ++now;
+  actions.push_back(action::SwitchBranch{branches[static_cast<std::size_t>((now + by + count) % count)].id});
+}
+bool has_branches(S session, const Ui&) { return session.timeline().branches().size() > 1; }
+
+void cancel(S session, A actions, U) {
+  if (session.debugger().searching()) actions.push_back(action::CancelSearch{});
+  if (session.timeline().behind()) actions.push_back(action::CancelRerun{});
+}
+
+void next_edit_rule(S session, A actions, U) {
+  using Kind = EditRule::Kind;
+  const std::int64_t frame = session.state().frame;
+  EditRule rule;
+  std::string text = "Edits go on from the shown frame.";
+  if (session.edit_rule().kind == Kind::go_on) {
+    rule.kind = Kind::from_start;
+    text = "Edits run the recording again from frame 0.";
+  } else if (session.edit_rule().kind == Kind::from_start && frame > 0) {
+    rule = {Kind::from_frame, frame};
+    text = "Edits run the recording again from frame " + std::to_string(frame) + ".";
+  }
+  actions.push_back(action::SetEditRule{rule});
+  actions.push_back(action::ShowMessage{text});
+}
+
+// Opens a panel of the debugger, and gives the keys to its field.
+void type_into(std::string_view panel, std::string_view field, U ui) {
+  ui.view.dock_open = true;
+  ui.view.wants_tab = panel;
+  ui.view.wants_text = field;
+}
+
+void switch_all_stops(S session, A actions, U) {
+  const auto& all = session.debugger().stops().breakpoints();
+  const bool any = std::any_of(all.begin(), all.end(), [](const Breakpoint& b) { return b.enabled; });
+  for (Breakpoint breakpoint : all) {
+    breakpoint.enabled = !any;
+    actions.push_back(action::SetBreakpoint{breakpoint});
+  }
+}
+
+void compare_with_next(S session, A actions, U) {
+  const auto choices = compare_choices(session);
+  const auto now = std::find(choices.begin(), choices.end(), compare_choice(session));
+  compare_with(now + 1 < choices.end() ? *(now + 1) : choices.front(), actions);
+}
+bool has_other(S session, const Ui&) { return session.other_state() != nullptr; }
+
+std::vector<Command> seek_commands() {
   return {
-      repeating(command("timeline/back", shift(kKeyF10), "Step back one frame",
-                        "Pauses and shows the frame before this one.", emit<action::StepBack>, after_start)),
+      command("timeline/start", shift(kKeyHome), "To the first frame", "Shows frame 0 of what is recorded.",
+              emit<action::SeekStart>, after_start),
       command("timeline/end", KeyChord{kKeyEnd}, "To the last frame", "Shows the last recorded frame.",
               emit<action::SeekEnd>, in_past),
+      repeating(command("timeline/back", shift(kKeyF10), "Step back one frame",
+                        "Pauses and shows the frame before this one.", emit<action::StepBack>, after_start)),
+      repeating(command("timeline/back_10", ctrl(kKeyLeft), "Back 10 frames",
+                        "Pauses and shows the frame 10 before this one.", seek_by<-10>, after_start)),
+      repeating(command("timeline/on_10", ctrl(kKeyRight), "On 10 frames",
+                        "Pauses and shows the recorded frame 10 after this one.", seek_by<10>, in_past)),
       command("timeline/mark", ctrl('m'), "Mark this frame",
               "Sets a mark at the shown frame, or takes it away.", toggle_mark),
       command("timeline/next_mark", alt(kKeyRight), "Next mark", "Shows the next marked frame.",
               jump_to_mark<true>, has_marks),
       command("timeline/previous_mark", alt(kKeyLeft), "Previous mark",
               "Shows the marked frame before this one.", jump_to_mark<false>, has_marks),
+  };
+}
+
+std::vector<Command> branch_commands() {
+  return {
+      command("timeline/fork", ctrl('b'), "New branch from here",
+              "Leaves the recording at the shown frame: what is played next goes on from there.",
+              emit<action::TakeOver>, in_past),
+      command("timeline/next_branch", alt(kKeyDown), "Next branch", "Shows the next run.", change_branch<1>,
+              has_branches),
+      command("timeline/previous_branch", alt(kKeyUp), "Previous branch", "Shows the run before.",
+              change_branch<-1>, has_branches),
       command(
-          "file/save_recording", ctrl_shift('e'), "Save recording...",
-          "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
-          [](S, A, U ui) { ui.view.dialog = FileDialog::save_recording; }, has_frames),
+          "timeline/drop_branch", alt(kKeyDelete), "Drop this branch", "Forgets the run that is shown.",
+          [](S session, A actions, U) {
+            actions.push_back(action::DropBranch{session.timeline().current().id});
+          },
+          has_frames),
+      command("timeline/edit_rule", alt('e'), "Next rule for edits",
+              "What an edit does with the recording: goes on from the shown frame, or runs it again.",
+              next_edit_rule),
       command(
           "timeline/rerun", ctrl_shift('r'), "Run again from frame 0",
           "Makes the whole run again with the recorded input, on the level as it is now.",
           [](S, A actions, U) { actions.push_back(action::Rerun{0}); }, after_start),
+      command(
+          "timeline/cancel", shift(kKeyF5), "Stop running again or searching",
+          "The branch ends where it has come to; a search leaves the shown frame.", cancel,
+          [](S session, const Ui&) { return session.debugger().searching() || session.timeline().behind(); }),
+      command(
+          "file/save_recording", ctrl_shift('e'), "Save recording...",
+          "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
+          [](S, A, U ui) { ui.view.dialog = FileDialog::save_recording; }, has_frames),
   };
 }
 
@@ -76,26 +168,60 @@ std::vector<Command> stop_commands() {
           "Shows the last frame before this one at which a breakpoint stops.",
           [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::backwards}); },
           has_stops),
+      command("stops/new", ctrl(kKeyF9), "New breakpoint...", "Opens the breakpoints, to type a condition.",
+              [](S, A, U ui) { type_into("stops", "stops/new", ui); }),
+      command("stops/switch_all", ctrl_shift(kKeyF9), "Breakpoints off or on",
+              "Switches all breakpoints off, or, when all are off, on.", switch_all_stops, has_stops),
       repeating(command("why/next", KeyChord{kKeyF11}, "Next stage of the step",
                         "Draws the next stage of the chosen body's step in the play view.", change_stage<1>,
                         has_stages)),
       repeating(command("why/before", shift(kKeyF11), "Stage before",
                         "Draws the stage before; before the first, none.", change_stage<-1>, has_stages)),
-      toggle(
-          "compare/split", KeyChord{kKeyF7}, "Two views",
-          "Shows the other side of a comparison in a view of its own, instead of as ghosts.",
-          [](S, A, U ui) { ui.view.split_compared = !ui.view.split_compared; },
-          [](S, const Ui& ui) { return ui.view.split_compared; }),
+  };
+}
+
+std::vector<Command> watch_commands() {
+  return {
       toggle(
           "view/debugger", KeyChord{kKeyF4}, "Debugger",
           "Shows the panels of the debugger: input, plots, breakpoints and comparison.",
           [](S, A, U ui) { ui.view.dock_open = !ui.view.dock_open; },
           [](S, const Ui& ui) { return ui.view.dock_open; }),
+      command("watch/new_watch", KeyChord{kKeyF8}, "Watch an expression...",
+              "Opens the plots, to type an expression.",
+              [](S, A, U ui) { type_into("watch", "watch/new", ui); }),
+      toggle(
+          "watch/choose_times", shift(kKeyF8), "Plot the time of a step", "Plots how long the steps take.",
+          [](S, A, U ui) { ui.view.shows_times = !ui.view.shows_times; },
+          [](S, const Ui& ui) { return ui.view.shows_times; }),
+      command(
+          "compare/next", shift(kKeyF7), "Compare with the next",
+          "The same input through exact, its single precision, bump and article, then the other branches, "
+          "then nothing.",
+          compare_with_next),
+      toggle(
+          "compare/split", KeyChord{kKeyF7}, "Two views",
+          "Shows the other side of a comparison in a view of its own, instead of as ghosts.",
+          [](S, A, U ui) { ui.view.split_compared = !ui.view.split_compared; },
+          [](S, const Ui& ui) { return ui.view.split_compared; }),
+      command(
+          "compare/first", ctrl(kKeyF7), "First parting frame",
+          "Shows the first frame in which a body is further than that from its other self.",
+          [](S, A actions, U ui) { actions.push_back(action::FindParting{ui.view.parting}); }, has_other),
+      command(
+          "compare/stop", ctrl_shift(kKeyF7), "Stop where they part",
+          "Adds a breakpoint that stops a run where they part.",
+          [](S, A actions, U ui) {
+            actions.push_back(action::SetBreakpoint{{.condition = parting_condition(ui.view.parting)}});
+          },
+          has_other),
   };
 }
 
 }  // namespace
 
-std::vector<Command> debug_commands() { return joined({timeline_commands(), stop_commands()}); }
+std::vector<Command> debug_commands() {
+  return joined({seek_commands(), branch_commands(), stop_commands(), watch_commands()});
+}
 
 }  // namespace talus

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "debug/completion.h"
+#include "text_focus.h"
 
 namespace talus {
 namespace {
@@ -18,17 +19,9 @@ void accept(const Completion& completion, const Candidate& candidate, std::strin
   cursor = completion.from + candidate.text.size();
 }
 
-// Tab puts the first candidate in; the cursor is told of in every frame.
-int on_edit(ImGuiInputTextCallbackData* data) {
-  auto& cursor = *static_cast<std::size_t*>(data->UserData);
-  cursor = static_cast<std::size_t>(data->CursorPos);
-  if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion) return 0;
-  const Completion completion = complete({data->Buf, static_cast<std::size_t>(data->BufTextLen)}, cursor);
-  if (completion.candidates.empty()) return 0;
-  const std::string& candidate = completion.candidates.front().text;
-  data->DeleteChars(static_cast<int>(completion.from), static_cast<int>(completion.to - completion.from));
-  data->InsertChars(static_cast<int>(completion.from), candidate.c_str());
-  return 0;
+bool is_whole(const Completion& completion) {
+  return completion.candidates.size() == 1 &&
+         completion.candidates[0].text.size() == completion.to - completion.from;
 }
 
 std::optional<ExpressionError> error_of(const std::string& text, bool condition) {
@@ -39,23 +32,46 @@ std::optional<ExpressionError> error_of(const std::string& text, bool condition)
 
 }  // namespace
 
+// Tab puts the first candidate in, or, without one, goes on; the cursor is told of in every frame.
+int ExpressionField::on_edit(ImGuiInputTextCallbackData* data) {
+  auto& field = *static_cast<ExpressionField*>(data->UserData);
+  field.cursor_ = static_cast<std::size_t>(data->CursorPos);
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory)
+    field.way_ = data->EventKey == ImGuiKey_UpArrow ? FieldWay::up : FieldWay::down;
+  if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion) return 0;
+  const Completion completion =
+      complete({data->Buf, static_cast<std::size_t>(data->BufTextLen)}, field.cursor_);
+  if (completion.candidates.empty() || is_whole(completion)) {
+    field.way_ = FieldWay::on;
+    return 0;
+  }
+  const std::string& candidate = completion.candidates.front().text;
+  data->DeleteChars(static_cast<int>(completion.from), static_cast<int>(completion.to - completion.from));
+  data->InsertChars(static_cast<int>(completion.from), candidate.c_str());
+  return 0;
+}
+
 bool ExpressionField::draw(std::string_view name, std::string& text, bool condition, float width,
                            std::string_view hint, Ui& ui) {
   const std::string id = "##" + std::string(name);
+  way_ = FieldWay::none;
   ImGui::SetNextItemWidth(width);
-  constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_CallbackAlways |
-                                         ImGuiInputTextFlags_CallbackCompletion |
-                                         ImGuiInputTextFlags_EnterReturnsTrue;
-  bool entered =
-      ImGui::InputTextWithHint(id.c_str(), std::string(hint).c_str(), &text, kFlags, on_edit, &cursor_);
-  entered = entered || ImGui::IsItemDeactivatedAfterEdit();
+  take_text_focus(name, ui);
+  constexpr ImGuiInputTextFlags kFlags =
+      ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackCompletion |
+      ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_EnterReturnsTrue;
+  const bool confirmed =
+      ImGui::InputTextWithHint(id.c_str(), std::string(hint).c_str(), &text, kFlags, on_edit, this);
+  const bool left = ImGui::IsItemDeactivatedAfterEdit();
   const bool active = ImGui::IsItemActive();
-  ui.item(name, "An expression such as \"vy > 3 && grounded\"; Tab completes a name.");
+  ui.item(name,
+          "An expression such as \"vy > 3 && grounded\". Tab completes a name, and goes on where "
+          "there is none; Up and Down go to the other rows.");
   const auto error = text.empty() ? std::nullopt : error_of(text, condition);
   if (error) draw_error(text, *error, ui);
   if (active || open_) draw_candidates(name, text, ui);
   open_ = active || (open_ && ImGui::IsMouseDown(0));
-  return entered && !error && !text.empty();
+  return !error && (confirmed || (left && !text.empty()));
 }
 
 void ExpressionField::draw_error(const std::string& text, const ExpressionError& error, Ui& ui) const {
@@ -65,9 +81,9 @@ void ExpressionField::draw_error(const std::string& text, const ExpressionError&
   };
   const float x = min.x + ImGui::GetStyle().FramePadding.x + width_to(error.position);
   const float end = std::max(x + ui.px(6), min.x + ImGui::GetStyle().FramePadding.x + width_to(text.size()));
-  ImGui::GetWindowDrawList()->AddRectFilled({x, max.y - ui.px(2)}, {end, max.y}, theme::color(theme::kError));
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kError));
-  ImGui::PushTextWrapPos(0);
+  ImGui::GetWindowDrawList()->AddRectFilled({x, max.y - ui.px(2)}, {end, max.y}, theme::tone(theme::kError));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + max.x - min.x);
   ImGui::TextUnformatted(("at " + std::to_string(error.position + 1) + ": " + error.message).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
@@ -76,9 +92,7 @@ void ExpressionField::draw_error(const std::string& text, const ExpressionError&
 void ExpressionField::draw_candidates(std::string_view name, std::string& text, Ui& ui) {
   const Completion completion = complete(text, cursor_);
   const std::size_t count = std::min(completion.candidates.size(), kMostCandidates);
-  const bool only_itself =
-      count == 1 && completion.candidates[0].text.size() == completion.to - completion.from;
-  if (count == 0 || only_itself) return;
+  if (count == 0 || is_whole(completion)) return;
   for (std::size_t i = 0; i < count; ++i) {
     const Candidate& candidate = completion.candidates[i];
     if (i > 0) ui.same_line_if_fits(ImGui::CalcTextSize(candidate.label.c_str()).x + ui.px(8));

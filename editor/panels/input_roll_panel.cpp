@@ -2,24 +2,19 @@
 #include "input_roll_panel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
+
+#include "commands.h"
+#include "input_roll.h"
+#include "text_focus.h"
 
 namespace talus {
 namespace {
 
 constexpr float kColumn = 12, kRow = 18, kLabels = 56;  // px at scale 1
 constexpr int kRulerStep = 10;                          // frames
-
-struct Row {
-  InputKey key;
-  std::string_view label;
-};
-constexpr std::array<Row, 4> kRows = {{{InputKey::left, "left"},
-                                       {InputKey::right, "right"},
-                                       {InputKey::jump, "jump"},
-                                       {InputKey::mouse, "mouse"}}};
+constexpr float kNumber = 72;                           // px at scale 1, of a field
 
 bool holds(const Branch& branch, std::int64_t frame, InputKey key) {
   Input input = branch.input(frame);
@@ -36,11 +31,13 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     return;
   }
   const float column = ui.px(kColumn);
-  const View view = visible_frames(session, ImGui::GetContentRegionAvail().x - ui.px(kLabels), column);
+  const Columns view = visible_frames(session, ImGui::GetContentRegionAvail().x - ui.px(kLabels), column);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(2)));
   draw_ruler(session, actions, ui, view, column);
-  for (const Row& row : kRows) draw_row(row.key, row.label, session, ui, view, column);
+  for (int row = 0; row < static_cast<int>(kInputRows.size()); ++row)
+    draw_row(row, session, ui, view, column);
   ImGui::PopStyleVar();
+  draw_mouse_place(session, actions, ui);
   if (stroke_ && !ImGui::IsMouseDown(0)) {
     actions.push_back(action::SetInput{std::min(stroke_->from, stroke_->to),
                                        std::max(stroke_->from, stroke_->to), stroke_->key, stroke_->on});
@@ -49,58 +46,66 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 // The frame that is shown stays at a third of the width, unless the wheel moved the strip.
-InputRollPanel::View InputRollPanel::visible_frames(const Session& session, float width, float column) {
-  View view{0, std::max(1, static_cast<int>(width / column))};
+InputRollPanel::Columns InputRollPanel::visible_frames(const Session& session, float width, float column) {
+  Columns view{0, std::max(1, static_cast<int>(width / column))};
   const std::int64_t frame = session.state().frame;
   const float wheel = ImGui::IsWindowHovered() ? ImGui::GetIO().MouseWheel : 0;
   if (frame != scrolled_at_) scrolled_ = 0;
   scrolled_at_ = frame;
   if (wheel != 0) scrolled_ -= std::lround(wheel * 8);
-  const std::int64_t most = std::max<std::int64_t>(session.timeline().last_frame() - view.columns + 2, 1);
-  view.first = std::clamp<std::int64_t>(frame - view.columns / 3 + scrolled_, 1, most);
-  scrolled_ = view.first - (frame - view.columns / 3);
+  const std::int64_t most = std::max<std::int64_t>(session.timeline().last_frame() - view.count + 2, 1);
+  view.first = std::clamp<std::int64_t>(frame - view.count / 3 + scrolled_, 1, most);
+  scrolled_ = view.first - (frame - view.count / 3);
   return view;
 }
 
-void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui, View view, float column) {
+void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui, Columns view,
+                                float column) {
   ImGui::Dummy({ui.px(kLabels), ui.px(kRow)});
   ImGui::SameLine();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("ruler", {column * static_cast<float>(view.columns), ui.px(kRow)});
-  ui.item("input_roll/ruler", "The frames that the input leads to; click to show one.");
+  ImGui::InvisibleButton("ruler", {column * static_cast<float>(view.count), ui.px(kRow)});
+  ui.item("input_roll/ruler", "The frames that the input leads to; click to show one.",
+          keys_of(find_command("roll/back"), ui) + "  " + keys_of(find_command("roll/on"), ui));
+  if (ImGui::IsItemActivated()) take_keys(ui.view, ui.view.input_row);
   if (ImGui::IsItemActive()) {
     const auto i = static_cast<std::int64_t>((ImGui::GetIO().MousePos.x - at.x) / column);
     actions.push_back(action::SeekFrame{view.first + i});
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (int i = 0; i < view.columns; ++i) {
+  for (int i = 0; i < view.count; ++i) {
     const std::int64_t frame = view.first + i;
     if (frame > session.timeline().last_frame()) break;
     const float x = at.x + column * static_cast<float>(i);
     if (frame == session.state().frame)
-      list.AddRectFilled({x, at.y}, {x + column - 1, at.y + ui.px(kRow)}, theme::color(theme::kAccent, 150));
+      list.AddRectFilled({x, at.y}, {x + column - 1, at.y + ui.px(kRow)}, theme::tone(theme::kAccent, 150));
     if (frame % kRulerStep != 0) continue;
-    list.AddText({x, at.y}, theme::color(theme::kMuted), std::to_string(frame).c_str());
+    list.AddText({x, at.y}, theme::tone(theme::kMuted), std::to_string(frame).c_str());
   }
 }
 
-void InputRollPanel::draw_row(InputKey key, std::string_view label, const Session& session, Ui& ui, View view,
-                              float column) {
-  ImGui::PushID(static_cast<int>(key));
+void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns view, float column) {
+  const auto [key, label] = kInputRows[static_cast<std::size_t>(index)];
+  ImGui::PushID(index);
   const float height = ui.px(kRow);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText(start, theme::color(theme::kMuted), label.data(), label.data() + label.size());
+  const bool has_keys = ui.view.focus == Focus::input && ui.view.input_row == index;
+  list.AddText(start, theme::tone(has_keys ? theme::kAccent : theme::kMuted), label.data(),
+               label.data() + label.size());
   ImGui::Dummy({ui.px(kLabels), height});
   ImGui::SameLine();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("row", {column * static_cast<float>(view.columns), height});
+  ImGui::InvisibleButton("row", {column * static_cast<float>(view.count), height});
   ui.item("input_roll/" + std::string(label),
-          "Click a frame to press or let go; drag to hold over several. The run is made again from there.");
+          "Click a frame to press or let go; drag to hold over several. The run is made again from there.",
+          keys_of(find_command("view/input"), ui) + ", arrows, " + keys_of(find_command("roll/toggle"), ui));
+  if (ImGui::IsItemActivated()) take_keys(ui.view, index);
   handle_row(key, session, view, at, column);
 
   const Branch& branch = session.timeline().current();
-  for (int i = 0; i < view.columns; ++i) {
+  const FrameRange chosen = chosen_frames(session, ui.view);
+  for (int i = 0; i < view.count; ++i) {
     const std::int64_t frame = view.first + i;
     if (frame > branch.last_frame()) break;
     bool on = holds(branch, frame, key);
@@ -108,15 +113,59 @@ void InputRollPanel::draw_row(InputKey key, std::string_view label, const Sessio
         frame <= std::max(stroke_->from, stroke_->to))
       on = stroke_->on;
     const float x = at.x + column * static_cast<float>(i);
-    list.AddRectFilled({x, at.y}, {x + column - 1, at.y + height},
-                       on ? theme::color(theme::kAccent) : theme::color(theme::kControl));
-    if (frame == session.state().frame)
-      list.AddRect({x, at.y}, {x + column - 1, at.y + height}, theme::color(theme::kText));
+    const ImVec2 from{x, at.y}, to{x + column - 1, at.y + height};
+    list.AddRectFilled(from, to, theme::tone(on ? theme::kAccent : theme::kControl));
+    if (frame == session.state().frame || (has_keys && chosen.has(frame)))
+      list.AddRect(from, to, theme::tone(theme::kText), 0, 0, has_keys ? ui.px(2) : 1);
   }
   ImGui::PopID();
 }
 
-void InputRollPanel::handle_row(InputKey key, const Session& session, View view, ImVec2 at, float column) {
+// Where the mouse was in the step to the shown frame, or in those of the range, which all get what is typed.
+void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, Ui& ui) {
+  const FrameRange chosen = chosen_frames(session, ui.view);
+  if (chosen.last < 1) return;
+  const Vec2 now = session.timeline().current().input(session.state().frame).mouse;
+  ui.begin_row();
+  ImGui::TextUnformatted(chosen.first == chosen.last
+                             ? "Mouse in the step to this frame"
+                             : ("Mouse in the steps to frames " + std::to_string(chosen.first) + " to " +
+                                std::to_string(chosen.last))
+                                   .c_str());
+  const auto field = [&](const char* axis, double Vec2::*part) {
+    const std::string name = std::string("input_roll/mouse_") + axis;
+    ImGui::SameLine();
+    ImGui::TextUnformatted(axis);
+    ImGui::SameLine();
+    if (edited_ != part) typed_.*part = now.*part;
+    ImGui::SetNextItemWidth(ui.px(kNumber));
+    take_text_focus(name, ui);
+    ImGui::InputDouble(("##" + name).c_str(), &(typed_.*part), 0, 0, "%.2f");
+    if (ImGui::IsItemActive()) edited_ = part;
+    const bool entered = ImGui::IsItemDeactivatedAfterEdit();
+    if (entered && std::isfinite(typed_.*part)) {
+      Vec2 place = now;
+      place.*part = typed_.*part;
+      actions.push_back(action::SetMouse{chosen.first, chosen.last, place});
+    }
+    if (edited_ == part && !ImGui::IsItemActive()) edited_ = nullptr;
+    ui.item(name,
+            "Where the mouse was, px in the level; the play view shows the place. What is typed runs "
+            "the recording again from there.",
+            keys_of(find_command("roll/mouse"), ui));
+  };
+  field("x", &Vec2::x);
+  field("y", &Vec2::y);
+  ui.end_row();
+}
+
+void InputRollPanel::take_keys(View& view, int row) {
+  view.focus = Focus::input;
+  view.input_row = row;
+  view.input_range.reset();
+}
+
+void InputRollPanel::handle_row(InputKey key, const Session& session, Columns view, ImVec2 at, float column) {
   const Branch& branch = session.timeline().current();
   const auto i = static_cast<std::int64_t>(std::floor((ImGui::GetIO().MousePos.x - at.x) / column));
   const std::int64_t frame = std::clamp<std::int64_t>(view.first + i, 1, branch.last_frame());

@@ -19,19 +19,22 @@ class InputRollPanel final : public Panel {
     bool on;                // what it sets
     std::int64_t from, to;  // frames, in any order
   };
-  struct View {
+  struct Columns {
     std::int64_t first = 0;  // frame of the leftmost column
-    int columns = 0;
+    int count = 0;
   };
-  View visible_frames(const Session& session, float width, float column);
-  void draw_ruler(const Session& session, Actions& actions, Ui& ui, View view, float column);
-  void draw_row(InputKey key, std::string_view label, const Session& session, Ui& ui, View view,
-                float column);
-  void handle_row(InputKey key, const Session& session, View view, ImVec2 at, float column);
+  Columns visible_frames(const Session& session, float width, float column);
+  void draw_ruler(const Session& session, Actions& actions, Ui& ui, Columns view, float column);
+  void draw_row(int index, const Session& session, Ui& ui, Columns view, float column);
+  void draw_mouse_place(const Session& session, Actions& actions, Ui& ui);
+  static void take_keys(View& view, int row);
+  void handle_row(InputKey key, const Session& session, Columns view, ImVec2 at, float column);
 
   std::optional<Stroke> stroke_;
-  std::int64_t scrolled_ = 0;      // columns by which the wheel moved it
-  std::int64_t scrolled_at_ = -1;  // the frame shown then; when another is shown, it follows that again
+  Vec2 typed_;                      // px, in the fields of the mouse's place
+  double Vec2::*edited_ = nullptr;  // the one of them that is being typed into; null: none
+  std::int64_t scrolled_ = 0;       // columns by which the wheel moved it
+  std::int64_t scrolled_at_ = -1;   // the frame shown then; when another is shown, it follows that again
 };
 
 }  // namespace talus

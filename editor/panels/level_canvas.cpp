@@ -6,8 +6,11 @@
 #include <string>
 
 #include "canvas_layers.h"
+#include "case_note.h"
 #include "commands.h"
 #include "flag_label.h"
+#include "input_roll.h"
+#include "mouse_mark.h"
 #include "overlay_painter.h"
 #include "overlay_switches.h"
 #include "play_keys.h"
@@ -46,6 +49,18 @@ std::string zoom_text(float zoom) {
   return "1/" + std::to_string(static_cast<int>(1 / zoom)) + "x";
 }
 
+// What is tinted, or what the flag brush does at the mouse.
+std::string flag_caption(const Session& session, FlagPattern pattern, std::optional<Cell> hovered) {
+  if (session.choices().map_tool != MapTool::flag) return "tinted: " + pattern_label(session.level(), pattern);
+  if (!hovered) return brush_text(session, SheetId::tiles, {});
+  return brush_text(session, SheetId::tiles, session.level().map.at(*hovered)) + ", in all its cells";
+}
+
+Rgb rgb_of(ImU32 color) {
+  const auto channel = [color](int shift) { return static_cast<std::uint8_t>(color >> shift & 0xFF); };
+  return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
+}
+
 }  // namespace
 
 void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
@@ -53,10 +68,10 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   start_afresh(session, ui, size);
   take_requests(session, ui, size);
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton(is_play() ? "play" : "map", size,
+  ImGui::InvisibleButton(name_.c_str(), size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
-  ui.item(is_play() ? "play/canvas" : "map/canvas");
+  ui.item(name_ + "/canvas");
   handle_mouse(session, actions, ui, camera_.view(min, size));
   camera_.clamp(size_in_pixels(session.level().map), size);
 
@@ -68,9 +83,11 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
     draw_cell_frame(list, {ui.view.marked_cell->x, ui.view.marked_cell->y, 1, 1}, view,
                     theme::color(theme::kWarning), ui.px(2));
   const bool paints = !is_play() || ui.view.paint_in_play;
-  if (paints && !panning_) draw_preview(session, view, ui);
+  if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
+  if (paints && !panning_ && !camera_.shows_whole()) draw_preview(session, view, ui);
   if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
+  if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/minimap");
   list.PopClipRect();
 }
 
@@ -89,14 +106,24 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) c
   list.PopClipRect();
 }
 
-void LevelCanvas::draw_preview(const Session& session, const CanvasView& view, const Ui& ui) const {
+void LevelCanvas::draw_preview(const Session& session, const CanvasView& view, Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Vec2 at = view.to_level(mouse);
   const bool hovered = ImGui::IsItemHovered();
-  if (line_gesture_.active() || (hovered && draws_lines(session.choices().map_tool)))
-    line_gesture_.draw_preview(list, view, ui, view.to_level(mouse));
+  const MapTool tool = session.choices().map_tool;
+  if (curve_gesture_.active() || (draws_curves(tool) && !is_editing()))
+    curve_gesture_.draw(list, session, view, ui, at, hovered);
+  else if (line_gesture_.active() || (hovered && tool == MapTool::slope))
+    line_gesture_.draw_preview(list, view, ui, at);
+  else if (ground_gesture_.active() || (hovered && tool == MapTool::ground))
+    ground_gesture_.draw_preview(list, view, ui, view.to_cell(mouse));
+  else if (select_gesture_.active() || (hovered && selects(session.choices()) && !gesture_.active()))
+    select_gesture_.draw_preview(list, session, view, ui, view.to_cell(mouse));
   else if (hovered || gesture_.active())
     gesture_.draw_preview(list, session, view, ui, view.to_cell(mouse));
+  if (spawn_gesture_.active() || (tool == MapTool::body && !is_editing()))
+    spawn_gesture_.draw(list, session, view, ui, at, hovered);
 }
 
 // Shows the first screen of another level, and shows it as large as a changed window allows until the user
@@ -107,18 +134,27 @@ void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size
   level_number_ = ui.view.level_number;
   size_ = size;
   if (!another && !(resized && camera_.is_untouched())) return;
+  if (another) camera_ = Camera();
   const Vec2 map = size_in_pixels(session.level().map);
   camera_.fit(
       {std::min<double>(map.x, kScreenColumns * kTileSize), std::min<double>(map.y, kScreenRows * kTileSize)},
       size);
 }
 
+// Whether the requests of the view are for this canvas, of the two that may be shown.
+bool LevelCanvas::has_requests(const View& view) const {
+  if (view.canvas == CanvasMode::both) return view.play_active == is_play();
+  return view.canvas != CanvasMode::two_maps || view.second_map == is_second_;
+}
+
 void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
   View& v = ui.view;
-  const bool mine = v.canvas == CanvasMode::both ? v.play_active == is_play() : true;
+  const bool mine = has_requests(v);
   const Vec2 map = size_in_pixels(session.level().map);
-  if (v.centre_on && (!is_play() || v.canvas == CanvasMode::play)) {
-    camera_.centre({(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize}, size);
+  camera_.limit(map, size);
+  const bool centres = v.canvas == CanvasMode::two_maps ? mine : !is_play() || v.canvas == CanvasMode::play;
+  if (v.centre_on && centres) {
+    camera_.leave_whole({(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize}, size);
     v.centre_on.reset();
   }
   if (!mine) return;
@@ -136,26 +172,69 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   const Cell cell = view.to_cell(io.MousePos);
   if (hovered) {
     ui.view.hover.pixel = view.to_level(io.MousePos);
-    if (session.level().map.contains(cell)) ui.view.hover.cell = cell;
+    if (session.level().map.contains(cell)) {
+      ui.view.hover.cell = cell;
+      ui.view.tile_places[session.level().map.at(cell)] = cell;
+    }
     zoom_by_wheel({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
     if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||
-        io.MouseWheel != 0)
+        io.MouseWheel != 0) {
       ui.view.play_active = is_play();
+      ui.view.second_map = is_second_;
+    }
   }
   const bool paints = !is_play() || ui.view.paint_in_play;
+  if (handle_minimap(session, view, ui, hovered)) return;
   if (handle_panning(session, ui, paints, hovered)) return;
-  const MapTool tool = session.choices().map_tool;
-  const bool pressed = hovered && ImGui::IsMouseClicked(0);
-  const Vec2 at = view.to_level(io.MousePos);
-  if (!paints && !line_gesture_.active()) {
+  if (handle_world_view(session, hovered)) return;
+  if (paints || is_editing())
+    edit(session, actions, ui, view, hovered && ImGui::IsMouseClicked(0));
+  else
     handle_play_mouse(session, actions, view, hovered);
-  } else if (line_gesture_.active() || (draws_lines(tool) && !gesture_.active())) {
-    line_gesture_.update(session, actions, at, pressed, io.MouseDown[0]);
-  } else if (tool == MapTool::body && !gesture_.active()) {
-    spawn_gesture_.update(session, actions, at, pressed, io.MouseDown[0]);
-  } else {
-    gesture_.update(session, actions, cell, pressed, io.MouseDown[0]);
+}
+
+void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const CanvasView& view, bool pressed) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const MapTool tool = session.choices().map_tool;
+  const bool begins = !is_editing(), down = io.MouseDown[0];
+  const bool picks = begins && ImGui::IsItemHovered() && ImGui::IsMouseClicked(2);
+  const Vec2 at = view.to_level(io.MousePos);
+  if (gesture_.active() || picks)
+    gesture_.update(session, actions, view.to_cell(io.MousePos), picks ? 2 : MapGesture::kNoButton);
+  else if (curve_gesture_.active() || (begins && draws_curves(tool)))
+    curve_gesture_.update(session, actions, view, at, pressed, down);
+  else if (line_gesture_.active() || (begins && tool == MapTool::slope))
+    line_gesture_.update(session, actions, at, pressed, down);
+  else if (spawn_gesture_.active() || (begins && tool == MapTool::body))
+    spawn_gesture_.update(session, actions, view, at, pressed, down);
+  else if (flag_brush_.active() || (begins && tool == MapTool::flag))
+    flag_brush_.update(session, actions, SheetId::tiles, view.to_cell(io.MousePos), TileOfMap{session.level().map}, pressed, down);
+  else if (ground_gesture_.active() || (begins && tool == MapTool::ground))
+    ground_gesture_.update(session, actions, ui, view.to_cell(io.MousePos), pressed, down);
+  else if (select_gesture_.active() || (begins && selects(session.choices())))
+    select_gesture_.update(session, actions, view.to_cell(io.MousePos), pressed, down);
+  else
+    gesture_.update(session, actions, view.to_cell(io.MousePos), pressed ? 0 : MapGesture::kNoButton);
+}
+
+// In the world view a click goes to its place, as in TIC-80.
+bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
+  if (!camera_.shows_whole() || is_editing()) return false;
+  if (hovered && ImGui::IsMouseClicked(0)) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos, min = ImGui::GetItemRectMin();
+    const Vec2 map = size_in_pixels(session.level().map);
+    const Vec2 at = camera_.view(min, size_).to_level(mouse);
+    camera_.leave_whole({std::clamp(at.x, 0.0, map.x), std::clamp(at.y, 0.0, map.y)}, size_);
   }
+  return true;
+}
+
+bool LevelCanvas::handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered) {
+  if (!has_minimap(ui) || is_editing()) return false;
+  std::optional<Vec2> centre;
+  const bool taken = minimap_.update(session.level().map, view, ui, hovered && !panning_, centre);
+  if (centre) camera_.centre(*centre, size_);
+  return taken;
 }
 
 // Touch pads turn the wheel by fractions, which add up.
@@ -170,7 +249,8 @@ bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool pain
   const ImGuiIO& io = ImGui::GetIO();
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view);
   const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
-  if (hovered && (ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) || (hand && ImGui::IsMouseClicked(0))))
+  const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
+  if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0))))
     panning_ = true;
   if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
   if (panning_) camera_.scroll({-io.MouseDelta.x, -io.MouseDelta.y});
@@ -197,9 +277,17 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Level& level = session.level();
   const Choices& choices = session.choices();
-  draw_tiles(list, level, view, ui, is_play());
+  const auto& tint = choices.flag_overlay;
+  const bool far = is_far(view) && ui.map_textures != nullptr;
+  if (far) {
+    list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
+    draw_far_tiles(list, level.map, view, ui,
+                   {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}});
+  } else {
+    draw_tiles(list, level, view, ui, is_play());
+  }
   draw_curves(list, level, view, ui.scale);
-  if (choices.flag_overlay) draw_flag_tint(list, level, view, *choices.flag_overlay);
+  if (tint && !far) draw_flag_tint(list, level, view, *tint);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play()) draw_spawns(list, level, view, ui);
@@ -210,6 +298,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
   if (!ui.view.split_compared) draw_ghosts(list, session, view, ui.scale);
   draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage);
+  if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 
 // A held ball moves with the steps alone: while there are none, a line shows where it is drawn to.
@@ -222,8 +311,8 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
   list.AddLine(from, to, theme::color(theme::kDark, 200), ui.px(2) + 2);
   list.AddLine(from, to, theme::color(theme::kAccent), ui.px(2));
   list.AddCircleFilled(to, ui.px(3), theme::color(theme::kAccent));
-  const std::string text = "paused: step (" + keys_of(find_command("play/step")) + ") or play (" +
-                           keys_of(find_command("play/toggle")) + ") to move it";
+  const std::string text = "paused: step (" + keys_of(find_command("play/step"), ui) + ") or play (" +
+                           keys_of(find_command("play/toggle"), ui) + ") to move it";
   draw_plate(list, {view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)}, text,
              theme::color(theme::kText), ui);
 }
@@ -231,15 +320,19 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap = ui.px(4);
-  std::string title = std::string(is_play() ? "Play" : "Map") + "  " + zoom_text(view.zoom);
+  std::string title = std::string(is_play() ? "Play" : is_second_ ? "Second map" : "Map") + "  " + zoom_text(view.zoom);
+  if (camera_.shows_whole()) title += "   click: go there";
   if (is_play() && keys_steer(session, ui.view))
     title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
   draw_plate(list, {view.min.x + gap, view.min.y + gap}, title, theme::color(theme::kMuted), ui);
-  if (is_play()) draw_overlay_legend(list, session.choices().overlays, view, ui);
-  if (const auto flag = session.choices().flag_overlay) {
-    const std::string text = "tinted: " + flag_label(session.level(), *flag);
+  if (const std::string note = is_play() ? case_note(session) : ""; !note.empty())
+    draw_plate(list, {view.min.x + gap, view.min.y + 2 * gap + ImGui::GetTextLineHeight() + ui.px(4)}, note,
+               theme::color(theme::kMuted), ui);
+  if (is_play()) draw_overlay_legend(list, session.choices(), view, ui);
+  if (const auto pattern = session.choices().flag_overlay) {
+    const std::string text = flag_caption(session, *pattern, ui.view.hover.cell);
     const float height = ImGui::GetTextLineHeight() + ui.px(4);
-    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(*flag, 255), ui);
+    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(pattern->lowest_flag(), 255), ui);
   }
   if (is_play() && session.state().bodies.empty()) {
     const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (7)";

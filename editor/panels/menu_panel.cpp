@@ -67,23 +67,6 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_commands({"edit/undo",
                    "edit/redo",
                    "",
-                   "map/stamp",
-                   "map/pan",
-                   "map/rectangle",
-                   "map/fill",
-                   "map/erase",
-                   "map/pick",
-                   "map/body",
-                   "map/slope",
-                   "map/segment",
-                   "map/curve",
-                   "map/duplicate",
-                   "map/ground",
-                   "map/random",
-                   "map/shuffle",
-                   "brushes/add",
-                   "ground/propose",
-                   "",
                    "shape/suggest",
                    "shape/give",
                    "",
@@ -94,6 +77,19 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                    "",
                    "edit/settings",
                    "edit/keys"},
+                  session, actions, ui);
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Map", ui)) {
+    draw_commands({"map/stamp",        "map/pan",         "map/select",         "map/fill",
+                   "map/line",         "map/rectangle",   "map/ellipse",        "map/slope",
+                   "map/segment",      "map/body",        "map/erase",          "map/pick",
+                   "map/curve",        "map/ground",      "",                   "map/cut",
+                   "map/copy",         "map/paste",       "map/delete",         "map/fill_selection",
+                   "map/mirror_h",     "map/mirror_v",    "map/select_all",     "map/select_none",
+                   "",                 "map/duplicate",   "map/random",         "map/shuffle",
+                   "brushes/add",      "ground/propose",  "",                   "map/find",
+                   "map/find_next",    "map/find_previous", "map/resize"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
@@ -169,41 +165,21 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::EndMenu();
   }
   if (begin_menu("Debug", ui)) {
-    draw_commands({"view/debugger",
-                   "view/input",
-                   "",
-                   "timeline/start",
-                   "timeline/back",
-                   "play/step",
-                   "timeline/end",
-                   "timeline/mark",
-                   "timeline/previous_mark",
-                   "timeline/next_mark",
-                   "",
-                   "timeline/fork",
-                   "timeline/previous_branch",
-                   "timeline/next_branch",
-                   "timeline/drop_branch",
-                   "timeline/rerun",
-                   "timeline/cancel",
-                   "",
-                   "stops/forwards",
-                   "stops/back",
-                   "stops/new",
-                   "stops/switch_all",
-                   "",
-                   "why/next",
-                   "why/before",
-                   "",
-                   "watch/new_watch",
-                   "watch/choose_times",
-                   "",
-                   "compare/next",
-                   "compare/split",
-                   "compare/first",
-                   "compare/stop",
-                   "",
-                   "file/save_recording"},
+    draw_commands({"view/debugger", "view/input", ""}, session, actions, ui);
+    const auto draw_menu = [&](const char* label, std::initializer_list<std::string_view> ids) {
+      if (!begin_menu(label, ui)) return;
+      draw_commands(ids, session, actions, ui);
+      ImGui::EndMenu();
+    };
+    draw_menu("Timeline",
+              {"timeline/start", "timeline/back_10", "timeline/back", "play/step", "timeline/on_10",
+               "timeline/end", "", "timeline/mark", "timeline/previous_mark", "timeline/next_mark"});
+    draw_menu("Branches", {"timeline/fork", "timeline/previous_branch", "timeline/next_branch",
+                           "timeline/drop_branch", "", "timeline/rerun", "timeline/cancel"});
+    draw_menu("Compare", {"compare/next", "compare/split", "", "compare/first", "compare/stop"});
+    draw_menu("Plots", {"watch/new_watch", "watch/choose_times"});
+    draw_commands({"", "stops/forwards", "stops/back", "stops/new", "stops/switch_all", "", "why/next",
+                   "why/before", "", "file/save_recording"},
                   session, actions, ui);
     draw_edit_rule(session, actions, ui);
     ImGui::EndMenu();

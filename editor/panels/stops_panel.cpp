@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands.h"
+#include "text_focus.h"
 
 namespace talus {
 namespace {
@@ -24,6 +25,16 @@ std::string stop_text(const Stop& stop) {
   return text + ".";
 }
 
+std::string condition_name(int breakpoint) { return "stops/" + std::to_string(breakpoint) + "/condition"; }
+
+// The field that a key goes to from this one's condition.
+std::string next_field(const std::vector<Breakpoint>& all, const Breakpoint& from, FieldWay way) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Breakpoint& b) { return b.id == from.id; });
+  if (way == FieldWay::on) return "stops/" + std::to_string(from.id) + "/body";
+  if (way == FieldWay::up) return at == all.begin() ? "stops/new" : condition_name((at - 1)->id);
+  return condition_name(at + 1 == all.end() ? from.id : (at + 1)->id);
+}
+
 }  // namespace
 
 void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -31,9 +42,8 @@ void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
   if (session.debugger().stops().breakpoints().empty()) {
     ui.hint(
-        "No breakpoint yet. Choose what to stop at and add it; the run stops there while it plays, and can "
-        "be "
-        "run back to the last time that it was true.");
+        "No breakpoint yet. Choose what to stop at and add it, or type a condition; the run stops there "
+        "while it plays, and can be run back to the last time that it was true.");
     return;
   }
   draw_list(session, actions, ui);
@@ -48,7 +58,8 @@ void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
   if (session.debugger().searching()) {
     const int percent = static_cast<int>(session.debugger().search_progress() * 100);
     if (ui.text_button("stops/cancel", "searching " + std::to_string(percent) + " %  x", false,
-                       "Stops searching; the shown frame stays."))
+                       "Stops searching; the shown frame stays.",
+                       keys_of(find_command("timeline/cancel"), ui)))
       actions.push_back(action::CancelSearch{});
     return;
   }
@@ -99,6 +110,13 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
                                .body = body,
                                .each_frame = info.each_frame}});
   ui.end_row();
+  if (new_field_.draw("stops/new", new_text_, true, -1, "or a condition: vy > 3 && grounded", ui) &&
+      !new_text_.empty()) {
+    actions.push_back(action::SetBreakpoint{{.condition = new_text_, .body = body}});
+    new_text_.clear();
+  }
+  const auto& all = session.debugger().stops().breakpoints();
+  if (new_field_.way() == FieldWay::down && !all.empty()) ui.view.wants_text = condition_name(all.front().id);
 }
 
 void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
@@ -126,13 +144,24 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::Checkbox("##enabled", &changed.enabled);
-  ui.item(name + "/enabled", "Whether it stops.");
+  ui.item(name + "/enabled", "Whether it stops.", "Ctrl+Enter in its condition");
   ImGui::TableNextColumn();
   std::string& text = texts_.try_emplace(breakpoint.id, breakpoint.condition).first->second;
   ExpressionField& field = condition_fields_[breakpoint.id];
-  if (field.draw(name + "/condition", text, true, -1, "a condition", ui)) changed.condition = text;
+  const bool entered = field.draw(condition_name(breakpoint.id), text, true, -1, "Enter removes it", ui);
+  if (entered && text.empty()) {
+    actions.push_back(action::RemoveBreakpoint{breakpoint.id});
+  } else if (entered) {
+    changed.condition = text;
+    changed.enabled = changed.enabled != ImGui::GetIO().KeyCtrl;
+  } else if (text.empty() && !field.is_open()) {
+    text = breakpoint.condition;
+  }
+  if (field.way() != FieldWay::none)
+    ui.view.wants_text = next_field(session.debugger().stops().breakpoints(), breakpoint, field.way());
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
+  take_text_focus(name + "/body", ui);
   ImGui::InputInt("##body", &changed.body, 0);
   changed.body = std::max(changed.body, 0);
   ui.item(name + "/body", "The id of the body that it is asked about; 0: any.");
@@ -147,7 +176,7 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   ui.tooltip("Hits counted up to the shown frame.");
   ImGui::TableNextColumn();
   if (ImGui::SmallButton("x")) actions.push_back(action::RemoveBreakpoint{breakpoint.id});
-  ui.item(name + "/remove", "Removes it.");
+  ui.item(name + "/remove", "Removes it.", "Enter in its emptied condition");
   if (changed != breakpoint) actions.push_back(action::SetBreakpoint{std::move(changed)});
 }
 

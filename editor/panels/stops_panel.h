@@ -25,6 +25,8 @@ class StopsPanel final : public Panel {
   StopKind kind_ = StopKind::touches_tile;  // of the next one
   std::array<double, 4> fields_{};          // its numbers
   bool fields_set_ = false;
+  std::string new_text_;  // of a condition that is being typed
+  ExpressionField new_field_;
   std::map<int, std::string> texts_;  // by id: as they are being typed
   std::map<int, ExpressionField> condition_fields_;
 };

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr float kTrack = 8;  // px at scale 1
+constexpr float kTrack = 16;  // px at scale 1
 
 // Small triangles below what the axis shows at a frame.
 void draw_pin(ImDrawList& list, float x, float bottom, float size, ImU32 color) {
@@ -34,22 +34,22 @@ class Track {
   const FrameAxis& axis() const { return axis_; }
 
   void draw() const {
-    list_.AddRectFilled(min_, max_, theme::color(theme::kControl), ui_.px(3));
+    list_.AddRectFilled(min_, max_, theme::tone(theme::kControl), ui_.px(3));
     // What is still to be run again is empty.
     const float run = axis_.x_of(static_cast<double>(branch_.run_frame()));
     list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {axis_.left + axis_.width, middle() + ui_.px(2)},
                         theme::color(theme::kDark));
     list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {run, middle() + ui_.px(2)},
-                        theme::color(theme::kMuted, 150));
+                        theme::tone(theme::kMuted, 150));
     for (const Chapter& chapter : branch_.chapters)
-      if (chapter.first > 0) tick(chapter.first, theme::color(theme::kWarning, 170));
-    if (branch_.parent != 0) tick(branch_.fork, theme::color(theme::kText, 170));
+      if (chapter.first > 0) tick(chapter.first, theme::tone(theme::kWarning, 170));
+    if (branch_.parent != 0) tick(branch_.fork, theme::tone(theme::kText, 170));
     for (const Mark& mark : branch_.marks)
       draw_pin(list_, axis_.x_of(static_cast<double>(mark.frame)), middle(), ui_.px(4),
-               theme::color(theme::kAccent));
+               theme::tone(theme::kAccent));
     if (const auto parting = session_.timeline().parting_frame())
       draw_pin(list_, axis_.x_of(static_cast<double>(*parting)), middle(), ui_.px(5),
-               theme::color(theme::kError));
+               theme::tone(theme::kError));
     cursor();
   }
 
@@ -73,7 +73,7 @@ class Track {
     list_.AddRectFilled({x - ui_.px(3), min_.y}, {x + ui_.px(3), max_.y}, theme::color(theme::kDark),
                         ui_.px(2));
     list_.AddRectFilled({x - ui_.px(2), min_.y + ui_.px(1)}, {x + ui_.px(2), max_.y - ui_.px(1)},
-                        theme::color(theme::kText), ui_.px(2));
+                        theme::tone(theme::kText), ui_.px(2));
   }
 
   const Session& session_;
@@ -106,7 +106,7 @@ void TimelinePanel::draw_track(const Session& session, Actions& actions, Ui& ui,
   const Track track(session, at, size, ui);
   track.draw();
   ui.item("timeline/track", help_at(session, track, mouse),
-          keys_of(find_command("timeline/back")) + "  " + keys_of(find_command("play/step")));
+          keys_of(find_command("timeline/back"), ui) + "  " + keys_of(find_command("play/step"), ui));
   if (!ImGui::IsItemActive()) return;
   const Mark* mark = ImGui::IsItemActivated() ? track.mark_at(mouse) : nullptr;
   const std::int64_t frame = mark != nullptr ? mark->frame : track.axis().frame_at(mouse.x);

@@ -65,7 +65,7 @@ void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void TuningPanel::draw_group(std::string_view group, Ui& ui) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::TableNextColumn();
-  ui.heading(group.empty() ? "article" : group);
+  ui.heading(group.empty() ? "balls, of every solver" : group);
 }
 
 void TuningPanel::draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {

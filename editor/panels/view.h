@@ -67,13 +67,14 @@ struct View {
   bool command_palette_open = false;
   bool resize_open = false;               // the dialog of the map's size
   bool find_tiles_open = false;           // the window that finds and replaces tiles
+  int find_tile = 0;                      // 0..255, that it finds
+  int replace_tile = 0;                   // 0..255, that it puts there instead
   std::vector<std::string> recent_files;  // absolute paths, the latest first
   std::vector<std::string> hard_cases;    // paths of the levels that come with the program, in order
   std::vector<std::string> tabs;          // ids of the panels that are shown where several share a region
   int palette_color = 12;                 // 0..15, which the sliders edit
   bool neighbours_shown = false;          // the pixel canvas among the tiles around it on the map
   std::array<std::optional<Cell>, kTileCount> tile_places;  // where on the map the mouse was on each tile last
-  std::optional<Focus> side_pointed_at;  // that the mouse was over in the last frame
 
   int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: none
   int input_row = 0;                        // of the input roll, that its keys change

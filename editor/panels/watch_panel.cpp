@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr float kTextWidth = 150, kRowHeight = 40;  // px at scale 1
+constexpr float kTextWidth = 190, kRowHeight = 40;  // px at scale 1
 
 // Colours of Okabe and Ito, in turn.
 ImU32 color_of(std::size_t index) {
@@ -26,15 +26,16 @@ std::string value_text(const Watches::Entry& entry, double value) {
   return two_decimals(value);
 }
 
+std::string text_name(std::size_t index) { return "watch/" + std::to_string(index) + "/text"; }
+
 }  // namespace
 
 void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
-  if (session.debugger().watches().all().empty() && !shows_times_) {
+  if (session.debugger().watches().all().empty() && !ui.view.shows_times) {
     ui.hint(
         "Nothing watched yet: choose a number, or type an expression. Each is plotted over the whole run, "
-        "for "
-        "the chosen body; a click on a plot shows that frame.");
+        "for the chosen body; a click on a plot shows that frame.");
     return;
   }
   if (session.choices().body == 0) ui.hint("No body chosen: click one in the play view.");
@@ -51,15 +52,18 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
         actions.push_back(action::SetWatch{next, {std::string(info.name), 0}});
       ui.item("watch/choose_" + std::string(info.name), info.help);
     }
-    if (ImGui::Selectable("ns a step")) shows_times_ = true;
-    ui.item("watch/choose_times", "How long the steps take.");
+    const Command& times = find_command("watch/choose_times");
+    if (ImGui::Selectable("ns a step", ui.view.shows_times)) times.run(session, actions, ui);
+    ui.item("watch/choose_times", times.help, keys_of(times, ui));
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  if (new_field_.draw("watch/new", new_text_, false, ui.px(300), "or an expression: max(vx, vy) * 2", ui)) {
+  if (new_field_.draw("watch/new", new_text_, false, ui.px(300), "or an expression: max(vx, vy) * 2", ui) &&
+      !new_text_.empty()) {
     actions.push_back(action::SetWatch{next, {new_text_, 0}});
     new_text_.clear();
   }
+  if (new_field_.way() == FieldWay::down && next > 0) ui.view.wants_text = text_name(0);
   ui.end_row();
 }
 
@@ -70,7 +74,7 @@ void WatchPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
     draw_row(i, session, actions, ui);
     ImGui::PopID();
   }
-  if (shows_times_) draw_times(session, actions, ui);
+  if (ui.view.shows_times) draw_times(session, actions, ui);
   ImGui::EndChild();
 }
 
@@ -79,15 +83,16 @@ void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& ac
   const std::string name = "watch/" + std::to_string(index);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::SmallButton("x")) actions.push_back(action::RemoveWatch{index});
-  ui.item(name + "/remove", "No longer watches it.");
+  ui.item(name + "/remove", "No longer watches it.", "Enter in its emptied field");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(index));
-  ImGui::TextUnformatted(entry.watch.text.c_str());
+  draw_text(index, session, actions, ui);
   ImGui::PopStyleColor();
-  ui.item(name + "/text", entry.expression ? entry.watch.text : entry.error.message);
-  if (entry.expression) {
+  const Row& row = rows_[index];
+  if (row.field.is_open()) return;  // what is typed, and what is said of it, takes the room of the plot
+  if (entry.expression && row.text == entry.watch.text) {
     const double value = Watches::value(entry, session.frame_view(), session.choices().body);
-    ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetTextLineHeight() + ui.px(3)});
+    ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetFrameHeight() + ui.px(1)});
     ImGui::TextUnformatted(value_text(entry, value).c_str());
     ui.item(name + "/value", all_digits(value), "click to copy");
     if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all_digits(value).c_str());
@@ -95,15 +100,34 @@ void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& ac
   draw_curve(name, session.debugger().watches().series(entry), color_of(index), at, session, actions, ui);
 }
 
+void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const auto& all = session.debugger().watches().all();
+  const Watches::Entry& entry = all[index];
+  if (rows_.size() < all.size()) rows_.resize(all.size());
+  Row& row = rows_[index];
+  if (row.shown != entry.watch.text) row.text = row.shown = entry.watch.text;
+  const bool entered =
+      row.field.draw(text_name(index), row.text, false, ui.px(kTextWidth - 34), "Enter removes it", ui);
+  if (entered && row.text.empty()) {
+    actions.push_back(action::RemoveWatch{index});
+  } else if (entered && row.text != entry.watch.text) {
+    actions.push_back(action::SetWatch{index, {row.text, entry.watch.body}});
+  } else if (row.text.empty() && !row.field.is_open()) {
+    row.text = entry.watch.text;
+  }
+  if (row.field.way() == FieldWay::up) ui.view.wants_text = index == 0 ? "watch/new" : text_name(index - 1);
+  if (row.field.way() == FieldWay::down && index + 1 < all.size()) ui.view.wants_text = text_name(index + 1);
+}
+
 // How long the steps took: measured while they were made, so no expression can tell.
 void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::SmallButton("x")) shows_times_ = false;
-  ui.item("watch/times/remove", "No longer shows it.");
+  if (ImGui::SmallButton("x")) ui.view.shows_times = false;
+  ui.item("watch/times/remove", "No longer shows it.", keys_of(find_command("watch/choose_times"), ui));
   ImGui::SameLine();
   ImGui::TextUnformatted("ns a step");
   ui.tooltip("Nanoseconds that each step took when it was made last, of all bodies together.");
-  draw_curve("watch/times", session.step_times().series(), theme::color(theme::kText), at, session, actions,
+  draw_curve("watch/times", session.step_times().series(), theme::tone(theme::kText), at, session, actions,
              ui);
 }
 

@@ -20,13 +20,19 @@ class WatchPanel final : public Panel {
   void draw_add(const Session& session, Actions& actions, Ui& ui);
   void draw_rows(const Session& session, Actions& actions, Ui& ui);
   void draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui);
+  void draw_text(std::size_t index, const Session& session, Actions& actions, Ui& ui);
   void draw_times(const Session& session, Actions& actions, Ui& ui);
   void draw_curve(const std::string& name, const Series* series, ImU32 color, ImVec2 at,
                   const Session& session, Actions& actions, Ui& ui);
 
   std::string new_text_;
   ExpressionField new_field_;
-  bool shows_times_ = false;  // the time of each step is plotted, too
+  struct Row {
+    std::string text;   // as it is being typed
+    std::string shown;  // of the watch when it was looked at last
+    ExpressionField field;
+  };
+  std::vector<Row> rows_;
 };
 
 }  // namespace talus

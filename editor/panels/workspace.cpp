@@ -15,8 +15,8 @@ namespace {
 
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
-constexpr float kTimeline = 14, kTransport = 30, kStatus = 20;
-constexpr float kSheetLeast = 164, kFlags = 118, kPalette = 112, kPixelsLeast = 192;
+constexpr float kTimeline = 20, kTransport = 30, kStatus = 20;
+constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
 constexpr float kMargin = 6;  // px at scale 1, above and below what is in a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 constexpr float kDockLeast = 120, kAboveDockLeast = 300;
@@ -25,10 +25,6 @@ constexpr float kDockLeast = 120, kAboveDockLeast = 300;
 float part(double fraction, float whole, float least, float rest) {
   const float wanted = std::floor(static_cast<float>(fraction) * whole);
   return std::clamp(wanted, std::min(least, whole / 2), std::max(whole - rest, whole / 2));
-}
-
-bool has_heading(Region region) {
-  return region == Region::pixels || region == Region::palette || region == Region::flags;
 }
 
 bool is_sprite_region(Region region) {
@@ -44,19 +40,37 @@ void close_popup_on_escape() {
   ImGui::ClosePopupToLevel(0, true);
 }
 
+// The side of the window that a region belongs to, if it takes keys. In the dock the input roll alone takes
+// them, by itself.
+std::optional<Focus> side_of(Region region) {
+  if (is_sprite_region(region)) return Focus::sprites;
+  if (region == Region::canvas) return Focus::map;
+  return region == Region::dock ? std::optional(Focus::input) : std::nullopt;
+}
+
+// A click gives a side the keys, and so does the mouse when it comes there.
+bool is_pointed_at(Region region, View& view) {
+  const auto side = side_of(region);
+  if (!side || region == Region::dock) return false;
+  const bool clicked = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+  if (clicked && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                                        ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+    view.focus = *side;
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+}
+
 // The side that the keys go to has an accent at its top.
 void show_focus(Region region, Ui& ui) {
-  const bool sprites = is_sprite_region(region);
-  if (!sprites && region != Region::canvas) return;
-  const Focus focus = sprites ? Focus::sprites : Focus::map;
-  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
-                             ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
-      (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2)))
-    ui.view.focus = focus;
-  if (ui.view.focus != focus || (sprites && region != Region::sheet)) return;
+  const auto side = side_of(region);
+  if (!side || ui.view.focus != *side || (is_sprite_region(region) && region != Region::sheet)) return;
   const ImVec2 at = ImGui::GetWindowPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(2)},
-                                            theme::color(theme::kAccent));
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(3)},
+                                            theme::tone(theme::kAccent));
+}
+
+// It is not shown, and so cannot keep the keys.
+void leave_input_roll(View& view) {
+  if (view.focus == Focus::input) view.focus = Focus::map;
 }
 
 // Of the panels that share a region, `id` is shown now.
@@ -71,6 +85,7 @@ void remember_tab(std::vector<std::string>& chosen, const std::vector<Panel*>& h
 void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   close_popup_on_escape();
   Frame frame{session, actions, ui};
+  pointed_at_.reset();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(window);
@@ -106,6 +121,16 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::End();
   for (PanelPlace& place : panels_)
     if (place.region == Region::floating) place.panel->draw(session, actions, ui);
+  follow_mouse(ui.view);
+}
+
+// What is pressed is meant for what is pointed at. Only a move into a side counts, so that F2 and F3 hold
+// where the mouse rests, and a dialog that closes above it changes nothing.
+void Workspace::follow_mouse(View& view) {
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  if (moved.x == 0 && moved.y == 0) return;
+  if (pointed_at_ && pointed_at_ != pointed_before_) view.focus = *pointed_at_;
+  pointed_before_ = pointed_at_;
 }
 
 void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
@@ -123,8 +148,8 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.layout.sheet = (sheet + moved) / size.y;
   const float y = at.y + sheet + bar;
-  draw_region(frame, Region::pixels, {at.x, y}, {size.x - palette, pixels});
-  draw_region(frame, Region::palette, {at.x + size.x - palette, y}, {palette, pixels});
+  draw_region(frame, Region::pixels, {at.x, y}, {size.x, pixels - palette});
+  draw_region(frame, Region::palette, {at.x, y + pixels - palette}, {size.x, palette});
   draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
 }
 
@@ -142,7 +167,10 @@ void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
 
 float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
   Ui& ui = frame.ui;
-  if (!ui.view.dock_open) return 0;
+  if (!ui.view.dock_open) {
+    leave_input_roll(ui.view);
+    return 0;
+  }
   const float bar = ui.px(kSplitterWidth);
   const float height = part(ui.view.layout.dock, room.y, ui.px(kDockLeast), ui.px(kAboveDockLeast));
   const float y = at.y + room.y - height;
@@ -155,13 +183,17 @@ float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
 
 void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
-  const bool bar = region == Region::timeline || region == Region::transport || region == Region::status;
+  const bool bar = region == Region::transport || region == Region::status || region == Region::pixels ||
+                   region == Region::palette;
   ImGui::SetCursorScreenPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(bar ? 3 : kMargin)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(region == Region::timeline ? 2
+                                                                          : bar                      ? 3
+                                                                                : kMargin)));
   ImGui::BeginChild(static_cast<ImGuiID>(region) + 1, size, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
+  if (is_pointed_at(region, ui.view)) pointed_at_ = side_of(region);
   show_focus(region, ui);
   draw_tabs(frame, region);
   ImGui::EndChild();
@@ -172,7 +204,6 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
   for (PanelPlace& place : panels_)
     if (place.region == region) here.push_back(place.panel.get());
   if (here.size() == 1) {
-    if (has_heading(region)) frame.ui.heading(here[0]->title());
     here[0]->draw(frame.session, frame.actions, frame.ui);
     return;
   }
@@ -180,14 +211,20 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
   const bool first = ImGui::IsWindowAppearing();
   if (!ImGui::BeginTabBar("tabs")) return;
   std::vector<std::string>& chosen = frame.ui.view.tabs;
+  std::string& wants = frame.ui.view.wants_tab;
+  const bool asked =
+      std::any_of(here.begin(), here.end(), [&](const Panel* panel) { return panel->id() == wants; });
   for (Panel* panel : here) {
     const std::string id(panel->id());
-    const bool wanted = first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
+    const bool wanted =
+        asked ? id == wants : first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
     const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str(), nullptr,
                                           wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     frame.ui.item("tabs/" + id);
     if (!open) continue;
     if (!first) remember_tab(chosen, here, id);
+    if (id == wants) wants.clear();
+    if (region == Region::dock && id != "input_roll" && !asked) leave_input_roll(frame.ui.view);
     panel->draw(frame.session, frame.actions, frame.ui);
     ImGui::EndTabItem();
   }

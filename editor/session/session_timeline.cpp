@@ -1,5 +1,6 @@
 // Session: going about in what was recorded.
 #include <algorithm>
+#include <cmath>
 
 #include "session_impl.h"
 
@@ -49,6 +50,13 @@ void Session::Impl::carry_out(const action::SetInput& a) {
   player.show_held();
 }
 
+void Session::Impl::carry_out(const action::SetMouse& a) {
+  if (!std::isfinite(a.position.x) || !std::isfinite(a.position.y)) return;
+  refresh_scene();
+  player.timeline().set_mouse(a.first, a.last, a.position);
+  player.show_held();
+}
+
 void Session::Impl::carry_out(const action::Rerun& a) {
   refresh_scene();
   keep_chosen_body([&] {
@@ -62,6 +70,8 @@ void Session::Impl::advance(double seconds) {
   const bool was_behind = player.timeline().behind();
   play(seconds);
   debug();
+  lint_some();
+  find_reach();
   const Timeline& timeline = player.timeline();
   if (!was_behind || timeline.behind()) return;
   if (const auto frame = timeline.unexpected_frame(timeline.current())) {

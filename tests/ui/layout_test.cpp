@@ -66,6 +66,7 @@ TEST_P(UiLayout, EveryWidgetIsWholeAndApartInEveryLayout) {
   }
   click("tabs/tuning");
   click("tabs/history");
+  click("tabs/color");
   frames(3);
   check_all("other tabs");
 }
@@ -151,7 +152,9 @@ TEST_F(UiKeys, EachReachesItsCommand) {
       // What SDL would send for the key comes back as the same chord, and leads to this command alone.
       EXPECT_EQ(chord_of(keysym_of(chord)), chord) << command.id;
       Ui& ui = app().ui();
-      ui.view.focus = command.scope == Scope::sprites ? Focus::sprites : Focus::map;
+      ui.view.focus = command.scope == Scope::sprites ? Focus::sprites
+                      : command.scope == Scope::input ? Focus::input
+                                                      : Focus::map;
       Session probe(test_level());
       Ui view;
       view.view.focus = ui.view.focus;
@@ -189,6 +192,8 @@ TEST_F(UiKeys, CommandPaletteRunsWhatIsTyped) {
 
 TEST_F(UiKeys, TypedTextIsNoShortcut) {
   start();
+  click("tabs/color");
+  frames(2);
   click("palette/hex");
   key('b');
   EXPECT_TRUE(session().choices().screen_borders);
@@ -228,7 +233,7 @@ TEST_F(UiKeys, TintListShowsEveryFlag) {
   click("canvas/flag_tint");
   frames(2);
   for (int flag = 0; flag < kFlagCount; ++flag) {
-    const Widget* row = find("canvas/tint" + std::to_string(flag));
+    const Widget* row = find("canvas/flag_tint" + std::to_string(flag));
     ASSERT_NE(row, nullptr) << flag;
     EXPECT_LE(row->max.y, row->clip_max.y) << flag;
   }

@@ -354,6 +354,22 @@ TEST(Timeline, AKeyIsSetOverARangeAndTheRestRunAgain) {
   EXPECT_EQ(before.frame, 60);
 }
 
+TEST(Timeline, TheMousesPlaceIsSetOverARangeAndTheRestRunAgain) {
+  Timeline timeline(room(SolverKind::exact));
+  for (std::int64_t frame = 1; frame <= 40; ++frame) timeline.step(input_at(frame));
+  timeline.set_mouse(10, 12, {});
+  EXPECT_EQ(timeline.branches().size(), 1u) << "it is there already";
+  timeline.set_mouse(38, 100, {7, 9});
+  ASSERT_EQ(timeline.branches().size(), 2u);
+  EXPECT_EQ(timeline.current().run_frame(), 37);
+  for (std::int64_t frame = 36; frame <= 40; ++frame)
+    EXPECT_EQ(timeline.current().input(frame).mouse, frame < 38 ? Vec2{} : (Vec2{7, 9})) << frame;
+  timeline.set_mouse(0, 1, {1, 1});
+  EXPECT_EQ(timeline.branches().size(), 2u) << "the same draft";
+  EXPECT_EQ(timeline.current().input(1).mouse, (Vec2{1, 1}));
+  EXPECT_EQ(timeline.current().run_frame(), 0);
+}
+
 TEST(Timeline, ManyEditsOfOneFrameAreOneChapterUnlessABodyComesOrGoes) {
   Timeline timeline(drop());
   played(timeline, 5);

@@ -1,0 +1,31 @@
+#include "case_note.h"
+
+#include "sim/case_input.h"
+
+namespace talus {
+namespace {
+
+std::string held_text(const Input& input) {
+  std::string text;
+  const auto add = [&](bool held, const char* key) {
+    if (held) text += (text.empty() ? "" : " and ") + std::string(key);
+  };
+  add(input.left, "Left");
+  add(input.right, "Right");
+  add(input.jump, "jump");
+  add(input.mouse_down, "the mouse");
+  return text.empty() ? "nothing now" : text;
+}
+
+}  // namespace
+
+std::string case_note(const Session& session) {
+  if (!session.hard_case() || session.hard_case()->input.empty()) return {};
+  const Input own = case_input(session.hard_case()->input, session.state().frame + 1);
+  const Input& user = session.playback().input;
+  if ((own.left && user.right) || (own.right && user.left))
+    return "The case holds " + held_text(own) + ", you the opposite: together they go nowhere";
+  return "The case holds " + held_text(own) + "; your keys are added";
+}
+
+}  // namespace talus

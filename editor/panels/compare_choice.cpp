@@ -1,0 +1,38 @@
+#include "compare_choice.h"
+
+#include <algorithm>
+
+namespace talus {
+
+std::vector<CompareChoice> compare_choices(const Session& session) {
+  std::vector<CompareChoice> choices = {
+      {"nothing", "nothing", std::nullopt, 0},
+      {"exact", "exact", Variant{SolverKind::exact, false}, 0},
+      {"exact, single precision", "single", Variant{SolverKind::exact, true}, 0},
+      {"bump", "bump", Variant{SolverKind::bump, false}, 0},
+      {"article", "article", Variant{SolverKind::article, false}, 0}};
+  for (const Branch& branch : session.timeline().branches()) {
+    if (branch.id == session.timeline().current().id) continue;
+    const std::string id = std::to_string(branch.id);
+    choices.push_back({"branch " + id, "branch" + id, std::nullopt, branch.id});
+  }
+  return choices;
+}
+
+CompareChoice compare_choice(const Session& session) {
+  const VariantRun* run = session.debugger().side_by_side().variant();
+  const Branch* branch = session.timeline().compared();
+  const auto choices = compare_choices(session);
+  const auto made = std::find_if(choices.begin(), choices.end(), [&](const CompareChoice& choice) {
+    return run != nullptr ? choice.variant == run->variant()
+                          : !choice.variant && choice.branch == (branch != nullptr ? branch->id : 0);
+  });
+  return made != choices.end() ? *made : choices.front();
+}
+
+void compare_with(const CompareChoice& choice, Actions& actions) {
+  actions.push_back(action::CompareVariant{choice.variant});
+  if (!choice.variant) actions.push_back(action::CompareBranch{choice.branch});
+}
+
+}  // namespace talus

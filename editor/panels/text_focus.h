@@ -1,0 +1,15 @@
+// How a command gives the keys to a text field, which its panel draws later.
+#pragma once
+
+#include "ui.h"
+
+namespace talus {
+
+// To be called before the field of this name is drawn.
+inline void take_text_focus(std::string_view name, Ui& ui) {
+  if (ui.view.wants_text != name) return;
+  ui.view.wants_text.clear();
+  ImGui::SetKeyboardFocusHere();
+}
+
+}  // namespace talus

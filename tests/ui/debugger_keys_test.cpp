@@ -1,0 +1,219 @@
+// The debugger without a mouse: branches, the input roll, breakpoints, watches and comparison by keys alone.
+#include <algorithm>
+
+#include "harness.h"
+#include "panels/case_note.h"
+#include "panels/commands.h"
+#include "panels/compare_choice.h"
+
+namespace talus {
+namespace {
+
+class UiDebuggerKeys : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  void play(int steps) {
+    for (int i = 0; i < steps; ++i) key(kKeyF10);
+  }
+  std::int64_t frame() { return session().state().frame; }
+  const Timeline& timeline() { return session().timeline(); }
+  const auto& stops() { return session().debugger().stops().breakpoints(); }
+  const auto& watches() { return session().debugger().watches().all(); }
+  static constexpr KeyChord kEnter{SDLK_RETURN};
+};
+
+TEST_F(UiDebuggerKeys, SeekByTensAndToBothEnds) {
+  play(25);
+  key(ctrl(kKeyLeft));
+  EXPECT_EQ(frame(), 15);
+  key(ctrl(kKeyRight));
+  EXPECT_EQ(frame(), 25);
+  key(ctrl(kKeyLeft));
+  key(shift(kKeyHome));
+  EXPECT_EQ(frame(), 0);
+  EXPECT_EQ(timeline().branches().size(), 1u) << "nothing new is begun";
+  key(ctrl(kKeyRight));
+  EXPECT_EQ(frame(), 10);
+  key(kKeyEnd);
+  EXPECT_EQ(frame(), 25);
+}
+
+TEST_F(UiDebuggerKeys, MakeGoToAndDropBranches) {
+  play(20);
+  key(ctrl(kKeyLeft));
+  key(ctrl('b'));
+  play(3);
+  ASSERT_EQ(timeline().branches().size(), 2u);
+  const int made = timeline().current().id;
+  EXPECT_EQ(timeline().last_frame(), 13);
+  key(alt(kKeyDown));
+  EXPECT_EQ(timeline().current().id, 1);
+  key(alt(kKeyDown));
+  EXPECT_EQ(timeline().current().id, made);
+  key(alt(kKeyUp));
+  EXPECT_EQ(timeline().current().id, 1);
+  key(alt(kKeyDelete));
+  ASSERT_EQ(timeline().branches().size(), 1u);
+  EXPECT_EQ(timeline().current().id, made);
+}
+
+TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
+  play(12);
+  key(kKeyF6);
+  frames(2);
+  EXPECT_TRUE(app().ui().view.dock_open);
+  ASSERT_NE(find("input_roll/jump"), nullptr);
+  key(kKeyDown);
+  key(kKeyDown);  // jump
+  for (int i = 0; i < 4; ++i) key(kKeyLeft);
+  ASSERT_EQ(frame(), 8);
+  for (int i = 0; i < 3; ++i) key(shift(kKeyLeft));
+  ASSERT_EQ(frame(), 5);
+  key(' ');
+  frames(5);
+  EXPECT_EQ(timeline().branches().size(), 2u);
+  for (std::int64_t f = 1; f <= 12; ++f) EXPECT_EQ(timeline().current().input(f).jump, f >= 5 && f <= 8) << f;
+  EXPECT_EQ(timeline().last_frame(), 12);
+  key(kKeyRight);  // ends the range
+  EXPECT_EQ(frame(), 6);
+  key(' ');
+  frames(5);
+  EXPECT_FALSE(timeline().current().input(6).jump);
+  EXPECT_TRUE(timeline().current().input(7).jump);
+  key(kKeyF3);
+  EXPECT_EQ(app().ui().view.focus, Focus::map);
+  key(kKeyLeft);
+  EXPECT_EQ(frame(), 6) << "the map has the keys again";
+}
+
+TEST_F(UiDebuggerKeys, TypeTheMousesPlaceWhichThePlayViewShows) {
+  play(6);
+  key(kKeyF6);
+  frames(2);
+  key(kKeyLeft);
+  key('m');
+  frames(2);
+  key(ctrl('a'));
+  type("33.5");
+  key(kKeyTab);
+  key(ctrl('a'));
+  type("21");
+  key(kEnter);
+  frames(5);
+  EXPECT_EQ(timeline().current().input(5).mouse, (Vec2{33.5, 21}));
+  EXPECT_EQ(timeline().current().input(4).mouse, Vec2{});
+  EXPECT_EQ(timeline().last_frame(), 6);
+}
+
+TEST_F(UiDebuggerKeys, AddChangeSwitchAndRemoveABreakpoint) {
+  play(3);
+  key(ctrl(kKeyF9));
+  frames(3);
+  type("vy > 9");
+  key(kEnter);
+  frames(2);
+  ASSERT_EQ(stops().size(), 1u);
+  EXPECT_EQ(stops()[0].condition, "vy > 9");
+  EXPECT_TRUE(stops()[0].enabled);
+  key(ctrl_shift(kKeyF9));
+  EXPECT_FALSE(stops()[0].enabled);
+  key(ctrl_shift(kKeyF9));
+  EXPECT_TRUE(stops()[0].enabled);
+
+  key(ctrl(kKeyF9));
+  frames(3);
+  key(kKeyDown);
+  frames(3);
+  key(ctrl('a'));
+  type("vy > 8");
+  key(kEnter);
+  frames(2);
+  EXPECT_EQ(stops()[0].condition, "vy > 8");
+  key(ctrl(kKeyF9));
+  frames(3);
+  key(kKeyDown);
+  frames(3);
+  key(ctrl(SDLK_RETURN));
+  frames(2);
+  EXPECT_FALSE(stops()[0].enabled);
+
+  key(ctrl(kKeyF9));
+  frames(3);
+  key(kKeyDown);
+  frames(3);
+  key(ctrl('a'));
+  key(kKeyDelete);
+  key(kEnter);
+  frames(2);
+  EXPECT_TRUE(stops().empty());
+}
+
+TEST_F(UiDebuggerKeys, AddChangeAndRemoveAWatch) {
+  key(kKeyF8);
+  frames(3);
+  type("vy * 2");
+  key(kEnter);
+  frames(2);
+  ASSERT_EQ(watches().size(), 1u);
+  EXPECT_EQ(watches()[0].watch.text, "vy * 2");
+  const auto go_to_first = [&] {
+    key(kKeyF8);
+    frames(3);
+    key(kKeyDown);
+    frames(3);
+    key(ctrl('a'));
+  };
+  go_to_first();
+  type("vx");
+  key(kEnter);
+  frames(2);
+  EXPECT_EQ(watches()[0].watch.text, "vx");
+  go_to_first();
+  key(kKeyDelete);
+  key(kEnter);
+  frames(2);
+  EXPECT_TRUE(watches().empty());
+  key(shift(kKeyF8));
+  frames(2);
+  EXPECT_NE(find("watch/times/plot"), nullptr);
+}
+
+TEST_F(UiDebuggerKeys, CompareWithEachInTurn) {
+  play(10);
+  std::vector<std::string> seen;
+  for (int i = 0; i < 5; ++i) {
+    key(shift(kKeyF7));
+    frames(5);
+    seen.push_back(compare_choice(session()).label);
+  }
+  EXPECT_EQ(seen,
+            (std::vector<std::string>{"exact", "exact, single precision", "bump", "article", "nothing"}));
+  key(shift(kKeyF7));
+  frames(5);
+  key(ctrl_shift(kKeyF7));
+  ASSERT_EQ(stops().size(), 1u);
+  EXPECT_EQ(stops()[0].condition, "parting > 0.01");
+}
+
+TEST_F(UiDebuggerKeys, RulesForEditsAreTakenInTurn) {
+  play(4);
+  using Kind = EditRule::Kind;
+  for (const Kind kind : {Kind::from_start, Kind::from_frame, Kind::go_on}) {
+    key(alt('e'));
+    EXPECT_EQ(session().edit_rule().kind, kind);
+  }
+}
+
+TEST_F(UiDebuggerKeys, ACaseTellsThatItsOwnInputPlays) {
+  EXPECT_EQ(case_note(session()), "");
+  start(TALUS_SOURCE_DIR "/assets/hard_cases/13-downhill.talus.json");
+  EXPECT_EQ(case_note(session()), "The case holds Right; your keys are added");
+  session().apply(action::HoldKeys{.left = true, .right = false, .jump = false});
+  EXPECT_EQ(case_note(session()), "The case holds Right, you the opposite: together they go nowhere");
+}
+
+}  // namespace
+}  // namespace talus
