@@ -13,6 +13,9 @@ struct Explanation {
   std::string numbers;   // "normal (-0.45, -0.89), slope delta 0.44, floor at y 92.44"
 };
 
+// What a curve is called: curve "hill" by its name, or, without one, curve 2 by its number.
+std::string name_of_curve(const Scene& scene, int curve);
+
 // What a contact did. index: of the frame's record (asserted).
 Explanation explain_contact(const Frame& frame, std::size_t index);
 

@@ -45,11 +45,12 @@ struct Shift {
 };
 
 template <class Change>
+void change_form(Curve& curve, const Change& change) {
+  curve.form = std::visit([&](const auto& form) { return decltype(Curve::form)(change(form)); }, curve.form);
+}
+template <class Change>
 void change_curves(Level& level, const Change& change) {
-  for (LevelCurve& curve : level.curves) {
-    curve.curve.form =
-        std::visit([&](const auto& form) { return decltype(Curve::form)(change(form)); }, curve.curve.form);
-  }
+  for (LevelCurve& curve : level.curves) change_form(curve.curve, change);
 }
 
 // The image of a vertical segment that faces one way faces the other.
@@ -109,6 +110,12 @@ Level moved(const Level& level, int columns, int rows) {
   const Vec2 by{static_cast<double>(columns) * kTileSize, static_cast<double>(rows) * kTileSize};
   change_curves(image, Shift{by});
   for (Spawn& spawn : image.spawns) spawn.position = spawn.position + by;
+  return image;
+}
+
+Curve moved(const Curve& curve, Vec2 by) {
+  Curve image = curve;
+  change_form(image, Shift{by});
   return image;
 }
 

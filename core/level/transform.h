@@ -12,5 +12,6 @@ Level mirrored(const Level& level);
 // Moved right and down by whole tiles, >= 0, in a map that has grown by as much; its size must stay within
 // is_terrain_size (asserted).
 Level moved(const Level& level, int columns, int rows);
+Curve moved(const Curve& curve, Vec2 by);  // by: px
 
 }  // namespace talus

@@ -87,11 +87,16 @@ void note_bodies(Scene& scene) {
   scene.features.pairs = scene.tuning.article.balls_block != 0 && bodies > 1;
 }
 
-void compile_ground(const Level& level, Scene& scene) {
+void compile_ground(const Level& level, const std::function<bool(double)>& progress, Scene& scene) {
+  TerrainSource source = ground_of(level);
+  source.progress = progress;
   if (level.tuning.exact.single_precision != 0) {
-    scene.single_ground = std::make_shared<const BasicTerrain<float>>(ground_of(level));
+    scene.single_ground = std::make_shared<const BasicTerrain<float>>(source);
   } else {
-    scene.ground = std::make_shared<const Terrain>(ground_of(level));
+    scene.ground = std::make_shared<const Terrain>(source);
+  }
+  for (const LevelCurve& curve : level.curves) {  // as ground_of leaves some out
+    if (!problem_of(curve.curve, level.map)) scene.curve_names.push_back(curve.name);
   }
   note_ground(scene);
 }
@@ -104,9 +109,20 @@ std::shared_ptr<const Ground> with_cells(const Ground& ground, const TileMap& ma
   return next;
 }
 
-}  // namespace
+void add_spawns(const Level& level, std::vector<SceneItem>& items) {
+  for (std::size_t i = 0; i < level.spawns.size(); ++i) {
+    const Spawn& spawn = level.spawns[i];
+    items.push_back({.role = TileRole::ball,
+                     .box = {spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y},
+                     .cell = {},
+                     .velocity = spawn.velocity,
+                     .spawn = static_cast<int>(i),
+                     .kind = spawn.kind,
+                     .foot = spawn.used_foot()});
+  }
+}
 
-Scene compile_scene(const Level& level) {
+Scene make_scene(const Level& level, const std::function<bool(double)>& progress) {
   std::array<TileBoxes, kTileCount> boxes = tile_boxes(level);
   if (level.tuning.solver == SolverKind::exact) {
     for (TileBoxes& tile : boxes) tile = body_of(tile);
@@ -124,7 +140,7 @@ Scene compile_scene(const Level& level) {
 
   Scene scene;
   scene.tuning = level.tuning;
-  if (level.tuning.solver == SolverKind::exact) compile_ground(level, scene);
+  if (level.tuning.solver == SolverKind::exact) compile_ground(level, progress, scene);
   scene.items.resize(next.back());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
@@ -133,23 +149,33 @@ Scene compile_scene(const Level& level) {
     }
   }
 
-  for (std::size_t i = 0; i < level.spawns.size(); ++i) {
-    const Spawn& spawn = level.spawns[i];
-    scene.items.push_back({.role = TileRole::ball,
-                           .box = {spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y},
-                           .cell = {},
-                           .velocity = spawn.velocity,
-                           .spawn = static_cast<int>(i),
-                           .kind = spawn.kind,
-                           .foot = spawn.used_foot()});
-  }
+  add_spawns(level, scene.items);
   note_bodies(scene);
   return scene;
 }
 
+}  // namespace
+
+Scene compile_scene(const Level& level) { return make_scene(level, {}); }
+
+std::optional<Scene> compile_scene(const Level& level, const std::function<bool(double)>& progress) {
+  bool goes_on = true;
+  const auto ask = [&](double done) { return goes_on = goes_on && progress(done); };
+  Scene scene = make_scene(level, ask);
+  if (!goes_on) return std::nullopt;
+  return scene;
+}
+
+bool is_same_ground(const Tuning& a, const Tuning& b) {
+  return a.solver == b.solver && a.exact.single_precision == b.exact.single_precision &&
+         a.article.slope_width == b.article.slope_width && a.article.slope_height == b.article.slope_height;
+}
+
 Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
-  if (scene.tuning.solver != SolverKind::exact) return compile_scene(edited);
+  if (edited.tuning.solver != SolverKind::exact || !is_same_ground(scene.tuning, edited.tuning))
+    return compile_scene(edited);
   Scene next = scene;
+  next.tuning = edited.tuning;
   if (scene.ground) next.ground = with_cells(*scene.ground, edited.map, changed);
   if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, edited.map, changed);
   note_ground(next);
@@ -159,26 +185,25 @@ Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const C
   std::sort(cells.begin(), cells.end(), in_map_order);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::erase_if(next.items, [&](const SceneItem& item) {
-    return item.spawn < 0 && std::binary_search(cells.begin(), cells.end(), item.cell, in_map_order);
+    return item.spawn >= 0 || std::binary_search(cells.begin(), cells.end(), item.cell, in_map_order);
   });
-  const auto spawns = std::find_if(next.items.begin(), next.items.end(),
-                                   [](const SceneItem& item) { return item.spawn >= 0; });
   std::vector<SceneItem> added;
   for (const Cell cell : cells) {
     const TileBoxes boxes = body_of(boxes_of(edited, edited.map.at(cell)));
     for (int i = 0; i < boxes.count; ++i) added.push_back(item_at(cell, boxes.parts[i]));
   }
-  const auto middle = next.items.insert(spawns, added.begin(), added.end());
-  std::inplace_merge(next.items.begin(), middle, middle + static_cast<std::ptrdiff_t>(added.size()),
+  const auto middle = next.items.insert(next.items.end(), added.begin(), added.end());
+  std::inplace_merge(next.items.begin(), middle, next.items.end(),
                      [&](const SceneItem& a, const SceneItem& b) { return in_map_order(a.cell, b.cell); });
+  add_spawns(edited, next.items);
   note_bodies(next);
   return next;
 }
 
 bool operator==(const Scene& a, const Scene& b) {
   const auto same = [](const auto& x, const auto& y) { return x == y || (x && y && *x == *y); };
-  return a.items == b.items && a.tuning == b.tuning && a.features == b.features && same(a.ground, b.ground) &&
-         same(a.single_ground, b.single_ground);
+  return a.items == b.items && a.tuning == b.tuning && a.features == b.features &&
+         a.curve_names == b.curve_names && same(a.ground, b.ground) && same(a.single_ground, b.single_ground);
 }
 
 }  // namespace talus

@@ -1,8 +1,11 @@
 // Scene: a level compiled for the simulation. Immutable once made.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "../collision/geometry.h"
@@ -48,6 +51,7 @@ struct Scene {
   // For the exact solver alone, in the precision that the tuning asks for; the other is null.
   std::shared_ptr<const Terrain> ground;
   std::shared_ptr<const BasicTerrain<float>> single_ground;
+  std::vector<std::string> curve_names;  // of the ground's curves, by their numbers; may be empty
   SceneFeatures features;
   Tuning tuning;
 };
@@ -55,10 +59,16 @@ bool operator==(const Scene& a, const Scene& b);  // grounds are compared by the
 
 // The scene of a level. Tiles outside the map are empty.
 Scene compile_scene(const Level& level);
+// The same, for a large level: `progress` is called now and then with the part that is done, 0..1. Nothing:
+// it said false, which gives up.
+std::optional<Scene> compile_scene(const Level& level, const std::function<bool(double)>& progress);
+
+// Whether the ground of a level is the same with either.
+bool is_same_ground(const Tuning& a, const Tuning& b);
 
 // The same as compile_scene(edited), where `scene` is that of a level which differs from it in these cells of
-// the map alone, inside both. Takes time by the number of cells, but for the other solvers than the exact
-// one.
+// the map, inside both, and otherwise in its spawns and its tuning alone. Takes time by the number of cells
+// and bodies, but for the other solvers than the exact one and where is_same_ground() is false.
 Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed);
 
 }  // namespace talus

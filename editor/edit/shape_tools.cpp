@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "single_change.h"
@@ -13,13 +11,6 @@ namespace talus {
 namespace {
 
 constexpr const char* kNoLength = "drag from one end to the other";
-
-double distance(const Segment& segment, Vec2 p) {
-  const Vec2 along = segment.to - segment.from, to = p - segment.from;
-  const double squared = along.x * along.x + along.y * along.y;
-  const double part = squared > 0 ? std::clamp((to.x * along.x + to.y * along.y) / squared, 0.0, 1.0) : 0;
-  return std::hypot(to.x - along.x * part, to.y - along.y * part);
-}
 
 }  // namespace
 
@@ -73,33 +64,6 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
     return put_slope_tiles(level, tiles);
   });
-}
-
-tl::expected<Edit, std::string> add_segment(const Level& level, Vec2 a, Vec2 b) {
-  if (a == b) return tl::unexpected<std::string>(kNoLength);
-  const bool forwards = a.x != b.x ? a.x < b.x : b.y < a.y;
-  const bool in_order = a.x != b.x ? a.x < b.x : a.y < b.y;
-  LevelCurve added;
-  added.curve.form = in_order ? Segment{a, b} : Segment{b, a};
-  added.curve.faces = forwards ? Curve::Faces::up : Curve::Faces::down;
-  if (const auto problem = problem_of(added.curve, level.map))
-    return tl::unexpected("the segment " + *problem);
-  std::vector<LevelCurve> curves = level.curves;
-  curves.push_back(std::move(added));
-  return set_curves(level, std::move(curves), "Add a segment");
-}
-
-Edit remove_segment(const Level& level, Vec2 at, double reach) {
-  const auto nearness = [&](const LevelCurve& curve) {
-    const Segment* segment = std::get_if<Segment>(&curve.curve.form);
-    return segment != nullptr ? distance(*segment, at) : std::numeric_limits<double>::infinity();
-  };
-  std::vector<LevelCurve> curves = level.curves;
-  const auto nearest = std::min_element(
-      curves.begin(), curves.end(), [&](const auto& a, const auto& b) { return nearness(a) < nearness(b); });
-  if (nearest == curves.end() || !(nearness(*nearest) <= reach)) return {};
-  curves.erase(nearest);
-  return set_curves(level, std::move(curves), "Remove a segment");
 }
 
 }  // namespace talus

@@ -19,10 +19,5 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles);
 // full tile of `stamp` goes below. The error is one clear sentence.
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
                                           std::uint8_t line_color);
-// The segment tool: a new segment between two points, px, which stops bodies on the left of the way from a to
-// b: drawn to the right it is a floor, to the left a ceiling. The error is one clear sentence.
-tl::expected<Edit, std::string> add_segment(const Level& level, Vec2 a, Vec2 b);
-// Takes away the segment nearest to a point, within `reach`, px; empty: there is none.
-Edit remove_segment(const Level& level, Vec2 at, double reach);
 
 }  // namespace talus

@@ -28,6 +28,23 @@ Edit remove_spawn(const Level& level, int index) {
   return set_spawns(level, std::move(spawns), "Remove a body");
 }
 
+Edit duplicate_spawn(const Level& level, int index) {
+  assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
+  Spawn copy = level.spawns[static_cast<std::size_t>(index)];
+  const bool fits = copy.position.x + copy.size.x + kTileSize <= level.map.width() * kTileSize;
+  copy.position.x += fits ? kTileSize : -kTileSize;
+  Edit edit = add_spawn(level, std::move(copy));
+  edit.label = "Duplicate a body";
+  return edit;
+}
+
+std::string title_of_spawn(const Level& level, int index) {
+  assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
+  const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
+  if (!spawn.name.empty()) return spawn.name;
+  return (spawn.kind == BodyKind::player ? "player " : "ball ") + std::to_string(index + 1);
+}
+
 int spawn_at(const Level& level, Vec2 point) {
   int found = -1;
   for (std::size_t i = 0; i < level.spawns.size(); ++i) {

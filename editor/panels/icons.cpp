@@ -120,6 +120,15 @@ void draw_map_tool_icon(const Pen& pen, Icon icon) {
       pen.box(.08f, .7f, .24f, .86f);
       pen.box(.76f, .16f, .92f, .32f);
       break;
+    case Icon::curve:
+      pen.arc({.5f, .72f}, .36f, 3.1416f, 6.2832f);
+      pen.box(.06f, .66f, .22f, .82f);
+      pen.box(.78f, .66f, .94f, .82f);
+      break;
+    case Icon::ground:
+      pen.solid({{.08f, .86f}, {.08f, .66f}, {.5f, .66f}, {.5f, .86f}});
+      pen.solid({{.44f, .86f}, {.44f, .66f}, {.66f, .36f}, {.92f, .36f}, {.92f, .86f}});
+      break;
     default:  // pick
       pen.stroke({{.15f, .85f}, {.2f, .66f}, {.6f, .26f}, {.74f, .4f}, {.34f, .8f}}, true);
       pen.stroke({{.52f, .2f}, {.8f, .48f}});
@@ -133,6 +142,28 @@ void draw_sprite_icon(const Pen& pen, Icon icon) {
     case Icon::pencil:
       pen.stroke({{.14f, .86f}, {.2f, .64f}, {.7f, .14f}, {.86f, .3f}, {.36f, .8f}}, true);
       pen.solid({{.14f, .86f}, {.18f, .7f}, {.3f, .82f}});
+      break;
+    case Icon::select:
+      for (float f : {.12f, .44f, .76f}) {
+        for (float side : {.14f, .86f}) {
+          pen.stroke({{f, side}, {f + .14f, side}});
+          pen.stroke({{side, f}, {side, f + .14f}});
+        }
+      }
+      break;
+    case Icon::line:
+      pen.stroke({{.14f, .86f}, {.86f, .14f}});
+      break;
+    case Icon::frame:
+      pen.frame(.14f, .22f, .86f, .78f);
+      break;
+    case Icon::ellipse:
+      pen.arc({.5f, .5f}, .37f, 0, 6.2832f);
+      break;
+    case Icon::neighbours:
+      pen.box(.36f, .36f, .64f, .64f);
+      for (float x : {.02f, .36f, .7f})
+        for (float y : {.02f, .36f, .7f}) pen.frame(x, y, x + .28f, y + .28f);
       break;
     case Icon::flip_horizontal:
       pen.solid({{.42f, .2f}, {.42f, .8f}, {.1f, .8f}});
@@ -165,6 +196,14 @@ void draw_view_icon(const Pen& pen, Icon icon) {
       pen.frame(.12f, .22f, .88f, .78f);
       pen.stroke({{.5f, .22f}, {.5f, .78f}});
       break;
+    case Icon::minimap:
+      pen.frame(.1f, .16f, .9f, .84f);
+      pen.box(.52f, .5f, .78f, .74f);
+      break;
+    case Icon::dice:
+      pen.frame(.14f, .14f, .86f, .86f);
+      for (float f : {.26f, .44f, .62f}) pen.box(f, f, f + .12f, f + .12f);
+      break;
     case Icon::zoom_in:
       pen.stroke({{.5f, .2f}, {.5f, .8f}});
       [[fallthrough]];
@@ -184,7 +223,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
   const Pen pen(list, at, size, color);
   if (icon == Icon::none) return;
   if (icon <= Icon::split) return draw_play_icon(pen, icon);
-  if (icon <= Icon::segment) return draw_map_tool_icon(pen, icon);
+  if (icon <= Icon::curve) return draw_map_tool_icon(pen, icon);
   if (icon <= Icon::clear) return draw_sprite_icon(pen, icon);
   draw_view_icon(pen, icon);
 }

@@ -24,7 +24,14 @@ enum class Icon {
   body,
   slope,
   segment,
+  ground,
+  curve,
   pencil,
+  select,
+  line,
+  frame,
+  ellipse,
+  neighbours,
   flip_horizontal,
   flip_vertical,
   rotate,
@@ -33,6 +40,8 @@ enum class Icon {
   borders,
   zoom_in,
   zoom_out,
+  minimap,
+  dice,
   close,
 };
 

@@ -2,10 +2,11 @@
 #include "inspector_panel.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
 
+#include "curve_gesture.h"
+#include "debug/explain.h"
 #include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
 #include "spawn_gesture.h"
@@ -34,8 +35,10 @@ std::string_view short_role(TileRole role) {
   }
 }
 
-std::string obstacle_text(const Obstacle& other) {
+// A curve by its name, if it has one.
+std::string obstacle_text(const Scene& scene, const Obstacle& other) {
   if (other.body != 0) return "body " + std::to_string(other.body);
+  if (other.curve >= 0) return name_of_curve(scene, other.curve);
   return std::string(short_role(other.role)) + " " + std::to_string(other.cell.x) + "," +
          std::to_string(other.cell.y);
 }
@@ -92,20 +95,20 @@ void draw_body(const Body& body, Ui& ui) {
   ImGui::TableSetupColumn("");
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(1);
-  ui.right_aligned("x", theme::color(theme::kMuted));
+  ui.right_aligned("x", theme::tone(theme::kMuted));
   ImGui::TableSetColumnIndex(2);
-  ui.right_aligned("y", theme::color(theme::kMuted));
+  ui.right_aligned("y", theme::tone(theme::kMuted));
   draw_body_row("position", "px", body.box.position(), ui);
   draw_body_row("velocity", "px/frame", body.velocity, ui);
   draw_body_row("size", "px", {body.box.w, body.box.h}, ui);
   ImGui::EndTable();
 }
 
-void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
+void draw_contact_cells(const Scene& scene, const ContactRecord& contact, Ui& ui) {
   ImGui::TableNextColumn();
   ui.right_aligned(std::to_string(contact.order + 1));
   ImGui::TableNextColumn();
-  draw_text_cell(obstacle_text(contact.other), ui);
+  draw_text_cell(obstacle_text(scene, contact.other), ui);
   ImGui::TableNextColumn();
   draw_text_cell(response_label(contact.response), ui);
   ImGui::TableNextColumn();
@@ -120,52 +123,6 @@ void draw_contact_cells(const ContactRecord& contact, Ui& ui) {
   if (contact.slope) draw_number("floor", contact.slope->floor_y, ui);
   ImGui::TableNextColumn();
   draw_text_cell(contact.handled ? "yes" : "no", ui, meaning_of_done(contact));
-}
-
-// A list of two; the index of what was chosen now, or nothing.
-std::optional<int> draw_choice(std::string_view name, std::array<std::string_view, 2> labels, bool second,
-                               std::string_view help, Ui& ui) {
-  std::optional<int> chosen;
-  if (!ui.begin_combo(name, std::string(labels[second]), ui.px(76), help)) return chosen;
-  for (int i = 0; i < 2; ++i) {
-    const std::string label(labels[static_cast<std::size_t>(i)]);
-    if (ImGui::Selectable(label.c_str(), second == (i == 1))) chosen = i;
-    ui.item(std::string(name) + "_" + label);
-  }
-  ImGui::EndCombo();
-  return chosen;
-}
-
-// What a body placed by hand is, and a button that takes it away.
-void draw_spawn(const Session& session, int index, Actions& actions, Ui& ui) {
-  Spawn spawn = session.level().spawns[static_cast<std::size_t>(index)];
-  const auto change = [&](std::string label) {
-    actions.push_back(action::EditLevel{change_spawn(session.level(), index, spawn, std::move(label))});
-  };
-  const auto kind = draw_choice("inspector/kind", {"ball", "player"}, spawn.kind == BodyKind::player,
-                                "A ball falls and bounces; a player runs and jumps by the keys, with the "
-                                "exact solver.",
-                                ui);
-  ImGui::SameLine();
-  ui.heading("foot");
-  ImGui::SameLine();
-  const auto foot = draw_choice("inspector/foot", {"box", "centre"}, spawn.used_foot() == Foot::centre,
-                                "What stands on slopes: the whole bottom side of the box, or its centre, "
-                                "which sinks the box into them.",
-                                ui);
-  ImGui::SameLine();
-  if (ui.text_button("inspector/remove", "Remove", false, "Takes the body out of the level."))
-    actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});
-  if (kind) {
-    spawn.kind = *kind == 1 ? BodyKind::player : BodyKind::ball;
-    change("Make a body a " + std::string(*kind == 1 ? "player" : "ball"));
-  }
-  if (foot) {
-    spawn.foot = *foot == 1 ? Foot::centre : Foot::box;
-    change("Change a body's foot");
-  }
-  if (spawn.kind == BodyKind::player && session.level().tuning.solver != SolverKind::exact)
-    ui.hint("Players run with the exact solver alone: see Tuning.");
 }
 
 struct Column {
@@ -192,14 +149,14 @@ void draw_contact_header(Ui& ui) {
   for (const Column& column : kColumns) {
     ImGui::TableNextColumn();
     if (column.numbers)
-      ui.right_aligned(column.title, theme::color(theme::kMuted));
+      ui.right_aligned(column.title, theme::tone(theme::kMuted));
     else
       ui.heading(column.title);
     ui.tooltip(column.help);
   }
 }
 
-void draw_contacts(const StepRecord& record, int body, Ui& ui) {
+void draw_contacts(const Scene& scene, const StepRecord& record, int body, Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float least = ui.px(kLeastTableWidth);
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
@@ -219,8 +176,8 @@ void draw_contacts(const StepRecord& record, int body, Ui& ui) {
       if (contact.body != body) continue;
       ImGui::TableNextRow();
       ImGui::PushID(contact.order);
-      if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
-      draw_contact_cells(contact, ui);
+      if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
+      draw_contact_cells(scene, contact, ui);
       if (!contact.handled) ImGui::PopStyleColor();
       ImGui::PopID();
     }
@@ -254,6 +211,7 @@ void draw_hard_case(const HardCase& hard, Ui& ui) {
 }  // namespace
 
 void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (draws_curves(session.choices().map_tool)) return curve_.draw(session, actions, ui);
   const Body* body = session.state().find(session.choices().body);
   if (body == nullptr) {
     ui.hint(
@@ -264,13 +222,15 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     return;
   }
   std::string name = "Body " + std::to_string(body->id);
-  name += body->origin.spawn >= 0 ? "  (spawn " + std::to_string(body->origin.spawn + 1) + ")"
-                                  : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
-                                        std::to_string(body->origin.cell.y) + ")";
+  const int spawn = chosen_spawn(session);
+  name += spawn >= 0                ? "  (" + title_of_spawn(session.level(), spawn) + ")"
+          : body->origin.spawn >= 0 ? "  (spawn " + std::to_string(body->origin.spawn + 1) + ")"
+                                    : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
+                                          std::to_string(body->origin.cell.y) + ")";
   if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
   ImGui::TextUnformatted(name.c_str());
   draw_body(*body, ui);
-  if (const int spawn = chosen_spawn(session); spawn >= 0) draw_spawn(session, spawn, actions, ui);
+  if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
   ImGui::Spacing();
   if (session.state().frame == 0) {
     ui.hint("No step yet: F10 makes one, and its contacts are listed here.");
@@ -278,7 +238,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   const int contacts = count_contacts(session.record(), body->id);
   ui.heading(contacts == 0 ? "No contact in the last step." : "Contacts of the last step, in order");
-  if (contacts > 0) draw_contacts(session.record(), body->id, ui);
+  if (contacts > 0) draw_contacts(session.scene(), session.record(), body->id, ui);
 }
 
 }  // namespace talus

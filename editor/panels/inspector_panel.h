@@ -1,7 +1,10 @@
-// The inspector: the chosen body's numbers and every contact of its last step, in order.
+// The inspector: the chosen body's numbers and every contact of its last step, in order; with a tool that
+// draws curves, the chosen curve.
 #pragma once
 
+#include "curve_inspector.h"
 #include "panel.h"
+#include "spawn_inspector.h"
 
 namespace talus {
 
@@ -10,6 +13,10 @@ class InspectorPanel : public Panel {
   std::string_view id() const override { return "inspector"; }
   std::string_view title() const override { return "Inspector"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  SpawnInspector spawn_;
+  CurveInspector curve_;
 };
 
 }  // namespace talus

@@ -1,8 +1,9 @@
-// Drawing slopes and segments.
+// Laying slopes.
 #include "line_gesture.h"
 
 #include <cmath>
 
+#include "curve_drawing.h"
 #include "edit/shape_tools.h"
 
 namespace talus {
@@ -10,17 +11,10 @@ namespace {
 
 Vec2 on_whole_px(Vec2 p) { return {std::round(p.x), std::round(p.y)}; }
 
-std::string position_text(Vec2 p) {
-  return std::to_string(std::lround(p.x)) + ", " + std::to_string(std::lround(p.y));
-}
-
 }  // namespace
 
 void LineGesture::update(const Session& session, Actions& actions, Vec2 at, bool pressed, bool down) {
-  if (pressed) {
-    from_ = on_whole_px(at);
-    tool_ = session.choices().map_tool;
-  }
+  if (pressed) from_ = on_whole_px(at);
   if (!from_ || down) return;
   finish(session, actions, on_whole_px(at));
   from_.reset();
@@ -29,13 +23,10 @@ void LineGesture::update(const Session& session, Actions& actions, Vec2 at, bool
 void LineGesture::finish(const Session& session, Actions& actions, Vec2 to) const {
   const Level& level = session.level();
   const Choices& choices = session.choices();
-  auto edit = tool_ == MapTool::segment
-                  ? add_segment(level, *from_, to)
-                  : lay_slope(level, *from_, to, choices.stamp, static_cast<std::uint8_t>(choices.color));
-  const std::string what = tool_ == MapTool::segment ? "Segment" : "Slope";
+  auto edit = lay_slope(level, *from_, to, choices.stamp, static_cast<std::uint8_t>(choices.color));
   if (!edit) {
     actions.push_back(action::ShowMessage{
-        what + " from " + position_text(*from_) + " to " + position_text(to) + ": " + edit.error() + ".",
+        "Slope from " + position_text(*from_) + " to " + position_text(to) + ": " + edit.error() + ".",
         true});
   } else if (!edit->empty()) {
     actions.push_back(action::EditLevel{*std::move(edit)});

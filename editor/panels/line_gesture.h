@@ -1,5 +1,4 @@
-// What the left button does on a canvas with the tools that draw a line: lays a slope or adds a segment when
-// it is released.
+// What the left button does on a canvas with the slope tool: lays a slope along a line when it is released.
 #pragma once
 
 #include <optional>
@@ -9,8 +8,6 @@
 #include "ui.h"
 
 namespace talus {
-
-inline bool draws_lines(MapTool tool) { return tool == MapTool::slope || tool == MapTool::segment; }
 
 class LineGesture {
  public:
@@ -24,8 +21,7 @@ class LineGesture {
  private:
   void finish(const Session& session, Actions& actions, Vec2 to) const;
 
-  std::optional<Vec2> from_;       // px, where the button went down
-  MapTool tool_ = MapTool::slope;  // that was chosen then
+  std::optional<Vec2> from_;  // px, where the button went down
 };
 
 }  // namespace talus

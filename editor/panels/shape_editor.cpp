@@ -4,31 +4,22 @@
 #include <array>
 #include <string>
 
+#include "edit/tile_shapes.h"
+
 namespace talus {
 namespace {
 
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
-constexpr std::array<Kind, 3> kChoices = {Kind::none, Kind::solid, Kind::slope};
+constexpr std::array<Kind, 4> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile};
 constexpr double kLowest = 0, kHighest = kMaxShapeTiles * kTileSide;
 constexpr int kLeastTiles = 1, kMostTiles = kMaxShapeTiles;
+constexpr float kHeightWidth = 36;  // px at scale 1, of one height of a profile
 
 std::string_view label_of(Kind kind) {
   constexpr std::array<std::string_view, 4> kLabels = {"none", "solid", "slope", "profile"};
   return kLabels[static_cast<std::size_t>(kind)];
-}
-
-// A shape of this kind that can be used, as like the old one as may be.
-TileShape with_kind(TileShape shape, Kind kind) {
-  if (kind == Kind::none) return {};
-  shape.kind = kind;
-  shape.heights = kind == Kind::slope ? std::vector<double>{0, kTileSide} : std::vector<double>();
-  if (kind == Kind::solid) {
-    shape.tiles = 1;
-    shape.side = Side::floor;
-  }
-  return shape;
 }
 
 class ShapeEditor {
@@ -39,8 +30,12 @@ class ShapeEditor {
   bool draw() {
     draw_kind();
     if (shape_.kind == Kind::none) return changed_;
-    if (shape_.kind == Kind::slope) draw_slope();
     if (shape_.kind != Kind::solid) {
+      if (shape_.kind == Kind::slope)
+        draw_slope();
+      else
+        draw_profile();
+      draw_width();
       bool hangs = shape_.side == Side::ceiling;
       check("ceiling", "hangs from the ceiling", hangs, "The ground is above the line, measured downwards.");
       shape_.side = hangs ? Side::ceiling : Side::floor;
@@ -54,9 +49,10 @@ class ShapeEditor {
   std::string named(std::string_view part) const { return name_ + "_" + std::string(part); }
 
   void draw_kind() {
-    const bool open = ui_.begin_combo(name_, std::string(kind_label(shape_)), ui_.px(180),
-                                      "What the ground is where a tile has this; a profile of many heights "
-                                      "is made in the file.");
+    const bool open =
+        ui_.begin_combo(name_, std::string(kind_label(shape_)), ui_.px(180),
+                        "What the ground is where a tile has this: a full tile, a slope between "
+                        "two heights, or a profile with a height for each column line.");
     if (!open) return;
     const Kind now = shape_.kind;
     for (const Kind kind : kChoices) {
@@ -76,14 +72,31 @@ class ShapeEditor {
     ImGui::SameLine();
     drag("right", ImGuiDataType_Double, &shape_.heights[1], &kLowest, &kHighest, "right %.6g px");
     ui_.item(named("right"), "The height of the line at its right end.", "drag, or double click to type");
-    drag("tiles", ImGuiDataType_S32, &shape_.tiles, &kLeastTiles, &kMostTiles, "width %d tiles");
+  }
+
+  // Rows of fields, as many as fit.
+  void draw_profile() {
+    const float width = ui_.px(kHeightWidth);
+    for (std::size_t i = 0; i < shape_.heights.size(); ++i) {
+      const std::string part = "height" + std::to_string(i);
+      if (i > 0) ui_.same_line_if_fits(width);
+      drag(part, ImGuiDataType_Double, &shape_.heights[i], &kLowest, &kHighest, "%.4g", kHeightWidth);
+      ui_.item(named(part), "The height of the line there, px.", "drag, or double click to type");
+    }
+  }
+
+  void draw_width() {
+    int tiles = shape_.tiles;
+    drag("tiles", ImGuiDataType_S32, &tiles, &kLeastTiles, &kMostTiles,
+         tiles == 1 ? "width %d tile" : "width %d tiles");
     ui_.item(named("tiles"), "Over how many tiles it reaches, from the one that has it to the right.",
              "drag, or double click to type");
+    if (tiles != shape_.tiles) shape_ = with_width(shape_, tiles);
   }
 
   void drag(std::string_view part, ImGuiDataType type, void* value, const void* min, const void* max,
-            const char* format) {
-    ImGui::SetNextItemWidth(ui_.px(88));
+            const char* format, float width = 88) {
+    ImGui::SetNextItemWidth(ui_.px(width));
     const bool moved = ImGui::DragScalar(("##" + named(part)).c_str(), type, value, 0.125f, min, max, format,
                                          ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActivated()) stroke_ = session_.next_stroke();

@@ -105,6 +105,30 @@ TEST_F(Sentences, OfTheContactsAfterTheFirst) {
   EXPECT_EQ(sentence(2), "stopped by the sloped ceiling at (3, 4) at the end of the motion left");
 }
 
+TEST_F(Sentences, OfACurveByItsName) {
+  const auto met = [this](const char* expected) {
+    frame_.record.contacts.clear();
+    contact({.role = TileRole::solid, .cell = {}, .body = 0, .box = {}, .curve = 1}, {0, -1}, 0.25, {0, 4},
+            {10, 21});
+    EXPECT_EQ(sentence().substr(0, sentence().find(" at 0.25")), expected);
+  };
+  step({0, 4}, {10, 21});
+  scene_->curve_names = {"", "hill"};
+  met("stopped by the top of curve \"hill\"");
+  scene_->curve_names = {"hill", ""};
+  met("stopped by the top of curve 1");
+}
+
+TEST(SceneCurveNames, AreThoseOfTheGroundsCurves) {
+  Level level = level_of({"....", "...."});
+  const auto curve = [](const char* name, double x1) {
+    return LevelCurve{.name = name, .curve = {.form = Segment{{0, 8}, {x1, 8}}}, .extra = {}};
+  };
+  level.curves = {curve("floor", 8), curve("off the map", 80), curve("ledge", 16)};
+  level.tuning.solver = SolverKind::exact;
+  EXPECT_EQ(compile_scene(level).curve_names, (std::vector<std::string>{"floor", "ledge"}));
+}
+
 TEST_F(Sentences, OfTheArticlesSlopes) {
   scene_->tuning.solver = SolverKind::article;
   step({2, 2}, {12, 20});

@@ -1,4 +1,4 @@
-// The tools that draw slopes and segments.
+// The tool that lays slopes.
 #include "edit/shape_tools.h"
 
 #include <gtest/gtest.h>
@@ -47,37 +47,6 @@ TEST(ShapeTools, SlopeThatCannotBeLaidSaysWhy) {
   for (int tile = 1; tile < kTileCount; ++tile) level.sheet(SheetId::tiles).images[tile].fill(3);
   EXPECT_EQ(lay_slope(level, {0, 8}, {8, 0}, {}, 12).error(),
             "there are too few blank tiles to draw the slope with");
-}
-
-TEST(ShapeTools, SegmentStopsBodiesOnTheLeftOfItsWay) {
-  const Level level = level_with_slopes();
-  const auto added = [&](Vec2 a, Vec2 b) {
-    return after(level, add_segment(level, a, b)).curves.at(0).curve;
-  };
-  using Faces = Curve::Faces;
-  EXPECT_EQ(added({8, 40}, {80, 30}), (Curve{Segment{{8, 40}, {80, 30}}, Faces::up}));
-  EXPECT_EQ(added({80, 30}, {8, 40}), (Curve{Segment{{8, 40}, {80, 30}}, Faces::down}));
-  EXPECT_EQ(added({8, 40}, {8, 20}), (Curve{Segment{{8, 20}, {8, 40}}, Faces::up}));  // to the left
-  EXPECT_EQ(added({8, 20}, {8, 40}), (Curve{Segment{{8, 20}, {8, 40}}, Faces::down}));
-}
-
-TEST(ShapeTools, SegmentThatCannotBeAddedSaysWhy) {
-  const Level level = level_with_slopes();
-  EXPECT_EQ(add_segment(level, {8, 8}, {8, 8}).error(), "drag from one end to the other");
-  EXPECT_EQ(add_segment(level, {8, 8}, {8, 200}).error(), "the segment has its last end off the map");
-}
-
-TEST(ShapeTools, TheNearestSegmentWithinReachIsRemoved) {
-  Level level = level_with_slopes();
-  EXPECT_TRUE(remove_segment(level, {8, 8}, 4).empty());
-  for (const double y : {40.0, 46.0}) level = after(level, add_segment(level, {8, y}, {80, y}));
-  level.curves.push_back({"hill", {Arc{{40, 44}, 40, 0, 80, true}}, ""});
-  EXPECT_TRUE(remove_segment(level, {30, 51}, 4).empty());
-  EXPECT_TRUE(remove_segment(level, {84, 49}, 4).empty()) << "beyond its end";
-  const Level left = after(level, remove_segment(level, {30, 44}, 4));
-  ASSERT_EQ(left.curves.size(), 2u);
-  EXPECT_EQ(std::get<Segment>(left.curves[0].curve.form).from.y, 40);
-  EXPECT_EQ(left.curves[1].name, "hill");
 }
 
 }  // namespace

@@ -1,0 +1,254 @@
+// Fitting lines to columns of pixels, and copying blocks of tiles.
+#include "tile_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace talus {
+namespace {
+
+using Kind = TileShape::Kind;
+using Side = TileShape::Side;
+
+bool has_line(const TileShape& shape) { return shape.kind == Kind::slope || shape.kind == Kind::profile; }
+
+// The height of a shape's line at a part of its width, 0..1.
+double height_at(const TileShape& shape, double part) {
+  const double at = part * static_cast<double>(shape.heights.size() - 1);
+  const auto left = std::min(static_cast<std::size_t>(at), shape.heights.size() - 2);
+  return std::lerp(shape.heights[left], shape.heights[left + 1], at - static_cast<double>(left));
+}
+
+std::vector<double> heights_of_columns(const TileShape& shape, int tiles) {
+  std::vector<double> heights;
+  const int columns = tiles * kTileSize;
+  for (int i = 0; i <= columns; ++i) heights.push_back(height_at(shape, static_cast<double>(i) / columns));
+  return heights;
+}
+
+// The opaque pixels of some tiles beside one another, column by column.
+struct Columns {
+  std::vector<int> from_bottom, from_top;  // px, how far the opaque pixels reach; 0: the column is clear
+  int opaque = 0;
+
+  Columns(const Level& level, int tile, int tiles) {
+    const auto& images = level.sheet(SheetId::tiles).images;
+    for (int x = 0; x < tiles * kTileSize; ++x) {
+      int top = 0, bottom = 0;
+      for (int y = 0; y < kTileSize; ++y) {
+        if (images[tile + x / kTileSize][y * kTileSize + x % kTileSize] == 0) continue;
+        ++opaque;
+        top = y + 1;
+        if (bottom == 0) bottom = kTileSize - y;
+      }
+      from_top.push_back(top);
+      from_bottom.push_back(bottom);
+    }
+  }
+};
+
+int sum(const std::vector<int>& numbers) {
+  int total = 0;
+  for (const int number : numbers) total += number;
+  return total;
+}
+
+// How plain a height is: 0 for whole tiles, then halves and quarters of them, and so on.
+int plainness(double height) {
+  int level = 0;
+  for (double step = kTileSize; std::fmod(height, step) != 0; step /= 2) ++level;
+  return level;
+}
+
+struct Line {
+  double left, right;
+};
+
+// The plainest line within half a pixel of the middles of all columns; of equally plain ones the nearest.
+std::optional<Line> fit_line(const std::vector<int>& columns) {
+  constexpr double kTolerance = 0.5 + 1e-9;  // px
+  const double count = static_cast<double>(columns.size());
+  std::optional<Line> best;
+  std::pair<int, double> best_score;
+  const auto try_line = [&](Line line) {
+    double squares = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double error =
+          std::lerp(line.left, line.right, (static_cast<double>(i) + 0.5) / count) - columns[i];
+      if (std::abs(error) > kTolerance) return;
+      squares += error * error;
+    }
+    const std::pair score(plainness(line.left) + plainness(line.right), squares);
+    if (best && best_score <= score) return;
+    best = line;
+    best_score = score;
+  };
+  for (double step = 1; step >= 0.25 && !best; step /= 2) {
+    for (double left = 0; left <= kTileSize; left += step)
+      for (double right = 0; right <= kTileSize; right += step) try_line({left, right});
+  }
+  return best;
+}
+
+// Heights at the column lines: between two columns their mean.
+std::vector<double> profile_of(const std::vector<int>& columns) {
+  std::vector<double> heights = {static_cast<double>(columns.front())};
+  for (std::size_t i = 1; i < columns.size(); ++i) heights.push_back((columns[i - 1] + columns[i]) / 2.0);
+  heights.push_back(columns.back());
+  return heights;
+}
+
+void add_shape_change(const Level& level, int tile, const TileShape& shape, Edit& edit) {
+  const TileShape& before = level.tile_shapes[tile];
+  if (before != shape) edit.changes.emplace_back(TileShapeChange{tile, before, shape});
+}
+
+bool is_on_sheet(const CellRect& tiles) {
+  return tiles.x >= 0 && tiles.y >= 0 && tiles.x + tiles.w <= kSheetColumns &&
+         tiles.y + tiles.h <= kSheetColumns;
+}
+
+bool flips_columns(ShapeTurn turn) { return turn == ShapeTurn::mirrored || turn == ShapeTurn::half_turn; }
+bool flips_rows(ShapeTurn turn) { return turn == ShapeTurn::upside_down || turn == ShapeTurn::half_turn; }
+
+std::string size_text(const CellRect& tiles) {
+  return std::to_string(tiles.w) + "x" + std::to_string(tiles.h);
+}
+
+void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, ShapeTurn turn, Edit& edit) {
+  const SpriteArea source{SheetId::tiles, from}, target{SheetId::tiles, to};
+  for (int y = 0; y < source.height(); ++y) {
+    for (int x = 0; x < source.width(); ++x) {
+      const std::uint8_t after = pixel_at(level, source, flips_columns(turn) ? source.width() - 1 - x : x,
+                                          flips_rows(turn) ? source.height() - 1 - y : y);
+      const std::uint8_t before = pixel_at(level, target, x, y);
+      if (before == after) continue;
+      const int tile = target.tile_at(x / kTileSize, y / kTileSize);
+      const int pixel = y % kTileSize * kTileSize + x % kTileSize;
+      edit.changes.emplace_back(PixelChange{SheetId::tiles, tile, pixel, before, after});
+    }
+  }
+}
+
+}  // namespace
+
+TileShape with_kind(TileShape shape, TileShape::Kind kind) {
+  if (kind == Kind::none) return {};
+  if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
+  if (!has_line(shape)) shape.heights = {0, kTileSize};
+  if (kind == Kind::profile) shape.heights = heights_of_columns(shape, shape.tiles);
+  if (kind == Kind::slope) shape.heights = {shape.heights.front(), shape.heights.back()};
+  shape.kind = kind;
+  return shape;
+}
+
+TileShape with_width(TileShape shape, int tiles) {
+  assert(tiles >= 1 && tiles <= kMaxShapeTiles);
+  if (shape.kind == Kind::profile) shape.heights = heights_of_columns(shape, tiles);
+  if (has_line(shape)) shape.tiles = tiles;
+  return shape;
+}
+
+TileShape turned(TileShape shape, ShapeTurn turn) {
+  if (!has_line(shape)) return shape;
+  if (flips_columns(turn)) std::reverse(shape.heights.begin(), shape.heights.end());
+  if (flips_rows(turn)) shape.side = shape.side == Side::floor ? Side::ceiling : Side::floor;
+  return shape;
+}
+
+CellRect tiles_of_shape(int tile, const TileShape& shape) {
+  CellRect tiles{tile % kSheetColumns, tile / kSheetColumns, 1, 1};
+  if (!has_line(shape)) return tiles;
+  tiles.w = shape.tiles;
+  const double highest = *std::max_element(shape.heights.begin(), shape.heights.end());
+  tiles.h = std::max(1, static_cast<int>(std::ceil(highest / kTileSize)));
+  if (shape.side == Side::floor) tiles.y -= tiles.h - 1;
+  return tiles;
+}
+
+std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) {
+  assert(tile >= 0 && tile < kTileCount && tiles >= 1 && tiles <= kMaxShapeTiles);
+  tiles = std::min(tiles, kSheetColumns - tile % kSheetColumns);
+  const Columns columns(level, tile, tiles);
+  if (columns.opaque == 0) return std::nullopt;
+  TileShape shape;
+  const bool hangs = sum(columns.from_top) < sum(columns.from_bottom);
+  shape.side = hangs ? Side::ceiling : Side::floor;
+  const std::vector<int>& heights = hangs ? columns.from_top : columns.from_bottom;
+  if (std::all_of(heights.begin(), heights.end(), [](int height) { return height == kTileSize; }))
+    return TileShape{.kind = Kind::solid};
+  shape.tiles = tiles;
+  if (const auto line = fit_line(heights)) {
+    shape.kind = Kind::slope;
+    shape.heights = {line->left, line->right};
+  } else {
+    shape.kind = Kind::profile;
+    shape.heights = profile_of(heights);
+  }
+  return shape;
+}
+
+Edit suggest_shapes(const Level& level, const SpriteArea& area) {
+  assert(area.sheet == SheetId::tiles);
+  Edit edit{"Suggest shapes from pixels", {}};
+  for (int y = 0; y < area.tiles.h; ++y) {
+    for (int x = 0; x < area.tiles.w; ++x) {
+      const int tile = area.tile_at(x, y);
+      if (const auto shape = suggest_shape(level, tile)) add_shape_change(level, tile, *shape, edit);
+    }
+  }
+  return edit;
+}
+
+Edit give_shape(const Level& level, const SpriteArea& area, const TileShape& shape) {
+  assert(area.sheet == SheetId::tiles);
+  Edit edit{"Give tiles a shape", {}};
+  for (int y = 0; y < area.tiles.h; ++y)
+    for (int x = 0; x < area.tiles.w; ++x) add_shape_change(level, area.tile_at(x, y), shape, edit);
+  return edit;
+}
+
+tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int target, ShapeTurn turn) {
+  assert(tile >= 0 && tile < kTileCount && target >= 0 && target < kTileCount);
+  const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  const TileShape image = turned(shape, turn);
+  const CellRect from = tiles_of_shape(tile, shape), to = tiles_of_shape(target, image);
+  if (!is_on_sheet(from))
+    return tl::unexpected("tile " + std::to_string(tile) + " has a shape over " + size_text(from) +
+                          " tiles, which reaches beyond the sheet");
+  if (!is_on_sheet(to))
+    return tl::unexpected("a copy over " + size_text(to) + " tiles has no room at tile " +
+                          std::to_string(target));
+  if (from != to && shared(from, to))
+    return tl::unexpected("a copy at tile " + std::to_string(target) +
+                          " would lie over part of its original");
+  constexpr std::array<const char*, 4> kLabels = {"Copy a tile", "Mirror a tile", "Turn a tile upside down",
+                                                  "Turn a tile by a half"};
+  Edit edit{kLabels[static_cast<std::size_t>(turn)], {}};
+  copy_pixels(level, from, to, turn, edit);
+  add_shape_change(level, target, image, edit);
+  return edit;
+}
+
+std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
+  const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
+  const auto is_free = [&](int number) {
+    return number != 0 && number != tile && level.sheet(SheetId::tiles).images[number] == TileImage{} &&
+           shape_of_tile(level, static_cast<std::uint8_t>(number)).kind == Kind::none;
+  };
+  for (int target = 1; target < kTileCount; ++target) {
+    const CellRect tiles = tiles_of_shape(target, image);
+    if (!is_on_sheet(tiles)) continue;
+    bool all_free = true;
+    for (int y = tiles.y; y < tiles.y + tiles.h; ++y)
+      for (int x = tiles.x; x < tiles.x + tiles.w; ++x) all_free = all_free && is_free(y * kSheetColumns + x);
+    if (all_free) return target;
+  }
+  return std::nullopt;
+}
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+// Shapes of tiles: proposed from their pixels, turned, spread, and given to many tiles at once. What makes an
+// Edit changes nothing itself.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "sprite_tools.h"
+
+namespace talus {
+
+// A shape of this kind that can be used, as like the old one as may be: a line through a profile's ends, a
+// profile along a line.
+TileShape with_kind(TileShape shape, TileShape::Kind kind);
+// The same line over so many tiles, 1..kMaxShapeTiles (asserted); a profile has a height for each column
+// line.
+TileShape with_width(TileShape shape, int tiles);
+
+enum class ShapeTurn { none, mirrored, upside_down, half_turn };
+TileShape turned(TileShape shape, ShapeTurn turn);
+
+// The tiles of the sheet that a shape reaches over: its own, those to the right, and, where it is higher than
+// a tile, those above (a floor) or below (a ceiling). May reach beyond the sheet.
+CellRect tiles_of_shape(int tile, const TileShape& shape);
+
+// What the opaque pixels of a tile, and of those to its right, look like; colour 0 is clear. A floor goes
+// along the topmost pixel of each column, a ceiling along the lowest; whichever has fewer clear pixels behind
+// it. Full: solid. A line where all columns are within half a pixel of one, else a profile. Nothing: all is
+// clear. tiles: 1..kMaxShapeTiles, cut at the sheet's edge.
+std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles = 1);
+// The same for each tile of the area by itself; those without an opaque pixel keep what they have.
+Edit suggest_shapes(const Level& level, const SpriteArea& area);
+// One shape for each tile of the area.
+Edit give_shape(const Level& level, const SpriteArea& area, const TileShape& shape);
+
+// Copies the shape of a tile and the pixels of the tiles that it reaches over, turned, so that `target` has
+// the shape then; target may be the tile itself. The error is one clear sentence, without a full stop.
+tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int target, ShapeTurn turn);
+// Where copy_turned finds room: the first place whose tiles are all clear and have no shape; none: nowhere.
+std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn);
+
+}  // namespace talus

@@ -1,0 +1,216 @@
+// Fields of curves, by their kinds.
+#include "curve_inspector.h"
+
+#include <imgui_stdlib.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "commands.h"
+#include "curve_gesture.h"
+#include "number_field.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostHeights = 65;  // of a polyline, that get a field each
+
+// The numbers of a form, one after another.
+class FormFields {
+ public:
+  FormFields(const Session& session, int& stroke, Ui& ui) : session_(session), stroke_(stroke), ui_(ui) {}
+  bool changed() const { return changed_; }
+
+  void draw(Segment& s) {
+    point("from", s.from);
+    row();
+    point("to", s.to);
+  }
+  void draw(Arc& a) {
+    point("centre", a.center);
+    row();
+    number("radius", "radius %.8g", a.radius, "The radius of the circle, px.", 104);
+    number("x0", "x %.8g", a.x0, "Where it begins, px.");
+    number("x1", "to x %.8g", a.x1, "Where it ends, px.");
+    row();
+    if (ImGui::Checkbox("hill", &a.upper)) note_click();
+    ui_.item("inspector/curve_upper", "The upper half of its circle; off: the lower half, a bowl.");
+  }
+  void draw(Parabola& p) {
+    point("from", p.from);
+    row();
+    point("to", p.to);
+    row();
+    number("control", "control y %.8g", p.control_y,
+           "The height of its control point half way, px; it comes half as close.", 124);
+  }
+  void draw(Cubic& c) {
+    point("from", c.from);
+    number("from_slope", "slope %.8g", c.from_slope, "How many px it goes down for each px, at its start.",
+           84, 0.02f);
+    row();
+    point("to", c.to);
+    number("to_slope", "slope %.8g", c.to_slope, "How many px it goes down for each px, at its end.", 84,
+           0.02f);
+  }
+  void draw(Sine& s) {
+    number("x0", "x %.8g", s.x0, "Where it begins, px.");
+    number("x1", "to x %.8g", s.x1, "Where it ends, px.");
+    row();
+    number("middle", "middle y %.8g", s.middle, "The height about which it swings, px.", 124);
+    number("amplitude", "amplitude %.8g", s.amplitude,
+           "How far it swings, px; positive: first down from its origin.", 124);
+    row();
+    number("wavelength", "wavelength %.8g", s.wavelength, "The length of a whole wave, px.", 124);
+    number("origin", "origin x %.8g", s.origin, "Where it crosses its middle, px.", 124);
+  }
+  void draw(Polyline& p) {
+    number("x0", "x %.8g", p.x0, "Where it begins, px.");
+    number("x1", "to x %.8g", p.x1, "Where it ends, px.");
+    row();
+    if (p.ys.size() > kMostHeights)
+      return ui_.hint("It has " + std::to_string(p.ys.size()) + " heights, too many for fields.");
+    for (std::size_t i = 0; i < p.ys.size(); ++i)
+      number("y" + std::to_string(i), "%.8g", p.ys[i], "Its y there, px.", 48);
+  }
+
+ private:
+  void row() { first_ = true; }
+  void number(const std::string& part, const char* format, double& value, std::string_view help,
+              float width = 84, float speed = 1) {
+    if (!first_) ui_.same_line_if_fits(ui_.px(width));
+    first_ = false;
+    const std::string name = "inspector/curve_" + part;
+    changed_ |= draw_number_field({name, format, help, width, speed}, value, session_, stroke_, ui_);
+  }
+  void point(const std::string& part, Vec2& value) {
+    const std::string x = part + " x %.8g";
+    number(part + "_x", x.c_str(), value.x, "px", 104);
+    number(part + "_y", "y %.8g", value.y, "px");
+  }
+  void note_click() {
+    changed_ = true;
+    stroke_ = 0;
+  }
+
+  const Session& session_;
+  int& stroke_;
+  Ui& ui_;
+  bool first_ = true;  // in its row
+  bool changed_ = false;
+};
+
+const LevelCurve& curve_of(const Session& session, int curve) {
+  return session.level().curves[static_cast<std::size_t>(curve)];
+}
+
+}  // namespace
+
+void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_kind(session, actions, ui);
+  const int curve = chosen_curve(session);
+  if (curve != shown_) problem_.clear();
+  if (curve < 0) {
+    shown_ = -1;
+    ui.hint(session.level().curves.empty()
+                ? "No curve yet: drag on the map from one end to the other."
+                : "No curve chosen: click one on the map, or drag to draw another.");
+    return;
+  }
+  ui.heading(title_of(session.level(), curve) + ": a " +
+             std::string(label_of(kind_of(curve_of(session, curve).curve))) + ", curve " +
+             std::to_string(curve));
+  draw_name(session, actions, ui, curve);
+  draw_faces(session, actions, ui, curve);
+  draw_numbers(session, actions, ui, curve);
+  if (!problem_.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kError));
+    ImGui::TextWrapped("%s", problem_.c_str());
+    ImGui::PopStyleColor();
+    ui.item("inspector/curve_problem");
+  }
+  command_text_button("inspector/curve_duplicate", "map/duplicate", session, actions, ui);
+  ImGui::SameLine();
+  if (ui.text_button("inspector/curve_remove", "Remove", false, "Takes the curve out of the level.", "Del")) {
+    actions.push_back(action::EditLevel{remove_curve(session.level(), curve)});
+    actions.push_back(action::SelectCurve{});
+  }
+  if (session.level().tuning.solver != SolverKind::exact)
+    ui.hint("Curves stop bodies with the exact solver alone: see Tuning.");
+  shown_ = curve;
+}
+
+void CurveInspector::draw_kind(const Session& session, Actions& actions, Ui& ui) const {
+  const Choices& choices = session.choices();
+  ui.begin_row();
+  ui.label("A drag draws");
+  ImGui::SameLine();
+  if (choices.map_tool == MapTool::segment) {
+    ui.label("a segment");
+  } else if (ui.begin_combo("inspector/curve_kind", std::string(label_of(choices.curve_kind)), ui.px(108),
+                            "The kind of the next curve; the tool's key goes on to the next one.")) {
+    for (int i = 0; i < kCurveKindCount; ++i) {
+      const auto kind = static_cast<CurveKind>(i);
+      const std::string label(label_of(kind));
+      if (ImGui::Selectable(label.c_str(), kind == choices.curve_kind))
+        actions.push_back(action::SetCurveKind{kind});
+      ui.item("inspector/curve_kind_" + label);
+    }
+    ImGui::EndCombo();
+  }
+  ui.end_row();
+}
+
+void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui, int curve) {
+  LevelCurve named = curve_of(session, curve);
+  if (curve != shown_) name_ = named.name;
+  ImGui::SetNextItemWidth(ui.px(220));
+  ImGui::InputTextWithHint("##curve name", "name", &name_);
+  ui.item("inspector/curve_name", "What you call it; the debugger's sentences call it so, too.");
+  if (ImGui::IsItemDeactivatedAfterEdit() && name_ != named.name) {
+    named.name = name_;
+    change(session, actions, curve, std::move(named), "Name a curve", 0);
+  } else if (!ImGui::IsItemActive()) {
+    name_ = named.name;  // Undo may have changed it
+  }
+}
+
+void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui, int curve) {
+  constexpr std::array<std::string_view, 3> kFaces = {"up", "down", "both ways"};
+  LevelCurve changed = curve_of(session, curve);
+  const auto now = static_cast<std::size_t>(changed.curve.faces);
+  ui.begin_row();
+  ui.label("faces");
+  ImGui::SameLine();
+  if (ui.begin_combo("inspector/curve_faces", std::string(kFaces[now]), ui.px(108),
+                     "From which side it stops bodies: up is a floor, down a ceiling; of an upright segment, "
+                     "up is left.")) {
+    for (std::size_t i = 0; i < kFaces.size(); ++i) {
+      if (ImGui::Selectable(std::string(kFaces[i]).c_str(), i == now) && i != now) {
+        changed.curve.faces = static_cast<Curve::Faces>(i);
+        change(session, actions, curve, changed, "Turn a curve's face", 0);
+      }
+      ui.item("inspector/curve_faces" + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  ui.end_row();
+}
+
+void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& ui, int curve) {
+  LevelCurve changed = curve_of(session, curve);
+  FormFields fields(session, stroke_, ui);
+  std::visit([&](auto& form) { fields.draw(form); }, changed.curve.form);
+  if (fields.changed())
+    change(session, actions, curve, std::move(changed), "Change a curve's numbers", stroke_);
+}
+
+void CurveInspector::change(const Session& session, Actions& actions, int curve, LevelCurve changed,
+                            std::string label, int stroke) {
+  auto edit = change_curve(session.level(), curve, std::move(changed), std::move(label));
+  problem_ = edit ? std::string() : "Not taken: " + edit.error() + ".";
+  if (edit) actions.push_back(action::EditLevel{*std::move(edit), stroke});
+}
+
+}  // namespace talus

@@ -1,0 +1,156 @@
+// Heights by the mouse.
+#include "shape_canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "debug/number_text.h"
+#include "edit/tile_shapes.h"
+
+namespace talus {
+namespace {
+
+constexpr float kMargin = 8, kHandle = 4, kReach = 9;  // px at scale 1
+constexpr float kMostZoom = 24;                        // px for each px of a tile
+
+bool has_line(const TileShape& shape) { return shape.kind >= TileShape::Kind::slope; }
+
+}  // namespace
+
+// Where the tiles lie on the screen in this frame.
+struct ShapeCanvas::Frame {
+  const Session& session;
+  CellRect tiles;   // of the sheet
+  TileShape shape;  // changed by the drag
+  ImVec2 at;        // px of the screen, the tiles' top-left corner
+  float zoom = 1;
+  float reach = 1;          // px of the screen, from a handle to the mouse
+  std::uint32_t color = 0;  // 0xRRGGBB, the overlay's
+  bool changed = false;
+
+  float width() const { return static_cast<float>(tiles.w * kTileSize) * zoom; }
+  float height() const { return static_cast<float>(tiles.h * kTileSize) * zoom; }
+  bool hangs() const { return shape.side == TileShape::Side::ceiling; }
+  // A height of the line, by its index.
+  ImVec2 point(std::size_t i) const {
+    const float part = static_cast<float>(i) / static_cast<float>(shape.heights.size() - 1);
+    const float y = static_cast<float>(shape.heights[i]) * zoom;
+    return {at.x + part * width(), hangs() ? at.y + y : at.y + height() - y};
+  }
+  // The height at a place of the mouse: whole px, with Alt halves.
+  double height_at(float y) const {
+    const double px = (hangs() ? y - at.y : at.y + height() - y) / zoom;
+    const double grain = ImGui::GetIO().KeyAlt ? 2 : 1;
+    return std::clamp(std::round(px * grain) / grain, 0.0, static_cast<double>(tiles.h * kTileSize));
+  }
+  int nearest_by_x(float x) const {
+    const float last = static_cast<float>(shape.heights.size() - 1);
+    return static_cast<int>(std::clamp(std::round((x - at.x) / width() * last), 0.0f, last));
+  }
+  void set_height(int i, float y) {
+    double& height = shape.heights[static_cast<std::size_t>(i)];
+    const double wanted = height_at(y);
+    changed = changed || wanted != height;
+    height = wanted;
+  }
+};
+
+std::optional<TileShape> ShapeCanvas::draw(const Session& session, int tile, const TileShape& shape,
+                                           ImVec2 room, Ui& ui) {
+  CellRect tiles = tiles_of_shape(tile, shape);
+  if (held_ >= 0 && tiles.h != rows_) {  // as it was when the drag began
+    if (shape.side == TileShape::Side::floor) tiles.y += tiles.h - rows_;
+    tiles.h = rows_;
+  }
+  rows_ = tiles.h;
+  const float margin = ui.px(kMargin);
+  const auto columns = static_cast<float>(tiles.w * kTileSize),
+             rows = static_cast<float>(tiles.h * kTileSize);
+  const float fits = std::min((room.x - 2 * margin) / columns, (room.y - 2 * margin) / rows);
+  Frame frame{session, tiles, shape, {}, 1, ui.px(kReach)};
+  frame.color = overlay_color(OverlayId::shapes, session.choices().overlay_palette);
+  frame.zoom = std::clamp(std::floor(fits), 1.0f, kMostZoom * ui.scale);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("shape canvas", {room.x, frame.height() + 2 * margin});
+  frame.at = {std::floor(corner.x + (room.x - frame.width()) / 2), std::floor(corner.y + margin)};
+  ui.item("shape/canvas",
+          "Drag the line's handles; they keep to whole pixels, with Alt to halves. Over a "
+          "profile, a drag beside them draws it.");
+  if (has_line(shape)) drag(frame);
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float side = 1.0f / kSheetColumns;
+  for (int y = 0; y < tiles.h; ++y) {
+    for (int x = 0; x < tiles.w; ++x) {
+      if (tiles.y + y < 0 || tiles.y + y >= kSheetColumns || tiles.x + x >= kSheetColumns) continue;
+      const ImVec2 uv{static_cast<float>(tiles.x + x) * side, static_cast<float>(tiles.y + y) * side};
+      const float size = kTileSize * frame.zoom;
+      const ImVec2 from{frame.at.x + static_cast<float>(x) * size, frame.at.y + static_cast<float>(y) * size};
+      list.AddImage(ui.sheet(SheetId::tiles), from, {from.x + size, from.y + size}, uv,
+                    {uv.x + side, uv.y + side});
+      list.AddRect({from.x - 1, from.y - 1}, {from.x + size + 1, from.y + size + 1},
+                   theme::color(theme::kLine));
+    }
+  }
+  draw_line(frame, ui);
+  if (!frame.changed) return std::nullopt;
+  return frame.shape;
+}
+
+void ShapeCanvas::drag(Frame& frame) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (ImGui::IsItemActivated()) {
+    stroke_ = frame.session.next_stroke();
+    held_ = frame.nearest_by_x(mouse.x);
+    const ImVec2 point = frame.point(static_cast<std::size_t>(held_));
+    const bool on_handle = std::hypot(point.x - mouse.x, point.y - mouse.y) <= frame.reach;
+    free_ = !on_handle && frame.shape.kind == TileShape::Kind::profile;
+  }
+  if (!ImGui::IsItemActive()) held_ = -1;
+  if (held_ < 0 || held_ >= static_cast<int>(frame.shape.heights.size())) return;
+  if (!free_) return frame.set_height(held_, mouse.y);
+  const int to = frame.nearest_by_x(mouse.x);  // a fast hand leaves none out
+  const int step = to < held_ ? -1 : 1;
+  for (int i = held_; i != to; i += step) frame.set_height(i, mouse.y);
+  frame.set_height(to, mouse.y);
+  held_ = to;
+}
+
+void ShapeCanvas::draw_line(const Frame& frame, Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{frame.at.x + frame.width(), frame.at.y + frame.height()};
+  const ImU32 tint = theme::color(frame.color, 70);
+  if (frame.shape.kind == TileShape::Kind::solid) return list.AddRectFilled(frame.at, end, tint);
+  if (!has_line(frame.shape)) return;
+  std::vector<ImVec2> points;
+  for (std::size_t i = 0; i < frame.shape.heights.size(); ++i) points.push_back(frame.point(i));
+  const float base = frame.hangs() ? frame.at.y : end.y;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    list.AddQuadFilled(points[i - 1], points[i], {points[i].x, base}, {points[i - 1].x, base}, tint);
+  const int count = static_cast<int>(points.size());
+  list.AddPolyline(points.data(), count, theme::color(theme::kDark, 200), ImDrawFlags_None, ui.px(2) + 2);
+  list.AddPolyline(points.data(), count, theme::color(frame.color), ImDrawFlags_None, ui.px(2));
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool hovered = ImGui::IsItemHovered();
+  const float side = std::min(ui.px(kHandle), std::max(2.0f, frame.width() / static_cast<float>(3 * count)));
+  for (int i = 0; i < count; ++i) {
+    const ImVec2 p = points[static_cast<std::size_t>(i)];
+    const bool lit = i == held_ || (held_ < 0 && hovered && frame.nearest_by_x(mouse.x) == i);
+    list.AddRectFilled({p.x - side - 1, p.y - side - 1}, {p.x + side + 1, p.y + side + 1},
+                       theme::color(theme::kDark));
+    list.AddRectFilled({p.x - side, p.y - side}, {p.x + side, p.y + side},
+                       theme::color(lit ? theme::kWarning : theme::kText));
+    ui.place("shape/handle" + std::to_string(i), {p.x - side, p.y - side}, {p.x + side, p.y + side});
+    if (!lit) continue;
+    const std::string text = exact_text(frame.shape.heights[static_cast<std::size_t>(i)]) + " px";
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at{std::clamp(p.x - size.x / 2, frame.at.x, std::max(frame.at.x, end.x - size.x)),
+                    p.y - size.y - 2 * side < frame.at.y ? p.y + 2 * side : p.y - size.y - 2 * side};
+    list.AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, theme::color(theme::kDark, 205));
+    list.AddText(at, theme::color(theme::kText), text.c_str());
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,55 @@
+// The commands of the tiles' shapes.
+#include "command_table.h"
+#include "edit/tile_shapes.h"
+
+namespace talus {
+namespace {
+
+bool has_tiles(const Session& session, const Ui&) { return session.choices().area.sheet == SheetId::tiles; }
+
+bool has_many_tiles(const Session& session, const Ui& ui) {
+  const CellRect& tiles = session.choices().area.tiles;
+  return has_tiles(session, ui) && tiles.w * tiles.h > 1;
+}
+
+// One tile that has a wide shape already gets another one as wide; of several, each gets its own.
+void suggest(const Session& session, Actions& actions, Ui& ui) {
+  const Level& level = session.level();
+  const SpriteArea& area = session.choices().area;
+  const int tile = area.tile_at(0, 0);
+  const int width = shape_of_tile(level, static_cast<std::uint8_t>(tile)).tiles;
+  Edit edit = suggest_shapes(level, area);
+  bool found = !edit.empty();
+  if (!has_many_tiles(session, ui)) {
+    const auto shape = suggest_shape(level, tile, width);
+    found = shape.has_value();
+    if (shape) edit = give_shape(level, area, *shape);
+    edit.label = "Suggest a shape from pixels";
+  }
+  if (!edit.empty()) return actions.push_back(action::EditLevel{std::move(edit)});
+  actions.push_back(action::ShowMessage{found ? "The shape is as the pixels suggest already."
+                                              : "Nothing to suggest: the tile has no pixels but colour 0.",
+                                        false});
+}
+
+void give(const Session& session, Actions& actions, Ui&) {
+  const SpriteArea& area = session.choices().area;
+  const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(area.tile_at(0, 0)));
+  Edit edit = give_shape(session.level(), area, shape);
+  if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
+}
+
+}  // namespace
+
+std::vector<Command> shape_commands() {
+  return {
+      command("shape/suggest", KeyChord{}, "Suggest from pixels",
+              "Proposes a shape from the opaque pixels of each selected tile; colour 0 is clear. One undo "
+              "takes it back.",
+              suggest, has_tiles),
+      command("shape/give", KeyChord{}, "Give to all selected",
+              "Gives the shape of the first selected tile to all selected ones.", give, has_many_tiles),
+  };
+}
+
+}  // namespace talus

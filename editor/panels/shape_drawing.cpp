@@ -1,0 +1,100 @@
+// Tints and lines of shapes.
+#include "shape_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace talus {
+namespace {
+
+constexpr float kLeastCell = 4;      // px of the screen: smaller ones are left out
+constexpr float kOutlinedCell = 24;  // from here on lines have room for a dark rim
+constexpr int kTint = 64;            // of 255
+
+using Shapes = std::array<TileShape, kTileCount>;
+
+// Without those that cannot be used.
+Shapes usable_shapes(const Level& level) {
+  Shapes shapes;
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+    if (!problem_of(shape)) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
+  }
+  return shapes;
+}
+
+// How far the shapes reach from their own cells, in cells.
+int reach_of(const Shapes& shapes) {
+  double reach = 1;
+  for (const TileShape& shape : shapes) {
+    reach = std::max(reach, static_cast<double>(shape.tiles));
+    for (const double height : shape.heights) reach = std::max(reach, height / kTileSize);
+  }
+  return static_cast<int>(reach) + 1;
+}
+
+}  // namespace
+
+void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, float cell, std::uint32_t color,
+                     const Ui& ui) {
+  if (shape.kind == TileShape::Kind::none) return;
+  const ImU32 bright = theme::color(color), tint = theme::color(color, kTint);
+  const float width = cell >= kOutlinedCell ? ui.px(2) : ui.px(1);
+  const bool hangs = shape.side == TileShape::Side::ceiling;
+  const float base = hangs ? corner.y : corner.y + cell, right = corner.x + cell;
+  if (shape.kind == TileShape::Kind::solid) {
+    if (shape.one_way)
+      list.AddLine({corner.x, hangs ? corner.y + cell : corner.y},
+                   {right, hangs ? corner.y + cell : corner.y}, bright, width);
+    else
+      list.AddRectFilled(corner, {right, corner.y + cell}, tint);
+    return;
+  }
+  std::vector<ImVec2> points;
+  const float step = cell * static_cast<float>(shape.tiles) / static_cast<float>(shape.heights.size() - 1);
+  for (std::size_t i = 0; i < shape.heights.size(); ++i) {
+    const float height = static_cast<float>(shape.heights[i]) * cell / kTileSize;
+    points.push_back({corner.x + static_cast<float>(i) * step, hangs ? base + height : base - height});
+  }
+  for (std::size_t i = 1; i < points.size() && !shape.one_way; ++i)
+    list.AddQuadFilled(points[i - 1], points[i], {points[i].x, base}, {points[i - 1].x, base}, tint);
+  const int count = static_cast<int>(points.size());
+  if (cell >= kOutlinedCell)
+    list.AddPolyline(points.data(), count, theme::color(theme::kDark, 160), ImDrawFlags_None, width + 2);
+  list.AddPolyline(points.data(), count, bright, ImDrawFlags_None, width);
+}
+
+void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
+                 const Ui& ui) {
+  const float cell = view.zoom * kTileSize;
+  if (cell < kLeastCell) return;
+  const Shapes shapes = usable_shapes(level);
+  const int reach = reach_of(shapes);
+  const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
+  const TileMap& map = level.map;
+  for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
+    for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x); ++at.x) {
+      const TileShape& shape = shapes[map.at(at)];
+      if (shape.kind == TileShape::Kind::none) continue;
+      const ImVec2 corner =
+          view.to_screen({static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize});
+      draw_tile_shape(list, shape, corner, cell, color, ui);
+    }
+  }
+}
+
+void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, float cell, std::uint32_t color,
+                       const Ui& ui) {
+  const Shapes shapes = usable_shapes(level);
+  const float side = cell * kSheetColumns;
+  list.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const ImVec2 at{corner.x + static_cast<float>(tile % kSheetColumns) * cell,
+                    corner.y + static_cast<float>(tile / kSheetColumns) * cell};
+    draw_tile_shape(list, shapes[static_cast<std::size_t>(tile)], at, cell, color, ui);
+  }
+  list.PopClipRect();
+}
+
+}  // namespace talus

@@ -1,0 +1,108 @@
+// The panel of a tile's shape.
+#include "shape_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "commands.h"
+#include "edit/shape_tools.h"
+#include "shape_editor.h"
+
+namespace talus {
+namespace {
+
+constexpr float kLeastCanvas = 104, kMostCanvas = 260;  // px at scale 1, height
+constexpr float kBelowCanvas = 92;                      // px at scale 1, what is drawn there
+constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
+                                                    "turned by a half"};
+
+void draw_origin(const Level& level, int tile, Ui& ui) {
+  const std::string number = "Tile " + std::to_string(tile);
+  if (level.tile_shapes[static_cast<std::size_t>(tile)].kind != TileShape::Kind::none)
+    return ui.heading(number + " has this shape of its own:");
+  const TileShape given = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  if (given.kind == TileShape::Kind::none)
+    return ui.heading(number + " has no shape: bodies pass through it.");
+  ui.heading(number + " has no shape of its own; its flags make it: " + std::string(kind_label(given)) + ".");
+}
+
+}  // namespace
+
+void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  if (area.sheet != SheetId::tiles) {
+    ui.hint("Sprites are no ground: choose a tile on the sheet, and give it a shape here.");
+    return;
+  }
+  const int tile = area.tile_at(0, 0);
+  ImGui::BeginChild("shape");
+  draw_origin(session.level(), tile, ui);
+  draw_fields(session, actions, ui, tile);
+  draw_canvas(session, actions, ui, tile);
+  command_text_button("shape/suggest", "shape/suggest", session, actions, ui);
+  ui.same_line_if_fits(ui.px(120));
+  command_text_button("shape/give", "shape/give", session, actions, ui);
+  draw_copy(session, actions, ui, tile);
+  ImGui::EndChild();
+}
+
+void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui, int tile) {
+  const TileShape& own = session.level().tile_shapes[static_cast<std::size_t>(tile)];
+  if (const auto shape = draw_shape("shape/kind", own, session, field_stroke_, ui))
+    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_stroke_});
+}
+
+void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float height = std::clamp(room.y - ui.px(kBelowCanvas), ui.px(kLeastCanvas), ui.px(kMostCanvas));
+  const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
+  if (const auto dragged = canvas_.draw(session, tile, shape, {room.x, height}, ui))
+    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *dragged), canvas_.stroke()});
+}
+
+void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int tile) {
+  const Level& level = session.level();
+  const bool has_shape = shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind != TileShape::Kind::none;
+  if (!has_shape) return;
+  if (target_for_ != tile) target_ = -1;
+  target_for_ = tile;
+  const int target = target_ >= 0 ? target_ : free_target(level, tile, turn_).value_or(tile);
+  ui.begin_row();
+  ui.label("Copy");
+  ImGui::SameLine();
+  draw_turn_choice(ui);
+  ImGui::SameLine();
+  ui.label("to tile");
+  ImGui::SameLine();
+  int typed = target;
+  ImGui::SetNextItemWidth(ui.px(44));
+  if (ImGui::InputInt("##target", &typed, 0)) target_ = std::clamp(typed, 0, kTileCount - 1);
+  ui.item("shape/target", "The number of the tile that gets it; at first the next one that is blank.");
+  ui.same_line_if_fits(ui.px(48));
+  if (ui.text_button("shape/copy", "Copy", false,
+                     "Copies the pixels and the shape of the tile, and of all tiles that it reaches over.")) {
+    auto edit = copy_turned(level, tile, target, turn_);
+    if (edit) {
+      actions.push_back(action::EditLevel{*std::move(edit)});
+      target_ = -1;
+    } else {
+      actions.push_back(action::ShowMessage{"Not copied: " + edit.error() + ".", true});
+    }
+  }
+  ui.end_row();
+}
+
+void ShapePanel::draw_turn_choice(Ui& ui) {
+  if (!ui.begin_combo("shape/turn", std::string(kTurns[static_cast<std::size_t>(turn_)]), ui.px(112),
+                      "How the copy is turned; a floor upside down is a ceiling."))
+    return;
+  for (std::size_t i = 0; i < kTurns.size(); ++i) {
+    const auto turn = static_cast<ShapeTurn>(i);
+    if (ImGui::Selectable(std::string(kTurns[i]).c_str(), turn == turn_)) turn_ = turn;
+    ui.item("shape/turn" + std::to_string(i));
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace talus

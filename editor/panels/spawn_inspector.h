@@ -1,0 +1,26 @@
+// The part of the inspector for a body that was placed by hand: what it is, and how it starts.
+#pragma once
+
+#include <string>
+
+#include "session/session.h"
+#include "ui.h"
+
+namespace talus {
+
+class SpawnInspector {
+ public:
+  // spawn: an index into the level's spawns.
+  void draw(const Session& session, int spawn, Actions& actions, Ui& ui);
+
+ private:
+  void draw_kind(const Session& session, int index, Actions& actions, Ui& ui);
+  void draw_name(const Session& session, int index, Actions& actions, Ui& ui);
+  void draw_start(const Session& session, int index, Actions& actions, Ui& ui);
+
+  int shown_ = -1;    // the spawn that name_ belongs to
+  std::string name_;  // as it is typed
+  int stroke_ = 0;
+};
+
+}  // namespace talus
