@@ -5,16 +5,16 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tl-expected REQUIRED)
 
+# stb is headers only and ships no CMake package; its folder holds stb_image.h and stb_image_write.h.
+find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
+add_library(talus_stb INTERFACE)
+target_include_directories(talus_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
+
 if(TALUS_EDITOR)
   find_package(CLI11 REQUIRED)
   find_package(SDL2 REQUIRED)
   find_package(OpenGL REQUIRED COMPONENTS OpenGL)
   pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
-
-  # stb is headers only and ships no CMake package; its folder holds stb_image.h and stb_image_write.h.
-  find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
-  add_library(talus_stb INTERFACE)
-  target_include_directories(talus_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
 endif()
 
 if(TALUS_TESTS)

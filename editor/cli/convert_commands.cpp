@@ -1,9 +1,11 @@
-// talus import FILE -o LEVEL.talus.json, talus export FILE --to FORMAT -o OUT
+// talus import FILE -o LEVEL.talus.json, talus import PNG --into LEVEL -o LEVEL,
+// talus export FILE --to FORMAT -o OUT
 
 #include <ostream>
 
 #include "command.h"
 #include "formats/format.h"
+#include "png_convert.h"
 
 namespace talus {
 namespace {
@@ -45,19 +47,43 @@ void convert(CommandContext& context, const Conversion& conversion) {
 std::vector<std::string> format_ids() {
   std::vector<std::string> ids;
   for (const Format& format : formats()) ids.emplace_back(format.id);
+  for (const PngPartInfo& info : png_part_infos()) ids.emplace_back(info.id);
   return ids;
 }
 
 }  // namespace
 
 void add_import_command(CLI::App& program, CommandContext& context) {
-  CLI::App* command = program.add_subcommand("import", "Turn any readable file into a native level");
+  CLI::App* command = program.add_subcommand(
+      "import", "Turn any readable file into a native level, or take a PNG into a level");
   auto conversion = std::make_shared<Conversion>();
+  auto into = std::make_shared<PngIntoLevel>();
   conversion->format = "native";
-  command->add_option("FILE", conversion->input, "Level or cart")->required();
-  command->add_option("-o,--output", conversion->output, "Native level to write; - for standard output")
+  command->add_option("FILE", conversion->input, "Level or cart; with --into, a PNG of up to 128x128 px")
       ->required();
-  command->callback([&context, conversion] { convert(context, *conversion); });
+  command
+      ->add_option("-o,--output", conversion->output,
+                   "Native level to write, with --into in the format of its name; - for standard output")
+      ->required();
+  CLI::Option* level = command->add_option("--into", into->level, "The level that the PNG is taken into");
+  command->add_option("--part", into->part, "What the PNG becomes: images of a sheet, or the palette")
+      ->check(CLI::IsMember(png_part_names()))
+      ->needs(level);
+  command->add_option("--tile", into->tile, "The image, 0 to 255, where its top left corner goes")
+      ->check(CLI::Range(0, kTileCount - 1))
+      ->needs(level);
+  command
+      ->add_flag(
+          "--take-palette", into->take_palette,
+          "Take over its palette of up to 16 colours; without, each pixel takes the level's colour with "
+          "the smallest squared distance in RGB")
+      ->needs(level);
+  command->callback([&context, conversion, into, level] {
+    if (level->empty()) return convert(context, *conversion);
+    into->picture = conversion->input;
+    into->output = conversion->output;
+    import_png(context, *into);
+  });
 }
 
 void add_export_command(CLI::App& program, CommandContext& context) {
@@ -68,7 +94,12 @@ void add_export_command(CLI::App& program, CommandContext& context) {
       ->required()
       ->check(CLI::IsMember(format_ids()));
   command->add_option("-o,--output", conversion->output, "File to write; - for standard output")->required();
-  command->callback([&context, conversion] { convert(context, *conversion); });
+  command->callback([&context, conversion] {
+    if (const auto part = png_part_of(conversion->format))
+      export_png(context, conversion->input, *part, conversion->output);
+    else
+      convert(context, *conversion);
+  });
 }
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// A list of folders and of the files whose ending some format has, and a field for the name.
+// A list of folders and of the files with an ending that is asked for, and a field for the name.
 #include "file_browser.h"
 
 #include <imgui_stdlib.h>
@@ -7,8 +7,6 @@
 #include <cctype>
 #include <filesystem>
 
-#include "formats/format.h"
-#include "formats/recording.h"
 #include "panels/dialog.h"
 
 namespace talus {
@@ -17,7 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Files";
-constexpr std::string_view kDefaultEnding = ".talus.json";
 
 bool comes_before(const std::string& a, const std::string& b) {
   return std::lexicographical_compare(
@@ -25,20 +22,11 @@ bool comes_before(const std::string& a, const std::string& b) {
       [](unsigned char x, unsigned char y) { return std::tolower(x) < std::tolower(y); });
 }
 
-std::string known_endings() {
-  std::string text;
-  for (const Format& format : formats())
-    for (std::string_view extension : format.extensions)
-      text += (text.empty() ? "." : "  .") + std::string(extension);
-  return text;
-}
-
 }  // namespace
 
-std::optional<FileBrowser::Answer> FileBrowser::draw(std::optional<Purpose> purpose, const std::string& near,
-                                                     Ui& ui) {
-  if (purpose && (!shown_ || *purpose != purpose_)) start(*purpose, near);
-  shown_ = purpose.has_value();
+std::optional<FileBrowser::Answer> FileBrowser::draw(const std::optional<FileRequest>& request, Ui& ui) {
+  if (request && (!shown_ || request->dialog != request_.dialog)) start(*request);
+  shown_ = request.has_value();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(ui.px(640), window.x - ui.px(64)), std::min(ui.px(460), window.y - ui.px(64))};
   if (!begin_dialog(kTitle, shown_, size, ui)) return std::nullopt;
@@ -50,14 +38,28 @@ std::optional<FileBrowser::Answer> FileBrowser::draw(std::optional<Purpose> purp
   return answer;
 }
 
-void FileBrowser::start(Purpose purpose, const std::string& near) {
-  purpose_ = purpose;
+bool FileBrowser::lists(const std::string& name) const {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(request_.endings.begin(), request_.endings.end(),
+                     [&](const std::string& ending) { return lower.ends_with("." + ending); });
+}
+
+std::string FileBrowser::known_endings() const {
+  std::string text;
+  for (const std::string& ending : request_.endings) text += (text.empty() ? "." : "  .") + ending;
+  return text;
+}
+
+void FileBrowser::start(const FileRequest& request) {
+  request_ = request;
   std::error_code error;
-  const fs::path beside = fs::path(near).parent_path();
-  if (!near.empty() && fs::is_directory(beside, error)) folder_ = beside.string();
+  const fs::path beside = fs::path(request.near).parent_path();
+  if (!request.near.empty() && fs::is_directory(beside, error)) folder_ = beside.string();
   if (folder_.empty() || !fs::is_directory(folder_, error)) folder_ = fs::current_path(error).string();
-  name_ = purpose == Purpose::save ? fs::path(near).filename().string() : "";
-  if (purpose == Purpose::save && name_.empty()) name_ = "level" + std::string(kDefaultEnding);
+  name_ = request.saves ? fs::path(request.near).filename().string() : "";
+  if (request.saves && name_.empty()) name_ = "level" + request.ending;
   const std::string name = name_;
   enter(folder_);
   name_ = name;
@@ -75,8 +77,7 @@ void FileBrowser::enter(const std::string& folder) {
     std::error_code ignored;
     Entry entry{it->path().filename().string(), it->is_directory(ignored)};
     const bool hidden = entry.name.starts_with('.');
-    if (!hidden && (entry.is_folder || format_for_file(entry.name) != nullptr ||
-                    entry.name.ends_with("." + std::string(kRecordingExtension))))
+    if (!hidden && (entry.is_folder || lists(entry.name)))
       entries.push_back(std::move(entry));
     if (error) break;
   }
@@ -93,7 +94,7 @@ void FileBrowser::enter(const std::string& folder) {
 }
 
 void FileBrowser::draw_place(Ui& ui) {
-  ui.heading(purpose_ == Purpose::open ? "Open a level or cart" : "Save the level as");
+  ui.heading(request_.title);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(folder_.c_str());
   ImGui::PopTextWrapPos();
@@ -122,11 +123,11 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) 
     if (chosen && scroll_to_choice_) ImGui::SetScrollHereY();
   }
   scroll_to_choice_ = false;
-  if (entries_.size() <= 1) ui.hint("No folder and no level here. Known endings: " + known_endings());
+  if (entries_.size() <= 1) ui.hint("No folder and no such file here. Known endings: " + known_endings());
   ImGui::EndChild();
   ImGui::PopStyleVar();
   if (!entered.empty()) {
-    const std::string kept = purpose_ == Purpose::save ? name_ : "";
+    const std::string kept = request_.saves ? name_ : "";
     enter((fs::path(folder_) / entered).string());
     name_ = kept;
   }
@@ -141,7 +142,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
   if (key_pressed(ImGuiKey_DownArrow)) move_choice(1);
   if (key_pressed(ImGuiKey_UpArrow)) move_choice(-1);
-  const bool save = purpose_ == Purpose::save;
+  const bool save = request_.saves;
   const float width = ui.px(112);
   const char* label = !overwrite_.empty() ? "Replace it" : save ? "Save" : "Open";
   if (ui.text_button("files/confirm", label, true, save ? "Saves under this name." : "Opens this file.",
@@ -157,7 +158,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
                            : !overwrite_.empty()
                                ? fs::path(overwrite_).filename().string() + " exists already."
                                : "Endings: " + known_endings();
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(warns ? theme::kWarning : theme::kMuted));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(warns ? theme::kWarning : theme::kMuted));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
@@ -180,8 +181,8 @@ std::optional<FileBrowser::Answer> FileBrowser::confirm() {
     enter(path.string());
     return std::nullopt;
   }
-  if (purpose_ == Purpose::open) return Answer{false, path.string()};
-  if (!path.has_extension()) path += std::string(kDefaultEnding);
+  if (!request_.saves) return Answer{false, path.string()};
+  if (!path.has_extension()) path += request_.ending;
   if (fs::exists(path, ignored) && overwrite_ != path.string()) {
     overwrite_ = path.string();
     return std::nullopt;

@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "file_request.h"
 #include "panels/ui.h"
 
 namespace talus {
 
 class FileBrowser {
  public:
-  enum class Purpose { open, save };
   struct Answer {
     bool cancelled = false;
     std::string path;  // absolute; empty when cancelled
   };
 
-  // Draws the dialog while there is a purpose. When it appears it starts in the folder of `near`, or where it
+  // Draws the dialog while there is a request. When it appears it starts in the folder of `near`, or where it
   // was before if that is empty; for saving it suggests the name of `near`.
-  std::optional<Answer> draw(std::optional<Purpose> purpose, const std::string& near, Ui& ui);
+  std::optional<Answer> draw(const std::optional<FileRequest>& request, Ui& ui);
   // Shows why the answer did not work; until the next answer or folder.
   void show_error(std::string text) { error_ = std::move(text); }
 
@@ -28,7 +28,9 @@ class FileBrowser {
     std::string name;
     bool is_folder = false;
   };
-  void start(Purpose purpose, const std::string& near);
+  void start(const FileRequest& request);
+  bool lists(const std::string& name) const;
+  std::string known_endings() const;
   void enter(const std::string& folder);
   void draw_place(Ui& ui);
   std::optional<Answer> draw_list(Ui& ui, float height);
@@ -38,7 +40,7 @@ class FileBrowser {
   std::optional<Answer> confirm();
 
   bool shown_ = false;
-  Purpose purpose_ = Purpose::open;
+  FileRequest request_;
   std::string folder_;  // absolute
   std::string name_;
   std::string error_;

@@ -27,6 +27,11 @@ std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bo
   return rgba;
 }
 
+void upload(unsigned name, const std::vector<std::uint8_t>& rgba) {
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSheetSide, kSheetSide, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+}
+
 }  // namespace
 
 SheetTextures::SheetTextures() {
@@ -50,12 +55,13 @@ void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
   ui.balls = id(2);
   if (revision_ == revision) return;
   revision_ = revision;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    const auto rgba = to_rgba(level.sheets[i % 2], level.palette, i == 2);
-    glBindTexture(GL_TEXTURE_2D, names_[i]);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSheetSide, kSheetSide, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 rgba.data());
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    upload(names_[i], to_rgba(level.sheets[i % 2], level.palette, i == 2));
+}
+
+void SheetTextures::show_preview(const Sheet& sheet, const Palette& palette, Ui& ui) {
+  upload(names_[3], to_rgba(sheet, palette, false));
+  ui.preview = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[3]));
 }
 
 }  // namespace talus

@@ -23,8 +23,11 @@ class SheetTextures {
   // revision: of the level, as Session counts it.
   void update(const Level& level, std::uint64_t revision, Ui& ui);
 
+  // A sheet that is not the level's, in a palette of its own.
+  void show_preview(const Sheet& sheet, const Palette& palette, Ui& ui);
+
  private:
-  std::array<unsigned, 3> names_{};  // tiles, sprites, and the tiles with colour 0 clear
+  std::array<unsigned, 4> names_{};  // tiles, sprites, the tiles with colour 0 clear, and the preview
   std::optional<std::uint64_t> revision_;
 };
 

@@ -1,0 +1,37 @@
+// PNG pictures: reading small ones with the palette that they come with, and writing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "format.h"
+
+namespace talus {
+
+// A picture of one opaque colour a pixel, or none.
+struct PngPicture {
+  int width = 0, height = 0;      // px
+  std::vector<Rgb> pixels;        // row by row from the top left
+  std::vector<bool> transparent;  // the same; of pixels that are less than half opaque, whose colour is black
+  std::vector<Rgb> palette;       // of the file, in its order; empty: it has none
+
+  Rgb at(int x, int y) const { return pixels[index(x, y)]; }
+  bool is_transparent(int x, int y) const { return transparent[index(x, y)]; }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+};
+
+inline constexpr int kMaxPngSide = kSheetSide;  // px; larger pictures are refused unread
+
+bool is_png(std::string_view bytes);
+FormatResult<PngPicture> read_png(std::string_view bytes);
+FormatResult<PngPicture> load_png(const std::string& path);
+
+// channels: 3 for RGB or 4 with opacity; `bytes` has width*height*channels of them. Never empty, unless the
+// memory does not suffice.
+std::string encode_png(int width, int height, int channels, const std::uint8_t* bytes);
+
+}  // namespace talus

@@ -1,0 +1,129 @@
+// Colours of pictures and of levels.
+#include "png_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kColors = kColorCount;
+
+int squared_distance(Rgb a, Rgb b) {
+  const int r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;
+  return r * r + g * g + blue * blue;
+}
+
+void append(std::vector<std::uint8_t>& bytes, Rgb color) {
+  bytes.insert(bytes.end(), {color.r, color.g, color.b});
+}
+
+std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette) {
+  std::vector<std::uint8_t> bytes;
+  for (int y = 0; y < kSheetSide; ++y) {
+    for (int x = 0; x < kSheetSide; ++x) {
+      const TileImage& image = sheet.images[y / kTileSize * kSheetColumns + x / kTileSize];
+      append(bytes, palette[image[y % kTileSize * kTileSize + x % kTileSize]]);
+    }
+  }
+  return bytes;
+}
+
+// The opaque colours, in the order in which they come first; no more than `most` + 1.
+std::vector<Rgb> colors_of(const PngPicture& picture, std::size_t most) {
+  std::vector<Rgb> colors;
+  for (std::size_t i = 0; i < picture.pixels.size() && colors.size() <= most; ++i) {
+    if (picture.transparent[i]) continue;
+    if (std::find(colors.begin(), colors.end(), picture.pixels[i]) == colors.end())
+      colors.push_back(picture.pixels[i]);
+  }
+  return colors;
+}
+
+// Colours that the palette has stay in their places, as other images may be drawn in them.
+Palette with_colors(const std::vector<Rgb>& colors, Palette palette) {
+  std::array<bool, kColors> used{};
+  std::vector<Rgb> added;
+  for (const Rgb& color : colors) {
+    const auto found = std::find(palette.begin(), palette.end(), color);
+    if (found == palette.end())
+      added.push_back(color);
+    else
+      used[static_cast<std::size_t>(found - palette.begin())] = true;
+  }
+  std::size_t index = 0;
+  for (const Rgb& color : added) {
+    while (used[index]) ++index;
+    palette[index] = color;
+    used[index] = true;
+  }
+  return palette;
+}
+
+}  // namespace
+
+const std::array<PngPartInfo, 3>& png_part_infos() {
+  static constexpr std::array<PngPartInfo, 3> kInfos = {{
+      {PngPart::tiles, "tiles-png", "the tiles"},
+      {PngPart::sprites, "sprites-png", "the sprites"},
+      {PngPart::palette, "palette-png", "the palette"},
+  }};
+  return kInfos;
+}
+
+std::string write_png_part(const Level& level, PngPart part) {
+  if (part == PngPart::palette) {
+    std::vector<std::uint8_t> bytes;
+    for (const Rgb& color : level.palette) append(bytes, color);
+    return encode_png(kColorCount, 1, 3, bytes.data());
+  }
+  const SheetId id = part == PngPart::tiles ? SheetId::tiles : SheetId::sprites;
+  return encode_png(kSheetSide, kSheetSide, 3, bytes_of_sheet(level.sheet(id), level.palette).data());
+}
+
+MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {
+  MatchedPicture matched;
+  int largest = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    if (picture.transparent[i]) {
+      matched.indices.push_back(0);
+      continue;
+    }
+    const auto distance = [&](Rgb color) { return squared_distance(color, picture.pixels[i]); };
+    const auto nearest = std::min_element(palette.begin(), palette.end(), [&](const Rgb& a, const Rgb& b) {
+      return distance(a) < distance(b);
+    });
+    matched.indices.push_back(static_cast<std::uint8_t>(nearest - palette.begin()));
+    if (distance(*nearest) <= largest) continue;
+    largest = distance(*nearest);
+    const int at = static_cast<int>(i);
+    matched.farthest = {at % picture.width, at / picture.width};
+  }
+  matched.largest_distance = std::sqrt(largest);
+  return matched;
+}
+
+FormatResult<Palette> palette_for(const PngPicture& picture, const Palette& palette) {
+  if (!picture.palette.empty() && picture.palette.size() <= kColors) {
+    Palette taken = palette;
+    std::copy(picture.palette.begin(), picture.palette.end(), taken.begin());
+    return taken;
+  }
+  const std::vector<Rgb> colors = colors_of(picture, kColors);
+  if (colors.size() > kColors)
+    return tl::unexpected(FormatError{"", "has more than 16 colours, so its palette cannot be taken over"});
+  return with_colors(colors, palette);
+}
+
+FormatResult<Palette> palette_in(const PngPicture& picture, const Palette& palette) {
+  if (picture.height != 1 || picture.width > kColorCount) {
+    return tl::unexpected(FormatError{"", "is " + std::to_string(picture.width) + "x" +
+                                              std::to_string(picture.height) +
+                                              " px, and a palette is 1 to 16 px side by side"});
+  }
+  Palette taken = palette;
+  std::copy(picture.pixels.begin(), picture.pixels.end(), taken.begin());
+  return taken;
+}
+
+}  // namespace talus

@@ -1,0 +1,77 @@
+// Pictures on the command line.
+#include "png_convert.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "formats/atomic_file.h"
+#include "formats/number_text.h"
+
+namespace talus {
+namespace {
+
+void write_level(CommandContext& context, const Level& level, const std::string& output) {
+  const Format* format = output == "-" ? find_format("native") : format_for_file(output);
+  if (format == nullptr)
+    return fail(context, output, "", "has the name of no format that a level can be written in");
+  if (output == "-") {
+    const auto written = format->write(level, {});
+    if (!written) return fail(context, output, written.error().place, written.error().message);
+    context.out << written->bytes;
+    return;
+  }
+  const auto saved = save_level(level, *format, output);
+  if (!saved) return fail(context, output, saved.error().place, saved.error().message);
+  for (const std::string& what : *saved)
+    context.err << output << ": warning: not stored in this format: " << what << '\n';
+}
+
+std::string report(const PngImportPlan& plan) {
+  std::string text = std::to_string(plan.pixels) + " pixels of " + std::to_string(plan.tiles) +
+                     " tiles and " + std::to_string(plan.colors) +
+                     " colours changed; largest colour distance ";
+  append_number(text, plan.largest_distance);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> png_part_names() { return {"tiles", "sprites", "palette"}; }
+
+std::optional<PngPart> png_part_of(const std::string& id) {
+  for (const PngPartInfo& info : png_part_infos())
+    if (info.id == id) return info.part;
+  return {};
+}
+
+void export_png(CommandContext& context, const std::string& input, PngPart part, const std::string& output) {
+  const std::optional<Level> level = load_or_fail(context, input);
+  if (!level) return;
+  if (output == "-") {
+    context.out << write_png_part(*level, part);
+    return;
+  }
+  if (context_for_file(output).extension != "png")
+    return fail(context, output, "",
+                "is no name of a PNG picture, which would be written: it must end with .png");
+  if (const auto written = write_file_atomic(output, write_png_part(*level, part)); !written)
+    fail(context, output, written.error().place, written.error().message);
+}
+
+void import_png(CommandContext& context, const PngIntoLevel& import) {
+  std::optional<Level> level = load_or_fail(context, import.level);
+  if (!level) return;
+  const auto picture = load_png(import.picture);
+  if (!picture) return fail(context, import.picture, picture.error().place, picture.error().message);
+  const auto names = png_part_names();
+  const auto part = std::find(names.begin(), names.end(), import.part) - names.begin();
+  const PngImportOptions options{static_cast<PngPart>(part), import.tile, import.take_palette};
+  const auto plan = plan_png_import(*level, *picture, options);
+  if (!plan) return fail(context, import.picture, "", plan.error());
+  apply_edit(*level, plan->edit);
+  write_level(context, *level, import.output);
+  if (context.status == kExitGood && import.output != "-")
+    context.out << import.output << ": " << report(*plan) << '\n';
+}
+
+}  // namespace talus

@@ -1,0 +1,27 @@
+// Sheets and palettes as PNG, for `talus export` and `talus import`.
+#pragma once
+
+#include "command.h"
+#include "edit/png_import.h"
+
+namespace talus {
+
+struct PngIntoLevel {
+  std::string picture;         // PNG
+  std::string level;           // file of the level that it is taken into
+  std::string part = "tiles";  // one of png_part_names()
+  int tile = 0;                // 0..255
+  bool take_palette = false;
+  std::string output;  // in the format of its name; "-": native, on standard output
+};
+
+// The names of PngPart, in order.
+std::vector<std::string> png_part_names();
+// "tiles-png"; nothing for the id of a format.
+std::optional<PngPart> png_part_of(const std::string& id);
+
+void export_png(CommandContext& context, const std::string& input, PngPart part, const std::string& output);
+// Says what has changed, unless the level goes to standard output.
+void import_png(CommandContext& context, const PngIntoLevel& import);
+
+}  // namespace talus

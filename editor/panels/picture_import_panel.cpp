@@ -1,0 +1,182 @@
+// Before and after, with numbers.
+#include "picture_import_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "dialog.h"
+#include "tile_number.h"
+
+namespace talus {
+namespace {
+
+constexpr float kPicture = 264;          // px at scale 1, the most that a side of a picture takes
+constexpr float kSwatch = 10;            // px at scale 1, height of the strips of colours
+constexpr double kMostDistance = 441.7;  // from black to white in RGB
+
+SheetId sheet_of(PngPart part) { return part == PngPart::sprites ? SheetId::sprites : SheetId::tiles; }
+
+std::string counted_text(int count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+void draw_palette(const Palette& palette, ImVec2 at, float side, Ui& ui) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = side / kColorCount;
+  for (int i = 0; i < kColorCount; ++i) {
+    const float x = at.x + static_cast<float>(i) * width;
+    list.AddRectFilled({x, at.y}, {x + width, at.y + ui.px(kSwatch)},
+                       theme::color(palette[static_cast<std::size_t>(i)]));
+  }
+}
+
+// Where the picture goes, on a sheet drawn at `at`.
+void draw_target(const PngImport& import, ImVec2 at, float cell) {
+  if (import.options.part == PngPart::palette) return;
+  const int tile = import.options.tile;
+  const ImVec2 from{at.x + static_cast<float>(tile % kSheetColumns) * cell,
+                    at.y + static_cast<float>(tile / kSheetColumns) * cell};
+  const float px = cell / kTileSize;
+  const ImVec2 to{from.x + static_cast<float>(import.picture.width) * px,
+                  from.y + static_cast<float>(import.picture.height) * px};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(at, {at.x + cell * kSheetColumns, at.y + cell * kSheetColumns}, true);
+  list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark), 0, 0, 3);
+  list.AddRect(from, to, theme::tone(theme::kAccent));
+  list.PopClipRect();
+}
+
+}  // namespace
+
+void PictureImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (!begin_dialog("Import a picture", session.png_import().has_value(), {0, 0}, ui)) return;
+  if (const auto& import = session.png_import()) {
+    const std::string name = std::filesystem::path(import->path).filename().string();
+    ui.heading(name + ", " + std::to_string(import->picture.width) + "x" +
+               std::to_string(import->picture.height) + " px");
+    PngImportOptions options = draw_options(*import, ui);
+    options = draw_pictures(session, *import, options, ui);
+    if (options != import->options) actions.push_back(action::SetPngImport{options});
+    draw_report(*import, ui);
+    draw_buttons(*import, actions, ui);
+  }
+  ImGui::EndPopup();
+}
+
+PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& ui) {
+  PngImportOptions options = import.options;
+  const auto part = [&](PngPart value, const char* name, const char* label, const char* help) {
+    if (ui.text_button(name, label, import.options.part == value, help)) options.part = value;
+    ImGui::SameLine();
+  };
+  ui.begin_row();
+  ui.label("Into");
+  ImGui::SameLine();
+  part(PngPart::tiles, "import/tiles", "Tiles", "It becomes images of the sheet of tiles.");
+  part(PngPart::sprites, "import/sprites", "Sprites", "It becomes images of the sheet of sprites.");
+  part(PngPart::palette, "import/palette", "Palette",
+       "Its pixels, up to 16 side by side, become the level's colours.");
+  if (options.part == PngPart::palette) {
+    ImGui::NewLine();
+    ui.end_row();
+    return options;
+  }
+  ui.label("from tile");
+  ImGui::SameLine();
+  const SheetId sheet = sheet_of(options.part);
+  int number = number_on_screen(sheet, options.tile);
+  const int first = number_on_screen(sheet, 0);
+  ImGui::SetNextItemWidth(ui.px(56));
+  if (ImGui::DragInt("##tile", &number, 0.2f, first, first + kTileCount - 1, "%d",
+                     ImGuiSliderFlags_AlwaysClamp))
+    options.tile = std::clamp(number - first, 0, kTileCount - 1);
+  ui.item("import/tile", "Where its top left corner goes; a click on the sheet below chooses it, too.");
+  ui.end_row();
+  if (ImGui::RadioButton("in the level's colours, each pixel in the nearest", !options.take_palette))
+    options.take_palette = false;
+  ui.item("import/nearest", "The colour with the smallest squared distance in RGB, of equal ones the first.");
+  if (ImGui::RadioButton("take over its palette of up to 16 colours", options.take_palette))
+    options.take_palette = true;
+  ui.item("import/take_palette", "The other images show these colours, too.");
+  return options;
+}
+
+PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const PngImport& import,
+                                                   PngImportOptions options, Ui& ui) {
+  const float side = std::max(1.0f, std::floor(ui.px(kPicture) / kSheetSide)) * kSheetSide;
+  const float cell = side / kSheetColumns, gap = ui.px(12), header = ImGui::GetTextLineHeightWithSpacing();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 pictures[2] = {{at.x, at.y + header}, {at.x + side + gap, at.y + header}};
+  const Palette& before = session.level().palette;
+  for (int i = 0; i < 2; ++i) {
+    const bool after = i == 1 && import.plan.has_value();
+    const ImVec2 from = pictures[i], to{from.x + side, from.y + side};
+    list.AddText({from.x, at.y}, theme::tone(theme::kMuted), i == 0 ? "Before" : "After");
+    list.AddImage(after ? ui.preview : ui.sheet(sheet_of(import.options.part)), from, to);
+    draw_palette(after ? import.plan->palette : before, {from.x, to.y + ui.px(4)}, side, ui);
+    draw_target(import, from, cell);
+    ImGui::SetCursorScreenPos(from);
+    const char* name = i == 0 ? "import/before" : "import/after";
+    const bool pressed = ImGui::InvisibleButton(name, {side, side + ui.px(4 + kSwatch)});
+    ui.item(name);
+    if (!pressed || options.part == PngPart::palette) continue;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const int x = std::clamp(static_cast<int>((mouse.x - from.x) / cell), 0, kSheetColumns - 1);
+    const int y = std::clamp(static_cast<int>((mouse.y - from.y) / cell), 0, kSheetColumns - 1);
+    options.tile = y * kSheetColumns + x;
+  }
+  return options;
+}
+
+void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
+  ImGui::Spacing();
+  ImGui::PushTextWrapPos(0);
+  if (!import.plan) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
+    ImGui::TextUnformatted(import.plan.error().c_str());
+    ImGui::PopStyleColor();
+    ui.item("import/error");
+  } else {
+    const PngImportPlan& plan = *import.plan;
+    std::string text;
+    if (import.options.part != PngPart::palette)
+      text =
+          "Changes " + counted_text(plan.pixels, "pixel") + " of " + counted_text(plan.tiles, "tile") + ".\n";
+    if (import.options.part == PngPart::palette || import.options.take_palette)
+      text += "Changes " + counted_text(plan.colors, "colour") + ", and so the look of " +
+              counted_text(plan.tiles_recolored, "image") + " that are there.\n";
+    if (import.options.part != PngPart::palette) {
+      char distance[96];
+      std::snprintf(distance, sizeof distance, "Largest distance of a pixel from its colour: %.1f of %.1f",
+                    plan.largest_distance, kMostDistance);
+      text += distance;
+      if (plan.largest_distance > 0)
+        text +=
+            ", at pixel (" + std::to_string(plan.farthest.x) + ", " + std::to_string(plan.farthest.y) + ")";
+      text += ".";
+    }
+    ImGui::TextUnformatted(text.c_str());
+    ui.item("import/report");
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+}
+
+void PictureImportPanel::draw_buttons(const PngImport& import, Actions& actions, Ui& ui) {
+  const bool changes = import.plan && !import.plan->edit.empty();
+  const float width = ui.px(112);
+  if (ui.text_button("import/apply", "Apply", true, "Takes it into the level; undoable.", "Enter", changes,
+                     width) ||
+      (changes && key_pressed(ImGuiKey_Enter)))
+    actions.push_back(action::ApplyPngImport{});
+  ImGui::SameLine();
+  if (ui.text_button("import/cancel", "Cancel", false, "Goes back to the level.", "Esc", true, width) ||
+      key_pressed(ImGuiKey_Escape))
+    actions.push_back(action::CancelPngImport{});
+}
+
+}  // namespace talus

@@ -1,0 +1,89 @@
+// One request a kind of dialog.
+#include "file_request.h"
+
+#include <filesystem>
+
+#include "formats/format.h"
+#include "formats/recording.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> level_endings() {
+  std::vector<std::string> endings;
+  for (const Format& format : formats())
+    endings.insert(endings.end(), format.extensions.begin(), format.extensions.end());
+  return endings;
+}
+
+// "demo.talus.json" gives "demo" + `ending`, in the same folder.
+std::string named_like(const Session& session, const std::string& ending) {
+  const fs::path path(session.path().empty() ? session.file_name() : session.path());
+  const std::string name = path.filename().string();
+  return (path.parent_path() / (name.substr(0, name.find('.')) + ending)).string();
+}
+
+FileRequest save_picture(const Session& session, FileDialog dialog, const std::string& what) {
+  return {dialog,  true,  "Save the " + what + " as a picture", named_like(session, "-" + what + ".png"),
+          {"png"}, ".png"};
+}
+
+FileRequest open_level(const Session& session, const View& view) {
+  const bool has_path = !session.path().empty();
+  const std::string near = has_path ? session.path() : view.recent_files.empty() ? "" : view.recent_files[0];
+  std::vector<std::string> endings = level_endings();
+  endings.emplace_back(kRecordingExtension);
+  return {FileDialog::open, false, "Open a level, cart or recording", near, endings, ""};
+}
+
+}  // namespace
+
+std::optional<FileRequest> wanted_file(const Session& session, const View& view) {
+  const std::string recording = "." + std::string(kRecordingExtension);
+  const FileDialog dialog = session.wants_save_as() ? FileDialog::save_as : view.dialog;
+  switch (dialog) {
+    case FileDialog::none:
+      return std::nullopt;
+    case FileDialog::open:
+      return open_level(session, view);
+    case FileDialog::save_as:
+      return FileRequest{dialog, true, "Save the level as", session.path(), level_endings(), ".talus.json"};
+    case FileDialog::save_recording:
+      return FileRequest{
+          dialog,   true, "Save the recording as", named_like(session, recording), {recording.substr(1)},
+          recording};
+    case FileDialog::import_png:
+      return FileRequest{dialog,         false,   "Import a picture, a PNG of up to 128x128 px",
+                         session.path(), {"png"}, ""};
+    case FileDialog::export_tiles:
+      return save_picture(session, dialog, "tiles");
+    case FileDialog::export_sprites:
+      return save_picture(session, dialog, "sprites");
+    case FileDialog::export_palette:
+      return save_picture(session, dialog, "palette");
+  }
+  return std::nullopt;
+}
+
+Action answer_to(FileDialog dialog, const std::string& path) {
+  switch (dialog) {
+    case FileDialog::save_as:
+      return action::SaveFileAs{path};
+    case FileDialog::save_recording:
+      return action::SaveRecording{path};
+    case FileDialog::import_png:
+      return action::OpenPng{path};
+    case FileDialog::export_tiles:
+      return action::ExportPng{PngPart::tiles, path};
+    case FileDialog::export_sprites:
+      return action::ExportPng{PngPart::sprites, path};
+    case FileDialog::export_palette:
+      return action::ExportPng{PngPart::palette, path};
+    default:
+      return action::OpenFile{path};
+  }
+}
+
+}  // namespace talus

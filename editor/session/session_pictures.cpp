@@ -1,0 +1,65 @@
+// Session: pictures of the sheets and of the palette, out and in.
+#include <filesystem>
+
+#include "formats/atomic_file.h"
+#include "session_impl.h"
+
+namespace talus {
+namespace {
+
+std::string picture_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+// Of a picture that can only be that, a palette; else of the sheet that is shown, at the selection.
+PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area) {
+  PngImportOptions options;
+  if (picture.height == 1) {
+    options.part = PngPart::palette;
+    return options;
+  }
+  options.part = area.sheet == SheetId::tiles ? PngPart::tiles : PngPart::sprites;
+  const int x = area.tiles.x * kTileSize, y = area.tiles.y * kTileSize;
+  const bool fits = x + picture.width <= kSheetSide && y + picture.height <= kSheetSide;
+  options.tile = fits ? area.tile_at(0, 0) : 0;
+  return options;
+}
+
+}  // namespace
+
+void Session::Impl::carry_out(const action::ExportPng& a) {
+  const auto saved = write_file_atomic(a.path, write_png_part(level, a.part));
+  message = saved ? Message{"Saved " + picture_name(a.path) + ".", false}
+                  : Message{to_string(saved.error(), a.path), true};
+}
+
+void Session::Impl::carry_out(const action::OpenPng& a) {
+  FormatResult<PngPicture> picture = load_png(a.path);
+  // A size that fits nowhere is said at once, not in the dialog.
+  if (picture && picture->height != 1 &&
+      (picture->width % kTileSize != 0 || picture->height % kTileSize != 0)) {
+    picture = tl::unexpected(FormatError{"", "is " + std::to_string(picture->width) + "x" +
+                                                 std::to_string(picture->height) +
+                                                 " px, which is no whole number of tiles of 8x8 px"});
+  }
+  if (!picture) {
+    message = Message{to_string(picture.error(), a.path), true};
+    return;
+  }
+  const PngImportOptions options = first_options(*picture, choices.area);
+  png_import = PngImport{a.path, *std::move(picture), options, {}};
+  png_import->plan = plan_png_import(level, png_import->picture, options);
+}
+
+void Session::Impl::carry_out(const action::SetPngImport& a) {
+  if (!png_import) return;
+  png_import->options = a.options;
+  png_import->plan = plan_png_import(level, png_import->picture, a.options);
+}
+
+void Session::Impl::carry_out(const action::ApplyPngImport&) {
+  if (!png_import || !png_import->plan) return;
+  const PngImport import = *std::exchange(png_import, std::nullopt);
+  carry_out(action::EditLevel{import.plan->edit});
+  message = Message{"Imported " + picture_name(import.path) + ".", false};
+}
+
+}  // namespace talus
