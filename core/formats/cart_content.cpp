@@ -216,6 +216,7 @@ FormatResult<std::vector<std::string>> dropped_by_carts(const Level& level) {
   const auto names = std::count_if(level.flag_names.begin(), level.flag_names.end(),
                                    [](const std::string& name) { return !name.empty(); });
   if (names > 0) dropped.push_back(counted(static_cast<std::size_t>(names), "flag name"));
+  if (!level.flag_fields.empty()) dropped.push_back(counted(level.flag_fields.size(), "flag field"));
   if (level.roles != FlagRoles{}) dropped.emplace_back("the flag roles");
   if (level.tuning != Tuning{}) dropped.emplace_back("the tuning");
   if (level.map.width() != kTicMapWidth || level.map.height() != kTicMapHeight) {

@@ -11,7 +11,9 @@
 #include "hard_case.h"
 #include "hex.h"
 #include "json_text.h"
+#include "native_brushes.h"
 #include "native_cart.h"
+#include "native_flags.h"
 #include "native_objects.h"
 
 namespace talus {
@@ -28,9 +30,14 @@ class Reader {
     if (error_) return tl::unexpected(*error_);  // of a newer file nothing else can be trusted
     take(document, "palette", [this](Json& v) { read_palette(v); });
     take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
+    take(document, "flag_fields",
+         [this](Json& v) { keep(take_flag_fields(v, "flag_fields"), level_.flag_fields); });
     take_object(document, "roles", "roles", [this](Json& v) { read_roles(v); });
     take_object(document, "tuning", "tuning", [this](Json& v) { read_tuning(v); });
     take(document, "spawns", [this](Json& v) { keep(take_spawns(v, "spawns"), level_.spawns); });
+    take(document, "brushes", [this](Json& v) { keep(take_brushes(v), level_.brushes); });
+    take_object(document, "auto_tiles", "auto_tiles",
+                [this](Json& v) { keep(take_auto_tiles(v), level_.auto_tiles); });
     take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
       read_shapes(v, "flag_shapes", "is no flag from 0 to 7", level_.flag_shapes);
     });
@@ -409,7 +416,12 @@ FormatResult<Json> document_of(const Level& level) {
   const bool named =
       std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });
   if (named) document["flag_names"] = level.flag_names;
+  if (const auto good = put_list(json_of(level.flag_fields, "flag_fields"), "flag_fields", document); !good)
+    return tl::unexpected(good.error());
   if (const auto good = put_physics(level, document); !good) return tl::unexpected(good.error());
+  if (const auto good = put_list(json_of(level.brushes), "brushes", document); !good)
+    return tl::unexpected(good.error());
+  if (!level.auto_tiles.empty()) put_auto_tiles(level.auto_tiles, object_in(document, "auto_tiles"));
   for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
   put_map(level.map, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
@@ -418,17 +430,19 @@ FormatResult<Json> document_of(const Level& level) {
 
 // Of all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
-  std::vector<std::string_view> order = {"talus",      "palette", "flag_names", "name",        "kind",
-                                         "side",       "faces",   "roles",      "solid",       "up_slope",
-                                         "down_slope", "ball",    "one_way",    "ceiling",     "flag_shapes",
-                                         "tuning",     "spawns",  "curves",     "tile_shapes", "tiles",
-                                         "heights",    "sprites", "map",        "cart",        "solver"};
+  std::vector<std::string_view> order = {
+      "talus",      "palette", "flag_names", "flag_fields", "name",        "first",  "bits",
+      "values",     "kind",    "side",       "faces",       "roles",       "solid",  "up_slope",
+      "down_slope", "ball",    "one_way",    "ceiling",     "flag_shapes", "tuning", "spawns",
+      "curves",     "brushes", "auto_tiles", "tile_shapes", "tiles",       "random", "heights",
+      "sprites",    "map",     "cart",       "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(order.end(), {"x",      "y",          "vx",        "vy",         "size",    "foot",   "from",
                              "to",     "from_slope", "to_slope",  "center",     "radius",  "x0",     "x1",
                              "upper",  "middle",     "amplitude", "wavelength", "origin",  "ys",     "flags",
                              "pixels", "width",      "height",    "rows",       "comment", "chunks", "lines",
                              "chunk",  "bank",       "reserved",  "code",       "data"});
+  for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());
   return order;
@@ -454,7 +468,7 @@ FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&
   try {
     return WrittenLevel{print_json(*document, key_order()), {}};
   } catch (const Json::exception&) {
-    return tl::unexpected(FormatError{"", "a name of a flag, spawn or curve is not valid UTF-8"});
+    return tl::unexpected(FormatError{"", "a name of a flag, spawn, curve or brush is not valid UTF-8"});
   }
 }
 

@@ -3,6 +3,9 @@
 //   "talus"        version of the file, 1. A newer version is refused. The only key that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: none.
+//   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6; "bits",
+//                  2..8; "values", up to 2^bits names of the values from 0, "" for none (none). No two share
+//                  a flag. Default: none.
 //   "roles"        which flag, 0..7 or null for none, is "solid" (0), "up_slope" (2), "down_slope" (3),
 //                  "ball" (1), "one_way" (null), "ceiling" (null).
 //   "flag_shapes"  by flag "0".."7": the shape that the flag stands for, as in "tile_shapes".
@@ -16,6 +19,10 @@
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
 //                  struct of that name in collision/shape.h, points as [x, y], all needed but "upper" (true).
 //                  Ends lie on the map.
+//   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell takes a
+//                  tile of it at random (false); "rows", 1..256 of one length, 1..256 cells as in the map's.
+//   "auto_tiles"   which tile, 1..255, plays which part of painted ground, by the parts' names in
+//                  level/auto_tiles.h ("inside", "slope_up", ...). Default: none.
 //   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (none: the flags give
 //                  the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles", 1..8 (1);
 //                  "heights", a list of numbers, 0..64 px: 2 of a slope, 3..65 of a profile.

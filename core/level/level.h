@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "../collision/shape.h"
+#include "auto_tiles.h"
+#include "brushes.h"
+#include "flag_fields.h"
 #include "flag_roles.h"
 #include "tile_map.h"
 #include "tileset.h"
@@ -55,6 +58,7 @@ struct Level {
   std::array<Sheet, 2> sheets;  // by SheetId
   Palette palette = default_palette();
   std::array<std::string, kFlagCount> flag_names;  // what the user calls each flag; empty: unnamed
+  std::vector<FlagField> flag_fields;              // none of them shares a flag with another
   FlagRoles roles;
   std::array<TileShape, kTileCount> tile_shapes;  // of kind none: the tile's flags give its shape
   std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
@@ -62,6 +66,8 @@ struct Level {
   std::vector<LevelCurve> curves;
   Tuning tuning;
   std::vector<Spawn> spawns;
+  std::vector<Brush> brushes;  // at most kMaxBrushes
+  AutoTiles auto_tiles;
   std::shared_ptr<const CartOrigin> cart;  // null for a level that never was a cart
   std::string extra;                       // JSON object of keys that this version does not know, or empty
 

@@ -10,11 +10,14 @@
 #include "overlay/outline.h"
 #include "overlay/stage_drawing.h"
 #include "overlay/visible.h"
+#include "overlay/visible_items.h"
 #include "overlay_painter.h"
 
 namespace talus {
 namespace {
 
+constexpr float kFarZoom = 0.25f;
+constexpr float kLeastScreen = 16;  // px of the screen: closer borders would be all that is seen
 constexpr double kSamePlace = 0.005;        // px: closer bodies hide one another
 constexpr std::int64_t kTrailFrames = 120;  // two seconds
 constexpr std::size_t kMostTrails = 4;      // as many as the session keeps
@@ -46,6 +49,21 @@ ImVec2 cell_corner(const CanvasView& view, int x, int y) {
 
 bool is_one_color(const TileImage& image) {
   return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
+}
+
+// The cells from `from` to column `end` of a row. All at once, as there may be a hundred thousand on a screen.
+void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end,
+              const std::array<bool, kTileCount>& hidden, const CanvasView& view) {
+  int count = 0;
+  for (Cell cell = from; cell.x < end; ++cell.x) count += hidden[map.at(cell)] ? 0 : 1;
+  if (count == 0) return;
+  list.PrimReserve(6 * count, 4 * count);
+  for (Cell cell = from; cell.x < end; ++cell.x) {
+    if (hidden[map.at(cell)]) continue;
+    const SheetUv uv = uv_of(map.at(cell));
+    list.PrimRectUV(cell_corner(view, cell.x, cell.y), cell_corner(view, cell.x + 1, cell.y + 1), uv.from, uv.to,
+                    IM_COL32_WHITE);
+  }
 }
 
 // The image that a body is drawn with: its own tile, or the first ball tile; -1 when there is none.
@@ -104,15 +122,25 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   hidden[0] = skip_empty;
   for (int tile = 0; hide_balls && tile < kTileCount; ++tile)
     hidden[tile] |= role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) == TileRole::ball;
-  for (int y = cells.y0; y < cells.y1; ++y) {
-    for (int x = cells.x0; x < cells.x1; ++x) {
-      const int tile = level.map.at({x, y});
-      if (hidden[tile]) continue;
-      const SheetUv uv = uv_of(tile);
-      list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, x, y), cell_corner(view, x + 1, y + 1),
-                    uv.from, uv.to);
-    }
-  }
+  list.PushTextureID(ui.sheet(SheetId::tiles));
+  for (int y = cells.y0; y < cells.y1; ++y) draw_row(list, level.map, {cells.x0, y}, cells.x1, hidden, view);
+  list.PopTextureID();
+}
+
+bool is_far(const CanvasView& view) { return view.zoom <= kFarZoom; }
+
+void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
+                    const MapLook& look) {
+  if (ui.map_textures == nullptr) return;
+  const CellSpan span = visible_cells(map, view);
+  if (span.x0 >= span.x1 || span.y0 >= span.y1) return;
+  int block = 1;  // cells a texel; a texel is half a pixel at least
+  while (block < kMaxBlock && static_cast<float>(block) * kTileSize * view.zoom <= 0.5f) block *= 2;
+  const CellRect cells{span.x0, span.y0, span.x1 - span.x0, span.y1 - span.y0};
+  for (const MapTextures::Piece& piece : ui.map_textures->pieces(cells, block, look))
+    list.AddImage(piece.texture, cell_corner(view, piece.cells.x, piece.cells.y),
+                  cell_corner(view, piece.cells.x + piece.cells.w, piece.cells.y + piece.cells.h), {0, 0},
+                  piece.uv);
 }
 
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale) {
@@ -134,11 +162,12 @@ ImU32 flag_color(int flag, int alpha) {
   return theme::color(kColors[static_cast<std::size_t>(flag)], alpha);
 }
 
-void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, int flag) {
+void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern) {
+  const int flag = pattern.lowest_flag();
   const CellSpan cells = visible_cells(level.map, view);
   for (int y = cells.y0; y < cells.y1; ++y) {
     for (int x = cells.x0; x < cells.x1; ++x) {
-      if (!((level.tile_flags(level.map.at({x, y})) >> flag) & 1)) continue;
+      if (!pattern.matches(level.tile_flags(level.map.at({x, y})))) continue;
       const ImVec2 from = cell_corner(view, x, y), to = cell_corner(view, x + 1, y + 1);
       list.AddRectFilled(from, to, flag_color(flag, 110));
       if (view.zoom >= 2) list.AddRect(from, to, flag_color(flag, 220));
@@ -162,6 +191,7 @@ void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view) {
 }
 
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale) {
+  if (kScreenRows * kTileSize * view.zoom < kLeastScreen) return;
   const float width = std::max(1.0f, std::round(scale));
   const ImU32 color = theme::color(theme::kAccent, 150);
   const CellSpan cells = visible_cells(map, view);
@@ -283,14 +313,19 @@ std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet ove
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
                    float scale, int pointed_at, int stage) {
   const bool has_stage = stage >= 0 && static_cast<std::size_t>(stage) < session.stages().size();
+  if (is_far(view)) {  // of the ground nothing but lines would be seen, millions of them
+    for (const OverlayId id :
+         {OverlayId::boxes, OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way})
+      overlays.set(id, false);
+  }
   if (overlays.empty() && !has_stage) return;
   const Rect visible = view.visible();
   std::vector<Rect> keep_clear;  // of labels: the bodies, and the ramps that they are on
   for (const Body& body : session.state().bodies) keep_clear.push_back(body.box);
-  for (const SceneItem& item : session.scene().items) {
+  for_each_visible_item(session.scene(), visible, [&](const SceneItem& item) {
     const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
-    if (slope && meet(item.box, visible)) keep_clear.push_back(item.box);
-  }
+    if (slope) keep_clear.push_back(item.box);
+  });
   const std::shared_ptr<const Terrain> ground = ground_for(session, overlays);
   OverlayDrawing drawing = make_overlays({.scene = session.scene(),
                                           .state = session.state(),
@@ -306,6 +341,7 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
               drawing);
   if (overlays.has(OverlayId::answer) && session.hard_case())
     add_answer(*session.hard_case(), session.level(), drawing);
+  drawing.palette = session.choices().overlay_palette;
   paint_overlays(list, drawing, keep_clear, view, scale, pointed_at);
 }
 
@@ -317,6 +353,25 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
       const SheetUv uv = uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
       list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, x, y), cell_corner(view, x + 1, y + 1),
                     uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+    }
+  }
+}
+
+void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& view, const Ui& ui, int alpha) {
+  const auto draw = [&](Cell c, std::uint8_t tile) {
+    const SheetUv uv = uv_of(tile);
+    list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, c.x, c.y), cell_corner(view, c.x + 1, c.y + 1),
+                  uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+  };
+  for (const Change& change : edit.changes) {
+    if (const auto* cell = std::get_if<CellChange>(&change)) draw(cell->cell, cell->after);
+    const auto* whole = std::get_if<MapChange>(&change);
+    if (whole == nullptr) continue;
+    const CellSpan cells = visible_cells(whole->after, view);
+    for (Cell c{0, cells.y0}; c.y < cells.y1; ++c.y) {
+      for (c.x = cells.x0; c.x < cells.x1; ++c.x) {
+        if (whole->after.at(c) != whole->before.at(c)) draw(c, whole->after.at(c));
+      }
     }
   }
 }

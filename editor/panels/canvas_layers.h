@@ -9,11 +9,15 @@ namespace talus {
 
 // The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as play does.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
+// The same from afar, in blocks of one colour; nothing without MapTextures.
+void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui, const MapLook& look);
+// Whether a canvas shows the map from afar: a cell has a few pixels of the screen, or less than one.
+bool is_far(const CanvasView& view);
 // The level's curves; muted where the solver takes no notice of them.
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale);
-// Tints the cells whose tile has the flag.
-void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, int flag);
-ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the flags panel
+// Tints the cells whose tile matches.
+void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern);
+ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the panels
 void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale);
 // Where the bodies placed by hand start.
@@ -31,6 +35,8 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
 // The cells filled with the stamp, repeated from their top-left corner. `alpha`: 0 to 255.
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,
                 int alpha);
+// The tiles that an edit paints on the map. `alpha`: 0 to 255.
+void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& view, const Ui& ui, int alpha);
 // A frame around cells, dark below so that it shows on any art.
 void draw_cell_frame(ImDrawList& list, CellRect cells, const CanvasView& view, ImU32 color, float width);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands.h"
+#include "flag_choice.h"
 #include "flag_label.h"
 #include "splitter.h"
 
@@ -20,8 +21,14 @@ struct ToolButton {
 void draw_mode(std::string_view widget, std::string_view label, std::string_view id, const Session& session,
                Actions& actions, Ui& ui) {
   const Command& command = find_command(id);
-  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command)))
+  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
     command.run(session, actions, ui);
+}
+
+// Short enough for the toolbar.
+std::string short_label(const Level& level, FlagPattern pattern) {
+  const bool is_flag = pattern == pattern_of_flag(pattern.lowest_flag());
+  return is_flag ? "flag " + std::to_string(pattern.lowest_flag()) : pattern_label(level, pattern);
 }
 
 }  // namespace
@@ -36,6 +43,7 @@ void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       draw_play(session, actions, ui, ImGui::GetContentRegionAvail());
       break;
     case CanvasMode::both:
+    case CanvasMode::two_maps:
       draw_both(session, actions, ui);
       break;
   }
@@ -59,7 +67,11 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
   map_.draw(session, actions, ui, {room.x, upper});
   const float moved = splitter("canvas/split", {room.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.layout.canvas_split = (upper + moved) / room.y;
-  draw_play(session, actions, ui, {room.x, room.y - upper - bar});
+  const ImVec2 lower{room.x, room.y - upper - bar};
+  if (ui.view.canvas == CanvasMode::two_maps)
+    second_map_.draw(session, actions, ui, lower);
+  else
+    draw_play(session, actions, ui, lower);
   ImGui::PopStyleVar();
 }
 
@@ -71,10 +83,14 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
   ImGui::SameLine();
   draw_mode("canvas/both", "Both", "canvas/both", session, actions, ui);
+  ImGui::SameLine();
+  draw_mode("canvas/two_maps", "2x", "canvas/two_maps", session, actions, ui);
   constexpr ToolButton kTools[] = {
-      {"map/stamp", Icon::stamp}, {"map/pan", Icon::pan},     {"map/rectangle", Icon::rectangle},
-      {"map/fill", Icon::fill},   {"map/erase", Icon::erase}, {"map/pick", Icon::pick},
-      {"map/body", Icon::body},   {"map/slope", Icon::slope}, {"map/segment", Icon::segment}};
+      {"map/stamp", Icon::stamp},     {"map/pan", Icon::pan},         {"map/select", Icon::select},
+      {"map/fill", Icon::fill},       {"map/line", Icon::line},       {"map/rectangle", Icon::rectangle},
+      {"map/ellipse", Icon::ellipse}, {"map/slope", Icon::slope},     {"map/segment", Icon::segment},
+      {"map/curve", Icon::curve},
+      {"map/body", Icon::body},       {"map/ground", Icon::ground}, {"map/erase", Icon::erase},     {"map/pick", Icon::pick}};
   const float button = ui.px(theme::kButton);
   ui.same_line_if_fits(static_cast<float>(std::size(kTools)) * (button + ui.px(2)), ui.px(8));
   for (const ToolButton& tool : kTools) {
@@ -83,6 +99,8 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   }
   constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
                                   {"canvas/zoom_in", Icon::zoom_in},
+                                  {"map/random", Icon::dice},
+                                  {"map/minimap", Icon::minimap},
                                   {"canvas/grid", Icon::grid},
                                   {"canvas/borders", Icon::borders},
                                   {"canvas/paint_in_play", Icon::pencil}};
@@ -97,19 +115,9 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
 }
 
 void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
-  const auto flag = session.choices().flag_overlay;
-  const std::string now = flag ? "flag " + std::to_string(*flag) : "no tint";
-  const Command& command = find_command("canvas/flag_tint");
-  const bool open = ui.begin_combo("canvas/flag_tint", now, ui.px(84),
-                                   "Tints the cells whose tile has a flag, in both views.", keys_of(command));
-  if (!open) return;
-  if (ImGui::Selectable("no tint", !flag)) actions.push_back(action::SetFlagOverlay{});
-  for (int i = 0; i < kFlagCount; ++i) {
-    if (ImGui::Selectable(flag_label(session.level(), i).c_str(), flag == i))
-      actions.push_back(action::SetFlagOverlay{i});
-    ui.item("canvas/tint" + std::to_string(i));
-  }
-  ImGui::EndCombo();
+  const auto now = session.choices().flag_overlay;
+  draw_flag_choice("canvas/flag_tint", now ? short_label(session.level(), *now) : "no tint", ui.px(84), session,
+                   actions, ui);
 }
 
 }  // namespace talus

@@ -25,4 +25,35 @@ std::string flag_label(const Level& level, int flag) {
   return "flag " + std::to_string(flag) + (name.empty() ? "" : "  " + name);
 }
 
+std::string field_name(const FlagField& field) {
+  if (!field.name.empty()) return field.name;
+  return "flags " + std::to_string(field.first) + "-" + std::to_string(field.last());
+}
+
+std::string value_name(const FlagField& field, int value) {
+  const auto index = static_cast<std::size_t>(value);
+  const bool named = index < field.values.size() && !field.values[index].empty();
+  return named ? field.values[index] : std::to_string(value);
+}
+
+std::vector<FlagPattern> flag_patterns(const Level& level) {
+  std::vector<FlagPattern> patterns;
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    const FlagField* field = field_of_flag(level.flag_fields, flag);
+    if (field == nullptr) patterns.push_back(pattern_of_flag(flag));
+    if (field == nullptr || field->first != flag) continue;
+    for (int value = 0; value < field->value_count(); ++value) patterns.push_back(field->pattern(value));
+  }
+  return patterns;
+}
+
+std::string pattern_label(const Level& level, FlagPattern pattern) {
+  const int lowest = pattern.lowest_flag();
+  if (pattern == pattern_of_flag(lowest)) return flag_label(level, lowest);
+  const FlagField* field = field_of_flag(level.flag_fields, lowest);
+  if (field == nullptr || field->mask() != pattern.mask)  // it was a field's that is gone
+    return "flags from " + std::to_string(lowest);
+  return field_name(*field) + ": " + value_name(*field, field->value_of(pattern.bits));
+}
+
 }  // namespace talus

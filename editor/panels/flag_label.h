@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "level/level.h"
 
@@ -15,5 +16,15 @@ std::string flag_name(const Level& level, int flag);
 
 // "flag 2  up-slope".
 std::string flag_label(const Level& level, int flag);
+
+// The user's name for it, else "flags 2-3".
+std::string field_name(const FlagField& field);
+// The user's name for the value, else the number.
+std::string value_name(const FlagField& field, int value);
+
+// What can be tinted, painted and looked for, by flag: each flag that no field has, and each value of fields.
+std::vector<FlagPattern> flag_patterns(const Level& level);
+// "flag 2  up-slope", "slope kind: up".
+std::string pattern_label(const Level& level, FlagPattern pattern);
 
 }  // namespace talus

@@ -1,16 +1,22 @@
-// The lamps in two columns, each with a menu for its name and role.
+// The lamps in two columns, the fields below them, each with a menu for its names and its role.
 #include "flags_panel.h"
 
 #include <imgui_stdlib.h>
 
+#include <array>
+#include <charconv>
+#include <cstdio>
+
 #include "canvas_layers.h"
 #include "commands.h"
-#include "edit/shape_tools.h"
+#include "edit/flag_tools.h"
 #include "flag_label.h"
 #include "shape_editor.h"
 
 namespace talus {
 namespace {
+
+constexpr float kRow = 20;  // px at scale 1
 
 void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lamp, int flag) {
   list.AddCircleFilled(centre, radius, theme::color(theme::kDark), 20);
@@ -38,16 +44,86 @@ std::string lamp_help(FlagLamp lamp, int flag, const FlagRoleInfo* role, const T
          "role or shape.";
 }
 
+std::string hex_byte(std::uint8_t byte) {
+  std::array<char, 3> text{};
+  std::snprintf(text.data(), text.size(), "%02x", byte);
+  return text.data();
+}
+
+std::vector<int> single_flags(const Level& level) {
+  std::vector<int> flags;
+  for (int flag = 0; flag < kFlagCount; ++flag)
+    if (field_of_flag(level.flag_fields, flag) == nullptr) flags.push_back(flag);
+  return flags;
+}
+
+// A button of a row's height at its right, which opens a menu.
+bool draw_menu_button(const std::string& name, const std::string& help, float width, Ui& ui) {
+  const bool pressed = ImGui::Button(("...##" + name).c_str(), {width, ui.px(kRow)});
+  ui.item(name, help);
+  return pressed;
+}
+
 }  // namespace
 
 void FlagsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_header(session, actions, ui);
   const float width = (ImGui::GetContentRegionAvail().x - ui.px(4)) / 2;
-  for (int row = 0; row < kFlagCount / 2; ++row) {
-    draw_lamp(session, actions, ui, row, width);
+  const std::vector<int> flags = single_flags(session.level());
+  const std::size_t rows = (flags.size() + 1) / 2;
+  for (std::size_t row = 0; row < rows; ++row) {
+    draw_lamp(session, actions, ui, flags[row], width);
+    if (row + rows >= flags.size()) continue;
     ImGui::SameLine();
-    draw_lamp(session, actions, ui, row + kFlagCount / 2, width);
+    draw_lamp(session, actions, ui, flags[row + rows], width);
   }
-  draw_menu(session, actions, ui, menu_flag_);
+  for (const FlagField& field : session.level().flag_fields) draw_field(session, actions, ui, field);
+  menu_.draw(session, actions, ui);
+}
+
+// In line with the panel's title.
+void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
+  const Command& brush = find_command("flags/brush");
+  const float byte = ui.px(28), width = ui.px(80), gap = ui.px(theme::kGap);
+  const float hex = ImGui::CalcTextSize("hex").x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(8) - byte - width - hex - 2 * gap);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(4), ui.px(1)));
+  const bool on = brush.is_checked(session, ui);
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
+  const bool pressed = ImGui::Button("Paint flags##brush", {width, 0});
+  if (on) ImGui::PopStyleColor();
+  if (pressed) brush.run(session, actions, ui);
+  ui.item("flags/brush", brush.help, keys_of(brush, ui));
+  ImGui::SameLine(0, gap);
+  ui.heading("hex");
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(byte);
+  draw_byte(session, actions, ui);
+  ImGui::PopStyleVar();
+}
+
+void FlagsPanel::draw_byte(const Session& session, Actions& actions, Ui& ui) {
+  const Level& level = session.level();
+  const SpriteArea& area = session.choices().area;
+  const auto flags = common_flags(level, area, 0xff);
+  if (!byte_active_) byte_ = flags ? hex_byte(*flags) : "";
+  const bool entered =
+      ImGui::InputTextWithHint("##byte", "..", &byte_,
+                               ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue |
+                                   ImGuiInputTextFlags_AutoSelectAll);
+  byte_active_ = ImGui::IsItemActive();
+  ui.item("flags/byte",
+          "All eight flags as two hexadecimal digits, flag 0 the lowest bit; empty where the selected tiles "
+          "differ. Enter sets them.");
+  if (!entered) return;
+  unsigned value = 0;
+  const char* end = byte_.data() + byte_.size();
+  const auto [rest, code] = std::from_chars(byte_.data(), end, value, 16);
+  if (code == std::errc() && rest == end && value <= 0xff)
+    actions.push_back(action::EditLevel{set_all_flags(level, area, static_cast<std::uint8_t>(value))});
+  else
+    actions.push_back(action::ShowMessage{
+        "\"" + byte_ + "\" is no byte of flags: they are two hexadecimal digits, 00 to ff.", true});
 }
 
 void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int flag, float width) {
@@ -57,22 +133,17 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
   const FlagLamp lamp = flag_lamp(level, session.choices().area, flag);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ui.px(20), menu = ui.px(20);
+  const float height = ui.px(kRow), menu = ui.px(kRow);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
   if (ImGui::Button(("##" + name).c_str(), {width - menu, height}))
     actions.push_back(action::EditLevel{toggle_flag(level, session.choices().area, flag)});
   bool opens = ImGui::IsItemClicked(1);
   ui.item(name, lamp_help(lamp, flag, role, shape));
   ImGui::SameLine();
-  opens |= ImGui::Button(("...##menu" + number).c_str(), {menu, height});
-  ui.item("flags/menu" + number, "Names flag " + number + " and chooses its role or shape.");
+  opens |= draw_menu_button("flags/menu" + number, "Names flag " + number + " and chooses its role or shape.",
+                            menu, ui);
   ImGui::PopStyleVar();
-  if (opens) {
-    menu_flag_ = flag;
-    menu_x_ = ImGui::GetIO().MousePos.x;
-    new_name_ = level.flag_names[static_cast<std::size_t>(flag)];
-    ImGui::OpenPopup("flag menu");
-  }
+  if (opens) menu_.open_flag(level, flag, ImGui::GetIO().MousePos.x);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_lamp_light(list, {at.x + ui.px(11), at.y + height / 2}, ui.px(6), lamp, flag);
@@ -80,59 +151,44 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const bool has_physics = role != nullptr || shape.kind != TileShape::Kind::none;
   const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
   list.PushClipRect(at, {at.x + width - menu, at.y + height}, true);
-  list.AddText({at.x + ui.px(22), y}, theme::color(has_physics ? theme::kText : theme::kMuted),
+  list.AddText({at.x + ui.px(22), y}, theme::tone(has_physics ? theme::kText : theme::kMuted),
                label.c_str());
   list.PopClipRect();
 }
 
-void FlagsPanel::draw_menu(const Session& session, Actions& actions, Ui& ui, int flag) {
-  // It grows with the shape: upwards, where there is room.
-  ImGui::SetNextWindowPos({menu_x_, ui.bars_top}, ImGuiCond_Always, {0, 1});
-  if (!ImGui::BeginPopup("flag menu")) return;
+void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, const FlagField& field) {
   const Level& level = session.level();
-  ui.heading("Flag " + std::to_string(flag));
-  ImGui::SetNextItemWidth(ui.px(180));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool named =
-      ImGui::InputTextWithHint("##name", "name", &new_name_, ImGuiInputTextFlags_EnterReturnsTrue);
-  ui.item("flags/name", "What you call this flag; Enter sets it.");
-  if (named) {
-    actions.push_back(action::EditLevel{rename_flag(level, flag, new_name_)});
-    ImGui::CloseCurrentPopup();
-  }
-  ui.heading("Role in the physics");
-  const FlagRoleInfo* now = role_of_flag(level.roles, flag);
-  if (ImGui::RadioButton("none", now == nullptr) && now != nullptr) {
-    FlagRoles roles = level.roles;
-    roles.*now->flag = FlagRoles::kUnused;
-    actions.push_back(action::EditLevel{set_roles(level, roles)});
-  }
-  ui.item("flags/role_none");
-  for (const FlagRoleInfo& info : flag_role_infos()) {
-    if (ImGui::RadioButton(std::string(info.label).c_str(), now == &info) && now != &info) {
-      FlagRoles roles = level.roles;
-      if (now != nullptr) roles.*now->flag = FlagRoles::kUnused;
-      roles.*info.flag = flag;
-      actions.push_back(action::EditLevel{set_roles(level, roles)});
+  const SpriteArea& area = session.choices().area;
+  const std::string number = std::to_string(field.first);
+  const auto now = common_flags(level, area, field.mask());
+  const std::string preview =
+      field_name(field) + ": " + (now ? value_name(field, field.value_of(*now)) : "differs");
+  const float menu = ui.px(kRow);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), (ui.px(kRow) - ImGui::GetFontSize()) / 2));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - menu);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), to{at.x + ImGui::CalcItemWidth(), at.y + ui.px(kRow)};
+  const bool open = ImGui::BeginCombo(("##field" + number).c_str(), preview.c_str());
+  const std::string name = "flags/field" + number;
+  if (open) {
+    ui.place(name, at, to);
+    for (int value = 0; value < field.value_count(); ++value) {
+      const std::string id = "##" + std::to_string(value);
+      const bool chosen = now && field.value_of(*now) == value;
+      if (ImGui::Selectable((value_name(field, value) + id).c_str(), chosen))
+        actions.push_back(action::EditLevel{paint_flags(level, area, field.pattern(value), true)});
+      ui.item("flags/choice" + std::to_string(value));
     }
-    ui.item("flags/role_" + std::string(info.key), "Tiles with this flag are this to the physics.");
+    ImGui::EndCombo();
+  } else {
+    ui.item(name, "The flags " + number + " to " + std::to_string(field.last()) +
+                      " of the selected tiles, as one number: choose its value.");
   }
-  draw_flag_shape(session, actions, ui, flag);
-  if (ui.text_button("flags/tint", "Tint on the map", session.choices().flag_overlay == flag,
-                     "Tints the cells whose tile has this flag.",
-                     keys_of(find_command("canvas/flag_tint")))) {
-    const bool on = session.choices().flag_overlay != flag;
-    actions.push_back(action::SetFlagOverlay{on ? std::optional<int>(flag) : std::optional<int>()});
-  }
-  ImGui::EndPopup();
-}
-
-void FlagsPanel::draw_flag_shape(const Session& session, Actions& actions, Ui& ui, int flag) {
-  const Level& level = session.level();
-  ui.heading("Shape of tiles without a role");
-  const TileShape& now = level.flag_shapes[static_cast<std::size_t>(flag)];
-  if (const auto shape = draw_shape("flags/shape", now, session, shape_stroke_, ui))
-    actions.push_back(action::EditLevel{set_flag_shape(level, flag, *shape), shape_stroke_});
+  ImGui::PopStyleVar();
+  ImGui::SameLine();
+  const bool opens = draw_menu_button("flags/menu" + number, "Names this field and its values.", menu, ui);
+  ImGui::PopStyleVar();
+  if (opens) menu_.open_field(field.first, ImGui::GetIO().MousePos.x);
 }
 
 }  // namespace talus

@@ -1,9 +1,9 @@
-// The flags of the selected tiles: eight lamps with their names, and which role or shape each has in the
-// physics.
+// The flags of the selected tiles: lamps of single flags, choices of fields, and all eight as a byte.
 #pragma once
 
 #include <string>
 
+#include "flag_menu.h"
 #include "panel.h"
 
 namespace talus {
@@ -15,14 +15,14 @@ class FlagsPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  void draw_header(const Session& session, Actions& actions, Ui& ui);
+  void draw_byte(const Session& session, Actions& actions, Ui& ui);
   void draw_lamp(const Session& session, Actions& actions, Ui& ui, int flag, float width);
-  void draw_menu(const Session& session, Actions& actions, Ui& ui, int flag);
-  void draw_flag_shape(const Session& session, Actions& actions, Ui& ui, int flag);
+  void draw_field(const Session& session, Actions& actions, Ui& ui, const FlagField& field);
 
-  int menu_flag_ = -1;    // whose menu is open; -1: none
-  float menu_x_ = 0;      // px of the screen, its left side
-  std::string new_name_;  // in the menu
-  int shape_stroke_ = 0;  // of the drag of a shape's number; 0: none
+  FlagMenu menu_;
+  std::string byte_;          // as it is typed
+  bool byte_active_ = false;  // in the last frame
 };
 
 }  // namespace talus

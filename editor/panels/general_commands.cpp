@@ -1,5 +1,8 @@
 // The commands that work everywhere.
+#include <algorithm>
+
 #include "command_table.h"
+#include "flag_label.h"
 #include "play_keys.h"
 
 namespace talus {
@@ -30,9 +33,12 @@ bool has_overlay(S session, const Ui&) {
 }
 
 void cycle_flag_overlay(S session, A actions, U) {
-  const int next = session.choices().flag_overlay.value_or(-1) + 1;
-  actions.push_back(
-      action::SetFlagOverlay{next < kFlagCount ? std::optional<int>(next) : std::optional<int>()});
+  const std::vector<FlagPattern> patterns = flag_patterns(session.level());
+  std::size_t next = 0;
+  if (const auto now = session.choices().flag_overlay)
+    next = static_cast<std::size_t>(std::find(patterns.begin(), patterns.end(), *now) - patterns.begin()) + 1;
+  actions.push_back(action::SetFlagOverlay{next < patterns.size() ? std::optional(patterns[next])
+                                                                  : std::optional<FlagPattern>()});
 }
 
 template <int direction>
@@ -109,11 +115,8 @@ std::vector<Command> canvas_commands() {
              show_canvas<CanvasMode::play>, shows_canvas<CanvasMode::play>),
       toggle("canvas/both", ctrl('3'), "Show map and play view", "Shows the map above the play view.",
              show_canvas<CanvasMode::both>, shows_canvas<CanvasMode::both>),
-      repeating(also_on(shift('='), command("canvas/zoom_in", KeyChord{'='}, "Zoom in",
-                                            "Zooms in; the wheel does it at the mouse.",
-                                            [](S, A, U ui) { ++ui.view.zoom_by; }))),
-      repeating(command("canvas/zoom_out", KeyChord{'-'}, "Zoom out",
-                        "Zooms out; the wheel does it at the mouse.", [](S, A, U ui) { --ui.view.zoom_by; })),
+      toggle("canvas/two_maps", ctrl('4'), "Show two maps", "Shows two places of the map, each with its own zoom.",
+             show_canvas<CanvasMode::two_maps>, shows_canvas<CanvasMode::two_maps>),
       toggle(
           "canvas/grid", KeyChord{'`'}, "Grid", "Shows the borders of the cells.",
           [](S s, A actions, U) { actions.push_back(action::SetGrid{!s.choices().grid}); },
@@ -134,6 +137,17 @@ std::vector<Command> canvas_commands() {
   };
 }
 
+// In the map alone: in the sprites these keys choose the brush.
+std::vector<Command> zoom_commands() {
+  return in_scope(Scope::map, {
+      repeating(also_on(shift('='), command("canvas/zoom_in", KeyChord{'='}, "Zoom in",
+                                            "Zooms in; the wheel does it at the mouse.",
+                                            [](S, A, U ui) { ++ui.view.zoom_by; }))),
+      repeating(command("canvas/zoom_out", KeyChord{'-'}, "Zoom out",
+                        "Zooms out; the wheel does it at the mouse.", [](S, A, U ui) { --ui.view.zoom_by; })),
+  });
+}
+
 std::vector<Command> play_commands() {
   return {
       toggle("play/toggle", KeyChord{kKeyF5}, "Play or pause",
@@ -151,7 +165,7 @@ std::vector<Command> play_commands() {
       repeating(command("play/faster", KeyChord{'.'}, "Faster", "Doubles the speed, up to 8.",
                         change_speed<1>, [](S s, const Ui&) { return s.playback().speed < 8; })),
       command(
-          "play/no_body", ctrl('d'), "Choose no body", "Empties the inspector.",
+          "play/no_body", ctrl_shift('d'), "Choose no body", "Empties the inspector.",
           [](S, A actions, U) { actions.push_back(action::SelectBody{0}); },
           [](S s, const Ui&) { return s.choices().body != 0; }),
   };
@@ -181,13 +195,15 @@ std::vector<Command> overlay_commands() {
       overlay_command<OverlayId::swept_path>("overlay/swept_path"),
       overlay_command<OverlayId::trails>("overlay/trails"),
       overlay_command<OverlayId::penetration>("overlay/penetration"),
+      overlay_command<OverlayId::shapes>("overlay/shapes"),
+      overlay_command<OverlayId::reach>("overlay/reach"),
   };
 }
 
 }  // namespace
 
 std::vector<Command> general_commands() {
-  return joined({file_commands(), view_commands(), canvas_commands(), play_commands(), overlay_commands()});
+  return joined({file_commands(), view_commands(), canvas_commands(), zoom_commands(), play_commands(), overlay_commands()});
 }
 
 }  // namespace talus

@@ -14,6 +14,7 @@
 #include "overlay_painter.h"
 #include "overlay_switches.h"
 #include "play_keys.h"
+#include "shape_drawing.h"
 
 namespace talus {
 namespace {
@@ -84,9 +85,11 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
                     theme::color(theme::kWarning), ui.px(2));
   const bool paints = !is_play() || ui.view.paint_in_play;
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
-  if (paints && !panning_ && !camera_.shows_whole()) draw_preview(session, view, ui);
+  if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
+    draw_preview(session, view, ui);
   if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
+  sheet_overlay_.draw(list, session, view, ui);
   if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/minimap");
   list.PopClipRect();
 }
@@ -184,6 +187,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
     }
   }
   const bool paints = !is_play() || ui.view.paint_in_play;
+  if (paints && sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || panning_)) return;
   if (handle_minimap(session, view, ui, hovered)) return;
   if (handle_panning(session, ui, paints, hovered)) return;
   if (handle_world_view(session, hovered)) return;
@@ -288,6 +292,8 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   }
   draw_curves(list, level, view, ui.scale);
   if (tint && !far) draw_flag_tint(list, level, view, *tint);
+  if (choices.overlays.has(OverlayId::shapes))
+    draw_shapes(list, level, view, overlay_color(OverlayId::shapes, choices.overlay_palette), ui);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play()) draw_spawns(list, level, view, ui);

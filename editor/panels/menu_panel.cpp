@@ -191,7 +191,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   const std::string title = session.file_name() + (session.modified() ? " *" : "");
   const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
-  ImGui::SameLine(ui.px(330));
+  ImGui::SameLine(ui.px(370));
   ImGui::TextUnformatted(title.c_str());
   ui.tooltip(session.path().empty() ? "Not in a file yet." : session.path());
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(solver.c_str()).x - ui.px(8));

@@ -6,7 +6,9 @@
 #include <set>
 #include <string>
 
+#include "canvas_layers.h"
 #include "commands.h"
+#include "shape_drawing.h"
 #include "tile_number.h"
 
 namespace talus {
@@ -29,6 +31,19 @@ void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell,
                theme::color(theme::kAccent), ui);
 }
 
+// As on the map: what has the flag that is looked for.
+void tint_tiles(ImDrawList& list, const Sheet& sheet, FlagPattern pattern, ImVec2 at, float cell) {
+  const int flag = pattern.lowest_flag();
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    if (!pattern.matches(sheet.flags[static_cast<std::size_t>(tile)])) continue;
+    const ImVec2 from{at.x + static_cast<float>(tile % kSheetColumns) * cell,
+                      at.y + static_cast<float>(tile / kSheetColumns) * cell};
+    const ImVec2 to{from.x + cell, from.y + cell};
+    list.AddRectFilled(from, to, flag_color(flag, 110));
+    list.AddRect(from, to, flag_color(flag, 220));
+  }
+}
+
 std::string selection_text(const SpriteArea& area) {
   const std::string first = "#" + std::to_string(number_on_screen(area.sheet, area.tile_at(0, 0)));
   if (area.tiles.w == 1 && area.tiles.h == 1) return first;
@@ -46,12 +61,17 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImVec2 at = ImGui::GetCursorScreenPos();
   at.x = std::floor(at.x + std::max(0.0f, (room.x - side) / 2));
   ImGui::SetCursorScreenPos(at);
-  ImGui::InvisibleButton("sheet", {side, side});
+  ImGui::InvisibleButton("sheet", {side, side},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   ui.item(area.sheet == SheetId::tiles ? "sheet/tiles" : "sheet/sprites");
-  handle_mouse(area.sheet, actions, ui, at, cell);
+  handle_mouse(session, actions, ui, at, cell);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(ui.sheet(area.sheet), at, {at.x + side, at.y + side});
+  if (area.sheet == SheetId::tiles && session.choices().overlays.has(OverlayId::shapes)) {
+    const std::uint32_t color = overlay_color(OverlayId::shapes, session.choices().overlay_palette);
+    draw_sheet_shapes(list, session.level(), at, cell, color, ui);
+  }
   if (session.choices().grid) {
     for (int i = 0; i <= kSheetColumns; ++i) {
       const float d = static_cast<float>(i) * cell;
@@ -59,6 +79,8 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       list.AddRectFilled({at.x, at.y + d}, {at.x + side, at.y + d + 1}, theme::color(theme::kText, 22));
     }
   }
+  if (const auto pattern = session.choices().flag_overlay)
+    tint_tiles(list, session.level().sheet(area.sheet), *pattern, at, cell);
   mark_stamp(list, session.choices(), at, cell, ui);
   draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
 }
@@ -71,7 +93,7 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     if (ui.text_button(tiles ? "sheet/show_tiles" : "sheet/show_sprites", tiles ? "Tiles" : "Sprites",
                        area.sheet == sheet,
                        tiles ? "The images that the map is made of." : "Images that the map does not use.",
-                       keys_of(change))) {
+                       keys_of(change, ui))) {
       actions.push_back(action::SelectTiles{{sheet, area.tiles}});
     }
     ImGui::SameLine();
@@ -80,13 +102,24 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   ui.tooltip("The selected tile, and how many tiles wide and high the selection is.");
 }
 
-void SheetPanel::handle_mouse(SheetId sheet, Actions& actions, Ui& ui, ImVec2 at, float cell) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
+void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float cell) {
+  const SheetId sheet = session.choices().area.sheet;
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 mouse = io.MousePos;
   const Cell tile{std::clamp(static_cast<int>((mouse.x - at.x) / cell), 0, kSheetColumns - 1),
                   std::clamp(static_cast<int>((mouse.y - at.y) / cell), 0, kSheetColumns - 1)};
-  if (ImGui::IsItemHovered()) ui.view.hover.tile = tile.y * kSheetColumns + tile.x;
+  const int number = tile.y * kSheetColumns + tile.x;
+  const bool paints = session.choices().map_tool == MapTool::flag;
+  if (ImGui::IsItemHovered()) ui.view.hover.tile = number;
   if (ImGui::IsItemActivated()) drag_from_ = tile;
-  if (drag_from_) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});
+  const bool selects = !paints || io.MouseDown[1];
+  if (drag_from_ && selects) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});
+  if (paints) {
+    flag_brush_.update(
+        session, actions, sheet, tile, [](Cell c) { return std::optional(c.y * kSheetColumns + c.x); },
+        ImGui::IsItemHovered() && ImGui::IsMouseClicked(0), io.MouseDown[0]);
+    ui.tooltip(brush_text(session, sheet, number), "the right button selects");
+  }
   if (!ImGui::IsItemActive()) drag_from_.reset();
 }
 

@@ -1,8 +1,10 @@
-// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on.
+// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on, or
+// paints flags.
 #pragma once
 
 #include <optional>
 
+#include "flag_brush.h"
 #include "panel.h"
 
 namespace talus {
@@ -15,7 +17,8 @@ class SheetPanel : public Panel {
 
  private:
   void draw_header(const Session& session, Actions& actions, Ui& ui);
-  void handle_mouse(SheetId sheet, Actions& actions, Ui& ui, ImVec2 at, float cell);
+  void handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float cell);
+  FlagBrush flag_brush_;
   std::optional<Cell> drag_from_;  // tile where the button went down
 };
 

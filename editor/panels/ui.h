@@ -11,6 +11,7 @@
 
 #include "icons.h"
 #include "level/lint.h"
+#include "map_textures.h"
 #include "theme.h"
 #include "view.h"
 #include "widget_registry.h"
@@ -22,6 +23,8 @@ class Ui {
   View view;
   WidgetRegistry widgets;
   std::array<ImTextureID, 2> sheets{};  // 128x128 px, by SheetId
+  MapTextures* map_textures = nullptr;  // null: none, the map is drawn tile by tile at any zoom
+  ImTextureID preview{};                // the sheet as an import would change it, while one is shown
   ImTextureID balls{};                  // the sheet of tiles with colour 0 clear, for bodies
   // Of the level; never null in a frame. Not renewed while a button is held, so that a stroke on a huge map
   // need not wait for the lint of each of its frames.
@@ -64,7 +67,7 @@ class Ui {
   // An empty state: a wrapped sentence that says what to do next.
   void hint(std::string_view text);
   // Text of a number that ends at the right edge of the current column.
-  void right_aligned(std::string_view text, ImU32 color = theme::color(theme::kText));
+  void right_aligned(std::string_view text, ImU32 color = theme::tone(theme::kText));
   // Keeps the next item of this width on the line if it fits there, `gap` px further than usual.
   void same_line_if_fits(float width, float gap = 0);
 

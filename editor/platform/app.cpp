@@ -53,14 +53,6 @@ float automatic_scale(float window_height) {
   return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
 }
 
-// "demo.talus.json" gives "demo.talusrec", in the same folder.
-std::string recording_name(const std::string& level) {
-  const std::filesystem::path path(level);
-  const std::string name = path.filename().string();
-  return (path.parent_path() / (name.substr(0, name.find('.')) + "." + std::string(kRecordingExtension)))
-      .string();
-}
-
 std::string absolute_path(const std::string& path) {
   std::error_code error;
   const auto absolute = std::filesystem::absolute(path, error);
@@ -194,7 +186,8 @@ bool App::follow_work() {
 
 bool App::wait() {
   const bool busy = session_->playback().running || session_->timeline().behind() ||
-                    session_->debugger().is_busy() || ui_.wants_frames() || has_waiting_events() ||
+                    session_->debugger().is_busy() || session_->is_linting() ||
+                    session_->reach().running() || ui_.wants_frames() || has_waiting_events() ||
                     last_time_ - last_event_ < kLivelyAfterEvent;
   const double now = options_.clock();
   if (busy) {
@@ -222,6 +215,8 @@ void App::frame() {
   window_->set_style({ui_.scale, ui_.view.preferences.font_size, ui_.view.preferences.theme});
   textures_->update(session_->level(), session_->revision(), ui_);
   map_textures_->update(session_->level(), session_->revision(), ui_);
+  if (const auto& import = session_->png_import(); import && import->plan)
+    textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
   Actions actions;
   const double start = processor_time();
   window_->begin_frame(events_);
@@ -239,7 +234,7 @@ void App::frame() {
 
 void App::draw(Actions& actions) {
   UiFrame frame(ui_);
-  if (ui_.problems == nullptr || !ImGui::IsAnyMouseDown()) ui_.problems = &session_->problems();
+  ui_.problems = &session_->listed_problems();
   workspace_.draw(*session_, actions, ui_);
   draw_file_dialog(actions);
   if (guard_) guard_->draw(*session_, ui_);
@@ -248,9 +243,10 @@ void App::draw(Actions& actions) {
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
-  const std::array<bool, 6> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
+  const std::array<bool, 8> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
                                       session_->question().has_value(),    ui_.view.command_palette_open,
-                                      ui_.view.program.keys_open,          ui_.view.program.recovery_open};
+                                      ui_.view.program.keys_open,          ui_.view.program.recovery_open,
+                                      session_->png_import().has_value(),   ui_.view.resize_open};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
@@ -328,19 +324,8 @@ bool App::keys_are_taken(KeyChord chord) const {
 }
 
 void App::draw_file_dialog(Actions& actions) {
-  std::optional<FileBrowser::Purpose> purpose;
-  if (ui_.view.dialog == FileDialog::open) purpose = FileBrowser::Purpose::open;
-  if (ui_.view.dialog == FileDialog::save_as || session_->wants_save_as())
-    purpose = FileBrowser::Purpose::save;
-  std::string near = session_->path();
-  const bool is_recording = ui_.view.dialog == FileDialog::save_recording;
-  if (is_recording) {
-    purpose = FileBrowser::Purpose::save;
-    near = recording_name(near.empty() ? session_->file_name() : near);
-  }
-  if (near.empty() && purpose == FileBrowser::Purpose::open && !ui_.view.recent_files.empty())
-    near = ui_.view.recent_files.front();
-  const auto answer = browser_.draw(purpose, near, ui_);
+  const auto request = wanted_file(*session_, ui_.view);
+  const auto answer = browser_.draw(request, ui_);
   if (!answer) return;
   if (answer->cancelled) {
     ui_.view.dialog = FileDialog::none;
@@ -349,12 +334,7 @@ void App::draw_file_dialog(Actions& actions) {
   }
   dialog_answered_ = true;
   actions.push_back(action::DismissMessage{});
-  if (purpose == FileBrowser::Purpose::open)
-    actions.push_back(action::OpenFile{answer->path});
-  else if (is_recording)
-    actions.push_back(action::SaveRecording{answer->path});
-  else
-    actions.push_back(action::SaveFileAs{answer->path});
+  actions.push_back(answer_to(request->dialog, answer->path));
 }
 
 // An error of the dialog's own action is shown in the dialog, which stays open.

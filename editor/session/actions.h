@@ -224,7 +224,7 @@ struct SelectSpawn {  // the body of a spawn of the level
 struct SelectCurve {
   int curve = -1;  // its index in the level; of none: none
 };
-struct SetCurveKind {  // what the segment tool draws
+struct SetCurveKind {  // what the curve tool draws
   CurveKind kind = CurveKind::segment;
 };
 struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp

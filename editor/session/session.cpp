@@ -32,7 +32,8 @@ bool changes_scene(const Level& level, const Change& change) {
           return c.sheet == SheetId::tiles && !same_physics(level, c.before, c.after);
         } else {
           return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
-                   std::is_same_v<T, FlagNameChange>);
+                   std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> || std::is_same_v<T, BrushesChange> ||
+                   std::is_same_v<T, AutoTilesChange>);
         }
       },
       change);
@@ -46,6 +47,7 @@ Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_n
       path(std::move(opened_path)),
       format(path.empty() ? nullptr : format_for_file(path)),
       player(level) {
+  note_file();
   read_hard_case();
 }
 
@@ -53,6 +55,7 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
   last_stroke = std::max(last_stroke, a.stroke);
   Edit edit = a.edit;
   rebase_edit(level, edit);
+  if (edit.selection) choices.selection = edit.selection->after;
   if (edit.empty()) return;
   note_change(edit);
   history.push(level, std::move(edit), a.stroke);
@@ -61,13 +64,19 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
 void Session::Impl::carry_out(const action::Undo&) {
   if (!history.can_undo()) return;
   history.undo(level);
-  note_change(history.edits()[history.position()]);
+  const Edit& edit = history.edits()[history.position()];
+  if (edit.selection) choices.selection = edit.selection->before;
+  note_change(edit);
+  choices.pixels.check(level, choices.area);
 }
 
 void Session::Impl::carry_out(const action::Redo&) {
   if (!history.can_redo()) return;
   history.redo(level);
-  note_change(history.edits()[history.position() - 1]);
+  const Edit& edit = history.edits()[history.position() - 1];
+  if (edit.selection) choices.selection = edit.selection->after;
+  note_change(edit);
+  choices.pixels.check(level, choices.area);
 }
 
 void Session::Impl::carry_out(const action::StepFrame&) {
@@ -95,20 +104,35 @@ void Session::Impl::carry_out(const action::SelectSpawn& a) {
 }
 
 void Session::Impl::carry_out(const action::SelectTiles& a) {
+  if (!(a.area == choices.area)) choices.pixels.drop();
   choices.area = a.area;
   if (a.area.sheet == SheetId::tiles) choices.stamp = stamp_of_sheet(a.area.tiles);
 }
 
+void Session::Impl::carry_out(const action::SelectCells& a) {
+  const CellRect map{0, 0, level.map.width(), level.map.height()};
+  choices.selection = a.cells ? shared(*a.cells, map) : std::nullopt;
+}
+
 void Session::Impl::note_change(const Edit& edit) {
   ++revision;
+  carry_out(action::SelectCells{choices.selection});  // the map may have become smaller
   for (const Change& change : edit.changes) {
     if (changes_scene(level, change)) scene_changes.add(change);
+    if (const auto* cell = std::get_if<CellChange>(&change)) {
+      lint_cache.note_cell(cell->cell);
+    } else if (std::holds_alternative<MapChange>(change)) {
+      lint_cache.note_map();
+    } else {
+      lint_cache.note_rest();
+    }
   }
 }
 
 void Session::Impl::refresh_scene() {
   if (scene_changes.empty()) return;
   const SceneChanges changes = std::exchange(scene_changes, {});
+  reach.note_change();
   keep_chosen_body([&] { player.edit(level, changes.whole ? nullptr : &changes.cells); });
 }
 
@@ -156,14 +180,6 @@ const std::string& Session::path() const { return impl_->path; }
 std::string Session::file_name() const { return impl_->file_name(); }
 bool Session::modified() const { return !impl_->history.is_saved(); }
 
-const std::vector<Problem>& Session::problems() const {
-  if (impl_->linted_revision != impl_->revision) {
-    impl_->problems = lint(impl_->level);
-    impl_->linted_revision = impl_->revision;
-  }
-  return impl_->problems;
-}
-
 const std::optional<HardCase>& Session::hard_case() const { return impl_->hard_case; }
 const Scene& Session::scene() const { return timeline().scene(); }
 const State& Session::state() const { return impl_->player.state(); }
@@ -185,6 +201,8 @@ const State* Session::other_state() const { return impl_->debugger.other_state(t
 const StepTimes& Session::step_times() const { return impl_->player.step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }
+std::optional<double> Session::compile_progress() const { return std::nullopt; }
+const std::optional<PngImport>& Session::png_import() const { return impl_->png_import; }
 bool Session::wants_save_as() const { return impl_->wants_save_as; }
 bool Session::wants_quit() const { return impl_->wants_quit; }
 int Session::next_stroke() const { return impl_->last_stroke + 1; }

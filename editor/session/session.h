@@ -40,7 +40,7 @@ struct Choices {
   int secondary_color = 0;                    // right button, 0..15
   int body = 0;                               // id of the chosen body; 0: none
   int curve = -1;                             // index of the chosen curve; of none: no curve
-  CurveKind curve_kind = CurveKind::segment;  // that the segment tool draws
+  CurveKind curve_kind = CurveKind::arc;      // that the curve tool draws
   OverlaySet overlays;                        // shown in the play view
   OverlayPalette overlay_palette = OverlayPalette::standard;
   std::optional<FlagPattern> flag_overlay;  // tinted, painted and looked for

@@ -1,0 +1,61 @@
+// Flags read together: patterns of flags to look for and to paint, and fields, numbers over several flags.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tileset.h"
+
+namespace talus {
+
+// Some of a tile's eight flags and what they are to be: one flag set, or the value of a field.
+struct FlagPattern {
+  std::uint8_t mask = 1;  // the flags that it is about, at least one
+  std::uint8_t bits = 1;  // those of them that are set; lies within the mask
+
+  bool matches(std::uint8_t flags) const { return (flags & mask) == bits; }
+  // Flags that match, otherwise the same.
+  std::uint8_t put_in(std::uint8_t flags) const { return static_cast<std::uint8_t>((flags & ~mask) | bits); }
+  int lowest_flag() const;  // 0..7, of the mask
+  friend bool operator==(const FlagPattern&, const FlagPattern&) = default;
+};
+
+// flag: 0..7
+inline FlagPattern pattern_of_flag(int flag) {
+  const auto bit = static_cast<std::uint8_t>(1 << flag);
+  return {bit, bit};
+}
+
+// A number that adjacent flags hold together, such as the kind of a slope: flag `first` is its lowest bit.
+// The flags keep their own roles, shapes and names.
+struct FlagField {
+  static constexpr int kLeastBits = 2;  // one bit is a flag
+
+  std::string name;                 // for people; may be empty
+  int first = 0;                    // 0..6
+  int bits = kLeastBits;            // kLeastBits..8, up to flag 7
+  std::vector<std::string> values;  // names of the values from 0; at most 2^bits; empty: unnamed
+  std::string extra;                // JSON object of keys that this version does not know, or empty
+
+  int last() const { return first + bits - 1; }
+  int value_count() const { return 1 << bits; }
+  std::uint8_t mask() const { return static_cast<std::uint8_t>((value_count() - 1) << first); }
+  int value_of(std::uint8_t flags) const { return (flags & mask()) >> first; }
+  // value: 0..value_count()-1
+  FlagPattern pattern(int value) const { return {mask(), static_cast<std::uint8_t>(value << first)}; }
+  friend bool operator==(const FlagField&, const FlagField&) = default;
+};
+
+// Why a field cannot be: flags outside 0..7, fewer than kLeastBits, or too many names.
+std::optional<std::string> problem_of(const FlagField& field);
+// The field that a flag belongs to; null: none.
+const FlagField* field_of_flag(std::span<const FlagField> fields, int flag);
+// Two fields that share a flag: the index of the second; nothing when there are none.
+std::optional<std::size_t> overlapping_field(std::span<const FlagField> fields);
+// How many flags a field that begins at `first` can have, with these others: 1 when the next flag is taken.
+int most_bits(std::span<const FlagField> others, int first);
+
+}  // namespace talus

@@ -1,0 +1,93 @@
+// Painting flags, and changing fields.
+#include "flag_tools.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "single_change.h"
+
+namespace talus {
+namespace {
+
+std::set<int> tiles_of(const SpriteArea& area) {
+  std::set<int> tiles;
+  for (int y = 0; y < area.tiles.h; ++y) {
+    for (int x = 0; x < area.tiles.w; ++x) tiles.insert(area.tile_at(x, y));
+  }
+  return tiles;
+}
+
+std::string paint_label(FlagPattern pattern, bool on) {
+  const int lowest = pattern.lowest_flag();
+  if (pattern == pattern_of_flag(lowest)) return (on ? "Set flag " : "Clear flag ") + std::to_string(lowest);
+  return on ? "Set flags" : "Clear flags";
+}
+
+// Fields in the order of their flags, so that files and panels list them alike.
+Edit put_fields(const Level& level, std::vector<FlagField> fields, std::string label) {
+  std::sort(fields.begin(), fields.end(),
+            [](const FlagField& a, const FlagField& b) { return a.first < b.first; });
+  return single_change(std::move(label), FlagFieldsChange{level.flag_fields, std::move(fields)});
+}
+
+}  // namespace
+
+Edit paint_flags(const Level& level, SheetId sheet, const std::set<int>& tiles, FlagPattern pattern,
+                 bool on) {
+  Edit edit{paint_label(pattern, on), {}};
+  const FlagPattern painted{pattern.mask, on ? pattern.bits : std::uint8_t{0}};
+  for (const int tile : tiles) {
+    const std::uint8_t before = level.sheet(sheet).flags[static_cast<std::size_t>(tile)];
+    const std::uint8_t after = painted.put_in(before);
+    if (before != after) edit.changes.emplace_back(FlagsChange{sheet, tile, before, after});
+  }
+  return edit;
+}
+
+Edit paint_flags(const Level& level, const SpriteArea& area, FlagPattern pattern, bool on) {
+  return paint_flags(level, area.sheet, tiles_of(area), pattern, on);
+}
+
+bool stroke_sets(FlagPattern pattern, std::uint8_t flags) {
+  return pattern.bits == 0 || !pattern.matches(flags);
+}
+
+Edit set_all_flags(const Level& level, const SpriteArea& area, std::uint8_t flags) {
+  Edit edit = paint_flags(level, area, {0xff, flags}, true);
+  edit.label = "Set all flags";
+  return edit;
+}
+
+std::optional<std::uint8_t> common_flags(const Level& level, const SpriteArea& area, std::uint8_t mask) {
+  const auto flags_of = [&](int tile) {
+    return static_cast<std::uint8_t>(level.sheet(area.sheet).flags[static_cast<std::size_t>(tile)] & mask);
+  };
+  const std::uint8_t first = flags_of(area.tile_at(0, 0));
+  const std::set<int> tiles = tiles_of(area);
+  const bool same =
+      std::all_of(tiles.begin(), tiles.end(), [&](int tile) { return flags_of(tile) == first; });
+  return same ? std::optional(first) : std::nullopt;
+}
+
+Edit set_flag_field(const Level& level, std::size_t index, FlagField field) {
+  std::vector<FlagField> fields = level.flag_fields;
+  assert(index <= fields.size() && !problem_of(field));
+  const bool is_new = index == fields.size();
+  std::string label = (is_new ? "Make a field of flags " : "Change the field of flags ") +
+                      std::to_string(field.first) + " to " + std::to_string(field.last());
+  if (is_new)
+    fields.push_back(std::move(field));
+  else
+    fields[index] = std::move(field);
+  assert(!overlapping_field(fields));
+  return put_fields(level, std::move(fields), std::move(label));
+}
+
+Edit remove_flag_field(const Level& level, std::size_t index) {
+  std::vector<FlagField> fields = level.flag_fields;
+  assert(index < fields.size());
+  fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(index));
+  return put_fields(level, std::move(fields), "Take a field of flags apart");
+}
+
+}  // namespace talus

@@ -1,0 +1,40 @@
+// Painting flags by dragging over tiles: on the sheet, or on the map, through the tiles that it shows.
+#pragma once
+
+#include <optional>
+
+#include "collision/function_ref.h"
+#include "session/session.h"
+
+namespace talus {
+
+class FlagBrush {
+ public:
+  // The number of the tile in a place, nothing outside.
+  using TileAt = FunctionRef<std::optional<int>(Cell)>;
+
+  // Call in every frame in which the mouse may act: `at` is under it, `pressed` in the frame of the press,
+  // `down` while it is held. The first tile says whether the stroke sets the chosen flag or clears it.
+  void update(const Session& session, Actions& actions, SheetId sheet, Cell at, TileAt tile_at, bool pressed,
+              bool down);
+  bool active() const { return last_.has_value(); }
+
+ private:
+  std::optional<Cell> last_;  // where the stroke has come to
+  bool sets_ = true;
+  int stroke_ = 0;
+};
+
+// The tiles of the cells of a map, for FlagBrush.
+struct TileOfMap {
+  const TileMap& map;
+  std::optional<int> operator()(Cell cell) const {
+    return map.contains(cell) ? std::optional<int>(map.at(cell)) : std::nullopt;
+  }
+};
+
+// What a press of the button on a tile would do: "tile 12: clears flag 0  solid". tile: 0..255, nothing
+// outside.
+std::string brush_text(const Session& session, SheetId sheet, std::optional<int> tile);
+
+}  // namespace talus
