@@ -1,0 +1,177 @@
+#include "lint_cache.h"
+
+#include <algorithm>
+
+#include "lint_parts.h"
+
+namespace talus {
+namespace {
+
+constexpr int kBlockCells = 65'536;  // about
+constexpr std::size_t kMostCellsAlone =
+    64;  // of which each is looked at with its surroundings; else blocks are
+
+bool holds(const std::array<Cell, 2>& area, Cell c) {
+  return c.x >= area[0].x && c.x <= area[1].x && c.y >= area[0].y && c.y <= area[1].y;
+}
+
+}  // namespace
+
+LintCache::LintCache() = default;
+LintCache::~LintCache() = default;
+
+void LintCache::note_cell(Cell cell) {
+  if (!map_) cells_.push_back(cell);
+}
+
+bool LintCache::advance(const Level& level, const LintOptions& options, std::size_t most_cells) {
+  if (is_done()) return true;
+  begin(level, options);
+  look_at_cells(level);
+  std::size_t looked_at = 0;
+  for (; next_ < blocks_.size() && looked_at < most_cells; ++next_) {
+    if (blocks_[next_].is_known) continue;
+    look_at_block(level, next_);
+    looked_at += static_cast<std::size_t>(width_) * rows_;
+  }
+  list(level);
+  return is_done();
+}
+
+// Finds out which of the blocks are no longer known.
+void LintCache::begin(const Level& level, const LintOptions& options) {
+  if (!map_ && !rest_) return;
+  const bool resized = width_ != level.map.width() || height_ != level.map.height();
+  auto tiles = std::make_unique<const LintTiles>(level, options);
+  const bool others = tiles_ == nullptr || !(*tiles == *tiles_);
+  tiles_ = std::move(tiles);
+  if (resized) {
+    width_ = level.map.width(), height_ = level.map.height();
+    rows_ = std::max(kBlockCells / width_, 1);
+    blocks_.assign(static_cast<std::size_t>((height_ + rows_ - 1) / rows_), {});
+  }
+  if (map_ || others) {
+    for (Block& block : blocks_) block.is_known = false;
+    cells_.clear();
+    next_ = 0;
+  }
+  map_ = rest_ = false;
+}
+
+std::array<Cell, 2> LintCache::area_of(std::size_t block) const {
+  const int first = static_cast<int>(block) * rows_;
+  return {Cell{0, first}, Cell{width_ - 1, std::min(first + rows_, height_) - 1}};
+}
+
+void LintCache::look_at_cells(const Level& level) {
+  const int reach = tiles_->reach();
+  const auto block_at = [this](int y) { return static_cast<std::size_t>(y / rows_); };
+  for (const Cell cell : cells_) {
+    const std::array<Cell, 2> around = {
+        Cell{std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)},
+        Cell{std::min(cell.x + reach, width_ - 1), std::min(cell.y + reach, height_ - 1)}};
+    for (std::size_t number = block_at(around[0].y); number <= block_at(around[1].y); ++number) {
+      Block& block = blocks_[number];
+      if (!block.is_known) continue;
+      if (block.left_out > 0 || cells_.size() > kMostCellsAlone) {
+        block.is_known = false;
+        next_ = std::min(next_, number);
+        continue;
+      }
+      std::array<Cell, 2> area = area_of(number);
+      area = {Cell{around[0].x, std::max(around[0].y, area[0].y)},
+              Cell{around[1].x, std::min(around[1].y, area[1].y)}};
+      std::vector<Problem> found = std::move(block.problems);
+      std::erase_if(found, [&](const Problem& problem) { return holds(area, *problem.cell); });
+      lint_cells(level, *tiles_, area, found);
+      put(block, std::move(found));
+    }
+    // A tile that has gone from the block stays noted: list() looks for it.
+    if (level.map.contains(cell)) blocks_[block_at(cell.y)].tiles.set(level.map.at(cell));
+  }
+  cells_.clear();
+}
+
+void LintCache::look_at_block(const Level& level, std::size_t number) {
+  Block& block = blocks_[number];
+  const std::array<Cell, 2> area = area_of(number);
+  std::vector<Problem> found;
+  lint_cells(level, *tiles_, area, found);
+  put(block, std::move(found));
+  block.tiles.reset();
+  const auto begin = level.map.cells().begin();
+  std::for_each(begin + static_cast<std::ptrdiff_t>(area[0].y) * width_,
+                begin + static_cast<std::ptrdiff_t>(area[1].y + 1) * width_,
+                [&](std::uint8_t tile) { block.tiles.set(tile); });
+  block.is_known = true;
+}
+
+void LintCache::put(Block& block, std::vector<Problem> found) {
+  std::stable_sort(found.begin(), found.end(), is_before);
+  block.left_out = 0;
+  block.worst_left_out = Severity::warning;
+  for (; found.size() > kMaxProblems; found.pop_back(), ++block.left_out)
+    block.worst_left_out = std::max(block.worst_left_out, found.back().severity);
+  block.problems = std::move(found);
+}
+
+// The first cell with a tile, if there is one. What the blocks noted may be out of date.
+std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
+  for (std::size_t number = 0; number < blocks_.size(); ++number) {
+    if (!blocks_[number].tiles.test(tile)) continue;
+    const auto begin = level.map.cells().begin();
+    const auto from = begin + static_cast<std::ptrdiff_t>(area_of(number)[0].y) * width_;
+    const auto to = begin + static_cast<std::ptrdiff_t>(area_of(number)[1].y + 1) * width_;
+    const auto found = std::find(from, to, static_cast<std::uint8_t>(tile));
+    if (found != to) {
+      const std::ptrdiff_t index = found - begin;
+      return Cell{static_cast<int>(index % width_), static_cast<int>(index / width_)};
+    }
+    blocks_[number].tiles.reset(tile);
+  }
+  return std::nullopt;
+}
+
+void LintCache::list(const Level& level) {
+  bool has_balls = next_ < blocks_.size();  // until all is known nobody can say that there are none
+  problems_.clear();
+  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+    const bool is_ball = (*tiles_)[tile].role == TileRole::ball && !has_balls;
+    if (!is_ball && tiles_->problems_of(tile).empty()) continue;
+    const std::optional<Cell> first = find(level, tile);
+    if (!first) continue;
+    has_balls = has_balls || is_ball;
+    for (Problem problem : tiles_->problems_of(tile)) {
+      problem.cell = first;
+      problems_.push_back(std::move(problem));
+    }
+  }
+  lint_level(level, *tiles_, has_balls, problems_);
+  std::size_t left_out = 0;
+  Severity worst = Severity::warning;
+  const auto leave_out = [&](Severity severity, std::size_t count) {
+    left_out += count;
+    if (count > 0) worst = std::max(worst, severity);
+  };
+  std::size_t room = kMaxProblems;  // for those of the blocks, the first of which come first
+  for (const Block& block : blocks_) {
+    for (const Problem& problem : block.problems) {
+      if (room > 0) {
+        problems_.push_back(problem);
+        --room;
+      } else {
+        leave_out(problem.severity, 1);
+      }
+    }
+    leave_out(block.worst_left_out, block.left_out);
+  }
+  std::stable_sort(problems_.begin(), problems_.end(), is_before);
+  for (; problems_.size() > kMaxProblems; problems_.pop_back()) leave_out(problems_.back().severity, 1);
+  if (left_out > 0) {
+    problems_.insert(problems_.begin(),
+                     {worst, "more", std::to_string(left_out) + " more problems are not listed", {}, -1, -1});
+  }
+  ++listing_;
+}
+
+}  // namespace talus

@@ -1,0 +1,66 @@
+// LintCache: the problems of a level that is being edited. Looks again at what has changed, a part at a time.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lint.h"
+
+namespace talus {
+
+class LintTiles;
+
+// The map is cut into blocks of whole rows. A changed cell is looked at again with its surroundings alone; a
+// change of a tile, or of what counts, has all blocks looked at again.
+class LintCache {
+ public:
+  LintCache();
+  ~LintCache();
+
+  void note_cell(Cell cell);          // has another tile now
+  void note_map() { map_ = true; }    // so may any cell, and the map another size
+  void note_rest() { rest_ = true; }  // anything but the map may be another
+
+  // Looks at what has changed, and at so many more cells of what is left, but no less than a row. True when
+  // nothing is left. level: the same one each time, but for the noted changes.
+  bool advance(const Level& level, const LintOptions& options, std::size_t most_cells);
+  bool is_done() const { return !map_ && !rest_ && cells_.empty() && next_ == blocks_.size(); }
+
+  // By row, then column, then rule, as lint() gives them. Of blocks still to be looked at, what was found
+  // before.
+  const std::vector<Problem>& problems() const { return problems_; }
+  std::uint64_t listing() const { return listing_; }  // grows when they may be others
+
+ private:
+  struct Block {
+    std::vector<Problem> problems;  // at most kMaxProblems
+    std::size_t left_out = 0;       // over that
+    Severity worst_left_out = Severity::warning;
+    std::bitset<kTileCount> tiles;  // that are in it
+    bool is_known = false;
+  };
+
+  void begin(const Level& level, const LintOptions& options);
+  void look_at_cells(const Level& level);
+  void look_at_block(const Level& level, std::size_t number);
+  void put(Block& block, std::vector<Problem> found);
+  std::optional<Cell> find(const Level& level, std::size_t tile);
+  void list(const Level& level);
+  std::array<Cell, 2> area_of(std::size_t block) const;
+
+  std::vector<Cell> cells_;        // noted
+  bool map_ = true, rest_ = true;  // noted
+  std::unique_ptr<const LintTiles> tiles_;
+  int width_ = 0, height_ = 0;  // cells, of the map
+  int rows_ = 1;                // of a block
+  std::vector<Block> blocks_;
+  std::size_t next_ = 0;  // no block before it is unknown
+  std::vector<Problem> problems_;
+  std::uint64_t listing_ = 0;
+};
+
+}  // namespace talus

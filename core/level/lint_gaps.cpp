@@ -1,0 +1,93 @@
+// Gaps that lead somewhere, and that a player does not fit through.
+#include <cmath>
+
+#include "lint_parts.h"
+#include "lint_text.h"
+
+namespace talus {
+namespace {
+
+// Looks at the map as it is, or turned so that columns are rows: what holds for the height of tunnels holds
+// for the width of shafts.
+class GapFinder {
+ public:
+  // size: px of the player, across the gaps.
+  GapFinder(const Level& level, const LintTiles& tiles, bool turned, double size, std::vector<Problem>& out)
+      : level_(level),
+        tiles_(tiles),
+        turned_(turned),
+        size_(size),
+        needed_(static_cast<int>(std::ceil(size / kTileSize))),
+        out_(out) {}
+
+  // cell: of the map, turned if the map is.
+  void check(Cell cell) {
+    if (!is_clear(cell) || !is_full({cell.x, cell.y - 1})) return;
+    const int cells = clear_below(cell);
+    if (cells >= needed_ || !is_full({cell.x, cell.y + cells})) return;
+    const int bottom = cell.y + cells - 1;
+    if (!is_wide({cell.x - 1, bottom})) return;
+    for (int x = cell.x + 1; x <= cell.x + LintTiles::kLongestGap; ++x) {
+      if (!is_clear({x, bottom})) return;  // it leads nowhere
+      if (is_wide({x, bottom})) break;
+    }
+    add(cell, cells);
+  }
+
+ private:
+  Cell on_map(Cell c) const { return turned_ ? Cell{c.y, c.x} : c; }
+  bool is_full(Cell c) const {
+    return level_.map.contains(on_map(c)) && tiles_[level_.map.at(on_map(c))].solid;
+  }
+  bool is_clear(Cell c) const {
+    if (!level_.map.contains(on_map(c))) return true;
+    const LintTiles::Tile& tile = tiles_[level_.map.at(on_map(c))];
+    return !tile.solid && !tile.line;
+  }
+  // Clear cells from this one on, no more than are needed.
+  int clear_below(Cell c) const {
+    int cells = 0;
+    while (cells < needed_ && is_clear({c.x, c.y + cells})) ++cells;
+    return cells;
+  }
+  // Whether a player fits where this clear cell is.
+  bool is_wide(Cell c) const {
+    if (!is_clear(c)) return false;
+    int cells = clear_below(c);
+    for (int y = c.y - 1; cells < needed_ && is_clear({c.x, y}); --y) ++cells;
+    return cells >= needed_;
+  }
+
+  void add(Cell cell, int cells) {
+    const Cell at = on_map(cell);
+    out_.push_back({Severity::warning, "gap-too-small",
+                    "the gap at " + cell_text(at) + " is " + std::to_string(cells * kTileSize) + " px " +
+                        (turned_ ? "wide, and a player is " : "high, and a player is ") + px_text(size_) +
+                        " px",
+                    at, -1, -1});
+  }
+
+  const Level& level_;
+  const LintTiles& tiles_;
+  const bool turned_;
+  const double size_;
+  const int needed_;  // cells
+  std::vector<Problem>& out_;
+};
+
+}  // namespace
+
+void lint_gaps(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,
+               std::vector<Problem>& out) {
+  if (!tiles.player()) return;
+  const auto [width, height] = *tiles.player();
+  GapFinder tunnels(level, tiles, false, height, out), shafts(level, tiles, true, width, out);
+  for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
+    for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
+      if (height > kTileSize) tunnels.check(c);
+      if (width > kTileSize) shafts.check({c.y, c.x});
+    }
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,187 @@
+// What is wrong with roles, shapes, curves and the bodies placed by hand.
+#include <algorithm>
+#include <cmath>
+
+#include "../collision/ground_queries.h"
+#include "lint_parts.h"
+#include "lint_text.h"
+#include "local_ground.h"
+
+namespace talus {
+namespace {
+
+class LevelLinter {
+ public:
+  LevelLinter(const Level& level, const LintTiles& tiles, std::vector<Problem>& out)
+      : level_(level), tiles_(tiles), out_(out) {}
+
+  void run(bool has_balls) {
+    check_roles();
+    check_shapes();
+    check_curves();
+    for (int i = 0; i < static_cast<int>(level_.spawns.size()); ++i) check_spawn(i);
+    if (!has_balls && level_.spawns.empty()) {
+      add(Severity::warning, "no-balls",
+          "no ball is on the map and none is placed by hand, so nothing will move");
+    }
+  }
+
+ private:
+  void add(Severity severity, const char* code, const std::string& message, std::optional<Cell> cell = {},
+           int tile = -1, int object = -1) {
+    out_.push_back({severity, code, message, cell, tile, object});
+  }
+
+  void check_roles() {
+    const auto& infos = flag_role_infos();
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+      for (std::size_t j = i + 1; j < infos.size(); ++j) {
+        const int flag = level_.roles.*infos[i].flag;
+        if (flag == FlagRoles::kUnused || flag != level_.roles.*infos[j].flag) continue;
+        add(Severity::error, "shared-flag",
+            "flag " + std::to_string(flag) + " stands for both " + std::string(infos[i].label) + " and " +
+                std::string(infos[j].label),
+            {}, -1, static_cast<int>(j));
+      }
+    }
+  }
+
+  void check_shapes() {
+    for (int flag = 0; flag < kFlagCount; ++flag) {
+      if (const auto problem = problem_of(level_.flag_shapes[static_cast<std::size_t>(flag)]))
+        add(Severity::error, "bad-shape", "the shape of flag " + std::to_string(flag) + " " + *problem, {},
+            -1, flag);
+    }
+    for (int tile = 0; tile < kTileCount; ++tile) {
+      if (const auto problem = problem_of(level_.tile_shapes[static_cast<std::size_t>(tile)]))
+        add(Severity::error, "bad-shape", "the shape of tile " + std::to_string(tile) + " " + *problem, {},
+            tile);
+    }
+  }
+
+  void check_curves() {
+    for (std::size_t i = 0; i < level_.curves.size(); ++i) {
+      const LevelCurve& curve = level_.curves[i];
+      const std::string name = curve.name.empty() ? std::to_string(i) : "\"" + curve.name + "\"";
+      const int number = static_cast<int>(i);
+      if (const auto problem = problem_of(curve.curve, level_.map))
+        add(Severity::error, "bad-curve", "curve " + name + " " + *problem, {}, -1, number);
+      else if (leaves_map(curve.curve))
+        add(Severity::warning, "curve-leaves-map", "curve " + name + " leaves the map between its ends", {},
+            -1, number);
+    }
+    if (level_.curves.empty() || level_.tuning.solver == SolverKind::exact) return;
+    add(Severity::warning, "curves-need-exact",
+        "curves and segments stop bodies of the exact solver alone, and the level's is " +
+            std::string(solver_name(level_.tuning.solver)));
+  }
+
+  // Whether a curve with its ends on the map goes above or below it. Its pieces rise or fall throughout.
+  bool leaves_map(const Curve& curve) const {
+    const auto is_off_map = [&](double y) {
+      return y < -kCurveEndSlack || y > level_.map.height() * kTileSize + kCurveEndSlack;
+    };
+    const std::vector<Piece<double>> pieces = cut_curves({&curve, 1}).pieces;
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece<double>& piece) {
+      return is_off_map(piece.y0) || is_off_map(piece.y1);
+    });
+  }
+
+  void check_spawn(int index) {
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    const Vec2 corner = spawn.position, size = spawn.size;
+    const std::string subject =
+        "spawn " + spawn_name(level_, index) + " at " + px_text(corner.x) + ", " + px_text(corner.y) + " px";
+    const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
+    const bool inside =
+        corner.x >= 0 && corner.y >= 0 && corner.x + size.x <= width && corner.y + size.y <= height;
+    // Farther away there are no tiles, and perhaps no int for the cell either.
+    const bool touches = corner.x > -size.x && corner.y > -size.y && corner.x < width && corner.y < height;
+    const Cell corner_cell = touches ? Cell{cell_of(corner.x), cell_of(corner.y)} : Cell{-1, -1};
+    const std::optional<Cell> cell =
+        level_.map.contains(corner_cell) ? std::optional(corner_cell) : std::nullopt;
+    if (!inside)
+      add(Severity::warning, "spawn-outside", subject + " is not wholly on the map", cell, -1, index);
+    if (touches && !check_solids(index, subject, cell) && !check_slopes(index, subject, cell))
+      check_shapes_at(index, subject, cell);
+  }
+
+  // Calls visit(cell) for the cells of the map from the one at `first` px to the one before `end` px, until
+  // it returns true; whether it did.
+  template <class Visit>
+  bool any_cell(Vec2 first, Vec2 end, Visit visit) const {
+    const int x1 = std::min(level_.map.width(), static_cast<int>(std::ceil(end.x / kTileSize)));
+    const int y1 = std::min(level_.map.height(), static_cast<int>(std::ceil(end.y / kTileSize)));
+    for (int y = std::max(0, cell_of(first.y)); y < y1; ++y) {
+      for (int x = std::max(0, cell_of(first.x)); x < x1; ++x) {
+        if (visit(Cell{x, y})) return true;
+      }
+    }
+    return false;
+  }
+
+  // Reports the first solid tile that the body overlaps; false when there is none.
+  bool check_solids(int index, const std::string& subject, std::optional<Cell> cell) {
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    return any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
+      if (!tiles_[level_.map.at(at)].solid) return false;
+      add(Severity::error, "spawn-in-solid", subject + " starts inside the solid tile at " + cell_text(at),
+          cell, -1, index);
+      return true;
+    });
+  }
+
+  // The same of the first slope below whose floor, as the article computes it, it would start.
+  bool check_slopes(int index, const std::string& subject, std::optional<Cell> cell) {
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    const Vec2 reach = {level_.tuning.article.slope_width, level_.tuning.article.slope_height};
+    return any_cell(spawn.position - reach, spawn.position + spawn.size, [&](Cell at) {
+      const std::uint8_t tile = level_.map.at(at);
+      if (!tiles_.is_slope(tile) || tiles_[tile].own_shape) return false;
+      const double depth = depth_in_slope(level_, spawn.position, spawn.size, at);
+      if (!(depth > 0)) return false;
+      add(Severity::error, "spawn-in-slope",
+          subject + " starts " + px_text(depth) + " px inside the " + role_label(tiles_[tile].role) + " at " +
+              cell_text(at),
+          cell, -1, index);
+      return true;
+    });
+  }
+
+  // The same of slopes and profiles that flags and roles do not tell, where the level's solver has them.
+  void check_shapes_at(int index, const std::string& subject, std::optional<Cell> cell) {
+    if (level_.tuning.solver != SolverKind::exact) return;
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    const Vec2 reach = {kMaxShapeTiles * kTileSize, kMaxShapeTiles * kTileSize};
+    const Vec2 end = spawn.position + spawn.size;
+    const bool is_covered = any_cell(spawn.position - reach, end + reach, [&](Cell at) {
+      const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
+      if (!tile.line || (tiles_.is_slope(level_.map.at(at)) && !tile.own_shape)) return false;
+      return any_cell(spawn.position, end, [&](Cell c) {
+        return c.x >= at.x + tile.covered[0].x && c.x <= at.x + tile.covered[1].x &&
+               c.y >= at.y + tile.covered[0].y && c.y <= at.y + tile.covered[1].y;
+      });
+    });
+    if (!is_covered) return;
+    const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
+    const LocalGround ground = ground_around(level_, box, 0);
+    if (!overlaps_ground(ground.terrain, ground.to_local(box), spawn.used_foot())) return;
+    const auto out = way_out(ground.terrain, ground.to_local(box), spawn.used_foot());
+    add(Severity::error, "spawn-in-slope",
+        subject + " starts " + (out ? px_text(std::abs(out->x) + std::abs(out->y)) + " px " : "") +
+            "inside the shape of a tile",
+        cell, -1, index);
+  }
+
+  const Level& level_;
+  const LintTiles& tiles_;
+  std::vector<Problem>& out_;
+};
+
+}  // namespace
+
+void lint_level(const Level& level, const LintTiles& tiles, bool has_balls, std::vector<Problem>& out) {
+  LevelLinter(level, tiles, out).run(has_balls);
+}
+
+}  // namespace talus

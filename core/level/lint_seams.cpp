@@ -1,0 +1,145 @@
+// Where the outline of the ground jumps from one column of cells to the next: a side of a tile is exposed
+// there, and stops what runs along.
+#include <algorithm>
+#include <cmath>
+
+#include "lint_parts.h"
+#include "lint_text.h"
+
+namespace talus {
+namespace {
+
+constexpr int kPatch = 64;  // cells, side of what is compiled at a time
+
+struct End {
+  double y = 0;  // px
+  bool floor = true;
+  Cell tile;  // whose shape it is
+};
+
+class SeamFinder {
+ public:
+  SeamFinder(const Level& level, const LintTiles& tiles, std::vector<Seam>& out)
+      : level_(level),
+        tiles_(tiles),
+        compiler_(level.map.width(), tiles.outlines(), tiles.curves().pieces, tiles.curves().ends,
+                  [&level, &tiles](Cell c) -> const TileOutline& {
+                    static const TileOutline kNothing;
+                    return level.map.contains(c) ? tiles.outlines()[level.map.at(c)] : kNothing;
+                  }),
+        out_(out) {}
+
+  void find(std::array<Cell, 2> area) {
+    const Cell first{std::max(area[0].x - 1, 0), std::max(area[0].y - 1, 0)};
+    const Cell last{std::min(area[1].x + 1, level_.map.width() - 1),
+                    std::min(area[1].y + 1, level_.map.height() - 1)};
+    compiler_.enter({first, last});
+    const int width = area[1].x - area[0].x + 1;
+    wanted_.assign(static_cast<std::size_t>(width) * (area[1].y - area[0].y + 1), false);
+    compiler_.for_lines([&](Cell c, const TileOutline& shape) {
+      const auto& [from, to] = shape.touched;
+      for (int y = std::max(c.y + from.y, area[0].y); y <= std::min(c.y + to.y, area[1].y); ++y) {
+        for (int x = std::max(c.x + from.x, area[0].x); x <= std::min(c.x + to.x, area[1].x); ++x)
+          wanted_[static_cast<std::size_t>(y - area[0].y) * width + (x - area[0].x)] = true;
+      }
+    });
+    auto wanted = wanted_.begin();
+    for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
+      for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
+        if (*wanted++ && c.x + 1 < level_.map.width()) check(c);
+      }
+    }
+  }
+
+ private:
+  // The ends of floors and ceilings at one side of a cell at which no other goes on.
+  void ends_of(Cell cell, bool right, std::vector<End>& ends) {
+    pieces_.clear();
+    compiler_.compile(cell, {}, pieces_);
+    const double x = (cell.x + (right ? 1.0 : 0.0)) * kTileSize;
+    const double row0 = cell.y * 1.0 * kTileSize, row1 = row0 + kTileSize;
+    for (const Piece<double>& piece : pieces_) {
+      const bool ends_here = right ? piece.x1 == x && piece.last1 : piece.x0 == x && piece.last0;
+      if (piece.is_wall() || !ends_here) continue;
+      // A steep piece is in several cells: its end counts in one of them.
+      const double y = right ? piece.y1 : piece.y0;
+      const bool floor = piece.facing == Facing::up;
+      const bool lower = y > std::min(piece.y0, piece.y1) || (!floor && piece.y0 == piece.y1);
+      const bool in_row = lower ? y > row0 && y <= row1 : y >= row0 && y < row1;
+      if (in_row)
+        ends.push_back({y, floor, {piece.origin % level_.map.width(), piece.origin / level_.map.width()}});
+    }
+  }
+
+  void check(Cell cell) {
+    here_.clear();
+    ends_of(cell, true, here_);
+    for (const End& end : here_) {
+      double jump = kTileSize;  // the least, below that
+      Seam seam{cell, {}, end.y, 0, end.tile, {}, end.floor};
+      const int last = std::min(cell.y + 1, level_.map.height() - 1);
+      for (Cell other{cell.x + 1, std::max(cell.y - 1, 0)}; other.y <= last; ++other.y) {
+        there_.clear();
+        ends_of(other, false, there_);
+        for (const End& next : there_) {
+          const double by = std::abs(next.y - end.y);
+          if (next.floor != end.floor || by <= tiles_.seam() || by >= jump) continue;
+          jump = by;
+          seam.right = other;
+          seam.right_y = next.y;
+          seam.right_tile = next.tile;
+        }
+      }
+      if (jump < kTileSize) out_.push_back(seam);
+    }
+  }
+
+  const Level& level_;
+  const LintTiles& tiles_;
+  OutlineCompiler compiler_;
+  std::vector<Seam>& out_;
+  std::vector<bool> wanted_;  // of the area, row by row: a slope or the like changes the outline
+  std::vector<Piece<double>> pieces_;
+  std::vector<End> here_, there_;
+};
+
+bool has_lines(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
+  const int reach = tiles.reach();
+  const int x0 = std::max(area[0].x - reach, 0), x1 = std::min(area[1].x + reach, level.map.width() - 1);
+  const int y0 = std::max(area[0].y - reach, 0), y1 = std::min(area[1].y + reach, level.map.height() - 1);
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      if (tiles[level.map.at({x, y})].line) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Seam> seams_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
+  std::vector<Seam> seams;
+  if (!tiles.outlines().has_lines()) return seams;
+  SeamFinder finder(level, tiles, seams);
+  for (int y = area[0].y; y <= area[1].y; y += kPatch) {
+    for (int x = area[0].x; x <= area[1].x; x += kPatch) {
+      const std::array<Cell, 2> patch = {
+          Cell{x, y}, Cell{std::min(x + kPatch - 1, area[1].x), std::min(y + kPatch - 1, area[1].y)}};
+      if (has_lines(level, tiles, patch)) finder.find(patch);
+    }
+  }
+  return seams;
+}
+
+void lint_seams(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,
+                std::vector<Problem>& out) {
+  for (const Seam& seam : seams_in(level, tiles, area)) {
+    const std::string jump = px_text(std::abs(seam.left_y - seam.right_y));
+    out.push_back({Severity::warning, seam.floor ? "seam" : "seam-ceiling",
+                   std::string(seam.floor ? "floor" : "ceiling") + " jumps " + jump + " px between " +
+                       cell_text(seam.left) + " and " + cell_text(seam.right),
+                   seam.left, -1, -1});
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,17 @@
+// How the lint writes places, lengths and roles.
+#pragma once
+
+#include <string>
+
+#include "level.h"
+
+namespace talus {
+
+std::string cell_text(Cell cell);  // "(12, 9)"
+// A length or position in px, rounded to a millionth, without the zeros of a whole number.
+std::string px_text(double px);
+std::string role_label(TileRole role);                  // "up-slope"
+std::string role_with_article(TileRole role);           // "an up-slope"
+std::string spawn_name(const Level& level, int index);  // "\"hero\"", or its index
+
+}  // namespace talus

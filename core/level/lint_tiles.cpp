@@ -1,0 +1,165 @@
+#include "lint_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lint_text.h"
+
+namespace talus {
+namespace {
+
+constexpr int kOutlineReach = kMaxShapeTiles + 2;  // cells: a slope's own reach, and the neighbours beyond
+
+std::uint64_t mask_of(const TileImage& image) {
+  std::uint64_t mask = 0;
+  for (std::size_t i = 0; i < image.size(); ++i) mask |= std::uint64_t{image[i] != 0} << i;
+  return mask;
+}
+
+bool is_partial(std::uint64_t mask) { return mask != 0 && ~mask != 0; }
+
+std::array<TileShape, kTileCount> usable_shapes(const Level& level) {
+  std::array<TileShape, kTileCount> shapes;
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+    if (!problem_of(shape)) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
+  }
+  return shapes;
+}
+
+std::vector<Curve> usable_curves(const Level& level) {
+  std::vector<Curve> curves;
+  for (const LevelCurve& curve : level.curves) {
+    if (!problem_of(curve.curve, level.map)) curves.push_back(curve.curve);
+  }
+  return curves;
+}
+
+}  // namespace
+
+LintTiles::LintTiles(const Level& level, const LintOptions& options)
+    : options_(options),
+      shapes_(usable_shapes(level)),
+      outlines_(shapes_),
+      sources_(usable_curves(level)),
+      curves_(cut_curves(sources_)),
+      slope_cells_(static_cast<int>(std::ceil(level.tuning.article.slope_width / kTileSize))) {
+  for (std::size_t i = 0; i < kTileCount; ++i) {
+    Tile& tile = tiles_[i];
+    tile.role = role_of(level.tile_flags(static_cast<std::uint8_t>(i)), level.roles);
+    tile.solid = is_full(shapes_[i]);
+    tile.own_shape = level.tile_shapes[i].kind != TileShape::Kind::none;
+    tile.line = is_line_shape(shapes_[i]);
+    tile.shapeless = tile.role == TileRole::none && shapes_[i].kind == TileShape::Kind::none;
+    if (!tile.line) continue;
+    // The neighbours that it touches are not covered by it.
+    const std::array<Cell, 2> touched = cells_touched_by(shapes_[i], {0, 0});
+    tile.covered = {Cell{touched[0].x + 1, touched[0].y + 1}, Cell{touched[1].x - 1, touched[1].y - 1}};
+  }
+  note_masks(level);
+  for (const Spawn& spawn : level.spawns) {
+    if (spawn.kind != BodyKind::player) continue;
+    const Vec2 least = player_.value_or(spawn.size);
+    player_ = Vec2{std::min(least.x, spawn.size.x), std::min(least.y, spawn.size.y)};
+  }
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    check_flags(level, tile);
+    check_steepness(level, tile);
+    check_picture(tile);
+  }
+}
+
+void LintTiles::note_masks(const Level& level) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  for (std::size_t i = 0; i < kTileCount; ++i) {
+    masks_[i] = mask_of(sheet.images[i]);
+    tiles_[i].blank = masks_[i] == 0;
+  }
+  if (slope_cells_ != 2) return;
+  for (std::size_t i = 1; i < kTileCount; ++i) {
+    const bool beside = i % kSheetColumns != 0 && is_slope(i - 1) && !tiles_[i - 1].own_shape;
+    if (beside && tiles_[i].shapeless && is_partial(masks_[i])) tiles_[i].half_of = static_cast<int>(i) - 1;
+  }
+}
+
+int LintTiles::reach() const {
+  int reach = std::max(kOutlineReach, slope_cells_ + 1);
+  // A gap is looked at from its mouth to the other one, at both of which the player must fit.
+  if (player_) {
+    const double side = std::max(player_->x, player_->y);
+    reach = std::max(reach, 2 * static_cast<int>(std::ceil(side / kTileSize)) + kLongestGap + 1);
+  }
+  return reach;
+}
+
+void LintTiles::add(Severity severity, const char* code, int tile, const std::string& text) {
+  problems_[static_cast<std::size_t>(tile)].push_back(
+      {severity, code, "tile " + std::to_string(tile) + " " + text, {}, tile, -1});
+}
+
+void LintTiles::check_flags(const Level& level, int tile) {
+  const std::uint8_t flags = level.tile_flags(static_cast<std::uint8_t>(tile));
+  std::string labels;
+  int count = 0, last_flag = FlagRoles::kUnused;
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const int flag = level.roles.*info.flag;
+    if (!has_flag(flags, flag) || flag == last_flag || info.role == TileRole::none) continue;
+    labels += (count == 0 ? "" : " and ") + std::string(info.label);
+    last_flag = flag;
+    ++count;
+  }
+  const Tile& facts = tiles_[static_cast<std::size_t>(tile)];
+  if (count > 1) {
+    add(Severity::error, "flags-conflict", tile,
+        "has the flags of " + labels + "; only the first, " + role_label(facts.role) + ", counts");
+  }
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const bool set = info.role == TileRole::none && has_flag(flags, level.roles.*info.flag);
+    if (set && shapes_[static_cast<std::size_t>(tile)].kind == TileShape::Kind::none) {
+      add(Severity::warning, "flag-idle", tile,
+          "has the flag of " + std::string(info.label) + ", which changes nothing: it has no shape");
+    }
+  }
+}
+
+void LintTiles::check_steepness(const Level& level, int tile) {
+  const TileShape& shape = shapes_[static_cast<std::size_t>(tile)];
+  const bool floor = is_line_shape(shape) && shape.side == TileShape::Side::floor && shape.heights.size() > 1;
+  if (!floor || level.tuning.solver != SolverKind::exact) return;
+  const double width = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  double rise = 0;
+  for (std::size_t i = 1; i < shape.heights.size(); ++i)
+    rise = std::max(rise, std::abs(weld(shape.heights[i]) - weld(shape.heights[i - 1])));
+  const double steepest = level.tuning.exact.steepest;
+  if (rise <= width * steepest) return;
+  add(Severity::warning, "too-steep", tile,
+      "rises " + px_text(rise) + " px in " + px_text(width) + " px; more than " + px_text(width * steepest) +
+          " px is no floor to stand on");
+}
+
+void LintTiles::check_picture(int tile) {
+  const auto i = static_cast<std::size_t>(tile);
+  Tile& facts = tiles_[i];
+  const bool has_pictures =
+      std::any_of(masks_.begin(), masks_.end(), [](std::uint64_t mask) { return mask != 0; });
+  if (!facts.shapeless && facts.blank && has_pictures) {
+    const std::string what = facts.role != TileRole::none ? "is " + role_label(facts.role) : "has a shape";
+    add(Severity::warning, "invisible", tile, what + ", but its picture is blank");
+  }
+  if (!facts.shapeless || facts.half_of >= 0 || !is_partial(masks_[i])) return;
+  for (std::size_t other = 0; other < kTileCount; ++other) {
+    if (!is_slope(other) || tiles_[other].own_shape || masks_[other] != masks_[i]) continue;
+    facts.like = static_cast<int>(other);
+    add(Severity::warning, "slope-unflagged", tile,
+        "is drawn like tile " + std::to_string(other) + ", " + role_with_article(tiles_[other].role) +
+            ", but nothing makes it one");
+    return;
+  }
+}
+
+bool operator==(const LintTiles& a, const LintTiles& b) {
+  return a.options_ == b.options_ && a.shapes_ == b.shapes_ && a.tiles_ == b.tiles_ &&
+         a.sources_ == b.sources_ && a.slope_cells_ == b.slope_cells_ && a.player_ == b.player_;
+}
+
+}  // namespace talus
