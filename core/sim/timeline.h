@@ -58,12 +58,14 @@ class Timeline {
   void step(const Input& input, bool with_record = true);
   // The level was edited, in these cells of the map alone if they are given: it goes on from here on the
   // edited one. At frame 0 everything starts anew from it. What the simulation cannot see changes nothing.
-  void edit(const Level& level, const std::vector<Cell>* cells = nullptr);
+  // cells: besides them, spawns and tuning may have changed. compiled: the level's scene, if it is known.
+  void edit(const Level& level, const std::vector<Cell>* cells = nullptr, ScenePtr compiled = nullptr);
   void restart();  // a new branch that begins at frame 0 of the level as it is now
 
   // --- Running again; `from` is clamped to the branch
   // On the edited level, from a frame on; the edits recorded after that frame are left out.
-  void edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from);
+  void edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from,
+                      ScenePtr compiled = nullptr);
   void rerun(std::int64_t from);  // the same on the level as it is now
   // With a key held or not in the steps that lead to the frames first..last, clamped to 1..last_frame().
   void set_input(std::int64_t first, std::int64_t last, InputKey key, bool on);
@@ -123,7 +125,7 @@ class Timeline {
   void forget_positions();
   void show_wanted();
 
-  bool set_level(const Level& level, const std::vector<Cell>* cells);
+  bool set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled);
   void begin_chapter();
   void start_over();
   Branch& draft();

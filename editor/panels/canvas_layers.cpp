@@ -8,6 +8,7 @@
 #include "overlay/answer.h"
 #include "overlay/motion.h"
 #include "overlay/outline.h"
+#include "overlay/reach_drawing.h"
 #include "overlay/stage_drawing.h"
 #include "overlay/visible.h"
 #include "overlay/visible_items.h"
@@ -341,6 +342,9 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
               drawing);
   if (overlays.has(OverlayId::answer) && session.hard_case())
     add_answer(*session.hard_case(), session.level(), drawing);
+  if (const ReachSearch* reach = session.reach().found(); reach != nullptr && overlays.has(OverlayId::reach))
+    add_reach(*reach, session.reach().is_stale(), session.level().map.width(), session.level().map.height(),
+              visible, drawing);
   drawing.palette = session.choices().overlay_palette;
   paint_overlays(list, drawing, keep_clear, view, scale, pointed_at);
 }

@@ -13,6 +13,7 @@ namespace talus {
 namespace {
 
 constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
+constexpr float kLowZoom = 2;      // at scale 1; below, all is thinner, as bodies are hardly larger than marks
 constexpr float kPiece = 16;       // px at scale 1: lines are kept clear in pieces of this length
 constexpr int kMostPieces = 64;
 
@@ -31,14 +32,16 @@ class Painter {
         palette_(palette),
         scale_(scale),
         pointed_at_(pointed_at),
-        width_(std::max(1.0f, std::round(scale * 1.5f))) {}
+        is_low_(view.zoom < kLowZoom * scale),
+        width_(std::max(1.0f, std::round(scale * (is_low_ ? 1.0f : 1.5f)))) {}
 
   void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
     for (const OverlayBox& box : drawing.boxes) paint_box(box);
     for (const OverlayLine& line : drawing.lines) {
-      if (!is_faint(line.overlay)) stroke(line, outline(), width_ + 2 * rim());
+      if (!is_faint(line.overlay) && !is_left_out(line)) stroke(line, outline(), width_ + 2 * rim());
     }
     for (const OverlayLine& line : drawing.lines) {
+      if (is_left_out(line)) continue;
       const int alpha = static_cast<int>(255 * std::clamp(line.strength, 0.0, 1.0));
       stroke(line, color_of(line.overlay, alpha), is_faint(line.overlay) ? rim() : width_);
     }
@@ -54,6 +57,8 @@ class Painter {
     return theme::color(overlay_color(id, palette_), alpha);
   }
   static ImU32 outline() { return theme::color(theme::kDark, 190); }
+  bool is_left_out(const OverlayLine& line) const { return is_low_ && line.detail; }
+  float arm() const { return (is_low_ ? 2.5f : 4.0f) * scale_; }  // of a mark
   float rim() const { return std::max(1.0f, std::round(scale_ * 0.75f)); }
 
   void paint_box(const OverlayBox& box) {
@@ -64,7 +69,7 @@ class Painter {
       list_.AddRect(from, to, color_of(box.overlay, 150));
       return;
     }
-    list_.AddRect(from, to, outline(), 0, 0, width_ + 2 * rim());
+    if (!is_low_) list_.AddRect(from, to, outline(), 0, 0, width_ + 2 * rim());
     list_.AddRect(from, to, color_of(box.overlay), 0, 0, width_);
   }
 
@@ -74,7 +79,7 @@ class Painter {
     if (!line.arrow) return;
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     if (length < 1) return;
-    const float head = std::min(6 * scale_, length * 0.7f);
+    const float head = std::min((is_low_ ? 3.5f : 6.0f) * scale_, length * 0.7f);
     const float ux = dx / length * head, uy = dy / length * head;
     list_.AddLine(to, {to.x - ux + uy * 0.6f, to.y - uy - ux * 0.6f}, color, width);
     list_.AddLine(to, {to.x - ux - uy * 0.6f, to.y - uy + ux * 0.6f}, color, width);
@@ -82,7 +87,7 @@ class Painter {
 
   void paint_mark(const OverlayMark& mark) {
     const ImVec2 at = view_.to_screen(mark.at);
-    const float arm = 4 * scale_;
+    const float arm = this->arm();
     for (const auto& [color, width] :
          {std::pair{outline(), width_ + 2 * rim()}, std::pair{color_of(mark.overlay), width_}}) {
       list_.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, color, width);
@@ -107,7 +112,7 @@ class Painter {
     }
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
-      const float arm = 4 * scale_;
+      const float arm = this->arm();
       taken_.push_back({{at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}});
     }
   }
@@ -160,6 +165,7 @@ class Painter {
   OverlayPalette palette_;
   float scale_;
   int pointed_at_;
+  bool is_low_;
   float width_;
   std::vector<ScreenBox> taken_;
 };

@@ -1,0 +1,67 @@
+// Session: what is likely wrong in the level, and where a player of it gets to.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "session_impl.h"
+
+namespace talus {
+namespace {
+
+constexpr double kLintSeconds = 0.003;   // of real time that a call of advance() spends
+constexpr double kReachSeconds = 0.006;  // the same
+constexpr std::size_t kLintCells = 16'384;
+
+}  // namespace
+
+void Session::Impl::carry_out(const action::SetLintOptions& a) {
+  lint_options.seam = a.options.seam >= 0 ? std::min(a.options.seam, kMaxSeam) : 0;
+  lint_cache.note_rest();
+}
+
+void Session::Impl::lint_some() {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const std::chrono::duration<double> most(kLintSeconds);
+  while (!lint_cache.is_done() && Clock::now() - start < most)
+    lint_cache.advance(level, lint_options, kLintCells);
+}
+
+void Session::Impl::carry_out(const action::FindReach&) {
+  refresh_scene();
+  const Body* chosen = player.state().find(choices.body);
+  const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
+  if (const auto problem = reach.start(*player.timeline().level_scene(), origin)) {
+    message = Message{*problem, true};
+    return;
+  }
+  choices.overlays.set(OverlayId::reach, true);
+}
+
+void Session::Impl::carry_out(const action::ShowWay& a) {
+  if (reach.found() == nullptr || reach.is_stale()) return;
+  const std::vector<Input> way = reach.found()->way_to(a.cell);
+  if (way.empty()) return;
+  keep_chosen_body([&] {
+    player.set_running(false);
+    player.reset();
+    for (std::size_t i = 0; i < way.size(); ++i) player.timeline().step(way[i], i + 1 == way.size());
+    player.show_held();
+  });
+}
+
+void Session::Impl::find_reach() { reach.advance(kReachSeconds); }
+
+const std::vector<Problem>& Session::problems() const {
+  impl_->lint_cache.advance(impl_->level, impl_->lint_options, std::numeric_limits<std::size_t>::max());
+  return impl_->lint_cache.problems();
+}
+
+const std::vector<Problem>& Session::listed_problems() const { return impl_->lint_cache.problems(); }
+std::uint64_t Session::listing() const { return impl_->lint_cache.listing(); }
+bool Session::is_linting() const { return !impl_->lint_cache.is_done(); }
+const LintOptions& Session::lint_options() const { return impl_->lint_options; }
+const ReachFinder& Session::reach() const { return impl_->reach; }
+
+}  // namespace talus
