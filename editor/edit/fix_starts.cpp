@@ -1,0 +1,81 @@
+// Fixes of where bodies start.
+#include <algorithm>
+#include <cmath>
+
+#include "collision/ground_queries.h"
+#include "fix_parts.h"
+#include "level/lint_parts.h"
+#include "level/lint_text.h"
+#include "level/local_ground.h"
+#include "spawn_tools.h"
+
+namespace talus {
+namespace {
+
+constexpr int kMostUp = 16;  // cells
+
+std::string position_text(Vec2 at) { return px_text(at.x) + ", " + px_text(at.y) + " px"; }
+
+// The nearest place straight above in which the body stands, or hangs, free of the ground; else the shortest
+// way out of it.
+std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
+  const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
+  const LocalGround ground = ground_around(level, box, kMostUp + 1);
+  const Foot foot = spawn.used_foot();
+  for (int i = 0; i <= kMostUp; ++i) {
+    Rect up = box;
+    up.y = (std::floor(box.bottom() / kTileSize) - i) * kTileSize - box.h;
+    const Rect local = ground.to_local(up);
+    if (up.y >= box.y || up.y < 0 || overlaps_ground(ground.terrain, local, foot)) continue;
+    if (const auto floor = floor_below(ground.terrain, local, box.y - up.y, foot))
+      up.y = floor->y - box.h + ground.corner.y;
+    return up.position();
+  }
+  if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) return box.position() + *out;
+  return std::nullopt;
+}
+
+void move_spawn(const Level& level, int index, Vec2 to, std::vector<Edit>& out) {
+  Spawn spawn = level.spawns[static_cast<std::size_t>(index)];
+  if (spawn.position == to) return;
+  const double up = spawn.position.y - to.y;
+  const bool straight = spawn.position.x == to.x && up > 0;
+  spawn.position = to;
+  out.push_back(change_spawn(level, index, spawn,
+                             "Move spawn " + spawn_name(level, index) +
+                                 (straight ? " up by " + px_text(up) + " px" : "") + " to " +
+                                 position_text(to)));
+}
+
+void move_inside(const Level& level, int index, std::vector<Edit>& out) {
+  const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
+  const auto inside = [](double at, double size, int cells) {
+    return std::max(0.0, std::min(at, cells * kTileSize - size));
+  };
+  move_spawn(level, index,
+             {inside(spawn.position.x, spawn.size.x, level.map.width()),
+              inside(spawn.position.y, spawn.size.y, level.map.height())},
+             out);
+}
+
+// Moves a ball tile up to the next empty cell that is in no slope.
+void move_ball(const Level& level, const LintTiles& tiles, Cell cell, std::vector<Edit>& out) {
+  for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostUp; --up.y) {
+    if (!tiles.is_empty(level.map.at(up))) continue;
+    Edit edit = put_tile(level, cell, 0, "Move the ball of " + cell_text(cell) + " up to " + cell_text(up));
+    edit.changes.push_back(CellChange{up, level.map.at(up), level.map.at(cell)});
+    out.push_back(std::move(edit));
+    return;
+  }
+}
+
+}  // namespace
+
+void fix_start(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out) {
+  if (problem.object < 0) return move_ball(level, tiles, *problem.cell, out);
+  if (problem.code == "spawn-outside") return move_inside(level, problem.object, out);
+  const Spawn& spawn = level.spawns[static_cast<std::size_t>(problem.object)];
+  if (const auto place = free_place(level, spawn)) move_spawn(level, problem.object, *place, out);
+}
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+// Fixes: what can be done about a problem with one click. Each is an Edit whose label says what it does.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "edit.h"
+#include "level/lint.h"
+
+namespace talus {
+
+// The best first. None where nobody but the user can tell what is meant, and where the level has changed so
+// that the problem is gone.
+std::vector<Edit> fixes_for(const Level& level, const LintOptions& options, const Problem& problem);
+
+// One edit that fixes all the listed problems of a kind, each by its first fix that makes no new problem
+// around; problems without one stay. fixed: if not null, how many were fixed.
+Edit fix_all(const Level& level, const LintOptions& options, std::span<const Problem> problems,
+             std::string_view code, int* fixed = nullptr);
+
+}  // namespace talus

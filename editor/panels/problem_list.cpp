@@ -1,0 +1,79 @@
+#include "problem_list.h"
+
+#include <algorithm>
+
+#include "edit/fixes.h"
+
+namespace talus {
+
+std::vector<std::size_t> listed_rows(const Ui& ui) {
+  std::vector<std::size_t> rows;
+  const std::string& kind = ui.view.problems.kind;
+  for (std::size_t i = 0; i < ui.problems->size(); ++i) {
+    if (kind.empty() || (*ui.problems)[i].code == kind) rows.push_back(i);
+  }
+  return rows;
+}
+
+void go_to_problem(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const Problem& problem = (*ui.problems)[index];
+  View& view = ui.view;
+  view.problems.chosen = problem;
+  view.problems.scroll = true;
+  const std::vector<std::size_t> rows = listed_rows(ui);
+  view.problems.row = static_cast<std::size_t>(std::find(rows.begin(), rows.end(), index) - rows.begin());
+  if (problem.cell) {
+    view.centre_on = view.marked_cell = problem.cell;
+    view.focus = Focus::map;
+    if (view.canvas == CanvasMode::play) view.canvas = CanvasMode::both;
+  } else if (problem.tile >= 0) {
+    const CellRect tile{problem.tile % kSheetColumns, problem.tile / kSheetColumns, 1, 1};
+    if (tile != session.choices().area.tiles) actions.push_back(action::SelectTiles{{SheetId::tiles, tile}});
+  }
+}
+
+const Problem* chosen_problem(const Ui& ui) {
+  const auto& chosen = ui.view.problems.chosen;
+  const auto found =
+      chosen ? std::find(ui.problems->begin(), ui.problems->end(), *chosen) : ui.problems->end();
+  return found == ui.problems->end() ? nullptr : &*found;
+}
+
+void go_to_next_problem(int direction, const Session& session, Actions& actions, Ui& ui) {
+  ui.view.wants_tab = "problems";
+  const std::vector<std::size_t> rows = listed_rows(ui);
+  if (rows.empty()) return;
+  const auto count = static_cast<std::ptrdiff_t>(rows.size());
+  std::ptrdiff_t row = direction > 0 ? 0 : count - 1;
+  const auto& chosen = ui.view.problems.chosen;
+  const auto now = std::find_if(rows.begin(), rows.end(), [&](std::size_t index) {
+    return chosen && (*ui.problems)[index] == *chosen;
+  });
+  if (now != rows.end()) {
+    row = now - rows.begin() + direction;
+  } else if (chosen) {
+    row = static_cast<std::ptrdiff_t>(ui.view.problems.row) - (direction > 0 ? 0 : 1);
+  }
+  go_to_problem(rows[static_cast<std::size_t>((row % count + count) % count)], session, actions, ui);
+}
+
+void fix_problem(const Problem& problem, const Session& session, Actions& actions) {
+  const std::vector<Edit> fixes = fixes_for(session.level(), session.lint_options(), problem);
+  if (!fixes.empty()) {
+    actions.push_back(action::EditLevel{fixes.front()});
+  } else {
+    actions.push_back(action::ShowMessage{"Only you can tell what is meant here: nothing was changed."});
+  }
+}
+
+void fix_all_problems(std::string_view code, const Session& session, Actions& actions, const Ui& ui) {
+  int fixed = 0;
+  Edit edit = fix_all(session.level(), session.lint_options(), *ui.problems, code, &fixed);
+  const auto all = std::count_if(ui.problems->begin(), ui.problems->end(),
+                                 [&](const Problem& problem) { return problem.code == code; });
+  actions.push_back(action::EditLevel{std::move(edit)});
+  actions.push_back(action::ShowMessage{"Fixed " + std::to_string(fixed) + " of " + std::to_string(all) +
+                                        ": " + std::string(rule_label(code)) + "."});
+}
+
+}  // namespace talus
