@@ -16,6 +16,7 @@ std::vector<Command> map_commands();         // work in the map: its tools and i
 std::vector<Command> brush_commands();       // work in the map: brushes, ground, minimap
 std::vector<Command> flag_commands();        // work everywhere
 std::vector<Command> picture_commands();     // work everywhere
+std::vector<Command> problem_commands();     // work everywhere: the problems, and the reach
 std::vector<Command> curve_commands();       // work in the map, on curves and bodies
 std::vector<Command> shape_commands();       // work everywhere, on the selected tiles
 std::vector<Command> input_roll_commands();  // work in the input roll, and give it the keys

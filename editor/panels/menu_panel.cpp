@@ -75,6 +75,11 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                    "flags/next",
                    "flags/previous",
                    "",
+                   "problems/next",
+                   "problems/previous",
+                   "problems/fix",
+                   "problems/fix_kind",
+                   "",
                    "edit/settings",
                    "edit/keys"},
                   session, actions, ui);
@@ -178,6 +183,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                            "timeline/drop_branch", "", "timeline/rerun", "timeline/cancel"});
     draw_menu("Compare", {"compare/next", "compare/split", "", "compare/first", "compare/stop"});
     draw_menu("Plots", {"watch/new_watch", "watch/choose_times"});
+    draw_menu("Reach", {"reach/find", "reach/cancel", "reach/show_way"});
     draw_commands({"", "stops/forwards", "stops/back", "stops/new", "stops/switch_all", "", "why/next",
                    "why/before", "", "file/save_recording"},
                   session, actions, ui);

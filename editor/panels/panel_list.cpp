@@ -14,16 +14,17 @@
 #include "input_roll_panel.h"
 #include "inspector_panel.h"
 #include "keys_panel.h"
-#include "metrics_panel.h"
-#include "settings_panel.h"
 #include "menu_panel.h"
 #include "message_panel.h"
+#include "metrics_panel.h"
 #include "palette_panel.h"
 #include "picture_import_panel.h"
 #include "pixel_panel.h"
 #include "problems_panel.h"
 #include "question_panel.h"
+#include "reach_panel.h"
 #include "resize_panel.h"
+#include "settings_panel.h"
 #include "shape_panel.h"
 #include "sheet_panel.h"
 #include "status_panel.h"
@@ -65,6 +66,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<WatchPanel>(Region::dock));
   panels.push_back(place<StopsPanel>(Region::dock));
   panels.push_back(place<ComparePanel>(Region::dock));
+  panels.push_back(place<ReachPanel>(Region::dock));
   panels.push_back(place<TimelinePanel>(Region::timeline));
   panels.push_back(place<TransportPanel>(Region::transport));
   panels.push_back(place<StatusPanel>(Region::status));

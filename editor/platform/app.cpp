@@ -186,7 +186,7 @@ bool App::follow_work() {
 
 bool App::wait() {
   const bool busy = session_->playback().running || session_->timeline().behind() ||
-                    session_->debugger().is_busy() || session_->is_linting() ||
+                    session_->debugger().is_busy() || session_->compile_progress().has_value() || session_->is_linting() ||
                     session_->reach().running() || ui_.wants_frames() || has_waiting_events() ||
                     last_time_ - last_event_ < kLivelyAfterEvent;
   const double now = options_.clock();

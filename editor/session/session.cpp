@@ -82,7 +82,7 @@ void Session::Impl::carry_out(const action::Redo&) {
 void Session::Impl::carry_out(const action::StepFrame&) {
   player.set_running(false);
   refresh_scene();
-  player.step();
+  if (!is_opening) player.step();
 }
 
 void Session::Impl::carry_out(const action::ResetPlay&) {
@@ -130,10 +130,33 @@ void Session::Impl::note_change(const Edit& edit) {
 }
 
 void Session::Impl::refresh_scene() {
-  if (scene_changes.empty()) return;
+  if (scene_changes.empty() || (compiler.is_busy() && !scene_changes.whole)) return;
   const SceneChanges changes = std::exchange(scene_changes, {});
+  if (changes.whole && SceneCompiler::is_large(level)) return compiler.start(level);
+  compiler.cancel();
+  is_opening = false;
   reach.note_change();
   keep_chosen_body([&] { player.edit(level, changes.whole ? nullptr : &changes.cells); });
+}
+
+// A large level is opened with nothing on its map, which the compiled scene brings.
+void Session::Impl::load_player() {
+  compiler.cancel();
+  is_opening = SceneCompiler::is_large(level);
+  if (!is_opening) return player.load(level);
+  Level bare = level;
+  std::fill(bare.map.cells().begin(), bare.map.cells().end(), std::uint8_t{0});
+  player.load(bare);
+  compiler.start(level);
+}
+
+void Session::Impl::take_compiled() {
+  const auto compiled = compiler.take();
+  if (!compiled) return;
+  is_opening = false;
+  reach.note_change();
+  keep_chosen_body([&] { player.edit(*compiled->level, nullptr, compiled->scene); });
+  refresh_scene();
 }
 
 void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
@@ -201,7 +224,9 @@ const State* Session::other_state() const { return impl_->debugger.other_state(t
 const StepTimes& Session::step_times() const { return impl_->player.step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }
-std::optional<double> Session::compile_progress() const { return std::nullopt; }
+std::optional<double> Session::compile_progress() const {
+  return impl_->compiler.is_busy() ? std::optional(impl_->compiler.progress()) : std::nullopt;
+}
 const std::optional<PngImport>& Session::png_import() const { return impl_->png_import; }
 bool Session::wants_save_as() const { return impl_->wants_save_as; }
 bool Session::wants_quit() const { return impl_->wants_quit; }

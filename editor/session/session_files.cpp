@@ -124,6 +124,8 @@ void Session::Impl::open_recording(const std::string& file) {
   if (!recording->edits.empty()) put_version(*recording->edits.back().version, last);
   replace_level(std::move(last), {}, nullptr);
   name = name_of(file);
+  compiler.cancel();
+  is_opening = false;
   player.load(*recording);
 }
 
@@ -206,8 +208,8 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   read_hard_case();
   history.clear();
   ++revision;
-  player.load(level);
-  lint_cache.note_change();
+  load_player();
+  lint_cache.note_map();
   reach.forget();
   trails = {};
   scene_changes = {};

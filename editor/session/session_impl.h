@@ -6,9 +6,10 @@
 
 #include "collision/function_ref.h"
 #include "debugger.h"
-#include "level/lint_cache.h"
 #include "file_stamp.h"
+#include "level/lint_cache.h"
 #include "player.h"
+#include "scene_compiler.h"
 #include "session.h"
 
 namespace talus {
@@ -17,11 +18,18 @@ namespace talus {
 struct SceneChanges {
   static constexpr std::size_t kMostCells = 1000;  // beyond that the whole level is compiled no slower
 
-  bool whole = false;       // more than single cells of the map
+  bool whole = false;       // all of the ground may have changed
+  bool bodies = false;      // spawns or tuning, which the ground does not see
   std::vector<Cell> cells;  // unless `whole`
-  bool empty() const { return !whole && cells.empty(); }
+  bool empty() const { return !whole && !bodies && cells.empty(); }
   void add(const Change& change) {
     const auto* cell = std::get_if<CellChange>(&change);
+    const auto* tuning = std::get_if<TuningChange>(&change);
+    if (std::holds_alternative<SpawnsChange>(change) ||
+        (tuning != nullptr && is_same_ground(tuning->before, tuning->after))) {
+      bodies = true;
+      return;
+    }
     whole = whole || cell == nullptr || cells.size() >= kMostCells;
     if (cell != nullptr && !whole) cells.push_back(cell->cell);
   }
@@ -124,7 +132,10 @@ struct Session::Impl {
   void debug();               // goes on with what the debugger has to do
 
   void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
-  void refresh_scene();                // brings the simulation up to the level, if it is behind
+  // Brings the simulation up to the level, if it is behind; where a large level is compiled for that, later.
+  void refresh_scene();
+  void load_player();                                   // with another level
+  void take_compiled();                                 // the scene of a large level, when it is done
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
 
   std::string file_name() const;
@@ -159,6 +170,8 @@ struct Session::Impl {
   bool plays_on = false;  // when the search that is under way finds nothing
   Trails trails;
   SceneChanges scene_changes;
+  SceneCompiler compiler;
+  bool is_opening = false;  // the compiler is at the first scene of the level, until which time stands still
   Choices choices;
 
   std::optional<Message> message;
@@ -169,7 +182,7 @@ struct Session::Impl {
   bool wants_quit = false;
   int pixel_stroke = 0;  // of the selected pixels' moves, while they float
 
-  void lint_some();  // spends a few ms on what of the level has not been looked at
+  void lint_some();   // spends a few ms on what of the level has not been looked at
   void find_reach();  // the same on the search for where a player gets to
 
   LintCache lint_cache;

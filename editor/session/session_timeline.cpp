@@ -68,7 +68,8 @@ void Session::Impl::carry_out(const action::Rerun& a) {
 // A recording that was read must come out as it was recorded, or its user should know where it does not.
 void Session::Impl::advance(double seconds) {
   const bool was_behind = player.timeline().behind();
-  play(seconds);
+  take_compiled();
+  if (!is_opening) play(seconds);
   debug();
   lint_some();
   find_reach();
