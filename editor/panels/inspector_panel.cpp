@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "commands.h"
 #include "curve_gesture.h"
 #include "debug/explain.h"
 #include "edit/spawn_tools.h"
@@ -214,10 +215,13 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (draws_curves(session.choices().map_tool)) return curve_.draw(session, actions, ui);
   const Body* body = session.state().find(session.choices().body);
   if (body == nullptr) {
-    ui.hint(
-        session.state().bodies.empty()
-            ? "No body in this level: paint a tile that has the ball flag on the map, or place a body (7)."
-            : "No body chosen: click one in the play view.");
+    if (session.choices().map_tool == MapTool::body)
+      ui.hint("No body chosen: click one on the map, or a free place to set one down.");
+    else if (session.state().bodies.empty())
+      ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
+              keys_of(find_command("map/body"), ui) + ").");
+    else
+      ui.hint("No body chosen: click one in the play view.");
     if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
     return;
   }

@@ -22,6 +22,7 @@ void UiTest::SetUp() {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
   ::setenv("TALUS_CONFIG_DIR", path("config").c_str(), 1);
+  ::setenv("TALUS_STATE_DIR", path("state").c_str(), 1);
 }
 
 void UiTest::TearDown() {
@@ -244,6 +245,14 @@ void UiTest::hold(int key_code) {
 
 void UiTest::let_go(int key_code) {
   push_key(keysym_of({key_code}), false);
+  frames();
+}
+
+void UiTest::hold_modifiers(KeyChord chord) {
+  SDL_Keysym sym = keysym_of(chord);
+  sym.sym = SDLK_LSHIFT;
+  sym.scancode = SDL_SCANCODE_LSHIFT;
+  push_key(sym, chord.ctrl || chord.shift || chord.alt);
   frames();
 }
 

@@ -62,6 +62,8 @@ class UiTest : public ::testing::Test {
   void key(int key_code) { key(KeyChord{key_code}); }
   void hold(int key_code);  // until let_go()
   void let_go(int key_code);
+  // Ctrl, Shift and Alt as they are held from now on; of no chord: none.
+  void hold_modifiers(KeyChord chord = {});
   void type(const std::string& text);
   // What a fast hand leaves to a slow frame: pushed without any frame in between.
   void push_typing(const std::string& text);  // each letter's press, text and release

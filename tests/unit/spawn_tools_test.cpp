@@ -47,6 +47,33 @@ TEST(SpawnTools, TheLastOfThoseUnderThePointIsFound) {
   EXPECT_EQ(spawn_at(level, {41, 20}), -1);
 }
 
+TEST(SpawnTools, ACopyIsBesideTheBodyOnTheMap) {
+  Level level;
+  level.map = TileMap(4, 2);
+  level.spawns = {spawn_at_x(8)};
+  level.spawns[0].name = "hero";
+  level.spawns[0].velocity = {1, -2};
+  const Edit edit = duplicate_spawn(level, 0);
+  EXPECT_EQ(edit.label, "Duplicate a body");
+  apply_edit(level, edit);
+  ASSERT_EQ(level.spawns.size(), 2u);
+  EXPECT_EQ(level.spawns[1].position.x, 16);
+  EXPECT_EQ(level.spawns[1].name, "hero");
+  EXPECT_EQ(level.spawns[1].velocity, (Vec2{1, -2}));
+  level.spawns[0].position.x = 24;
+  apply_edit(level, duplicate_spawn(level, 0));
+  EXPECT_EQ(level.spawns[2].position.x, 16) << "to the left at the map's end";
+}
+
+TEST(SpawnTools, TitlesAreNamesOrKindsWithNumbers) {
+  Level level;
+  level.spawns = {spawn_at_x(0), spawn_at_x(8)};
+  level.spawns[0].name = "hero";
+  level.spawns[1].kind = BodyKind::player;
+  EXPECT_EQ(title_of_spawn(level, 0), "hero");
+  EXPECT_EQ(title_of_spawn(level, 1), "player 2");
+}
+
 TEST(SpawnTools, SpawnsAreFollowedAcrossAnEdit) {
   const Spawn a = spawn_at_x(8), b = spawn_at_x(16), c = spawn_at_x(24), other = spawn_at_x(99);
   const auto followed = [](const std::vector<Spawn>& before, const std::vector<Spawn>& after) {

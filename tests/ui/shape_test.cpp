@@ -1,0 +1,121 @@
+// The shape of a tile: dragged over its pixels, suggested, copied and given to many tiles.
+#include "harness.h"
+
+namespace talus {
+namespace {
+
+class UiShape : public UiTest {
+ protected:
+  using Kind = TileShape::Kind;
+
+  void SetUp() override {
+    UiTest::SetUp();
+    Level opened = test_level();
+    for (int y = 0; y < 8; ++y)  // tile 7: the pixels of an up-slope
+      for (int x = 7 - y; x < 8; ++x)
+        opened.sheet(SheetId::tiles).images[7][static_cast<std::size_t>(y * 8 + x)] = 6;
+    const std::string file = path("shapes.talus.json");
+    ASSERT_TRUE(save_level(opened, *format_for_file(file), file));
+    start(file);
+    click("tabs/shape");
+    frames(2);
+  }
+  const TileShape& shape(int tile) { return level().tile_shapes[static_cast<std::size_t>(tile)]; }
+  float zoom() {  // px of the screen for each px of a tile one tile wide
+    return (centre("shape/handle1").x - centre("shape/handle0").x) / 8;
+  }
+};
+
+TEST_F(UiShape, EndsOfASlopeAreDraggedToWholePixels) {
+  click(on_sheet(9));
+  click("shape/kind");
+  click("shape/kind_slope");
+  EXPECT_EQ(shape(9), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
+  frames(2);
+  const ImVec2 left = centre("shape/handle0"), right = centre("shape/handle1");
+  drag(left, {left.x, left.y - 3.2f * zoom()});
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{3, 8}));
+  hold_modifiers(alt(kNoKey));
+  drag(right, {right.x, right.y + 2.6f * zoom()});
+  hold_modifiers();
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{3, 5.5})) << "with Alt, halves";
+  EXPECT_EQ(session().history().edits().size(), 3u) << "a drag is one undo";
+  click("shape/kind_ceiling");
+  EXPECT_EQ(shape(9).side, TileShape::Side::ceiling);
+  click("shape/kind_one_way");
+  EXPECT_TRUE(shape(9).one_way);
+}
+
+TEST_F(UiShape, ProfileIsDrawnOverItsColumns) {
+  click(on_sheet(9));
+  click("shape/kind");
+  click("shape/kind_slope");
+  frames(2);
+  const ImVec2 left = centre("shape/handle0");
+  const float px = zoom();
+  click("shape/kind");
+  click("shape/kind_profile");
+  frames(2);
+  ASSERT_NE(find("shape/handle8"), nullptr) << "one for each column line";
+  const ImVec2 base = centre("shape/handle0");
+  EXPECT_NEAR(base.x, left.x, 1);
+  // Beside the handles: freely over three columns, at a height of 6.
+  drag({base.x + 0.1f * px, base.y - 6 * px}, {base.x + 2 * px, base.y - 6 * px});
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{6, 6, 6, 3, 4, 5, 6, 7, 8}));
+  const ImVec2 fifth = centre("shape/handle4");
+  drag(fifth, {fifth.x + 2 * px, fifth.y - 3 * px});
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{6, 6, 6, 3, 7, 5, 6, 7, 8})) << "a held one stays itself";
+}
+
+TEST_F(UiShape, IsSuggestedFromPixelsForAllSelectedTiles) {
+  click(on_sheet(7));
+  click("shape/suggest");
+  EXPECT_EQ(shape(7), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
+  key(ctrl('z'));
+  drag(on_sheet(1), on_sheet(7));
+  click("shape/suggest");
+  EXPECT_EQ(shape(1), TileShape{.kind = Kind::solid});
+  EXPECT_EQ(shape(7), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  click(on_sheet(30));
+  click("shape/suggest");
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "Nothing to suggest: the tile has no pixels but colour 0.");
+}
+
+TEST_F(UiShape, IsGivenToAllSelectedTiles) {
+  click(on_sheet(7));
+  click("shape/suggest");
+  drag(on_sheet(7), on_sheet(24));
+  click("shape/give");
+  for (const int tile : {7, 8, 23, 24})
+    EXPECT_EQ(shape(tile), (TileShape{.kind = Kind::slope, .heights = {0, 8}})) << tile;
+  key(ctrl('z'));
+  EXPECT_EQ(shape(24), TileShape());
+  EXPECT_EQ(shape(7).kind, Kind::slope);
+}
+
+TEST_F(UiShape, MirroredCopyGoesToTheNextFreeTileWithItsPixels) {
+  click(on_sheet(7));
+  click("shape/suggest");
+  frames(2);
+  click("shape/copy");
+  EXPECT_EQ(shape(8), (TileShape{.kind = Kind::slope, .heights = {8, 0}}));
+  EXPECT_EQ(level().sheet(SheetId::tiles).images[8][0], 6);
+  EXPECT_EQ(level().sheet(SheetId::tiles).images[8][7], 0);
+  EXPECT_EQ(session().history().edits().size(), 2u);
+  click("shape/turn");
+  click("shape/turn2");
+  frames(2);
+  click("shape/copy");
+  EXPECT_EQ(shape(9), (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 8}}));
+}
+
+TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
+  EXPECT_FALSE(session().choices().overlays.has(OverlayId::shapes));
+  click("overlay/shapes");
+  EXPECT_TRUE(session().choices().overlays.has(OverlayId::shapes));
+}
+
+}  // namespace
+}  // namespace talus

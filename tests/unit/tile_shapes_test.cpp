@@ -1,0 +1,176 @@
+// Shapes of tiles: proposed from pixels, spread, turned, copied and given to many.
+#include "edit/tile_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+namespace talus {
+namespace {
+
+using Kind = TileShape::Kind;
+using Side = TileShape::Side;
+
+// Eight rows of eight pixels for each tile beside one another; '#' is opaque.
+void draw_tile_rows(Level& level, int tile, std::initializer_list<std::string_view> rows) {
+  int y = 0;
+  for (const std::string_view row : rows) {
+    for (int x = 0; x < static_cast<int>(row.size()); ++x)
+      level.sheet(SheetId::tiles).images[tile + x / 8][y * 8 + x % 8] =
+          row[static_cast<std::size_t>(x)] == '#' ? 5 : 0;
+    ++y;
+  }
+}
+
+std::optional<TileShape> suggested(std::initializer_list<std::string_view> rows, int tiles = 1) {
+  Level level;
+  draw_tile_rows(level, 3, rows);
+  return suggest_shape(level, 3, tiles);
+}
+
+TileShape sloped(std::vector<double> heights, Side side = Side::floor, int tiles = 1) {
+  return {.kind = Kind::slope, .side = side, .tiles = tiles, .heights = std::move(heights)};
+}
+
+TEST(TileShapes, OfNoPixelsAndOfAFullTile) {
+  EXPECT_EQ(suggested({}), std::nullopt);
+  const auto row = "########";
+  EXPECT_EQ(suggested({row, row, row, row, row, row, row, row}), TileShape{.kind = Kind::solid});
+  const auto hollow = "#......#";
+  EXPECT_EQ(suggested({row, hollow, hollow, hollow, hollow, hollow, hollow, row}),
+            TileShape{.kind = Kind::solid})
+      << "its outline counts";
+}
+
+TEST(TileShapes, OfASlopesStairs) {
+  EXPECT_EQ(suggested({".......#", "......##", ".....###", "....####", "...#####", "..######", ".#######",
+                       "########"}),
+            sloped({0, 8}));
+  EXPECT_EQ(suggested({"........", "#.......", "##......", "###.....", "####....", "#####...", "######..",
+                       "#######."}),
+            sloped({8, 0}))
+      << "one pixel lower everywhere is the same line";
+  EXPECT_EQ(suggested({"", "", "", "", ".......#", ".....###", "...#####", ".#######"}), sloped({0, 4}));
+  EXPECT_EQ(suggested({"", "", "", "", "", "########", "########", "########"}), sloped({3, 3}));
+}
+
+TEST(TileShapes, OfWhatHangs) {
+  EXPECT_EQ(suggested({"########", "#######.", "######..", "#####...", "####....", "###.....", "##......",
+                       "#......."}),
+            sloped({8, 0}, Side::ceiling));
+  EXPECT_EQ(suggested({"########", "########", "", "", "", "", "", ""}), sloped({2, 2}, Side::ceiling));
+}
+
+TEST(TileShapes, OfABumpIsAProfile) {
+  const auto shape = suggested({"", "", "", "", "...##...", "..####..", ".######.", "########"});
+  EXPECT_EQ(shape, (TileShape{.kind = Kind::profile, .heights = {1, 1.5, 2.5, 3.5, 4, 3.5, 2.5, 1.5, 1}}));
+}
+
+TEST(TileShapes, OverTwoTiles) {
+  EXPECT_EQ(suggested({"..............##", "............####", "..........######", "........########",
+                       "......##########", "....############", "..##############", "################"},
+                      2),
+            sloped({0, 8}, Side::floor, 2));
+}
+
+TEST(TileShapes, AreSuggestedForAllSelectedTilesAtOnce) {
+  Level level;
+  const auto row = "########........########";
+  draw_tile_rows(level, 3, {row, row, row, row, row, row, row, row});
+  level.tile_shapes[4] = sloped({1, 2});
+  level.tile_shapes[5] = {.kind = Kind::solid};
+  const Edit edit = suggest_shapes(level, {SheetId::tiles, {3, 0, 3, 1}});
+  ASSERT_EQ(edit.changes.size(), 1u) << "a clear tile keeps its shape, and so does one that has it already";
+  apply_edit(level, edit);
+  EXPECT_EQ(level.tile_shapes[3], TileShape{.kind = Kind::solid});
+  EXPECT_EQ(level.tile_shapes[4], sloped({1, 2}));
+}
+
+TEST(TileShapes, OneShapeForManyTilesIsOneUndo) {
+  Level level;
+  const Level before = level;
+  const Edit edit = give_shape(level, {SheetId::tiles, {3, 1, 2, 2}}, sloped({0, 8}));
+  apply_edit(level, edit);
+  for (const int tile : {19, 20, 35, 36}) EXPECT_EQ(level.tile_shapes[tile], sloped({0, 8})) << tile;
+  EXPECT_EQ(level.tile_shapes[21], TileShape());
+  revert_edit(level, edit);
+  EXPECT_EQ(level, before);
+}
+
+TEST(TileShapes, KindsAndWidthsKeepTheLine) {
+  const TileShape profile = with_kind(sloped({0, 8}), Kind::profile);
+  EXPECT_EQ(profile, (TileShape{.kind = Kind::profile, .heights = {0, 1, 2, 3, 4, 5, 6, 7, 8}}));
+  EXPECT_EQ(with_kind(profile, Kind::slope), sloped({0, 8}));
+  const TileShape wide = with_width(profile, 2);
+  EXPECT_EQ(wide.tiles, 2);
+  ASSERT_EQ(wide.heights.size(), 17u);
+  EXPECT_EQ(wide.heights[8], 4);
+  EXPECT_FALSE(problem_of(with_width(profile, 8)));
+  EXPECT_EQ(with_width(sloped({2, 6}), 3), sloped({2, 6}, Side::floor, 3));
+  EXPECT_EQ(with_kind(sloped({2, 6}, Side::ceiling, 3), Kind::solid), TileShape{.kind = Kind::solid});
+}
+
+TEST(TileShapes, AreTurned) {
+  const TileShape shape = sloped({1, 6}, Side::floor, 2);
+  EXPECT_EQ(turned(shape, ShapeTurn::mirrored), sloped({6, 1}, Side::floor, 2));
+  EXPECT_EQ(turned(shape, ShapeTurn::upside_down), sloped({1, 6}, Side::ceiling, 2));
+  EXPECT_EQ(turned(shape, ShapeTurn::half_turn), sloped({6, 1}, Side::ceiling, 2));
+  EXPECT_EQ(tiles_of_shape(35, shape), (CellRect{3, 2, 2, 1}));
+  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12})), (CellRect{3, 1, 1, 2}))
+      << "a floor rises into the tile above";
+  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}, Side::ceiling)), (CellRect{3, 2, 1, 2}));
+}
+
+TEST(TileShapes, MirroredCopyTakesPixelsAndShapeAsOneEdit) {
+  Level level;
+  draw_tile_rows(level, 3, {"", "", "", "", "", "", "............####", "....############"});
+  level.tile_shapes[3] = sloped({0, 4}, Side::floor, 2);
+  const Level before = level;
+  const auto edit = copy_turned(level, 3, 40, ShapeTurn::mirrored);
+  ASSERT_TRUE(edit);
+  apply_edit(level, *edit);
+  EXPECT_EQ(level.tile_shapes[40], sloped({4, 0}, Side::floor, 2));
+  const auto& images = level.sheet(SheetId::tiles).images;
+  EXPECT_EQ(images[40][6 * 8 + 3], 5);
+  EXPECT_EQ(images[40][6 * 8 + 4], 0);
+  EXPECT_EQ(images[41][7 * 8 + 3], 5);
+  EXPECT_EQ(images[41][7 * 8 + 4], 0);
+  EXPECT_EQ(images[3], before.sheet(SheetId::tiles).images[3]);
+  revert_edit(level, *edit);
+  EXPECT_EQ(level, before);
+}
+
+TEST(TileShapes, TileIsTurnedInItsPlace) {
+  Level level;
+  draw_tile_rows(level, 3, {"", "", "", "", "", "", "", "#......."});
+  level.tile_shapes[3] = sloped({2, 0});
+  apply_edit(level, copy_turned(level, 3, 3, ShapeTurn::half_turn).value());
+  EXPECT_EQ(level.tile_shapes[3], sloped({0, 2}, Side::ceiling));
+  EXPECT_EQ(level.sheet(SheetId::tiles).images[3][7], 5);
+  EXPECT_EQ(level.sheet(SheetId::tiles).images[3][56], 0);
+}
+
+TEST(TileShapes, CopyWithoutRoomSaysWhy) {
+  Level level;
+  level.tile_shapes[3] = sloped({0, 8}, Side::floor, 2);
+  EXPECT_EQ(copy_turned(level, 3, 15, ShapeTurn::mirrored).error(),
+            "a copy over 2x1 tiles has no room at tile 15");
+  EXPECT_EQ(copy_turned(level, 3, 4, ShapeTurn::mirrored).error(),
+            "a copy at tile 4 would lie over part of its original");
+  level.tile_shapes[15] = sloped({0, 8}, Side::floor, 2);
+  EXPECT_EQ(copy_turned(level, 15, 40, ShapeTurn::none).error(),
+            "tile 15 has a shape over 2x1 tiles, which reaches beyond the sheet");
+}
+
+TEST(TileShapes, FreeTargetHasRoomForAllTiles) {
+  Level level;
+  for (int tile = 0; tile < 40; ++tile) level.sheet(SheetId::tiles).images[tile].fill(5);
+  level.tile_shapes[3] = sloped({0, 8}, Side::floor, 2);
+  level.tile_shapes[41] = {.kind = Kind::solid};
+  EXPECT_EQ(free_target(level, 3, ShapeTurn::mirrored), 42);
+  for (auto& image : level.sheet(SheetId::tiles).images) image.fill(5);
+  EXPECT_EQ(free_target(level, 3, ShapeTurn::mirrored), std::nullopt);
+}
+
+}  // namespace
+}  // namespace talus
