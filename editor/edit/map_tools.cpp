@@ -5,46 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "cell_painter.h"
 #include "raster.h"
 
 namespace talus {
 namespace {
-
-// Collects what a tool paints. Past a number of cells a copy of the map takes less memory than their list.
-class CellPainter {
- public:
-  explicit CellPainter(const TileMap& map)
-      : map_(map), max_listed_(std::max<std::size_t>(256, 2 * map.cells().size() / sizeof(Change))) {}
-
-  // A cell may be painted once; one outside the map is left out.
-  void paint(Cell cell, std::uint8_t tile) {
-    if (!map_.contains(cell) || map_.at(cell) == tile) return;
-    if (whole_) {
-      whole_->set(cell, tile);
-      return;
-    }
-    changes_.push_back({cell, map_.at(cell), tile});
-    if (changes_.size() <= max_listed_) return;
-    whole_ = map_;
-    for (const CellChange& change : changes_) whole_->set(change.cell, change.after);
-  }
-
-  Edit finish(std::string label) {
-    Edit edit{std::move(label), {}};
-    if (whole_) {
-      edit.changes.emplace_back(MapChange{map_, *std::move(whole_)});
-    } else {
-      edit.changes.assign(changes_.begin(), changes_.end());
-    }
-    return edit;
-  }
-
- private:
-  const TileMap& map_;
-  std::size_t max_listed_;
-  std::vector<CellChange> changes_;
-  std::optional<TileMap> whole_;
-};
 
 void paint_one(CellPainter& painter, Cell at, const Stamp& stamp) {
   for (int y = 0; y < stamp.h; ++y) {
@@ -76,23 +41,7 @@ Stamp make_stamp(CellRect cells, TileAt tile_at) {
   return stamp;
 }
 
-Edit fill_labelled(const Level& level, CellRect cells, const Stamp& stamp, std::string label) {
-  CellPainter painter(level.map);
-  const CellRect part = cut(cells, level.map.width(), level.map.height());
-  for (int y = part.y; y < part.y + part.h; ++y) {
-    for (int x = part.x; x < part.x + part.w; ++x) {
-      painter.paint({x, y}, repeated(stamp, {cells.x, cells.y}, {x, y}));
-    }
-  }
-  return painter.finish(std::move(label));
-}
-
 }  // namespace
-
-CellRect spanned(Cell a, Cell b) {
-  const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
-  return {left, top, std::max(a.x, b.x) - left + 1, std::max(a.y, b.y) - top + 1};
-}
 
 Stamp stamp_of_sheet(CellRect tiles) {
   return make_stamp(cut(tiles, kSheetColumns, kTileCount / kSheetColumns),
@@ -111,8 +60,8 @@ Edit paint_stamp(const Level& level, Cell at, const Stamp& stamp) {
   return painter.finish("Paint tiles");
 }
 
-Edit paint_stroke(const Level& level, Cell anchor, Cell from, Cell to, const Stamp& stamp) {
-  CellPainter painter(level.map);
+Edit paint_stroke(const Level& level, Cell anchor, Cell from, Cell to, const Stamp& stamp, Within within) {
+  CellPainter painter(level.map, within);
   std::optional<Cell> last;
   for_each_on_line(from, to, [&](Cell c) {
     const Cell at{anchor.x + floor_divide(c.x - anchor.x, stamp.w) * stamp.w,
@@ -123,15 +72,61 @@ Edit paint_stroke(const Level& level, Cell anchor, Cell from, Cell to, const Sta
   return painter.finish("Paint tiles");
 }
 
-Edit fill_rect(const Level& level, CellRect cells, const Stamp& stamp) {
-  return fill_labelled(level, cells, stamp, "Fill rectangle");
+Edit fill_rect(const Level& level, CellRect cells, const Stamp& stamp, Within within) {
+  CellPainter painter(level.map, within);
+  const CellRect part = cut(cells, level.map.width(), level.map.height());
+  for (int y = part.y; y < part.y + part.h; ++y) {
+    for (int x = part.x; x < part.x + part.w; ++x) {
+      painter.paint({x, y}, repeated(stamp, {cells.x, cells.y}, {x, y}));
+    }
+  }
+  return painter.finish("Fill rectangle");
 }
 
-Edit flood_fill(const Level& level, Cell at, const Stamp& stamp) {
+Edit outline_rect(const Level& level, CellRect cells, const Stamp& stamp, Within within) {
+  CellPainter painter(level.map, within);
+  const int right = cells.x + cells.w - 1, bottom = cells.y + cells.h - 1;
+  for (int y = cells.y; y <= bottom; ++y) {
+    const int step = y == cells.y || y == bottom ? 1 : std::max(1, cells.w - 1);
+    for (int x = cells.x; x <= right; x += step)
+      painter.paint({x, y}, repeated(stamp, {cells.x, cells.y}, {x, y}));
+  }
+  return painter.finish("Outline rectangle");
+}
+
+Edit fill_ellipse(const Level& level, CellRect cells, const Stamp& stamp, Within within) {
+  CellPainter painter(level.map, within);
+  for (const Span& span : ellipse_spans(cells.w, cells.h)) {
+    for (int x = span.first; x <= span.last; ++x)
+      painter.paint({cells.x + x, cells.y + span.y}, repeated(stamp, {0, 0}, {x, span.y}));
+  }
+  return painter.finish("Fill ellipse");
+}
+
+Edit outline_ellipse(const Level& level, CellRect cells, const Stamp& stamp, Within within) {
+  CellPainter painter(level.map, within);
+  const std::vector<Span> spans = ellipse_spans(cells.w, cells.h);
+  for (const Span& span : spans) {
+    const bool is_end = span.y == 0 || span.y == cells.h - 1;
+    const Span& above = is_end ? span : spans[static_cast<std::size_t>(span.y) - 1];
+    const Span& below = is_end ? span : spans[static_cast<std::size_t>(span.y) + 1];
+    const int inner_first = std::max({span.first + 1, above.first, below.first});
+    const int inner_last = std::min({span.last - 1, above.last, below.last});
+    for (int x = span.first; x <= span.last; ++x) {
+      const bool is_inner = !is_end && x >= inner_first && x <= inner_last;
+      if (!is_inner) painter.paint({cells.x + x, cells.y + span.y}, repeated(stamp, {0, 0}, {x, span.y}));
+    }
+  }
+  return painter.finish("Outline ellipse");
+}
+
+Edit flood_fill(const Level& level, Cell at, const Stamp& stamp, Within within) {
   const TileMap& map = level.map;
   CellPainter painter(map);
   if (map.contains(at)) {
-    const auto same = [&, tile = map.at(at)](Cell c) { return map.at(c) == tile; };
+    const auto same = [&, tile = map.at(at)](Cell c) {
+      return map.at(c) == tile && (!within || within->contains(c));
+    };
     for (const Span& span : flood_area(map.width(), map.height(), at, same)) {
       for (int x = span.first; x <= span.last; ++x) {
         painter.paint({x, span.y}, repeated(stamp, at, {x, span.y}));
@@ -141,8 +136,23 @@ Edit flood_fill(const Level& level, Cell at, const Stamp& stamp) {
   return painter.finish("Fill area");
 }
 
+Edit replace_tile(const Level& level, std::uint8_t tile, Cell origin, const Stamp& stamp, Within within) {
+  const TileMap& map = level.map;
+  CellPainter painter(map);
+  const CellRect part =
+      cut(within.value_or(CellRect{0, 0, map.width(), map.height()}), map.width(), map.height());
+  for (int y = part.y; y < part.y + part.h; ++y) {
+    for (int x = part.x; x < part.x + part.w; ++x) {
+      if (map.at({x, y}) == tile) painter.paint({x, y}, repeated(stamp, origin, {x, y}));
+    }
+  }
+  return painter.finish("Replace tiles");
+}
+
 Edit erase_cells(const Level& level, CellRect cells) {
-  return fill_labelled(level, cells, {}, "Erase tiles");
+  Edit edit = fill_rect(level, cells, {});
+  edit.label = "Erase tiles";
+  return edit;
 }
 
 }  // namespace talus

@@ -1,6 +1,8 @@
-// Bresenham's line and a scanline flood fill.
+// Bresenham's line, a scanline flood fill and the rows of an ellipse.
 #include "raster.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace talus {
@@ -54,6 +56,19 @@ std::vector<Span> flood_area(int width, int height, Cell at, FunctionRef<bool(Ce
     seed_row(span.y + 1, span.first, span.last);
   }
   return area;
+}
+
+std::vector<Span> ellipse_spans(int width, int height) {
+  std::vector<Span> spans;
+  spans.reserve(static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    const double v = static_cast<double>(2 * y + 1 - height) / height;
+    const double half = width * std::sqrt(1 - v * v) / 2;
+    // Columns are counted from either side, so that the halves are mirror images.
+    const int first = std::clamp(static_cast<int>(std::ceil((width - 1) / 2.0 - half)), 0, (width - 1) / 2);
+    spans.push_back({y, first, width - 1 - first});
+  }
+  return spans;
 }
 
 }  // namespace talus

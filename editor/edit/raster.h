@@ -1,4 +1,4 @@
-// Lines and connected areas on a grid, for the tools of the map and of the sprite canvas alike.
+// Lines, ellipses and connected areas on a grid, for the tools of the map and of the sprite canvas alike.
 #pragma once
 
 #include <vector>
@@ -20,5 +20,10 @@ struct Span {
 // The 4-connected area around `at` where `inside` holds, in a grid of width x height cells, each cell in one
 // span. Empty when `at` lies outside the grid. Takes time and memory by the area, without recursion.
 std::vector<Span> flood_area(int width, int height, Cell at, FunctionRef<bool(Cell)> inside);
+
+// The cells of a rectangle whose centres lie in the ellipse that touches its sides: one span a row, from the
+// top, in columns and rows of the rectangle. width, height: >= 1. A row has one cell at least, so that a thin
+// ellipse has no gaps.
+std::vector<Span> ellipse_spans(int width, int height);
 
 }  // namespace talus

@@ -3,41 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include "map_text.h"
 
 namespace talus {
 namespace {
 
-// A level whose map is drawn in letters, one tile each: '.' is 0, 'a' is 1, 'b' is 2.
-Level level_of(const std::vector<std::string>& rows) {
-  Level level;
-  level.map = TileMap(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-  for (Cell c{0, 0}; c.y < level.map.height(); ++c.y) {
-    for (c.x = 0; c.x < level.map.width(); ++c.x) {
-      const char letter = rows[c.y][c.x];
-      level.map.set(c, static_cast<std::uint8_t>(letter == '.' ? 0 : letter - 'a' + 1));
-    }
-  }
-  return level;
-}
-
-std::vector<std::string> drawn(const TileMap& map) {
-  std::vector<std::string> rows(map.height());
-  for (Cell c{0, 0}; c.y < map.height(); ++c.y) {
-    for (c.x = 0; c.x < map.width(); ++c.x) {
-      const int tile = map.at(c);
-      rows[c.y] += static_cast<char>(tile == 0 ? '.' : 'a' + tile - 1);
-    }
-  }
-  return rows;
-}
-
-std::vector<std::string> after(Level level, const Edit& edit) {
-  apply_edit(level, edit);
-  return drawn(level.map);
-}
-
-using Rows = std::vector<std::string>;
+using Rows = MapRows;
 const Stamp kA{1, 1, {1}};
 const Stamp kAb{2, 1, {1, 2}};
 const Stamp kSquare{2, 2, {1, 2, 3, 4}};
@@ -58,70 +29,71 @@ TEST(MapTools, StampOfSheetIsCutAtItsEdge) {
 }
 
 TEST(MapTools, StampOfMapPicksAndIsCut) {
-  const Level level = level_of({"ab", "cd"});
+  const Level level = level_of_rows({"ab", "cd"});
   EXPECT_EQ(stamp_of_map(level, {0, 0, 2, 2}), kSquare);
   EXPECT_EQ(stamp_of_map(level, {1, 1, 5, 5}), (Stamp{1, 1, {4}}));
 }
 
 TEST(MapTools, PaintStampLeavesOutWhatIsOutside) {
-  const Level level = level_of({"...", "..."});
-  EXPECT_EQ(after(level, paint_stamp(level, {1, 0}, kSquare)), (Rows{".ab", ".cd"}));
-  EXPECT_EQ(after(level, paint_stamp(level, {2, 1}, kSquare)), (Rows{"...", "..a"}));
-  EXPECT_EQ(after(level, paint_stamp(level, {-1, -1}, kSquare)), (Rows{"d..", "..."}));
+  const Level level = level_of_rows({"...", "..."});
+  EXPECT_EQ(rows_after(level, paint_stamp(level, {1, 0}, kSquare)), (Rows{".ab", ".cd"}));
+  EXPECT_EQ(rows_after(level, paint_stamp(level, {2, 1}, kSquare)), (Rows{"...", "..a"}));
+  EXPECT_EQ(rows_after(level, paint_stamp(level, {-1, -1}, kSquare)), (Rows{"d..", "..."}));
 }
 
 TEST(MapTools, PaintingWhatIsThereIsAnEmptyEdit) {
-  const Level level = level_of({"a"});
+  const Level level = level_of_rows({"a"});
   EXPECT_TRUE(paint_stamp(level, {0, 0}, kA).empty());
 }
 
 TEST(MapTools, StrokeIsALineWithoutGaps) {
-  const Level level = level_of({".....", ".....", "....."});
-  EXPECT_EQ(after(level, paint_stroke(level, {0, 0}, {0, 0}, {4, 2}, kA)), (Rows{"a....", ".aa..", "...aa"}));
+  const Level level = level_of_rows({".....", ".....", "....."});
+  EXPECT_EQ(rows_after(level, paint_stroke(level, {0, 0}, {0, 0}, {4, 2}, kA)),
+            (Rows{"a....", ".aa..", "...aa"}));
 }
 
 //   anchor 1, stamp "ab": cells 1-2, 3-4 and 5-6 belong together, whatever cell of them the mouse is over
 TEST(MapTools, StrokeTilesTheStampFromItsAnchor) {
-  const Level level = level_of({"........"});
-  EXPECT_EQ(after(level, paint_stroke(level, {1, 0}, {1, 0}, {4, 0}, kAb)), (Rows{".abab..."}));
-  EXPECT_EQ(after(level, paint_stroke(level, {5, 0}, {5, 0}, {2, 0}, kAb)), (Rows{".ababab."}));
+  const Level level = level_of_rows({"........"});
+  EXPECT_EQ(rows_after(level, paint_stroke(level, {1, 0}, {1, 0}, {4, 0}, kAb)), (Rows{".abab..."}));
+  EXPECT_EQ(rows_after(level, paint_stroke(level, {5, 0}, {5, 0}, {2, 0}, kAb)), (Rows{".ababab."}));
 }
 
 TEST(MapTools, FillRectRepeatsTheStampFromTheCorner) {
-  const Level level = level_of({".....", ".....", "....."});
-  EXPECT_EQ(after(level, fill_rect(level, {1, 0, 3, 3}, kSquare)), (Rows{".aba.", ".cdc.", ".aba."}));
-  EXPECT_EQ(after(level, fill_rect(level, {-1, 0, 3, 1}, kAb)), (Rows{"ba...", ".....", "....."}))
+  const Level level = level_of_rows({".....", ".....", "....."});
+  EXPECT_EQ(rows_after(level, fill_rect(level, {1, 0, 3, 3}, kSquare)), (Rows{".aba.", ".cdc.", ".aba."}));
+  EXPECT_EQ(rows_after(level, fill_rect(level, {-1, 0, 3, 1}, kAb)), (Rows{"ba...", ".....", "....."}))
       << "the corner counts even where it lies outside";
 }
 
 TEST(MapTools, FloodFillStopsAtOtherTilesAndCorners) {
-  const Level level = level_of({"..b..",  //
-                                ".b...",  //
-                                "b..b.",  //
-                                "..b.."});
-  EXPECT_EQ(after(level, flood_fill(level, {0, 0}, kA)), (Rows{"aab..", "ab...", "b..b.", "..b.."}));
-  EXPECT_EQ(after(level, flood_fill(level, {4, 0}, kA)), (Rows{"..baa", ".baaa", "baaba", "aabaa"}));
+  const Level level = level_of_rows({"..b..",  //
+                                     ".b...",  //
+                                     "b..b.",  //
+                                     "..b.."});
+  EXPECT_EQ(rows_after(level, flood_fill(level, {0, 0}, kA)), (Rows{"aab..", "ab...", "b..b.", "..b.."}));
+  EXPECT_EQ(rows_after(level, flood_fill(level, {4, 0}, kA)), (Rows{"..baa", ".baaa", "baaba", "aabaa"}));
 }
 
 TEST(MapTools, FloodFillRepeatsTheStampFromTheClickedCell) {
-  const Level level = level_of({"....", "...."});
-  EXPECT_EQ(after(level, flood_fill(level, {1, 0}, kAb)), (Rows{"baba", "baba"}));
+  const Level level = level_of_rows({"....", "...."});
+  EXPECT_EQ(rows_after(level, flood_fill(level, {1, 0}, kAb)), (Rows{"baba", "baba"}));
 }
 
 TEST(MapTools, FloodFillWithAStampThatHasTheOldTileEnds) {
-  const Level level = level_of({"aaaa"});
-  EXPECT_EQ(after(level, flood_fill(level, {0, 0}, kAb)), (Rows{"abab"}));
+  const Level level = level_of_rows({"aaaa"});
+  EXPECT_EQ(rows_after(level, flood_fill(level, {0, 0}, kAb)), (Rows{"abab"}));
 }
 
 TEST(MapTools, FloodFillOutsideTheMapIsEmpty) {
-  const Level level = level_of({".."});
+  const Level level = level_of_rows({".."});
   EXPECT_TRUE(flood_fill(level, {2, 0}, kA).empty());
   EXPECT_TRUE(flood_fill(level, {0, -1}, kA).empty());
 }
 
 TEST(MapTools, EraseIsCutAtTheMapsEdge) {
-  const Level level = level_of({"abc", "abc"});
-  EXPECT_EQ(after(level, erase_cells(level, {1, -3, 9, 4})), (Rows{"a..", "abc"}));
+  const Level level = level_of_rows({"abc", "abc"});
+  EXPECT_EQ(rows_after(level, erase_cells(level, {1, -3, 9, 4})), (Rows{"a..", "abc"}));
   EXPECT_TRUE(erase_cells(level, {5, 5, 2, 2}).empty());
 }
 

@@ -1,0 +1,103 @@
+#include "resize.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transform.h"
+
+namespace talus {
+namespace {
+
+int wrapped(int value, int period) { return (value % period + period) % period; }
+
+class Resizer {
+ public:
+  Resizer(const Level& level, const MapFrame& frame)
+      : level_(level),
+        frame_(frame),
+        period_{std::max(level.map.width(), frame.width), std::max(level.map.height(), frame.height)},
+        result_{TileMap(frame.width, frame.height), {}, {}} {
+    if (!frame.wrap) return;
+    frame_.shift = {wrapped(frame.shift.x, period_.x), wrapped(frame.shift.y, period_.y)};
+  }
+
+  ResizedMap run() {
+    shift_tiles();
+    for (const Spawn& spawn : level_.spawns) shift(spawn);
+    for (const LevelCurve& curve : level_.curves) shift(curve);
+    return std::move(result_);
+  }
+
+ private:
+  void shift_tiles() {
+    const TileMap& map = level_.map;
+    for (Cell from{0, 0}; from.y < map.height(); ++from.y) {
+      for (from.x = 0; from.x < map.width(); ++from.x) {
+        const std::uint8_t tile = map.at(from);
+        if (tile == 0) continue;
+        Cell to{from.x + frame_.shift.x, from.y + frame_.shift.y};
+        if (frame_.wrap) to = {to.x % period_.x, to.y % period_.y};
+        if (result_.map.contains(to))
+          result_.map.set(to, tile);
+        else
+          ++result_.lost_tiles;
+      }
+    }
+  }
+
+  // The ways, px, by which something may go to its place: with wrap, also to the other side.
+  std::vector<Vec2> ways() const {
+    const Vec2 by{frame_.shift.x * 1.0 * kTileSize, frame_.shift.y * 1.0 * kTileSize};
+    if (!frame_.wrap) return {by};
+    const Vec2 back{period_.x * -1.0 * kTileSize, period_.y * -1.0 * kTileSize};
+    return {by, by + Vec2{back.x, 0}, by + Vec2{0, back.y}, by + back};
+  }
+
+  static bool meets(const Spawn& spawn, Vec2 by, const TileMap& map) {
+    const Vec2 at = spawn.position + by;
+    return at.x < map.width() * kTileSize && at.y < map.height() * kTileSize && at.x + spawn.size.x > 0 &&
+           at.y + spawn.size.y > 0;
+  }
+
+  void shift(const Spawn& spawn) {
+    const std::vector<Vec2> all = ways();
+    const auto lies_there = [&](Vec2 by) { return meets(spawn, by, result_.map); };
+    // One that lies across an edge belongs, if it can, to the side where its corner is.
+    const auto lies_well = [&](Vec2 by) {
+      const Vec2 at = spawn.position + by;
+      return lies_there(by) && at.x >= 0 && at.y >= 0;
+    };
+    auto way = std::find_if(all.begin(), all.end(), lies_well);
+    if (way == all.end()) way = std::find_if(all.begin(), all.end(), lies_there);
+    if (way == all.end() && !meets(spawn, {}, level_.map)) way = all.begin();
+    if (way == all.end()) {
+      ++result_.lost_spawns;
+      return;
+    }
+    result_.spawns.push_back(spawn);
+    result_.spawns.back().position = spawn.position + *way;
+  }
+
+  void shift(const LevelCurve& curve) {
+    const bool was_usable = !problem_of(curve.curve, level_.map);
+    for (const Vec2 by : ways()) {
+      const Curve there = moved(curve.curve, by);
+      if (was_usable && problem_of(there, result_.map)) continue;
+      result_.curves.push_back(curve);
+      result_.curves.back().curve = there;
+      return;
+    }
+    ++result_.lost_curves;
+  }
+
+  const Level& level_;
+  MapFrame frame_;
+  Cell period_;  // cells
+  ResizedMap result_;
+};
+
+}  // namespace
+
+ResizedMap resized(const Level& level, const MapFrame& frame) { return Resizer(level, frame).run(); }
+
+}  // namespace talus

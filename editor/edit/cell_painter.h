@@ -1,0 +1,29 @@
+// CellPainter: collects the cells that a tool paints into an Edit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit.h"
+
+namespace talus {
+
+// Past a number of cells a copy of the map takes less memory than their list.
+class CellPainter {
+ public:
+  // Cells outside the map, or outside `within`, are left out.
+  explicit CellPainter(const TileMap& map, std::optional<CellRect> within = {});
+  // A cell may be painted once.
+  void paint(Cell cell, std::uint8_t tile);
+  Edit finish(std::string label);  // once, as the last call
+
+ private:
+  const TileMap& map_;
+  std::optional<CellRect> within_;
+  std::size_t max_listed_;
+  std::vector<CellChange> changes_;
+  std::optional<TileMap> whole_;
+};
+
+}  // namespace talus

@@ -1,0 +1,211 @@
+// Finding mirrored tiles.
+#include "map_mirror.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "cell_painter.h"
+
+namespace talus {
+namespace {
+
+using Kind = TileShape::Kind;
+constexpr int kNoGround = -1;
+
+// What a tile is to the simulation, of every solver.
+struct Physics {
+  TileShape shape;
+  TileRole role = TileRole::none;
+  friend bool operator==(const Physics&, const Physics&) = default;
+};
+
+Physics physics_of(const Level& level, std::uint8_t tile) {
+  Physics physics{shape_of_tile(level, tile), role_of(level.tile_flags(tile), level.roles)};
+  // These fields of a full tile or of none mean nothing.
+  if (physics.shape.kind == Kind::none) physics.shape = {};
+  if (physics.shape.kind == Kind::solid)
+    physics.shape = {.kind = Kind::solid, .one_way = physics.shape.one_way};
+  return physics;
+}
+
+// The mirror image; nothing where there can be none: a full tile is one-way from above alone.
+std::optional<Physics> mirrored(Physics physics, MirrorAxis axis) {
+  TileShape& shape = physics.shape;
+  if (axis == MirrorAxis::horizontal) {
+    std::reverse(shape.heights.begin(), shape.heights.end());
+    if (physics.role == TileRole::up_slope)
+      physics.role = TileRole::down_slope;
+    else if (physics.role == TileRole::down_slope)
+      physics.role = TileRole::up_slope;
+    return physics;
+  }
+  if (shape.kind == Kind::solid && shape.one_way) return std::nullopt;
+  if (shape.kind == Kind::slope || shape.kind == Kind::profile)
+    shape.side = shape.side == TileShape::Side::floor ? TileShape::Side::ceiling : TileShape::Side::floor;
+  return physics;
+}
+
+TileImage mirrored(const TileImage& image, MirrorAxis axis) {
+  TileImage result;
+  for (int y = 0; y < kTileSize; ++y) {
+    for (int x = 0; x < kTileSize; ++x) {
+      const int from_x = axis == MirrorAxis::horizontal ? kTileSize - 1 - x : x;
+      const int from_y = axis == MirrorAxis::vertical ? kTileSize - 1 - y : y;
+      result[static_cast<std::size_t>(y * kTileSize + x)] =
+          image[static_cast<std::size_t>(from_y * kTileSize + from_x)];
+    }
+  }
+  return result;
+}
+
+class Mirrorer {
+ public:
+  Mirrorer(const Level& level, CellRect cells, MirrorAxis axis)
+      : level_(level), cells_(cells), axis_(axis), result_(stamp_of_map(level, cells)) {
+    for (int tile = 0; tile < kTileCount; ++tile)
+      physics_[static_cast<std::size_t>(tile)] = physics_of(level, static_cast<std::uint8_t>(tile));
+  }
+
+  MirroredCells run() {
+    for (int y = 0; y < cells_.h; ++y) {
+      for (int x = 0; x < cells_.w; ++x) {
+        if (!taken_by_slope(x, y)) mirror_from(x, y);
+      }
+    }
+    CellPainter painter(level_.map);
+    for (int y = 0; y < cells_.h; ++y) {
+      for (int x = 0; x < cells_.w; ++x) painter.paint({cells_.x + x, cells_.y + y}, result_.at(x, y));
+    }
+    mirrored_.edit =
+        painter.finish(axis_ == MirrorAxis::horizontal ? "Mirror tiles" : "Mirror tiles up and down");
+    return std::move(mirrored_);
+  }
+
+ private:
+  std::uint8_t tile_at(int x, int y) const { return level_.map.at({cells_.x + x, cells_.y + y}); }
+  const Physics& physics_at(int x, int y) const { return physics_[tile_at(x, y)]; }
+  const TileImage& image(std::uint8_t tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
+
+  // Cells that the slope at x, y spans: 1 where it would leave the selection or meets another slope's cell.
+  int span_at(int x, int y) const {
+    const TileShape& shape = physics_at(x, y).shape;
+    if (axis_ == MirrorAxis::vertical || shape.kind == Kind::none || x + shape.tiles > cells_.w) return 1;
+    for (int i = 1; i < shape.tiles; ++i)
+      if (physics_at(x + i, y) != Physics()) return 1;
+    return shape.tiles;
+  }
+  bool taken_by_slope(int x, int y) const {
+    for (int from = std::max(0, x - kMaxShapeTiles + 1); from < x; ++from)
+      if (from + span_at(from, y) > x) return true;
+    return false;
+  }
+  void put(int x, int y, std::uint8_t tile) {
+    result_.tiles[static_cast<std::size_t>(y) * static_cast<std::size_t>(cells_.w) +
+                  static_cast<std::size_t>(x)] = tile;
+  }
+
+  // Mirrors the cell at x, y, and those that a slope there spans. The slope belongs to its leftmost cell
+  // before and after; each image goes to the other side on its own.
+  void mirror_from(int x, int y) {
+    const int span = span_at(x, y);
+    const bool is_cut = axis_ == MirrorAxis::horizontal && span < physics_at(x, y).shape.tiles;
+    const int to_x = axis_ == MirrorAxis::horizontal ? cells_.w - x - span : x;
+    const int to_y = axis_ == MirrorAxis::vertical ? cells_.h - 1 - y : y;
+    std::array<std::uint8_t, kMaxShapeTiles> tiles{};
+    int art = 0;
+    for (int i = 0; i < span; ++i) {
+      const std::uint8_t looks = tile_at(x + span - 1 - i, y);
+      const auto found = partner_of(i == 0 ? tile_at(x, y) : kNoGround, looks);
+      if (!found || is_cut) return keep(x, y, to_x, to_y, span);
+      tiles[static_cast<std::size_t>(i)] = *found;
+      art += image(*found) != mirrored(image(looks), axis_) ? 1 : 0;
+    }
+    for (int i = 0; i < span; ++i) put(to_x + i, to_y, tiles[static_cast<std::size_t>(i)]);
+    mirrored_.unmirrored_art += art;
+  }
+
+  void keep(int x, int y, int to_x, int to_y, int span) {
+    for (int i = 0; i < span; ++i) put(to_x + i, to_y, tile_at(x + i, y));
+    ++mirrored_.without_partner;
+  }
+
+  // The tile that is the mirror image of `ground` to the simulation, or of kNoGround, and looks as much as
+  // any like that of `looks`. Each pair is looked for once.
+  std::optional<std::uint8_t> partner_of(int ground, std::uint8_t looks) {
+    const auto [found, is_new] = partners_.try_emplace({ground, looks});
+    if (is_new) {
+      const auto wanted =
+          ground == kNoGround ? Physics() : mirrored(physics_[static_cast<std::size_t>(ground)], axis_);
+      if (wanted) found->second = find_partner(*wanted, looks);
+    }
+    return found->second;
+  }
+
+  std::optional<std::uint8_t> find_partner(const Physics& wanted, std::uint8_t looks) const {
+    const TileImage target = mirrored(image(looks), axis_);
+    const bool stays = physics_[looks] == wanted;
+    const std::uint8_t flags = level_.tile_flags(looks);
+    std::optional<std::uint8_t> best = stays ? std::optional(looks) : std::nullopt;
+    int best_score = stays ? score(looks, target, flags) : -1;
+    for (int i = 0; i < kTileCount; ++i) {
+      const auto tile = static_cast<std::uint8_t>(i);
+      if (physics_[tile] != wanted) continue;
+      if (stays && (image(tile) != target || level_.tile_flags(tile) != flags)) continue;
+      const int tile_score = score(tile, target, flags);
+      if (tile_score > best_score) {
+        best = tile;
+        best_score = tile_score;
+      }
+    }
+    return best;
+  }
+
+  // Alike pixels first, then alike flags.
+  int score(std::uint8_t tile, const TileImage& target, std::uint8_t flags) const {
+    int alike = 0;
+    for (std::size_t i = 0; i < target.size(); ++i) alike += image(tile)[i] == target[i] ? 1 : 0;
+    int flags_alike = kFlagCount;
+    for (int different = level_.tile_flags(tile) ^ flags; different != 0; different &= different - 1)
+      --flags_alike;
+    return alike * (kFlagCount + 1) + flags_alike;
+  }
+
+  const Level& level_;
+  CellRect cells_;
+  MirrorAxis axis_;
+  Stamp result_;
+  std::array<Physics, kTileCount> physics_;
+  std::map<std::pair<int, std::uint8_t>, std::optional<std::uint8_t>> partners_;
+  MirroredCells mirrored_;
+};
+
+std::string counted(int count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+MirroredCells mirror_cells(const Level& level, CellRect cells, MirrorAxis axis) {
+  const auto part = shared(cells, {0, 0, level.map.width(), level.map.height()});
+  if (!part) return {};
+  return Mirrorer(level, *part, axis).run();
+}
+
+std::string text_of_missing(const MirroredCells& mirrored) {
+  std::string text;
+  if (mirrored.without_partner > 0) {
+    text = counted(mirrored.without_partner, "piece of ground has", "pieces of ground have") +
+           " no mirror image on the sheet and " + (mirrored.without_partner == 1 ? "is" : "are") +
+           " as before";
+  }
+  if (mirrored.unmirrored_art > 0) {
+    text += (text.empty() ? "" : "; ") +
+            counted(mirrored.unmirrored_art, "tile is not drawn mirrored", "tiles are not drawn mirrored") +
+            ", as the sheet has no such picture";
+  }
+  return text.empty() ? text : text + ".";
+}
+
+}  // namespace talus

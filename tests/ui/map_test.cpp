@@ -1,0 +1,361 @@
+// The map's tools, its selection and clipboard, its size, and finding tiles, by mouse and keys.
+#include <SDL_clipboard.h>
+
+#include "harness.h"
+#include "panels/edit_text.h"
+
+namespace talus {
+namespace {
+
+class UiMap : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+    click(on_sheet(1));
+    key(kKeyF3);
+  }
+  // Rows of the map from a cell on: '.' is tile 0, else the tile's digit.
+  std::vector<std::string> drawn(CellRect cells) {
+    std::vector<std::string> rows(static_cast<std::size_t>(cells.h));
+    for (int y = 0; y < cells.h; ++y) {
+      for (int x = 0; x < cells.w; ++x) {
+        const int tile = tile_at({cells.x + x, cells.y + y});
+        rows[static_cast<std::size_t>(y)] += tile == 0 ? '.' : static_cast<char>('0' + tile);
+      }
+    }
+    return rows;
+  }
+  // Paints a row of tiles, as the sheet has them, with the stamp tool.
+  void stamp(int first, int last, Cell at) {
+    drag(on_sheet(first), on_sheet(last));
+    key(kKeyF3);
+    key('1');
+    click(on_map(at));
+  }
+  void select(Cell from, Cell to) {
+    key('3');
+    drag(on_map(from), on_map(to));
+  }
+  std::optional<CellRect> selection() { return session().choices().selection; }
+  std::size_t entries() { return session().history().position(); }
+  MapTool tool() { return session().choices().map_tool; }
+  static std::string clipboard() {
+    char* text = SDL_GetClipboardText();
+    const std::string copy = text;
+    SDL_free(text);
+    return copy;
+  }
+};
+
+using Rows = std::vector<std::string>;
+
+TEST_F(UiMap, KeysChooseTheToolsAsInTic80) {
+  const std::pair<int, MapTool> tools[] = {
+      {'1', MapTool::stamp},   {'2', MapTool::pan},       {'3', MapTool::select},  {'4', MapTool::fill},
+      {'5', MapTool::line},    {'6', MapTool::rectangle}, {'7', MapTool::ellipse}, {'8', MapTool::slope},
+      {'9', MapTool::segment}, {'0', MapTool::body},      {'e', MapTool::erase},   {'i', MapTool::pick}};
+  for (const auto& [code, expected] : tools) {
+    key(code);
+    EXPECT_EQ(tool(), expected) << static_cast<char>(code);
+  }
+}
+
+TEST_F(UiMap, EveryToolHasAButton) {
+  for (const auto& [name, expected] : {std::pair("map/select", MapTool::select),
+                                       {"map/line", MapTool::line},
+                                       {"map/ellipse", MapTool::ellipse},
+                                       {"map/rectangle", MapTool::rectangle},
+                                       {"map/erase", MapTool::erase},
+                                       {"map/stamp", MapTool::stamp}}) {
+    click(name);
+    EXPECT_EQ(tool(), expected) << name;
+  }
+}
+
+TEST_F(UiMap, LineIsDrawnWhenTheButtonIsLetGo) {
+  key('5');
+  move(on_map({2, 2}));
+  press();
+  move(on_map({6, 4}));
+  EXPECT_EQ(entries(), 0u) << "only a preview";
+  EXPECT_EQ(app().ui().view.hover.dragged, (Cell{5, 3}));
+  release();
+  EXPECT_EQ(drawn({2, 2, 5, 3}), (Rows{"1....", ".11..", "...11"}));
+  EXPECT_EQ(entries(), 1u);
+  key(ctrl('z'));
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiMap, RectangleIsFilledOrWithShiftAnOutline) {
+  key('6');
+  drag(on_map({2, 2}), on_map({4, 4}));
+  EXPECT_EQ(drawn({2, 2, 3, 3}), (Rows{"111", "111", "111"}));
+  move(on_map({8, 2}));
+  press();
+  hold_modifiers(shift(0));
+  move(on_map({10, 4}));
+  release();
+  hold_modifiers();
+  EXPECT_EQ(drawn({8, 2, 3, 3}), (Rows{"111", "1.1", "111"}));
+  EXPECT_EQ(describe(session().history().edits().back()), "Outline rectangle: 8 tiles at (8, 2)");
+}
+
+TEST_F(UiMap, EllipseFitsTheDraggedRectangle) {
+  key('7');
+  drag(on_map({7, 5}), on_map({4, 2}));
+  EXPECT_EQ(drawn({4, 2, 4, 4}), (Rows{".11.", "1111", "1111", ".11."}));
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(UiMap, ShapesAndFillStayInsideTheSelection) {
+  select({2, 2}, {4, 3});
+  key('6');
+  drag(on_map({0, 0}), on_map({3, 9}));
+  EXPECT_EQ(drawn({1, 1, 5, 4}), (Rows{".....", ".11..", ".11..", "....."}));
+  click(on_sheet(5));
+  key(kKeyF3);
+  key('4');
+  click(on_map({4, 2}));
+  EXPECT_EQ(drawn({1, 1, 5, 4}), (Rows{".....", ".115.", ".115.", "....."}));
+  click(on_map({10, 8}));
+  EXPECT_EQ(tile_at({10, 8}), 0);
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text,
+            "Fill stays inside the selection: click there, or press Escape first.");
+}
+
+TEST_F(UiMap, FillWithCtrlReplacesTheTileEverywhere) {
+  stamp(3, 3, {2, 2});
+  click(on_map({9, 8}));
+  click(on_sheet(6));
+  key(kKeyF3);
+  key('4');
+  hold_modifiers(ctrl(0));
+  click(on_map({2, 2}));
+  hold_modifiers();
+  EXPECT_EQ(tile_at({2, 2}), 6);
+  EXPECT_EQ(tile_at({9, 8}), 6);
+  EXPECT_EQ(tile_at({3, 2}), 0);
+}
+
+TEST_F(UiMap, MiddleButtonPicksWithAnyTool) {
+  stamp(3, 6, {10, 8});
+  key('7');
+  drag(on_map({11, 8}), on_map({12, 8}), kMiddle);
+  EXPECT_EQ(session().choices().stamp, (Stamp{2, 1, {4, 5}}));
+  EXPECT_EQ(tool(), MapTool::stamp);
+  EXPECT_EQ(entries(), 1u) << "nothing is painted";
+}
+
+TEST_F(UiMap, ClicksAndEscapeChangeTheSelection) {
+  key('3');
+  click(on_map({5, 5}));
+  EXPECT_EQ(selection(), (CellRect{5, 5, 1, 1}));
+  click(on_map({8, 5}));
+  EXPECT_EQ(selection(), std::nullopt) << "a click elsewhere";
+  drag(on_map({9, 6}), on_map({7, 3}));
+  EXPECT_EQ(selection(), (CellRect{7, 3, 3, 4}));
+  key(kKeyEscape);
+  EXPECT_EQ(selection(), std::nullopt);
+  key(ctrl('a'));
+  EXPECT_EQ(selection(), (CellRect{0, 0, 30, 17}));
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(UiMap, SelectionIsMovedByTheMouseInOneEntry) {
+  stamp(3, 4, {3, 3});
+  stamp(1, 1, {6, 3});
+  select({3, 3}, {4, 3});
+  const std::size_t before = entries();
+  drag(on_map({4, 3}), on_map({8, 5}));
+  EXPECT_EQ(drawn({3, 3, 7, 3}), (Rows{"...1...", ".......", "....34."}));
+  EXPECT_EQ(selection(), (CellRect{7, 5, 2, 1}));
+  EXPECT_EQ(entries(), before + 1);
+  key(ctrl('z'));
+  EXPECT_EQ(drawn({3, 3, 4, 1}), Rows{"34.1"});
+  EXPECT_EQ(selection(), (CellRect{3, 3, 2, 1}));
+}
+
+TEST_F(UiMap, SelectionIsMovedByTheArrowsOverOtherTiles) {
+  stamp(3, 4, {3, 3});
+  stamp(1, 1, {5, 3});
+  select({3, 3}, {4, 3});
+  const std::size_t before = entries();
+  for (int i = 0; i < 3; ++i) key(kKeyRight);
+  EXPECT_EQ(drawn({3, 3, 5, 1}), Rows{"..134"}) << "what was crossed is there again";
+  key(kKeyDown);
+  EXPECT_EQ(drawn({3, 3, 5, 2}), (Rows{"..1..", "...34"}));
+  EXPECT_EQ(entries(), before + 1);
+}
+
+TEST_F(UiMap, DragWithCtrlLeavesACopy) {
+  stamp(3, 4, {3, 3});
+  select({3, 3}, {4, 3});
+  hold_modifiers(ctrl(0));
+  drag(on_map({3, 3}), on_map({6, 4}));
+  hold_modifiers();
+  EXPECT_EQ(drawn({3, 3, 5, 2}), (Rows{"34...", "...34"}));
+}
+
+TEST_F(UiMap, CutCopyAndPasteSpeakTic80sText) {
+  stamp(3, 6, {3, 3});
+  select({3, 3}, {6, 3});
+  key(ctrl('c'));
+  EXPECT_EQ(clipboard(), "401030405060");
+  key(ctrl('x'));
+  EXPECT_EQ(drawn({3, 3, 4, 1}), Rows{"...."});
+  EXPECT_EQ(describe(session().history().edits().back()), "Cut 4 tiles at (3, 3)");
+  key(ctrl('v'));
+  EXPECT_TRUE(session().choices().pasted);
+  move(on_map({10, 8}));
+  EXPECT_EQ(tile_at({10, 8}), 0) << "it hangs at the mouse";
+  click(on_map({10, 8}));
+  EXPECT_EQ(drawn({9, 8, 4, 1}), Rows{"3456"}) << "its middle is at the mouse";
+  EXPECT_FALSE(session().choices().pasted);
+  EXPECT_EQ(selection(), (CellRect{9, 8, 4, 1}));
+  key(kKeyUp);
+  EXPECT_EQ(drawn({9, 7, 4, 2}), (Rows{"3456", "...."}));
+  key(ctrl('z'));
+  EXPECT_EQ(drawn({9, 7, 4, 2}), (Rows{"....", "...."})) << "pasting and moving are one";
+}
+
+TEST_F(UiMap, PasteTakesTextOfTic80AndTellsWhatIsNone) {
+  ASSERT_EQ(SDL_SetClipboardText("20103040"), 0);
+  key(ctrl('v'));
+  click(on_map({12, 4}));
+  EXPECT_EQ(drawn({12, 4, 2, 1}), Rows{"34"});
+  key(ctrl('v'));
+  key(kKeyEscape);
+  EXPECT_FALSE(session().choices().pasted) << "Escape lets it go";
+  EXPECT_TRUE(selection()) << "and the selection later";
+  ASSERT_EQ(SDL_SetClipboardText("hello"), 0);
+  key(ctrl('v'));
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "Nothing to paste: the clipboard holds no tiles of a map.");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(UiMap, SelectionIsFilledAndDeleted) {
+  drag(on_sheet(3), on_sheet(4));
+  select({3, 3}, {5, 4});
+  key(shift('f'));
+  EXPECT_EQ(drawn({3, 3, 3, 2}), (Rows{"343", "343"}));
+  key(kKeyDelete);
+  EXPECT_EQ(drawn({3, 3, 3, 2}), (Rows{"...", "..."}));
+  EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(UiMap, MirrorTurnsSlopesAround) {
+  stamp(3, 4, {3, 3});
+  stamp(1, 1, {5, 3});
+  select({3, 3}, {5, 3});
+  key('h');
+  EXPECT_EQ(tile_at({3, 3}), 1);
+  EXPECT_EQ(tile_at({4, 3}), 5) << "the down-slope's half with the flag";
+  EXPECT_FALSE(session().message());
+  key('v');
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text,
+            "1 piece of ground has no mirror image on the sheet and is as before.");
+}
+
+TEST_F(UiMap, StatusBarTellsTileFlagsAndPlace) {
+  stamp(1, 1, {4, 5});
+  move(on_map({4, 5}));
+  EXPECT_EQ(app().ui().view.hover.cell, (Cell{4, 5}));
+  EXPECT_NE(find("status/mouse"), nullptr);
+}
+
+TEST_F(UiMap, ShiftShowsTheSheetOverTheMap) {
+  key('3');
+  move(on_map({4, 5}));
+  EXPECT_EQ(find("map/sheet"), nullptr);
+  hold_modifiers(shift(0));
+  frames(2);
+  const Widget* sheet = find("map/sheet");
+  ASSERT_NE(sheet, nullptr);
+  const ImVec2 min = sheet->min;
+  const float cell = (sheet->max.x - sheet->min.x) / 16;
+  drag({min.x + 2.5f * cell, min.y + 1.5f * cell}, {min.x + 3.5f * cell, min.y + 1.5f * cell});
+  hold_modifiers();
+  frames(2);
+  EXPECT_EQ(find("map/sheet"), nullptr);
+  EXPECT_EQ(session().choices().stamp, (Stamp{2, 1, {18, 19}}));
+  EXPECT_EQ(tool(), MapTool::stamp);
+  EXPECT_EQ(entries(), 0u) << "nothing was painted through it";
+}
+
+TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
+  key(ctrl_shift('m'));
+  frames(3);
+  click("resize/width");
+  key(ctrl('a'));
+  type("20");
+  key(kKeyTab);
+  frames(2);
+  click("resize/apply");
+  frames(2);
+  EXPECT_EQ(level().map.width(), 30) << "10 tiles of the floor would be lost: it asks first";
+  click("resize/apply");
+  frames(3);
+  EXPECT_EQ(level().map.width(), 20);
+  EXPECT_EQ(level().map.height(), 17);
+  EXPECT_FALSE(app().ui().view.resize_open);
+  key(ctrl('z'));
+  EXPECT_EQ(level().map, test_level().map);
+}
+
+TEST_F(UiMap, MapGrowsAtTheSideThatIsNotKept) {
+  key(ctrl_shift('m'));
+  frames(3);
+  click("resize/anchor8");
+  click("resize/height");
+  key(ctrl('a'));
+  type("20");
+  key(kKeyTab);
+  frames(2);
+  click("resize/apply");
+  frames(3);
+  EXPECT_EQ(level().map.height(), 20);
+  EXPECT_EQ(tile_at({0, 19}), 1) << "the floor stays at the bottom";
+  EXPECT_EQ(tile_at({5, 13}), 2);
+}
+
+TEST_F(UiMap, EscapeLeavesTheMapsSizeAlone) {
+  key(ctrl_shift('m'));
+  frames(3);
+  click("resize/width");
+  key(ctrl('a'));
+  type("20");
+  click("resize/cancel");
+  frames(3);
+  EXPECT_FALSE(app().ui().view.resize_open);
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiMap, TilesAreFoundAndReplaced) {
+  stamp(3, 3, {2, 2});
+  click(on_map({20, 12}));
+  key(ctrl('f'));
+  frames(3);
+  EXPECT_EQ(app().ui().view.find_tile, 3) << "the chosen tile";
+  click("find_tiles/next");
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2, 2}));
+  click("find_tiles/next");
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 12}));
+  click("find_tiles/previous");
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2, 2}));
+  click("find_tiles/replace");
+  key(ctrl('a'));
+  type("6");
+  key(KeyChord{'\r'});
+  frames(2);
+  click("find_tiles/replace_all");
+  EXPECT_EQ(tile_at({2, 2}), 6);
+  EXPECT_EQ(tile_at({20, 12}), 6);
+  EXPECT_EQ(describe(session().history().edits().back()), "Replace 2 tiles at (2, 2)");
+}
+
+}  // namespace
+}  // namespace talus
