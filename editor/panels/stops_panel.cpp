@@ -10,19 +10,13 @@
 namespace talus {
 namespace {
 
+constexpr float kConditionWidth = 240;  // px at scale 1, at least
+
 const StopKindInfo& info_of(StopKind kind) { return stop_kind_infos()[static_cast<std::size_t>(kind)]; }
 
 std::size_t field_count(const StopKindInfo& info) {
   return static_cast<std::size_t>(std::count_if(info.fields.begin(), info.fields.end(),
                                                 [](const StopField& field) { return !field.label.empty(); }));
-}
-
-std::string stop_text(const Stop& stop) {
-  std::string text =
-      "Breakpoint " + std::to_string(stop.breakpoint) + " at frame " + std::to_string(stop.frame);
-  if (stop.body != 0) text += ", body " + std::to_string(stop.body);
-  if (stop.hit > 0) text += ", hit " + std::to_string(stop.hit);
-  return text + ".";
 }
 
 std::string condition_name(int breakpoint) { return "stops/" + std::to_string(breakpoint) + "/condition"; }
@@ -64,7 +58,7 @@ void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
     return;
   }
   if (session.debugger().stop()) {
-    ui.label(stop_text(*session.debugger().stop()));
+    ui.label(text_of(*session.debugger().stop()));
   } else if (session.debugger().search_failed()) {
     ui.label(stops.direction() == SearchDirection::backwards ? "Nothing stops before this frame."
                                                              : "Nothing stops after this frame.");
@@ -109,12 +103,13 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
         action::SetBreakpoint{{.condition = condition_of(kind_, std::span(fields_).first(field_count(info))),
                                .body = body,
                                .each_frame = info.each_frame}});
-  ui.end_row();
+  ui.same_line_if_fits(ui.px(kConditionWidth), ui.px(16));
   if (new_field_.draw("stops/new", new_text_, true, -1, "or a condition: vy > 3 && grounded", ui) &&
       !new_text_.empty()) {
     actions.push_back(action::SetBreakpoint{{.condition = new_text_, .body = body}});
     new_text_.clear();
   }
+  ui.end_row();
   const auto& all = session.debugger().stops().breakpoints();
   if (new_field_.way() == FieldWay::down && !all.empty()) ui.view.wants_text = condition_name(all.front().id);
 }

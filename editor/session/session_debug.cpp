@@ -7,6 +7,7 @@ void Session::Impl::carry_out(const action::RunToStop& a) {
   refresh_scene();
   player.set_running(false);
   plays_on = a.direction == SearchDirection::forwards;
+  nothing_found = "No breakpoint stops before this frame.";
   debugger.follow(player.timeline(), level);
   debugger.search(player.timeline(), a.direction);
 }
@@ -15,6 +16,7 @@ void Session::Impl::carry_out(const action::FindParting& a) {
   refresh_scene();
   player.set_running(false);
   plays_on = false;
+  nothing_found = "As far as they have been run, no body is further from its other self.";
   debugger.follow(player.timeline(), level);
   debugger.search_parting(a.threshold);
 }
@@ -22,14 +24,32 @@ void Session::Impl::carry_out(const action::FindParting& a) {
 void Session::Impl::play(double seconds) {
   debugger.follow(player.timeline(), level);
   const auto may_step = [this] { return debugger.may_step(player.timeline()); };
-  const auto stops = [this] { return debugger.stops_at(player.timeline(), level); };
+  const auto stops = [this] {
+    const bool stops_here = debugger.stops_at(player.timeline(), level);
+    if (stops_here) note_stop();
+    return stops_here;
+  };
   player.advance(seconds, may_step, stops);
+}
+
+// Says why it stands still, and shows the body that it is about where none is chosen.
+void Session::Impl::note_stop() {
+  const Stop& stop = *debugger.stop();
+  message = Message{text_of(stop), false};
+  if (choices.body == 0) choices.body = stop.body;
 }
 
 void Session::Impl::debug() {
   const bool was_searching = debugger.searching();
-  if (const auto frame = debugger.advance(player.timeline(), level, choices.body)) player.seek(*frame);
-  if (!was_searching || debugger.searching() || !debugger.search_failed() || !plays_on) return;
+  if (const auto frame = debugger.advance(player.timeline(), level, choices.body)) {
+    player.seek(*frame);
+    note_stop();
+  }
+  if (!was_searching || debugger.searching() || !debugger.search_failed()) return;
+  if (!plays_on) {
+    message = Message{nothing_found, false};
+    return;
+  }
   player.seek(player.timeline().last_frame());
   player.set_running(true);
 }

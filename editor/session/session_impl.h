@@ -110,7 +110,10 @@ struct Session::Impl {
   }
   void carry_out(const action::SelectCells& a);
   void carry_out(const action::SetPasted& a) { choices.pasted = a.tiles; }
-  void carry_out(const action::SetMapTool& a) { choices.map_tool = a.tool; }
+  void carry_out(const action::SetMapTool& a) {
+    choices.map_tool = a.tool;
+    choices.pasted.reset();
+  }
   void carry_out(const action::SetSpriteTool& a);
   void carry_out(const action::SetBrush& a);
   void carry_out(const action::SelectPixels& a);
@@ -130,6 +133,7 @@ struct Session::Impl {
   void advance(double seconds);
   void play(double seconds);  // until a breakpoint stops it
   void debug();               // goes on with what the debugger has to do
+  void note_stop();           // it has stopped at debugger.stop()
 
   void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
   // Brings the simulation up to the level, if it is behind; where a large level is compiled for that, later.
@@ -167,7 +171,8 @@ struct Session::Impl {
 
   Player player;
   Debugger debugger;
-  bool plays_on = false;  // when the search that is under way finds nothing
+  bool plays_on = false;      // when the search that is under way finds nothing
+  std::string nothing_found;  // what is said then, unless it plays on
   Trails trails;
   SceneChanges scene_changes;
   SceneCompiler compiler;

@@ -4,6 +4,15 @@
 
 namespace talus {
 
+std::string text_of(const Stop& stop) {
+  std::string text = stop.breakpoint != 0 ? "Breakpoint " + std::to_string(stop.breakpoint) + " at frame "
+                                          : "They part at frame ";
+  text += std::to_string(stop.frame);
+  if (stop.body != 0) text += ", body " + std::to_string(stop.body);
+  if (stop.hit > 0) text += ", hit " + std::to_string(stop.hit);
+  return text + ".";
+}
+
 void Stops::put(Breakpoint breakpoint) {
   if (breakpoint.id == 0) breakpoint.id = ++last_id_;
   last_id_ = std::max(last_id_, breakpoint.id);

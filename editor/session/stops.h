@@ -8,6 +8,9 @@
 
 namespace talus {
 
+// "Breakpoint 1 at frame 33, body 2." For a search without one: "They part at frame 33, body 2."
+std::string text_of(const Stop& stop);
+
 class Stops {
  public:
   // --- Breakpoints. A change forgets the counted hits.
