@@ -147,7 +147,10 @@ class OutlineDrawer {
   void line(Vec2 from, Vec2 to) {
     if (overlays_.has(OverlayId::outline)) add({OverlayId::outline, from, to});
   }
-  void normal(Vec2 at, Vec2 n) { line(at, at + n * kOutwardLength); }
+  void normal(Vec2 at, Vec2 n) {
+    if (overlays_.has(OverlayId::outline))
+      add({.overlay = OverlayId::outline, .from = at, .to = at + n * kOutwardLength, .detail = true});
+  }
   void add(const OverlayLine& l) {
     if (meets(l.from, l.to, visible_)) out_.lines.push_back(l);
   }

@@ -19,6 +19,7 @@ struct OverlayLine {
   Vec2 from, to;
   bool arrow = false;   // a head at `to`
   double strength = 1;  // 0 to 1: fainter
+  bool detail = false;  // left out at low zoom
 };
 struct OverlayBox {
   OverlayId overlay;

@@ -13,8 +13,8 @@ namespace talus {
 namespace {
 
 constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
-constexpr float kLowZoom = 2;      // at scale 1; below, all is thinner, as bodies are hardly larger than marks
-constexpr float kPiece = 16;       // px at scale 1: lines are kept clear in pieces of this length
+constexpr float kLowZoom = 2;  // at scale 1; below, all is thinner, as bodies are hardly larger than marks
+constexpr float kPiece = 16;   // px at scale 1: lines are kept clear in pieces of this length
 constexpr int kMostPieces = 64;
 
 // What is thin and without a rim, so that it does not hide what it is about.
@@ -146,7 +146,7 @@ class Painter {
   }
 
   void paint_labels(std::span<const OverlayLabel> labels) {
-    LabelPlacer placer(view_, scale_, pointed_at_, std::move(taken_));
+    LabelPlacer placer(view_, scale_, pointed_at_, taken_);
     for (const PlacedLabel& placed : placer.place(labels)) {
       const ScreenBox& box = placed.box;
       const OverlayId id = placed.label->overlay;

@@ -47,6 +47,15 @@ std::vector<Ends> outline(const Level& level, Rect visible = kEverything) {
   return lines;
 }
 
+TEST(Outline, NormalsAreDetails) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 1);
+  OverlayDrawing drawing;
+  add_outline(Terrain(ground_of(level)), only(OverlayId::outline), kEverything, drawing);
+  ASSERT_EQ(drawing.lines.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(drawing.lines[i].detail, i % 2 == 1) << i;
+}
+
 TEST(Outline, FullTilesHaveTheirOpenSidesAlone) {
   Level level = empty_level();
   level.map.set({2, 1}, 1);
