@@ -40,6 +40,7 @@ template <int direction>
 void change_stage(S session, A, U ui) {
   const int last = static_cast<int>(session.stages().size()) - 1;
   const int now = std::min(ui.view.stage, last);
+  ui.view.wants_tab = "why";
   ui.view.stage = direction > 0 ? std::min(now + 1, last) : std::max(now - 1, -1);
 }
 
@@ -114,6 +115,9 @@ std::vector<Command> seek_commands() {
                         "Pauses and shows the frame 10 before this one.", seek_by<-10>, after_start)),
       repeating(command("timeline/on_10", ctrl(kKeyRight), "On 10 frames",
                         "Pauses and shows the recorded frame 10 after this one.", seek_by<10>, in_past)),
+      command(
+          "timeline/go_to", ctrl(kKeyF10), "Go to frame...", "Shows the frame whose number is typed.",
+          [](S, A, U ui) { ui.view.wants_text = "transport/frame"; }, has_frames),
       command("timeline/mark", ctrl('m'), "Mark this frame",
               "Sets a mark at the shown frame, or takes it away.", toggle_mark),
       command("timeline/next_mark", alt(kKeyRight), "Next mark", "Shows the next marked frame.",
@@ -187,12 +191,12 @@ std::vector<Command> watch_commands() {
           "Shows the panels of the debugger: input, plots, breakpoints and comparison.",
           [](S, A, U ui) { ui.view.dock_open = !ui.view.dock_open; },
           [](S, const Ui& ui) { return ui.view.dock_open; }),
-      command("watch/new_watch", KeyChord{kKeyF8}, "Watch an expression...",
+      command("watch/new_watch", ctrl(kKeyF8), "Watch an expression...",
               "Opens the plots, to type an expression.",
               [](S, A, U ui) { type_into("watch", "watch/new", ui); }),
       toggle(
-          "watch/choose_times", shift(kKeyF8), "Plot the time of a step", "Plots how long the steps take.",
-          [](S, A, U ui) { ui.view.shows_times = !ui.view.shows_times; },
+          "watch/choose_times", ctrl_shift(kKeyF8), "Plot the time of a step",
+          "Plots how long the steps take.", [](S, A, U ui) { ui.view.shows_times = !ui.view.shows_times; },
           [](S, const Ui& ui) { return ui.view.shows_times; }),
       command(
           "compare/next", shift(kKeyF7), "Compare with the next",

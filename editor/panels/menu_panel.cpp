@@ -64,37 +64,48 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::EndMenu();
   }
   if (begin_menu("Edit", ui)) {
-    draw_commands({"edit/undo",
-                   "edit/redo",
-                   "",
-                   "shape/suggest",
-                   "shape/give",
-                   "",
-                   "flags/brush",
-                   "flags/find",
-                   "flags/next",
-                   "flags/previous",
-                   "",
-                   "problems/next",
-                   "problems/previous",
-                   "problems/fix",
-                   "problems/fix_kind",
-                   "",
-                   "edit/settings",
-                   "edit/keys"},
+    draw_commands({"edit/undo", "edit/redo", "", "shape/suggest", "shape/give", "", "flags/brush",
+                   "flags/find", "flags/next", "flags/previous", "", "problems/next", "problems/previous",
+                   "problems/fix", "problems/fix_kind", "", "edit/settings", "edit/keys"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
   if (begin_menu("Map", ui)) {
-    draw_commands({"map/stamp",        "map/pan",         "map/select",         "map/fill",
-                   "map/line",         "map/rectangle",   "map/ellipse",        "map/slope",
-                   "map/segment",      "map/body",        "map/erase",          "map/pick",
-                   "map/curve",        "map/ground",      "",                   "map/cut",
-                   "map/copy",         "map/paste",       "map/delete",         "map/fill_selection",
-                   "map/mirror_h",     "map/mirror_v",    "map/select_all",     "map/select_none",
-                   "",                 "map/duplicate",   "map/random",         "map/shuffle",
-                   "brushes/add",      "ground/propose",  "",                   "map/find",
-                   "map/find_next",    "map/find_previous", "map/resize"},
+    draw_commands({"map/stamp",
+                   "map/pan",
+                   "map/select",
+                   "map/fill",
+                   "map/line",
+                   "map/rectangle",
+                   "map/ellipse",
+                   "map/slope",
+                   "map/segment",
+                   "map/body",
+                   "map/erase",
+                   "map/pick",
+                   "map/curve",
+                   "map/ground",
+                   "",
+                   "map/cut",
+                   "map/copy",
+                   "map/paste",
+                   "map/delete",
+                   "map/fill_selection",
+                   "map/mirror_h",
+                   "map/mirror_v",
+                   "map/select_all",
+                   "map/select_none",
+                   "",
+                   "map/duplicate",
+                   "map/random",
+                   "map/shuffle",
+                   "brushes/add",
+                   "ground/propose",
+                   "",
+                   "map/find",
+                   "map/find_next",
+                   "map/find_previous",
+                   "map/resize"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
@@ -127,7 +138,8 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                    "palette/paste",
                    "",
                    "sheet/switch",
-                   "pixels/neighbours"},
+                   "pixels/neighbours",
+                   "pixels/enlarge"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
@@ -176,9 +188,9 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       draw_commands(ids, session, actions, ui);
       ImGui::EndMenu();
     };
-    draw_menu("Timeline",
-              {"timeline/start", "timeline/back_10", "timeline/back", "play/step", "timeline/on_10",
-               "timeline/end", "", "timeline/mark", "timeline/previous_mark", "timeline/next_mark"});
+    draw_menu("Timeline", {"timeline/start", "timeline/back_10", "timeline/back", "play/step",
+                           "timeline/on_10", "timeline/end", "timeline/go_to", "", "timeline/mark",
+                           "timeline/previous_mark", "timeline/next_mark"});
     draw_menu("Branches", {"timeline/fork", "timeline/previous_branch", "timeline/next_branch",
                            "timeline/drop_branch", "", "timeline/rerun", "timeline/cancel"});
     draw_menu("Compare", {"compare/next", "compare/split", "", "compare/first", "compare/stop"});

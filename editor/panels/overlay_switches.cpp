@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kSwatch = 14;                    // px at scale 1
 constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
-constexpr float kFirstGap = 8, kControls = 280;  // px at scale 1: what is left of the switches on their line
+constexpr float kFirstGap = 8, kControls = 310;  // px at scale 1: what is left of the switches on their line
 
 float text_width(std::string_view text) {
   return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
@@ -34,7 +34,7 @@ void draw_switch(const OverlayInfo& info, bool named, const Session& session, Ac
   const float width = swatch + 2 * pad + (named ? text_width(label) + ui.px(kTextGap) : 0);
   ui.same_line_if_fits(width, info.id == OverlayId::boxes ? ui.px(kFirstGap) : 0);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushStyleColor(ImGuiCol_Button, theme::color(on ? theme::kControlHot : theme::kPanel));
+  ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(on ? theme::kControlHot : theme::kPanel));
   if (ImGui::Button(("##" + id).c_str(), {width, height})) command.run(session, actions, ui);
   ImGui::PopStyleColor();
   ui.item(id, named ? std::string(info.help) : label + ": " + std::string(info.help), keys_of(command, ui));
@@ -43,10 +43,10 @@ void draw_switch(const OverlayInfo& info, bool named, const Session& session, Ac
                        session.choices().overlay_palette);
   if (named)
     list.AddText({at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
-                 theme::color(on ? theme::kText : theme::kMuted), label.c_str());
+                 theme::tone(on ? theme::kText : theme::kMuted), label.c_str());
   if (!named && on)
     list.AddRectFilled({at.x, at.y + height - ui.px(2)}, {at.x + width, at.y + height},
-                       theme::color(theme::kAccent));
+                       theme::tone(theme::kAccent));
 }
 
 }  // namespace

@@ -1,16 +1,17 @@
 // The bar below the canvas.
 #include "transport_panel.h"
 
-#include <array>
-#include <cstdio>
 #include <string>
 
 #include "branch_choice.h"
 #include "commands.h"
 #include "overlay_switches.h"
+#include "text_focus.h"
 
 namespace talus {
 namespace {
+
+constexpr float kFrameWidth = 60;  // px at scale 1
 
 std::string speed_text(double speed) {
   if (speed >= 1) return "x" + std::to_string(static_cast<int>(speed));
@@ -41,16 +42,26 @@ void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine();
   command_button("transport/step", "play/step", Icon::step, session, actions, ui);
   ImGui::SameLine();
-  std::array<char, 32> frame{};
-  std::snprintf(frame.data(), frame.size(), "frame %05lld", static_cast<long long>(session.state().frame));
-  const float row = ImGui::GetCursorPosY();
-  ui.label(frame.data());
-  ui.tooltip("Steps made since frame 0.");
+  draw_frame(session, actions, ui);
   ImGui::SameLine();
-  ImGui::SetCursorPosY(row);
   draw_speed(session, actions, ui);
   draw_overlay_switches(session, actions, ui);
   draw_branch_choice(session, actions, ui);
+}
+
+void TransportPanel::draw_frame(const Session& session, Actions& actions, Ui& ui) {
+  ui.begin_row();
+  ImGui::TextUnformatted("frame");
+  ImGui::SameLine();
+  if (!typing_) typed_ = session.state().frame;
+  ImGui::SetNextItemWidth(ui.px(kFrameWidth));
+  take_text_focus("transport/frame", ui);
+  ImGui::InputScalar("##frame", ImGuiDataType_S64, &typed_);
+  typing_ = ImGui::IsItemActive();
+  if (ImGui::IsItemDeactivatedAfterEdit()) actions.push_back(action::SeekFrame{typed_});
+  ui.item("transport/frame", "Steps made since frame 0. Type the number of a recorded frame to show it.",
+          keys_of(find_command("timeline/go_to"), ui));
+  ui.end_row();
 }
 
 }  // namespace talus

@@ -39,6 +39,12 @@ TEST_F(UiDebuggerKeys, SeekByTensAndToBothEnds) {
   EXPECT_EQ(frame(), 10);
   key(kKeyEnd);
   EXPECT_EQ(frame(), 25);
+  key(ctrl(kKeyF10));
+  frames(2);
+  key(ctrl('a'));
+  type("7");
+  key(kEnter);
+  EXPECT_EQ(frame(), 7);
 }
 
 TEST_F(UiDebuggerKeys, MakeGoToAndDropBranches) {
@@ -89,7 +95,7 @@ TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
   EXPECT_EQ(frame(), 6) << "the map has the keys again";
 }
 
-TEST_F(UiDebuggerKeys, TypeTheMousesPlaceWhichThePlayViewShows) {
+TEST_F(UiDebuggerKeys, TypeTheMousesPlace) {
   play(6);
   key(kKeyF6);
   frames(2);
@@ -152,7 +158,7 @@ TEST_F(UiDebuggerKeys, AddChangeSwitchAndRemoveABreakpoint) {
 }
 
 TEST_F(UiDebuggerKeys, AddChangeAndRemoveAWatch) {
-  key(kKeyF8);
+  key(ctrl(kKeyF8));
   frames(3);
   type("vy * 2");
   key(kEnter);
@@ -160,7 +166,7 @@ TEST_F(UiDebuggerKeys, AddChangeAndRemoveAWatch) {
   ASSERT_EQ(watches().size(), 1u);
   EXPECT_EQ(watches()[0].watch.text, "vy * 2");
   const auto go_to_first = [&] {
-    key(kKeyF8);
+    key(ctrl(kKeyF8));
     frames(3);
     key(kKeyDown);
     frames(3);
@@ -176,7 +182,7 @@ TEST_F(UiDebuggerKeys, AddChangeAndRemoveAWatch) {
   key(kEnter);
   frames(2);
   EXPECT_TRUE(watches().empty());
-  key(shift(kKeyF8));
+  key(ctrl_shift(kKeyF8));
   frames(2);
   EXPECT_NE(find("watch/times/plot"), nullptr);
 }
