@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <tuple>
 
@@ -25,6 +26,7 @@ struct ShotCommandOptions {
   ShotOptions shot;
   WindowShotOptions window_shot;
   std::string compared;  // name of a solver; empty: none
+  bool metrics = false;  // of the window's frames, as a line of JSON
 };
 
 // The size in "1280x720", or nothing.
@@ -43,6 +45,16 @@ std::string check_size(const std::string& text) {
   return size_of(text) ? "" : "must be WIDTHxHEIGHT, from 1152x700 to 8192x8192";
 }
 
+void print(const WindowCost& cost, std::ostream& out) {
+  const nlohmann::json line = {{"frames", cost.frames.frames()},
+                               {"median_ms", cost.frames.median_ms()},
+                               {"max_ms", cost.frames.max_ms()},
+                               {"vertices", cost.frames.last().vertices},
+                               {"draw_calls", cost.frames.last().draw_calls},
+                               {"ns_per_step", cost.ns_per_step}};
+  out << line.dump() << '\n';
+}
+
 void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
   WindowShotOptions shot = options.window_shot;
   shot.file = options.file;
@@ -52,8 +64,10 @@ void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
   shot.body = options.shot.body;
   if (!options.physics.solver.empty()) shot.solver = solver_of_name(options.physics.solver);
   if (!options.compared.empty()) shot.compared = solver_of_name(options.compared);
-  const auto written = write_window_shot(shot, options.output);
-  if (!written) fail(context, options.output, "", written.error());
+  WindowCost cost;
+  const auto written = write_window_shot(shot, options.output, options.metrics ? &cost : nullptr);
+  if (!written) return fail(context, options.output, "", written.error());
+  if (options.metrics) print(cost, context.out);
 }
 
 void shoot(CommandContext& context, ShotCommandOptions& options) {
@@ -123,6 +137,8 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->check(check_size)
       ->excludes(std::string("--set"), std::string("--zoom"));
   add_debugger_options(*command, *options);
+  command->add_flag("--metrics", options->metrics, "Play 120 frames more, and print what they cost")
+      ->needs("--window");
   command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {
     if (options->output == "-") return shoot_to_output(context, *options);

@@ -1,6 +1,7 @@
 #include "motion.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "visible.h"
 
@@ -13,20 +14,25 @@ constexpr double kFaintest = 0.15;  // of the oldest part of a trail
 class PathDrawer {
  public:
   PathDrawer(const OverlaySource& source, Rect visible, OverlayDrawing& out)
-      : source_(source), visible_(visible), out_(out) {}
+      : source_(source), visible_(visible), out_(out) {
+    for (const ContactRecord& contact : source.record.contacts)
+      if (contact.handled) contacts_.push_back(&contact);
+    std::stable_sort(contacts_.begin(), contacts_.end(), comes_before);
+  }
 
   void draw(const BodyPath& path) {
     Rect at = path.from;
     if (source_.state.find(path.body) == nullptr) return;
     ghost(at);
-    for (const ContactRecord& contact : source_.record.contacts) {
-      if (contact.body != path.body || !contact.handled) continue;
-      move_to(at, contact.touch);
-    }
+    auto contact = std::partition_point(contacts_.begin(), contacts_.end(),
+                                        [&](const ContactRecord* c) { return c->body < path.body; });
+    for (; contact != contacts_.end() && (*contact)->body == path.body; ++contact)
+      move_to(at, (*contact)->touch);
     move_to(at, path.to.position());
   }
 
  private:
+  static bool comes_before(const ContactRecord* a, const ContactRecord* b) { return a->body < b->body; }
   void ghost(const Rect& box) {
     if (meet(box, visible_)) out_.boxes.push_back({kPath, box});
   }
@@ -55,6 +61,7 @@ class PathDrawer {
   const OverlaySource& source_;
   const Rect visible_;
   OverlayDrawing& out_;
+  std::vector<const ContactRecord*> contacts_;  // that were handled, by body and in their order
 };
 
 }  // namespace

@@ -53,7 +53,7 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        0xc8e06a, 0xffff6e},
       {OverlayId::reach, "reach", "reach",
        "Cells that a player was found to get to from its start, and the floors that it stood on there.",
-       0x8bd450, 0x8296ff},
+       0x8bd450, 0xc8ff00},
   }};
   return kInfos;
 }

@@ -9,8 +9,8 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y - ui.px(72)}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowSizeConstraints({ui.px(240), 0}, {window.x - ui.px(32), window.y / 2});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::color(message.is_error ? 0x5c1f33 : 0x24405c));
-  ImGui::PushStyleColor(ImGuiCol_Border, theme::color(message.is_error ? theme::kError : theme::kAccent));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::tone(message.is_error ? theme::kErrorNote : theme::kNote));
+  ImGui::PushStyleColor(ImGuiCol_Border, theme::tone(message.is_error ? theme::kError : theme::kAccent));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::Begin("message", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |

@@ -13,6 +13,7 @@ constexpr float kLowZoom = 2;  // at scale 1; below, only the labels that come f
 constexpr float kPull = 12;    // px at scale 1: a label's point further from its body is drawn to it
 constexpr float kApart = 3;    // px at scale 1, between labels and what they keep clear of
 constexpr int kRanks = 4;
+constexpr float kCell = 48;  // px, side of the cells that taken boxes are found by: about a label
 
 }  // namespace
 
@@ -35,6 +36,44 @@ float ScreenBox::distance(const ScreenBox& b) const {
                     std::max({min.y - b.max.y, b.min.y - max.y, 0.0f}));
 }
 
+TakenBoxes::TakenBoxes(const ScreenBox& canvas, std::span<const ScreenBox> boxes)
+    : origin_(canvas.min),
+      columns_(std::max(1, static_cast<int>(std::ceil((canvas.max.x - canvas.min.x) / kCell)))),
+      rows_(std::max(1, static_cast<int>(std::ceil((canvas.max.y - canvas.min.y) / kCell)))),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+  for (const ScreenBox& box : boxes) add(box);
+}
+
+TakenBoxes::Span TakenBoxes::cells_of(const ScreenBox& box) const {
+  const auto cell = [](float at, float origin, int count) {
+    return static_cast<int>(std::clamp(std::floor((at - origin) / kCell), -1.0f, static_cast<float>(count)));
+  };
+  return {std::max(cell(box.min.x, origin_.x, columns_), 0), std::max(cell(box.min.y, origin_.y, rows_), 0),
+          std::min(cell(box.max.x, origin_.x, columns_), columns_ - 1),
+          std::min(cell(box.max.y, origin_.y, rows_), rows_ - 1)};
+}
+
+void TakenBoxes::add(const ScreenBox& box) {
+  const Span span = cells_of(box);
+  for (int y = span.y0; y <= span.y1; ++y)
+    for (int x = span.x0; x <= span.x1; ++x)
+      cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)]
+          .push_back(box);
+}
+
+bool TakenBoxes::meet(const ScreenBox& box) const {
+  const Span span = cells_of(box);
+  for (int y = span.y0; y <= span.y1; ++y) {
+    for (int x = span.x0; x <= span.x1; ++x) {
+      const auto& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                                static_cast<std::size_t>(x)];
+      if (std::any_of(cell.begin(), cell.end(), [&](const ScreenBox& other) { return box.meets(other); }))
+        return true;
+    }
+  }
+  return false;
+}
+
 std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels) {
   std::vector<PlacedLabel> placed;
   std::vector<const OverlayLabel*> without_room;
@@ -42,7 +81,7 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
     for (const OverlayLabel& label : labels) {
       if (rank_of(label) != rank) continue;
       if (const auto found = find_room(label)) {
-        taken_.push_back(found->box);
+        taken_.add(found->box);
         placed.push_back(*found);
       } else if (label.body == pointed_at_) {
         without_room.push_back(&label);
@@ -84,18 +123,14 @@ std::optional<PlacedLabel> LabelPlacer::find_room(const OverlayLabel& label) con
     if (label.overlay == OverlayId::slope_delta) std::swap(corners[0], corners[4]);  // above its bar
     for (ImVec2 corner : corners) {
       const ScreenBox box{corner, {corner.x + size.x, corner.y + size.y}};
-      if (is_free(box) && box.inside(canvas) && box.distance(body) <= kLabelReach * scale_)
+      if (box.inside(canvas) && box.distance(body) <= kLabelReach * scale_ && is_free(box))
         return PlacedLabel{&label, box, at};
     }
   }
   return std::nullopt;
 }
 
-bool LabelPlacer::is_free(const ScreenBox& box) const {
-  const ScreenBox wanted = box.grown(kApart * scale_);
-  return std::none_of(taken_.begin(), taken_.end(),
-                      [&](const ScreenBox& other) { return wanted.meets(other); });
-}
+bool LabelPlacer::is_free(const ScreenBox& box) const { return !taken_.meet(box.grown(kApart * scale_)); }
 
 // Below one another beside the body under the mouse, over whatever else is there.
 void LabelPlacer::list(std::span<const OverlayLabel* const> labels, std::vector<PlacedLabel>& placed) const {

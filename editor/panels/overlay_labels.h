@@ -30,18 +30,42 @@ struct PlacedLabel {
 
 inline constexpr float kLabelReach = 40;  // px at scale 1, of labels from their body: no room, no label
 
+// Boxes on a canvas, found by where they are: with many bodies there are thousands.
+class TakenBoxes {
+ public:
+  TakenBoxes(const ScreenBox& canvas, std::span<const ScreenBox> boxes);
+  void add(const ScreenBox& box);  // what lies outside of the canvas meets nothing that is wholly inside
+  bool meet(const ScreenBox& box) const;
+
+ private:
+  struct Span {
+    int x0, y0, x1, y1;  // cells, both ends included; empty when an end comes before its beginning
+  };
+  Span cells_of(const ScreenBox& box) const;
+
+  ImVec2 origin_;
+  int columns_, rows_;
+  std::vector<std::vector<ScreenBox>> cells_;  // row by row
+};
+
 class LabelPlacer {
  public:
   // taken: what no label may cover. pointed_at: id of the body under the mouse, whose labels come first and
   // are listed beside it where they find no room; 0: none.
-  LabelPlacer(const CanvasView& view, float scale, int pointed_at, std::vector<ScreenBox> taken)
-      : view_(view), scale_(scale), pointed_at_(pointed_at), taken_(std::move(taken)) {}
+  LabelPlacer(const CanvasView& view, float scale, int pointed_at, std::span<const ScreenBox> taken)
+      : view_(view),
+        scale_(scale),
+        pointed_at_(pointed_at),
+        taken_(
+            {{view.min.x - kReserve, view.min.y - kReserve}, {view.max.x + kReserve, view.max.y + kReserve}},
+            taken) {}
 
   // `labels` must outlive what is returned.
   std::vector<PlacedLabel> place(std::span<const OverlayLabel> labels);
   ImVec2 padding() const { return {3 * scale_, 1 * scale_}; }
 
  private:
+  static constexpr float kReserve = 64;  // px around the canvas: what there keeps clear of labels inside, too
   int rank_of(const OverlayLabel& label) const;
   std::optional<PlacedLabel> find_room(const OverlayLabel& label) const;
   bool is_free(const ScreenBox& box) const;
@@ -52,7 +76,7 @@ class LabelPlacer {
   const CanvasView& view_;
   float scale_;
   int pointed_at_;
-  std::vector<ScreenBox> taken_;
+  TakenBoxes taken_;
 };
 
 }  // namespace talus

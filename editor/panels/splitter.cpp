@@ -11,7 +11,7 @@ float splitter(std::string_view name, ImVec2 size, SplitterAxis axis, Ui& ui) {
   ui.item(name, "Drag to resize.");
   if (hot) ImGui::SetMouseCursor(sideways ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y},
-                                            theme::color(hot ? theme::kAccent : theme::kBackground));
+                                            theme::tone(hot ? theme::kAccent : theme::kBackground));
   if (!active) return 0;
   return sideways ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
 }

@@ -11,7 +11,16 @@
 namespace talus {
 namespace {
 
+constexpr float kStamp = 360;  // px at scale 1, where the stamp's part begins
 constexpr int kMostShown = 8;  // tiles of the stamp's picture in a row or column: more would be specks
+
+// " flags 0,2"; nothing without any.
+std::string flags_text(std::uint8_t flags) {
+  std::string text;
+  for (int flag = 0; flag < kFlagCount; ++flag)
+    if (has_flag(flags, flag)) text += (text.empty() ? " flags " : ",") + std::to_string(flag);
+  return text;
+}
 
 std::string hover_text(const Session& session, const Hover& hover) {
   if (hover.sprite)
@@ -24,18 +33,22 @@ std::string hover_text(const Session& session, const Hover& hover) {
            std::to_string(number_on_screen(sheet, *hover.tile));
   }
   if (!hover.pixel) return "";
-  std::string text;
-  if (hover.cell)
+  std::string text = "outside the map   ";
+  if (hover.cell) {
+    const std::uint8_t tile = session.level().map.at(*hover.cell);
     text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
-           std::to_string(session.level().map.at(*hover.cell)) + "   ";
-  else
-    text = "outside the map   ";
+           std::to_string(tile) + flags_text(session.level().tile_flags(tile)) + "   ";
+  }
+  if (hover.dragged)
+    return text + std::to_string(hover.dragged->x) + "x" + std::to_string(hover.dragged->y) + " cells, " +
+           std::to_string(hover.dragged->x * kTileSize) + "x" + std::to_string(hover.dragged->y * kTileSize) +
+           " px";
   return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
 }
 
 void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, std::string_view help) {
   ImGui::SameLine(ui.px(x));
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(color));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   ui.tooltip(help);
@@ -63,15 +76,40 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
             "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
 }
 
+// In the place of the bodies, which are still those of the ground as it was.
+void draw_compiling(double progress, float x, Ui& ui) {
+  ImGui::SameLine(ui.px(x));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ui.px(88), ImGui::GetTextLineHeight()};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark));
+  list.AddRectFilled(at, {at.x + size.x * static_cast<float>(progress), at.y + size.y},
+                     theme::color(theme::kAccent, 110));
+  const std::string text = "ground " + std::to_string(static_cast<int>(progress * 100)) + " %";
+  list.AddText({at.x + ui.px(4), at.y}, theme::color(theme::kText), text.c_str());
+  ImGui::Dummy(size);
+  ui.item("status/compiling",
+          "The ground of a large level is being compiled; until it is, bodies move on it as it "
+          "was.");
+}
+
 }  // namespace
 
 void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string hover = hover_text(session, ui.view.hover);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, {at.x + ui.px(kStamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
   ImGui::TextUnformatted(hover.empty() ? "Point at the map, the sheet or the pixels" : hover.c_str());
-  draw_stamp_part(session.choices().stamp, 360, ui);
-  const std::size_t bodies = session.state().bodies.size();
-  draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
-            "Bodies of the simulation.");
+  ImGui::PopClipRect();
+  ui.item("status/mouse", hover.empty() ? "What the mouse is on." : hover);
+  draw_stamp_part(session.choices().stamp, kStamp, ui);
+  if (const auto progress = session.compile_progress()) {
+    draw_compiling(*progress, 570, ui);
+  } else {
+    const std::size_t bodies = session.state().bodies.size();
+    draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
+              "Bodies of the simulation.");
+  }
   const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
   draw_part(ui, 670, file, session.modified() ? theme::kWarning : theme::kMuted,
             session.path().empty() ? "Not in a file yet." : session.path());
@@ -79,7 +117,7 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string text =
       problems == 0 ? "no problems" : std::to_string(problems) + (problems == 1 ? " problem" : " problems");
   ImGui::SameLine();
-  ui.right_aligned(text, theme::color(problems == 0 ? theme::kMuted : theme::kWarning));
+  ui.right_aligned(text, theme::tone(problems == 0 ? theme::kMuted : theme::kWarning));
   ui.tooltip("See the Problems tab.");
 }
 

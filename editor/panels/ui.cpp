@@ -50,7 +50,7 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   ImGui::PushTextWrapPos(px(320));
   ImGui::TextUnformatted(begin(help), end(help));
   if (!key.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
     ImGui::TextUnformatted(begin(key), end(key));
     ImGui::PopStyleColor();
   }
@@ -70,13 +70,13 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
   const float side = px(theme::kButton);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::BeginDisabled(!enabled);
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::color(theme::kAccent, 150));
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
   const bool pressed = ImGui::Button(hidden(name).c_str(), {side, side});
   if (lit) ImGui::PopStyleColor();
   ImGui::EndDisabled();
   const float inset = px(4);
   draw_icon(*ImGui::GetWindowDrawList(), icon, {at.x + inset, at.y + inset}, side - 2 * inset,
-            theme::color(enabled ? theme::kText : theme::kMuted, enabled ? 255 : 110));
+            theme::tone(enabled ? theme::kText : theme::kMuted, enabled ? 255 : 110));
   item(name, help, key, enabled);
   return pressed;
 }
@@ -84,7 +84,7 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
 bool Ui::text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
                      std::string_view key, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::color(theme::kAccent, 150));
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
   const bool pressed =
       ImGui::Button((std::string(label) + "##" + std::string(name)).c_str(), {width, px(theme::kButton)});
   if (lit) ImGui::PopStyleColor();
@@ -124,13 +124,13 @@ void Ui::label(std::string_view text) {
 }
 
 void Ui::heading(std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
   ImGui::TextUnformatted(begin(text), end(text));
   ImGui::PopStyleColor();
 }
 
 void Ui::hint(std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(begin(text), end(text));
   ImGui::PopTextWrapPos();

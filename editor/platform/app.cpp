@@ -121,6 +121,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.layout = settings.layout;
   ui_.view.canvas = settings.canvas;
   ui_.view.ui_scale = settings.ui_scale;
+  ui_.view.pixels = settings.pixels;
   ui_.view.recent_files = settings.recent_files;
   ui_.view.hard_cases = hard_case_paths();
   ui_.view.tabs = settings.tabs;
@@ -145,6 +146,7 @@ Settings App::current_settings() const {
   settings.layout = ui_.view.layout;
   settings.canvas = ui_.view.canvas;
   settings.ui_scale = ui_.view.ui_scale;
+  settings.pixels = ui_.view.pixels;
   settings.grid = session_->choices().grid;
   settings.screen_borders = session_->choices().screen_borders;
   settings.overlays = session_->choices().overlays;
@@ -274,10 +276,18 @@ void App::handle_events() {
 }
 
 void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
-  if (key.keysym.sym == SDLK_ESCAPE && ui_.view.help_open) ui_.view.help_open = false;
+  if (key.keysym.sym == SDLK_ESCAPE) close_window();
   const KeyChord chord = chord_of(key.keysym);
   if (!chord || capture_key(chord) || keys_are_taken(chord) || steer(chord, actions)) return;
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
+}
+
+// The window about the program that was opened last, as far as is known.
+void App::close_window() {
+  if (ImGui::GetIO().WantTextInput || ImGui::GetTopMostPopupModal() != nullptr) return;
+  for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open}) {
+    if (std::exchange(*open, false)) return;
+  }
 }
 
 // A key for a command goes to the dialog that asked for it; Escape stays its own.

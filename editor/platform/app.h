@@ -57,6 +57,7 @@ class App {
 
   void hold_presses_while_dialogs_change();
   void handle_events();
+  void close_window();
   bool capture_key(KeyChord chord);
   void open_wanted_program();
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);

@@ -38,6 +38,16 @@ void prepare(const WindowShotOptions& options, Session& session, View& view) {
   view.stage = options.stage;
 }
 
+// A step for each frame, as it is played, so that every overlay changes.
+WindowCost measure(App& app) {
+  app.ui().view.program.metrics.clear();
+  for (std::size_t i = 0; i < FrameMetrics::kFrames; ++i) {
+    app.session().apply(action::StepFrame{});
+    app.frame();
+  }
+  return {app.ui().view.program.metrics, app.session().step_times().series()->points().back().last};
+}
+
 }  // namespace
 
 tl::expected<void, std::string> write_shot(const Session& session, const ShotOptions& options,
@@ -69,7 +79,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
 }
 
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
-                                                  const std::string& png_path) {
+                                                  const std::string& png_path, WindowCost* cost) {
   double now = 0;
   AppOptions start;
   start.file = options.file;
@@ -87,7 +97,8 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   prepare(options, session, (*app)->ui().view);
   do {
     for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();
-  } while (session.debugger().is_busy());
+  } while (session.debugger().is_busy() || session.compile_progress());
+  if (cost != nullptr) *cost = measure(**app);
   return (*app)->screenshot(png_path);
 }
 

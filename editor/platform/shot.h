@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "overlay/overlay_id.h"
+#include "panels/frame_metrics.h"
 #include "session/session.h"
 
 namespace talus {
@@ -37,8 +38,15 @@ struct WindowShotOptions {
   int stage = -1;                      // of the chosen body's step, drawn; -1: none
 };
 
+// What the window cost while the level was played for as many frames as FrameMetrics remembers.
+struct WindowCost {
+  FrameMetrics frames;
+  double ns_per_step = 0;  // of the simulation, all bodies; of the last step
+};
+
 // Draws the editor's whole window, with the default settings.
+// cost: measured before the picture is drawn; null: not.
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
-                                                  const std::string& png_path);
+                                                  const std::string& png_path, WindowCost* cost = nullptr);
 
 }  // namespace talus

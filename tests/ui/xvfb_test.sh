@@ -14,7 +14,7 @@ cat >"$folder/before.lua" <<'CART'
 CART
 "$program" import "$folder/before.lua" -o "$folder/before.talus.json"
 cp "$folder/before.talus.json" "$folder/level.talus.json"
-export TALUS_CONFIG_DIR=$folder/config
+export TALUS_CONFIG_DIR=$folder/config TALUS_STATE_DIR=$folder/state
 unset SDL_VIDEODRIVER WAYLAND_DISPLAY
 
 fail() {

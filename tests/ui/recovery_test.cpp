@@ -1,0 +1,203 @@
+// Unsaved work survives a crash, and what other programs do to the file.
+#include <fstream>
+
+#include "harness.h"
+#include "platform/autosave.h"
+
+namespace talus {
+namespace {
+
+constexpr KeyChord kEscapeKey{kKeyEscape};
+constexpr int kFiveSeconds = 5 * 60;  // frames
+
+class UiRecovery : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  void paint(Cell cell) {
+    click(on_sheet(1));
+    click(on_map(cell));
+    ASSERT_EQ(tile_at(cell), 1);
+  }
+  // The program ends without a word, and starts again on the same file.
+  void crash_and_start(const std::string& file) {
+    stop();
+    start(file);
+    frames(2);
+  }
+  std::string level_file() const { return path("level.talus.json"); }
+};
+
+TEST_F(UiRecovery, WorkIsOfferedAfterACrashAndRecovered) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  crash_and_start(level_file());
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  EXPECT_EQ(tile_at({12, 9}), 0);
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(find("recovery/recover0"), nullptr);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  EXPECT_EQ(session().path(), level_file());
+  EXPECT_TRUE(session().modified());
+  key(ctrl('z'));
+  EXPECT_EQ(tile_at({12, 9}), 0) << "as the file has it";
+  key(ctrl('y'));
+  key(ctrl('s'));
+  EXPECT_FALSE(session().modified());
+  frames(2);
+  crash_and_start(level_file());
+  EXPECT_EQ(find("recovery/recover0"), nullptr) << "nothing is left once it is saved";
+}
+
+TEST_F(UiRecovery, RecoveredWorkSurvivesTheNextCrash) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  crash_and_start(level_file());
+  click("recovery/recover0");
+  crash_and_start(level_file());
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+}
+
+TEST_F(UiRecovery, DiscardingAsksOnceMore) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  crash_and_start(level_file());
+  click("recovery/discard0");
+  frames(2);
+  ASSERT_NE(find("recovery/discard0"), nullptr);
+  click("recovery/discard0");
+  frames(3);
+  EXPECT_EQ(find("recovery/discard0"), nullptr);
+  crash_and_start(level_file());
+  EXPECT_EQ(find("recovery/discard0"), nullptr);
+}
+
+TEST_F(UiRecovery, LaterKeepsItForTheNextStartAndTheMenu) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  crash_and_start(level_file());
+  key(kEscapeKey);
+  frames(3);
+  EXPECT_EQ(find("recovery/recover0"), nullptr);
+  click("menu/File");
+  frames(2);
+  click("menu/file/recover");
+  frames(3);
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+}
+
+TEST_F(UiRecovery, ALevelWithoutAFileIsRecoveredToo) {
+  key(ctrl('n'));
+  frames(2);
+  paint({12, 9});
+  frames(kFiveSeconds);
+  crash_and_start(level_file());
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  EXPECT_TRUE(session().path().empty());
+}
+
+TEST_F(UiRecovery, AnAnsweredQuitLeavesNothing) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  key(ctrl('q'));
+  frames(3);
+  click("question/discard");
+  ASSERT_TRUE(session().wants_quit());
+  crash_and_start(level_file());
+  EXPECT_EQ(find("recovery/recover0"), nullptr);
+}
+
+TEST_F(UiRecovery, TheOpenLevelMustBeSavedFirst) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  crash_and_start(level_file());
+  key(kEscapeKey);
+  frames(3);
+  paint({3, 3});
+  click("menu/File");
+  frames(2);
+  click("menu/file/recover");
+  frames(3);
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  EXPECT_FALSE(find("recovery/recover0")->enabled);
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(tile_at({3, 3}), 1);
+}
+
+TEST_F(UiRecovery, AFileChangedOutsideIsReadAgain) {
+  Level other = test_level();
+  other.map.set({1, 1}, 6);
+  ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
+  frames(90);
+  EXPECT_EQ(tile_at({1, 1}), 6);
+  ASSERT_TRUE(session().message());
+  key(ctrl('z'));
+  EXPECT_EQ(tile_at({1, 1}), 0);
+}
+
+TEST_F(UiRecovery, AFileChangedOutsideIsAskedAboutWithUnsavedChanges) {
+  paint({12, 9});
+  Level other = test_level();
+  other.map.set({1, 1}, 6);
+  ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
+  frames(90);
+  ASSERT_NE(find("question/keep"), nullptr);
+  EXPECT_EQ(find("question/save"), nullptr);
+  click("question/reload");
+  frames(3);
+  EXPECT_EQ(find("question/keep"), nullptr);
+  EXPECT_EQ(tile_at({1, 1}), 6);
+  EXPECT_EQ(tile_at({12, 9}), 0);
+  key(ctrl('z'));
+  EXPECT_EQ(tile_at({12, 9}), 1);
+}
+
+TEST_F(UiRecovery, NoQuestionComesInTheMiddleOfAStroke) {
+  paint({12, 9});
+  ASSERT_TRUE(save_level(Level(), *find_format("native"), level_file()));
+  move(on_map({13, 9}));
+  press();
+  frames(90);
+  EXPECT_FALSE(session().question());
+  release();
+  frames(90);
+  EXPECT_TRUE(session().question());
+}
+
+TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
+  stop();
+  AppOptions options;
+  options.file = level_file();
+  options.width = 1280;
+  options.height = 720;
+  options.offscreen = true;
+  auto app = App::start(std::move(options));  // by the machine's clock
+  ASSERT_TRUE(app);
+  const auto turns_for = [&](double seconds) {
+    const Uint64 end = SDL_GetTicks64() + static_cast<Uint64>(seconds * 1000);
+    while (SDL_GetTicks64() < end) (*app)->turn();
+  };
+  turns_for(1.5);  // what the start leaves to do
+  const int before = (*app)->drawn_frames();
+  EXPECT_GT(before, 0);
+  turns_for(2.2);
+  EXPECT_EQ((*app)->drawn_frames(), before);
+  std::ofstream(level_file()) << "{ not a level";
+  turns_for(1.2);
+  EXPECT_GT((*app)->drawn_frames(), before) << "the changed file is told";
+}
+
+}  // namespace
+}  // namespace talus

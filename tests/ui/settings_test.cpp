@@ -1,0 +1,273 @@
+// Settings, keys, layouts, the command palette and other programs, by hand.
+#include <algorithm>
+
+#include "harness.h"
+#include "panels/commands.h"
+#include "platform/picture.h"
+
+namespace talus {
+namespace {
+
+constexpr KeyChord kEnterKey{'\r'}, kEscKey{kKeyEscape};
+
+class UiSettings : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  void open_settings() {
+    key(ctrl(','));
+    frames(3);
+    ASSERT_NE(find("settings/light"), nullptr);
+  }
+  void open_keys(const std::string& letters) {
+    key(ctrl_shift('k'));
+    frames(3);
+    type(letters);
+    frames(2);
+  }
+  const Preferences& preferences() { return app().ui().view.preferences; }
+  void start_again() {
+    stop();
+    start(path("level.talus.json"));
+  }
+};
+
+TEST_F(UiSettings, TheLightThemeIsLightAndRemembered) {
+  const auto brightness = [&] {
+    const ImVec4 c = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    return c.x + c.y + c.z;
+  };
+  const float dark = brightness();
+  open_settings();
+  click("settings/light");
+  frames(2);
+  EXPECT_GT(brightness(), dark + 2);
+  start_again();
+  EXPECT_GT(brightness(), dark + 2);
+  key(ctrl_shift('d'));
+  frames(2);
+  EXPECT_EQ(brightness(), dark);
+}
+
+TEST_F(UiSettings, SizesChangeAtOnceAndAreRemembered) {
+  const float font = ImGui::GetFontSize();
+  open_settings();
+  click("settings/scale");
+  frames(2);
+  click("settings/scale/150");
+  frames(3);
+  EXPECT_EQ(ImGui::GetFontSize(), font * 1.5f);
+  start_again();
+  EXPECT_EQ(ImGui::GetFontSize(), font * 1.5f);
+}
+
+TEST_F(UiSettings, OverlaysForColourBlindEyesAreRemembered) {
+  open_settings();
+  click("settings/safe_colours");
+  EXPECT_EQ(session().choices().overlay_palette, OverlayPalette::colour_blind);
+  start_again();
+  EXPECT_EQ(session().choices().overlay_palette, OverlayPalette::colour_blind);
+}
+
+TEST_F(UiSettings, AProgramsCommandIsTyped) {
+  open_settings();
+  click("settings/tic80");
+  key(ctrl('a'));
+  type("true {file}");
+  key(kEnterKey);
+  frames(2);
+  EXPECT_EQ(preferences().programs[0], "true {file}");
+  key(ctrl(','));
+  frames(2);
+  key(ctrl_shift('t'));
+  frames(2);
+  ASSERT_TRUE(session().message());
+  EXPECT_FALSE(session().message()->is_error) << session().message()->text;
+  EXPECT_NE(session().message()->text.find("TIC-80"), std::string::npos);
+  start_again();
+  EXPECT_EQ(preferences().programs[0], "true {file}");
+  open_settings();
+  click("settings/tic80_reset");
+  EXPECT_EQ(preferences().programs[0], "tic80 {file}");
+}
+
+TEST_F(UiSettings, AMissingProgramIsToldInAMessage) {
+  app().ui().view.preferences.programs[0] = "no-such-program-anywhere {file}";
+  click("menu/File");
+  frames(2);
+  click("menu/program/tic80");
+  frames(2);
+  ASSERT_TRUE(session().message());
+  EXPECT_TRUE(session().message()->is_error);
+  EXPECT_NE(session().message()->text.find("cannot be started"), std::string::npos);
+}
+
+TEST_F(UiSettings, AKeyIsChangedAndRemembered) {
+  open_keys("grid");
+  click("keys/first/canvas/grid");
+  frames(2);
+  key(ctrl('g'));
+  frames(2);
+  EXPECT_FALSE(app().ui().view.program.key_capture);
+  key(kEscKey);
+  frames(3);
+  const bool grid = session().choices().grid;
+  key(KeyChord{'`'});
+  EXPECT_EQ(session().choices().grid, grid) << "the old key does nothing";
+  key(ctrl('g'));
+  EXPECT_EQ(session().choices().grid, !grid);
+  EXPECT_EQ(keys_of(find_command("canvas/grid"), app().ui()), "Ctrl+G");
+  start_again();
+  key(ctrl('g'));
+  EXPECT_EQ(session().choices().grid, grid);
+  open_keys("grid");
+  click("keys/reset/canvas/grid");
+  EXPECT_TRUE(preferences().keys.changed.empty());
+}
+
+TEST_F(UiSettings, AKeyOfAnotherCommandIsToldAndTakenOnlyWhenAsked) {
+  open_keys("grid");
+  click("keys/first/canvas/grid");
+  key(ctrl('s'));
+  frames(2);
+  ASSERT_NE(find("keys/take"), nullptr);
+  click("keys/cancel");
+  frames(2);
+  EXPECT_TRUE(preferences().keys.changed.empty());
+  click("keys/first/canvas/grid");
+  key(ctrl('s'));
+  frames(2);
+  click("keys/take");
+  frames(2);
+  EXPECT_EQ(keys_of(find_command("canvas/grid"), app().ui()), "Ctrl+S");
+  EXPECT_EQ(keys_of(find_command("file/save"), app().ui()), "");
+  click("keys/reset_all");
+  click("keys/reset_all");
+  EXPECT_EQ(keys_of(find_command("file/save"), app().ui()), "Ctrl+S");
+}
+
+TEST_F(UiSettings, EscapeStopsWaitingForAKeyAndThenCloses) {
+  open_keys("grid");
+  click("keys/first/canvas/grid");
+  frames(2);
+  ASSERT_TRUE(app().ui().view.program.key_capture);
+  key(kEscKey);
+  frames(3);
+  EXPECT_FALSE(app().ui().view.program.key_capture);
+  EXPECT_TRUE(app().ui().view.program.keys_open);
+  key(kEscKey);
+  frames(3);
+  EXPECT_FALSE(app().ui().view.program.keys_open);
+}
+
+TEST_F(UiSettings, ReadyLayoutsByKey) {
+  const View& view = app().ui().view;
+  key(ctrl_shift('3'));
+  frames(3);
+  EXPECT_EQ(view.canvas, CanvasMode::play);
+  EXPECT_TRUE(view.dock_open);
+  key(ctrl_shift('1'));
+  frames(3);
+  EXPECT_EQ(view.canvas, CanvasMode::map);
+  EXPECT_FALSE(view.dock_open);
+  EXPECT_GT(view.layout.left, Layout().left);
+  key(ctrl_shift('2'));
+  frames(3);
+  EXPECT_EQ(view.canvas, CanvasMode::play);
+  EXPECT_FALSE(view.dock_open);
+  key(ctrl('0'));
+  frames(3);
+  EXPECT_EQ(view.layout, Layout());
+}
+
+TEST_F(UiSettings, ThePaletteFindsByAFewLettersAndRunsByEnter) {
+  key(ctrl('p'));
+  frames(3);
+  type("sbrd");  // Screen BoRDers
+  ASSERT_NE(find("command_palette/canvas/borders"), nullptr);
+  const bool borders = session().choices().screen_borders;
+  key(kEnterKey);
+  frames(3);
+  EXPECT_EQ(session().choices().screen_borders, !borders);
+  EXPECT_EQ(find("command_palette/text"), nullptr);
+}
+
+TEST_F(UiSettings, ThePaletteIsScrolledAndClickedByTheMouse) {
+  click("menu/Help");
+  frames(2);
+  click("menu/help/commands");
+  frames(3);
+  ASSERT_NE(find("command_palette/file/new"), nullptr);
+  const float top = find("command_palette/file/new")->min.y;
+  move(centre("command_palette/file/save"));
+  wheel(-3);
+  frames(3);
+  const Widget* first = find("command_palette/file/new");
+  EXPECT_TRUE(first == nullptr || first->min.y < top) << "the chosen row does not hold the list";
+  wheel(3);
+  frames(3);
+  click("command_palette/canvas/grid");
+  frames(3);
+  EXPECT_EQ(find("command_palette/text"), nullptr);
+  EXPECT_FALSE(session().choices().grid);
+}
+
+TEST_F(UiSettings, TheMouseAloneReachesEveryCommand) {
+  click("menu/Help");
+  frames(2);
+  click("menu/all");
+  frames(3);
+  std::vector<std::string> groups;
+  for (const Widget& widget : app().ui().widgets.all())
+    if (widget.name.starts_with("menu/all/")) groups.push_back(widget.name);
+  std::size_t found = 0;
+  for (const std::string& group : groups) {
+    move(centre(group));
+    frames(30);  // a submenu opens after a while
+    const std::string prefix = group.substr(std::string("menu/all/").size()) + "/";
+    for (const Command& command : commands())
+      if (command.id.starts_with(prefix) && find("menu/" + std::string(command.id)) != nullptr) ++found;
+  }
+  EXPECT_EQ(found, commands().size());
+}
+
+TEST_F(UiSettings, TheTimesOfTheWindowAreShown) {
+  key(ctrl_shift('m'));
+  frames(3);
+  ASSERT_NE(find("metrics/window"), nullptr);
+  const FrameMetrics& metrics = app().ui().view.program.metrics;
+  EXPECT_GT(metrics.median_ms(), 0);
+  EXPECT_GE(metrics.max_ms(), metrics.median_ms());
+  EXPECT_GT(metrics.last().vertices, 1000);
+  EXPECT_GT(metrics.last().draw_calls, 5);
+  frames(200);
+  EXPECT_EQ(metrics.frames(), FrameMetrics::kFrames);
+}
+
+// 1,000 bodies and all overlays in 1920x1080 are to take less than 4 ms; a loaded machine gets some more.
+TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
+  Level crowd = test_level();
+  crowd.map = TileMap(240, 136);
+  for (int x = 0; x < 240; ++x) crowd.map.set({x, 135}, 1);
+  for (int i = 0; i < 1000; ++i) crowd.map.set({(i % 100) * 2 + 1, (i / 100) * 8 + 2}, 2);
+  ASSERT_TRUE(save_level(crowd, *find_format("native"), path("crowd.talus.json")));
+  start(path("crowd.talus.json"), 1920, 1080);
+  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, true});
+  key(ctrl('2'));
+  for (int i = 0; i < 60; ++i) {
+    session().apply(action::StepFrame{});
+    frames(1);
+  }
+  app().ui().view.program.metrics.clear();
+  for (int i = 0; i < 60; ++i) {
+    session().apply(action::StepFrame{});
+    frames(1);
+  }
+  RecordProperty("median_us", static_cast<int>(app().ui().view.program.metrics.median_ms() * 1000));
+  EXPECT_EQ(session().state().bodies.size(), 1000u);
+}
+
+}  // namespace
+}  // namespace talus

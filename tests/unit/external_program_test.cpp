@@ -1,0 +1,128 @@
+// Command lines of other programs: split without a shell, started on their own.
+#include "platform/external_program.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+TEST(SplitCommand, MakesWords) {
+  EXPECT_EQ(split_command("tic80 {file}", "/a/b.tic"), (Words{"tic80", "/a/b.tic"}));
+  EXPECT_EQ(split_command("  love   {folder}\t", "/a/b.tic"), (Words{"love", "/a"}));
+  EXPECT_EQ(split_command("x \"two words\" 'a \"b\"' \"\"", "f"), (Words{"x", "two words", "a \"b\"", ""}));
+  EXPECT_EQ(split_command("x --open={file}", "/c.tic"), (Words{"x", "--open=/c.tic"}));
+}
+
+TEST(SplitCommand, KeepsAFilesNameInOneWordWhateverIsInIt) {
+  const std::string file = "/tmp/a b/$(touch x); \"'{folder}'\" `y`.tic";
+  EXPECT_EQ(split_command("tic80 {file}", file), (Words{"tic80", file}));
+}
+
+TEST(SplitCommand, SaysWhatIsWrong) {
+  EXPECT_EQ(split_command("", "f").error(), "The command is empty.");
+  EXPECT_EQ(split_command("  ", "f").error(), "The command is empty.");
+  EXPECT_EQ(split_command("x \"y", "f").error(), "A \" is missing at the end of the command.");
+  EXPECT_EQ(split_command("x {fill}", "f").error(), "{fill} stands for nothing: write {file} or {folder}.");
+  EXPECT_FALSE(split_command("x {file", "f"));
+}
+
+class ExternalProgramTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / ("talus programs " + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    // Writes its arguments, one a line, in place at once.
+    std::ofstream script(path("program"));
+    script << "#!/bin/sh\nprintf '%s\\n' \"$@\" > \"" << path("part") << "\"\nmv \"" << path("part")
+           << "\" \"" << path("told") << "\"\n";
+    script.close();
+    ASSERT_EQ(::chmod(path("program").c_str(), 0755), 0);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  // What the program was given; waits for it.
+  std::string told() const {
+    for (int i = 0; i < 500 && !fs::exists(path("told")); ++i) ::usleep(10'000);
+    std::ifstream in(path("told"));
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  ProgramCommands commands() const {
+    ProgramCommands all = default_program_commands();
+    all[0] = all[2] = "\"" + path("program") + "\" {file}";
+    all[1] = "\"" + path("program") + "\" {folder}";
+    return all;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ExternalProgramTest, StartsWithItsArguments) {
+  ASSERT_TRUE(start_detached({path("program"), "a b", "$HOME; exit"}));
+  EXPECT_EQ(told(), "a b\n$HOME; exit\n");
+}
+
+TEST_F(ExternalProgramTest, AMissingOneIsAnError) {
+  const auto started = start_detached({path("nothing here")});
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error(), path("nothing here") + " cannot be started: No such file or directory.");
+}
+
+TEST_F(ExternalProgramTest, ACartIsSavedAndOpenedItself) {
+  Session session;
+  session.apply(action::SaveFileAs{path("my game.tic")});
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  open_in_program(session, ProgramId::tic80, commands(), path("copies"));
+  EXPECT_EQ(told(), path("my game.tic") + "\n");
+  EXPECT_FALSE(session.modified());
+  EXPECT_EQ(load_level(path("my game.tic"))->level.map.at({0, 0}), 4);
+  ASSERT_TRUE(session.message());
+  EXPECT_FALSE(session.message()->is_error) << session.message()->text;
+}
+
+TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
+  Session session;
+  session.apply(action::SaveFileAs{path("level.talus.json")});
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  open_in_program(session, ProgramId::tic80, commands(), path("copies"));
+  EXPECT_EQ(told(), path("copies/level.tic") + "\n");
+  EXPECT_TRUE(session.modified()) << "its own file was left alone";
+  EXPECT_EQ(load_level(path("copies/level.tic"))->level.map.at({0, 0}), 4);
+}
+
+TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
+  Session session;
+  open_in_program(session, ProgramId::love, commands(), path("copies"));
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error) << "a level without a file belongs to no game";
+  session.apply(action::SaveFileAs{path("level.talus.json")});
+  open_in_program(session, ProgramId::love, commands(), path("copies"));
+  EXPECT_EQ(told(), folder_.string() + "\n");
+}
+
+TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {
+  Session session;
+  session.apply(action::SaveFileAs{path("game.tic")});
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  ProgramCommands wrong = commands();
+  wrong[0] = "tic80 {fil}";
+  open_in_program(session, ProgramId::tic80, wrong, path("copies"));
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_NE(session.message()->text.find("{fil} stands for nothing"), std::string::npos);
+  EXPECT_TRUE(session.modified());
+}
+
+}  // namespace
+}  // namespace talus

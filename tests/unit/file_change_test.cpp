@@ -1,0 +1,196 @@
+// Files that other programs change under a session: nothing is lost, whatever the answer.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "edit/map_tools.h"
+#include "formats/atomic_file.h"
+#include "session/file_stamp.h"
+#include "session/session.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileChangeTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / ("talus-file-change-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    write(level_with(1));
+    session_.apply(action::OpenFile{file()});
+    ASSERT_EQ(session_.path(), file());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file() const { return (folder_ / "level.talus.json").string(); }
+  // A level with a tile in its first cell.
+  static Level level_with(std::uint8_t tile) {
+    Level level;
+    level.map = TileMap(4, 4);
+    level.map.set({0, 0}, tile);
+    return level;
+  }
+  void write(const Level& level) const { ASSERT_TRUE(save_level(level, *find_format("native"), file())); }
+  void edit(std::uint8_t tile) {
+    Edit edit{"Paint", {CellChange{{0, 0}, first_tile(), tile}}};
+    session_.apply(action::EditLevel{edit});
+  }
+  std::uint8_t first_tile() const { return session_.level().map.at({0, 0}); }
+
+  fs::path folder_;
+  Session session_;
+};
+
+TEST_F(FileChangeTest, AnUnchangedFileIsNoNews) {
+  session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.message());
+  EXPECT_FALSE(session_.question());
+  EXPECT_TRUE(session_.history().edits().empty());
+}
+
+TEST_F(FileChangeTest, ATouchedFileWithTheSameContentIsNoNews) {
+  write(level_with(1));  // renamed over it: another time, the same bytes
+  session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.message());
+  EXPECT_FALSE(session_.question());
+}
+
+TEST_F(FileChangeTest, IsReadAgainWithoutUnsavedChangesAndUndoTakesThatBack) {
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  EXPECT_EQ(first_tile(), 7);
+  EXPECT_FALSE(session_.modified());
+  ASSERT_TRUE(session_.message()) << "never silently";
+  EXPECT_FALSE(session_.message()->is_error);
+  session_.apply(action::Undo{});
+  EXPECT_EQ(first_tile(), 1);
+  EXPECT_TRUE(session_.modified());
+  session_.apply(action::Redo{});
+  EXPECT_EQ(session_.level(), level_with(7));
+  EXPECT_FALSE(session_.modified());
+}
+
+TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndKeeps) {
+  edit(3);
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+  EXPECT_EQ(first_tile(), 3);
+  session_.apply(action::AnswerQuestion{action::Answer::keep});
+  EXPECT_EQ(first_tile(), 3);
+  EXPECT_TRUE(session_.modified());
+  session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.question()) << "each state of the file is asked about once";
+  session_.apply(action::SaveFile{});
+  EXPECT_FALSE(session_.modified());
+  EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 3);
+}
+
+TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndReadsAgain) {
+  edit(3);
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  session_.apply(action::AnswerQuestion{action::Answer::reload});
+  EXPECT_EQ(first_tile(), 7);
+  EXPECT_FALSE(session_.modified());
+  session_.apply(action::Undo{});
+  EXPECT_EQ(first_tile(), 3) << "the unsaved change is still there";
+}
+
+TEST_F(FileChangeTest, SavingDoesNotReplaceWhatAnotherProgramWrote) {
+  edit(3);
+  write(level_with(7));
+  session_.apply(action::SaveFile{});  // before anything has looked at the file
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+  EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 7);
+  session_.apply(action::AnswerQuestion{action::Answer::keep});
+  session_.apply(action::SaveFile{});
+  EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 3);
+}
+
+TEST_F(FileChangeTest, QuittingAsksAboutTheFileBeforeItReplacesIt) {
+  edit(3);
+  write(level_with(7));
+  session_.apply(action::Quit{});
+  session_.apply(action::AnswerQuestion{action::Answer::save});
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+  EXPECT_FALSE(session_.wants_quit());
+}
+
+TEST_F(FileChangeTest, ARemovedFileIsToldOnceAndTheLevelIsNoLongerSaved) {
+  fs::remove(file());
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.message());
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_TRUE(session_.modified());
+  session_.apply(action::DismissMessage{});
+  session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.message());
+  session_.apply(action::SaveFile{});
+  EXPECT_TRUE(fs::exists(file()));
+  EXPECT_FALSE(session_.modified());
+}
+
+TEST_F(FileChangeTest, AFileThatComesBackChangedIsAskedAbout) {
+  fs::remove(file());
+  session_.apply(action::CheckFile{});
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  EXPECT_TRUE(session_.question());
+}
+
+TEST_F(FileChangeTest, ADamagedFileIsToldAndChangesNothing) {
+  std::ofstream(file()) << "{ half a lev";
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.message());
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_EQ(first_tile(), 1);
+  EXPECT_TRUE(session_.modified());
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  EXPECT_TRUE(session_.question()) << "the whole file that follows is another change";
+}
+
+TEST_F(FileChangeTest, SavingACartGivesItANewTimeAtOnce) {
+  const std::string cart = (folder_ / "game.tic").string();
+  session_.apply(action::SaveFileAs{cart});
+  ASSERT_EQ(session_.path(), cart);
+  struct stat first = {};
+  ASSERT_EQ(::stat(cart.c_str(), &first), 0);
+  const timespec past[2] = {{first.st_mtim.tv_sec - 10, 0}, {first.st_mtim.tv_sec - 10, 0}};
+  ASSERT_EQ(::utimensat(AT_FDCWD, cart.c_str(), past, 0), 0);
+  edit(9);
+  session_.apply(action::SaveFile{});
+  struct stat second = {};
+  ASSERT_EQ(::stat(cart.c_str(), &second), 0);
+  // TIC-80 reads a cart again when its time, in whole seconds, has grown.
+  EXPECT_GE(second.st_mtim.tv_sec, first.st_mtim.tv_sec);
+  EXPECT_NE(second.st_ino, first.st_ino) << "in place at once, never half written";
+  EXPECT_EQ(load_level(cart)->level.map.at({0, 0}), 9);
+  EXPECT_FALSE(session_.question()) << "the same content at another time is no change";
+}
+
+TEST(FileStamp, TellsContentFromTime) {
+  const fs::path path = fs::path(::testing::TempDir()) / ("talus-stamp-" + std::to_string(::getpid()));
+  ASSERT_TRUE(write_file_atomic(path.string(), "one"));
+  FileStamp stamp = *stamp_of_file(path.string());
+  EXPECT_EQ(stamp.size, 3);
+  EXPECT_EQ(file_change(path.string(), stamp), FileChange::none);
+  ASSERT_TRUE(write_file_atomic(path.string(), "two"));
+  EXPECT_EQ(file_change(path.string(), stamp), FileChange::content);
+  fs::remove(path);
+  EXPECT_EQ(file_change(path.string(), stamp), FileChange::gone);
+  EXPECT_FALSE(stamp_of_file(path.string()));
+}
+
+}  // namespace
+}  // namespace talus

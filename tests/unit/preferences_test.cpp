@@ -1,0 +1,138 @@
+// Keys that the user chose, the times of frames, and how preferences are written down.
+#include "panels/preferences.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "overlay/overlay_id.h"
+#include "panels/key_conflicts.h"
+#include "platform/preferences_json.h"
+
+namespace talus {
+namespace {
+
+TEST(KeyText, IsReadAsItIsWritten) {
+  for (const Command& command : commands()) {
+    for (KeyChord chord : {command.key, command.other_key})
+      EXPECT_EQ(parse_chord(to_string(chord)), chord) << to_string(chord);
+  }
+  for (KeyChord chord : {ctrl('+'), shift('+'), KeyChord{'+'}, KeyChord{}, ctrl_shift(' '), alt(kKeyF12)})
+    EXPECT_EQ(parse_chord(to_string(chord)), chord) << to_string(chord);
+  for (const char* text : {"Ctrl+", "Shift+Nothing", "F13", "Strg+A", "ab"})
+    EXPECT_FALSE(parse_chord(text)) << text;
+}
+
+TEST(KeyBindings, AKeyIsTakenFromWhoeverHadIt) {
+  KeyBindings bindings;
+  const Command &save = find_command("file/save"), &grid = find_command("canvas/grid");
+  ASSERT_TRUE(bindings.changed.empty());
+  EXPECT_EQ(command_with_key(ctrl('s'), grid, bindings), &save);
+  EXPECT_EQ(command_with_key(ctrl('s'), save, bindings), nullptr);
+  bind_key(grid, 1, ctrl('s'), bindings);
+  EXPECT_EQ(command_keys(save, bindings), CommandKeys{});
+  EXPECT_EQ(command_keys(grid, bindings), (CommandKeys{KeyChord{'`'}, ctrl('s')}));
+  reset_keys(save, bindings);
+  EXPECT_EQ(command_keys(save, bindings), (CommandKeys{ctrl('s'), KeyChord{}}));
+  EXPECT_EQ(command_keys(grid, bindings), (CommandKeys{KeyChord{'`'}, KeyChord{}}));
+  EXPECT_TRUE(bindings.changed.empty()) << "what is as it was is no change";
+}
+
+TEST(KeyBindings, ASideOfTheWindowHasKeysOfItsOwn) {
+  KeyBindings bindings;
+  const Command &pencil = find_command("pixels/pencil"), &stamp = find_command("map/stamp");
+  ASSERT_EQ(pencil.key, stamp.key);
+  EXPECT_EQ(command_with_key(pencil.key, stamp, bindings), nullptr);
+  bind_key(find_command("canvas/grid"), 0, pencil.key, bindings);
+  EXPECT_FALSE(command_keys(pencil, bindings)[0]);
+  EXPECT_FALSE(command_keys(stamp, bindings)[0]) << "a key that works everywhere takes it from both";
+}
+
+TEST(PreferencesJson, ComesBackAsItWasWritten) {
+  Preferences preferences;
+  preferences.theme = ThemeKind::light;
+  preferences.font_size = 16;
+  preferences.programs[1] = "\"/opt/my love\" {folder}";
+  preferences.keys.changed["file/save"] = {ctrl_shift('x'), KeyChord{}};
+  preferences.keys.changed["no/such/command"] = {KeyChord{}, alt(kKeyF12)};
+  EXPECT_EQ(preferences_of_json(to_json(preferences)), preferences);
+  EXPECT_EQ(preferences_of_json(to_json(Preferences())), Preferences());
+}
+
+TEST(PreferencesJson, WhatIsWrongGetsItsDefault) {
+  EXPECT_EQ(preferences_of_json(nlohmann::json::parse(
+                R"({"theme": 3, "font_size": 99, "keys": {"a": 1}, "programs": {"tic80": 4, "x": "y"}})")),
+            Preferences());
+  EXPECT_EQ(preferences_of_json(nlohmann::json::parse(R"([1, 2])")), Preferences());
+  const Preferences odd =
+      preferences_of_json(nlohmann::json::parse(R"({"keys": {"a": ["Ctrl+A", "What+B", "Ctrl+C"]}})"));
+  EXPECT_EQ(odd.keys.changed.at("a"), (CommandKeys{ctrl('a'), KeyChord{}}));
+}
+
+TEST(FrameMetrics, RemembersTheLast120Frames) {
+  FrameMetrics metrics;
+  EXPECT_EQ(metrics.median_ms(), 0);
+  EXPECT_EQ(metrics.max_ms(), 0);
+  metrics.note({100, 1, 1});
+  for (int i = 1; i <= 119; ++i) metrics.note({static_cast<double>(i % 3), i, 2});
+  EXPECT_EQ(metrics.frames(), 120u);
+  EXPECT_EQ(metrics.max_ms(), 100);
+  metrics.note({2, 7, 3});
+  EXPECT_EQ(metrics.frames(), 120u);
+  EXPECT_EQ(metrics.max_ms(), 2);
+  EXPECT_EQ(metrics.median_ms(), 1);
+  EXPECT_EQ(metrics.last().vertices, 7);
+  EXPECT_EQ(metrics.last().draw_calls, 3);
+}
+
+// --- colours as colour-blind eyes see them: Machado, Oliveira and Fernandes (2009), in full strength.
+using Triple = std::array<double, 3>;
+using Matrix = std::array<Triple, 3>;
+constexpr Matrix kNormal = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+constexpr Matrix kProtan = {
+    {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
+constexpr Matrix kDeutan = {
+    {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
+constexpr Matrix kTritan = {
+    {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
+
+Triple seen_lab(std::uint32_t rgb, const Matrix& eyes) {
+  Triple linear{}, seen{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double c = (rgb >> (16 - 8 * i) & 255) / 255.0;
+    linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    seen[i] = std::clamp(eyes[i][0] * linear[0] + eyes[i][1] * linear[1] + eyes[i][2] * linear[2], 0.0, 1.0);
+  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+  const double x = f((0.4124 * seen[0] + 0.3576 * seen[1] + 0.1805 * seen[2]) / 0.95047);
+  const double y = f(0.2126 * seen[0] + 0.7152 * seen[1] + 0.0722 * seen[2]);
+  const double z = f((0.0193 * seen[0] + 0.1192 * seen[1] + 0.9505 * seen[2]) / 1.08883);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+// The least difference of two overlays' colours in CIELAB, where 2.3 is just noticeable.
+double least_difference(OverlayPalette palette, const Matrix& eyes) {
+  double least = 1e9;
+  for (const OverlayInfo& a : overlay_infos()) {
+    for (const OverlayInfo& b : overlay_infos()) {
+      if (a.id <= b.id) continue;
+      const Triple u = seen_lab(overlay_color(a.id, palette), eyes),
+                   v = seen_lab(overlay_color(b.id, palette), eyes);
+      least = std::min(least, std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]));
+    }
+  }
+  return least;
+}
+
+TEST(OverlayPalette, StaysApartForColourBlindEyes) {
+  for (const Matrix& eyes : {kNormal, kProtan, kDeutan})
+    EXPECT_GT(least_difference(OverlayPalette::colour_blind, eyes), 15);
+  EXPECT_GT(least_difference(OverlayPalette::colour_blind, kTritan), 7);
+  EXPECT_LT(least_difference(OverlayPalette::standard, kDeutan), 7) << "else one palette would be enough";
+}
+
+}  // namespace
+}  // namespace talus
