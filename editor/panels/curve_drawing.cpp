@@ -71,7 +71,7 @@ void CurvePen::title(const std::string& text, ImVec2 beside, std::uint32_t color
   list_.AddText(at, theme::color(color), text.c_str());
 }
 
-void CurvePen::snapped(const SnappedPoint& point, const Ui& ui) const {
+void CurvePen::snapped(const SnappedPoint& point, const Ui& ui, std::string_view word) const {
   const ImVec2 at = view_.to_screen(point.point);
   const float dot = ui.px(3), ring = ui.px(kRing);
   const ImU32 dark = theme::color(theme::kDark, 200), bright = theme::color(theme::kAccent);
@@ -81,7 +81,6 @@ void CurvePen::snapped(const SnappedPoint& point, const Ui& ui) const {
     case SnappedPoint::To::end:
       list_.AddCircle(at, ring, dark, 0, 4);
       list_.AddCircle(at, ring, theme::color(theme::kWarning), 0, 2);
-      title("end", at, theme::kWarning);
       break;
     case SnappedPoint::To::tile:
       list_.AddRect({at.x - ring, at.y - ring}, {at.x + ring, at.y + ring}, dark, 0, 0, 3);
@@ -93,6 +92,9 @@ void CurvePen::snapped(const SnappedPoint& point, const Ui& ui) const {
     default:
       break;
   }
+  const bool on_end = point.to == SnappedPoint::To::end;
+  const std::string text = std::string(word) + (!on_end ? "" : word.empty() ? "end" : ", on an end");
+  if (!text.empty()) title(text, at, on_end ? theme::kWarning : theme::kText);
 }
 
 }  // namespace talus

@@ -23,8 +23,8 @@ class CurvePen {
   // Beside a place on the screen, inside the canvas. color: 0xRRGGBB.
   void title(const std::string& text, ImVec2 beside, std::uint32_t color) const;
   // A mark that tells what the point was put on: a ring with a word for an end, a square for a tile's border,
-  // a diamond for half a pixel, a dot for a pixel.
-  void snapped(const SnappedPoint& point, const Ui& ui) const;
+  // a diamond for half a pixel, a dot for a pixel. word: one more, beside it; may be empty.
+  void snapped(const SnappedPoint& point, const Ui& ui, std::string_view word = {}) const;
 
  private:
   ImDrawList& list_;

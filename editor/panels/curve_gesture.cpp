@@ -162,7 +162,7 @@ void CurveGesture::finish(const Session& session, Actions& actions, const Canvas
 void CurveGesture::draw(ImDrawList& list, const Session& session, const CanvasView& view, Ui& ui, Vec2 at,
                         bool hovered) const {
   const CurvePen pen(list, view, ui.px(2));
-  const Grip grip = hovered && !active() ? grip_at(session, view, at) : Grip{curve_, handle_};
+  const Grip grip = active() ? Grip{curve_, handle_} : hovered ? grip_at(session, view, at) : Grip{};
   const int chosen = chosen_curve(session);
   if (hovered && !active() && grip.curve >= 0 && grip.curve != chosen) {
     pen.stroke(curve_of(session, grip.curve).curve, theme::color(theme::kWarning));
@@ -195,7 +195,8 @@ void CurveGesture::draw_new_line(ImDrawList& list, const Session& session, const
     }
     pen.snapped({from_, SnappedPoint::To::pixel}, ui);
   }
-  pen.snapped(to, ui);
+  const bool says_kind = drag_ == Drag::none && session.choices().map_tool == MapTool::curve;
+  pen.snapped(to, ui, says_kind ? label_of(kind) : "");
 }
 
 }  // namespace talus

@@ -9,7 +9,6 @@
 
 #include "commands.h"
 #include "curve_gesture.h"
-#include "number_field.h"
 
 namespace talus {
 namespace {
@@ -19,7 +18,7 @@ constexpr std::size_t kMostHeights = 65;  // of a polyline, that get a field eac
 // The numbers of a form, one after another.
 class FormFields {
  public:
-  FormFields(const Session& session, int& stroke, Ui& ui) : session_(session), stroke_(stroke), ui_(ui) {}
+  FormFields(const Session& session, NumberEdit& edit, Ui& ui) : session_(session), edit_(edit), ui_(ui) {}
   bool changed() const { return changed_; }
 
   void draw(Segment& s) {
@@ -82,7 +81,7 @@ class FormFields {
     if (!first_) ui_.same_line_if_fits(ui_.px(width));
     first_ = false;
     const std::string name = "inspector/curve_" + part;
-    changed_ |= draw_number_field({name, format, help, width, speed}, value, session_, stroke_, ui_);
+    changed_ |= draw_number_field({name, format, help, width, speed}, value, session_, edit_, ui_);
   }
   void point(const std::string& part, Vec2& value) {
     const std::string x = part + " x %.8g";
@@ -91,11 +90,11 @@ class FormFields {
   }
   void note_click() {
     changed_ = true;
-    stroke_ = 0;
+    edit_.stroke = 0;
   }
 
   const Session& session_;
-  int& stroke_;
+  NumberEdit& edit_;
   Ui& ui_;
   bool first_ = true;  // in its row
   bool changed_ = false;
@@ -200,10 +199,10 @@ void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui
 
 void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& ui, int curve) {
   LevelCurve changed = curve_of(session, curve);
-  FormFields fields(session, stroke_, ui);
+  FormFields fields(session, number_, ui);
   std::visit([&](auto& form) { fields.draw(form); }, changed.curve.form);
   if (fields.changed())
-    change(session, actions, curve, std::move(changed), "Change a curve's numbers", stroke_);
+    change(session, actions, curve, std::move(changed), "Change a curve's numbers", number_.stroke);
 }
 
 void CurveInspector::change(const Session& session, Actions& actions, int curve, LevelCurve changed,

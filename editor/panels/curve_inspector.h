@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "number_field.h"
 #include "session/session.h"
 #include "ui.h"
 
@@ -23,7 +24,7 @@ class CurveInspector {
   int shown_ = -1;       // the curve that the fields below belong to
   std::string name_;     // as it is typed
   std::string problem_;  // why the last number was not taken; empty: it was
-  int stroke_ = 0;
+  NumberEdit number_;
 };
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 // A number to drag or to type, for panels that change the level by it.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "session/session.h"
@@ -16,7 +17,14 @@ struct NumberField {
   float speed = 1;   // how much it changes for each px of the mouse
 };
 
-// Draws it. Whether the value has just been changed. stroke: kept between frames; of the edits of one drag.
-bool draw_number_field(const NumberField& field, double& value, const Session& session, int& stroke, Ui& ui);
+// What a panel keeps between frames for all of its fields.
+struct NumberEdit {
+  int stroke = 0;               // of the edits of one drag
+  std::optional<double> typed;  // not taken before the typing ends
+};
+
+// Draws it. Whether the value has just been changed, to a finite one.
+bool draw_number_field(const NumberField& field, double& value, const Session& session, NumberEdit& edit,
+                       Ui& ui);
 
 }  // namespace talus

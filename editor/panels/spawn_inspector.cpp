@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "edit/spawn_tools.h"
-#include "number_field.h"
 
 namespace talus {
 namespace {
@@ -98,7 +97,7 @@ void SpawnInspector::draw_start(const Session& session, int index, Actions& acti
   const auto number = [&](const char* name, const char* format, double& value, const char* help,
                           float speed) {
     if (std::string_view(name) != "inspector/start_x") ui.same_line_if_fits(ui.px(76));
-    changed |= draw_number_field({name, format, help, 76, speed}, value, session, stroke_, ui);
+    changed |= draw_number_field({name, format, help, 76, speed}, value, session, number_, ui);
   };
   ui.heading("Starts at");
   number("inspector/start_x", "x %.8g", spawn.position.x, "Where its box's left side starts, px.", 1);
@@ -110,7 +109,7 @@ void SpawnInspector::draw_start(const Session& session, int index, Actions& acti
   const double reach = kMaxCoordinate;
   for (double* part : {&spawn.position.x, &spawn.position.y, &spawn.velocity.x, &spawn.velocity.y})
     *part = std::clamp(*part, -reach, reach);
-  if (changed) change(session, index, std::move(spawn), "Change how a body starts", stroke_, actions);
+  if (changed) change(session, index, std::move(spawn), "Change how a body starts", number_.stroke, actions);
 }
 
 }  // namespace talus

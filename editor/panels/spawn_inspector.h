@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "number_field.h"
 #include "session/session.h"
 #include "ui.h"
 
@@ -20,7 +21,7 @@ class SpawnInspector {
 
   int shown_ = -1;    // the spawn that name_ belongs to
   std::string name_;  // as it is typed
-  int stroke_ = 0;
+  NumberEdit number_;
 };
 
 }  // namespace talus
