@@ -328,8 +328,9 @@ void App::release(const SDL_Event& event, Actions& actions) {
 bool App::keys_are_taken(KeyChord chord) const {
   if (ImGui::GetTopMostPopupModal() != nullptr) return true;
   const bool types = ImGui::GetIO().WantTextInput;
-  const bool edits_text =
-      !chord.ctrl || std::string_view("acvxyz").find(static_cast<char>(chord.key)) != std::string_view::npos;
+  const bool moves_cursor = chord.key >= kKeyTab;
+  const bool edits_text = !chord.ctrl || moves_cursor ||
+                          std::string_view("acvxyz").find(static_cast<char>(chord.key)) != std::string_view::npos;
   return types && chord.key < kKeyF1 && edits_text;
 }
 

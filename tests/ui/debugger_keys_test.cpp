@@ -204,6 +204,20 @@ TEST_F(UiDebuggerKeys, CompareWithEachInTurn) {
   EXPECT_EQ(stops()[0].condition, "parting > 0.01");
 }
 
+TEST_F(UiDebuggerKeys, TheCursorOfAFieldKeepsItsKeys) {
+  play(20);
+  key(kKeyF8);
+  frames(3);
+  type("vx vy");
+  key(ctrl(kKeyLeft));
+  EXPECT_EQ(frame(), 20);
+  type("* ");
+  key(kEnter);
+  frames(2);
+  ASSERT_EQ(watches().size(), 1u);
+  EXPECT_EQ(watches()[0].watch.text, "vx * vy");
+}
+
 TEST_F(UiDebuggerKeys, RulesForEditsAreTakenInTurn) {
   play(4);
   using Kind = EditRule::Kind;
