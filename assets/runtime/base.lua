@@ -1,0 +1,53 @@
+-- Talus: boxes on slopes, swept exactly. Made by Talus from a level's needs; what the level has no use for is
+-- left out. Lua 5.3, 5.4 and LuaJIT give the same bits as the program: every sum is made in the same order.
+-- Pixels, y down. See talus.new at the end.
+local floor, ceil, abs, sqrt, huge = math.floor, math.ceil, math.abs, math.sqrt, math.huge
+local TILE = 8.0                  -- px, side of a cell
+local ROUNDING = 8 * 2.0 ^ -52    -- what a few roundings make of a number, of its size
+local SLICE = 16.0                -- px; longer motions are cut, so that only cells near the way are looked at
+-- what a side of the ground faces; it stops only what comes from there
+local UP, DOWN, LEFT, RIGHT = 1, 2, 3, 4
+
+local function min(a, b) if b < a then return b end return a end
+local function max(a, b) if a < b then return b end return a end
+local function clamp(v, least, most)
+  if v < least then return least end
+  if most < v then return most end
+  return v
+end
+
+-- Numbers of twice the precision are two: one, and what rounding took from it (Dekker, Knuth).
+local function two(large, small)
+  local high = large + small
+  return high, small - (high - large)
+end
+local function two_add(a, a_low, b, b_low)
+  local sum = a + b
+  local part = sum - a
+  local lost = (a - (sum - part)) + (b - part)
+  return two(sum, lost + (a_low + b_low))
+end
+local function two_multiply(a, a_low, b, b_low)
+  local product = a * b
+  -- Lua has no fused multiplication: the halves of both factors give what it would.
+  local scaled = 134217729.0 * a
+  local a_high = scaled - (scaled - a)
+  local a_rest = a - a_high
+  scaled = 134217729.0 * b
+  local b_high = scaled - (scaled - b)
+  local b_rest = b - b_high
+  local lost = ((a_high * b_high - product) + a_high * b_rest + a_rest * b_high) + a_rest * b_rest
+  return two(product, lost + (a * b_low + a_low * b))
+end
+local function two_divide(a, a_low, b, b_low)
+  local quotient = a / b
+  local high, low = two_multiply(b, b_low, quotient, 0.0)
+  high, low = two_add(a, a_low, -high, -low)
+  return two(quotient, (high + low) / b)
+end
+
+-- What the parts for slopes, for curves and for what bodies can do define; nil in a module without them.
+local y_at, is_steep, foot_offset, rest_on, outline_of, pieces_in
+local curve_y, tangent_at, cut_curves, cells_of_curves, curve_time
+local against_piece, line_time, overlaps_slopes, curved, follow, is_hollow
+local others_near, run, take_mouse, drag

@@ -1,0 +1,409 @@
+-- ---- Cast: when does a moving box first meet the ground? ----
+-- The box is swept against the outline grown by the box, so that its corner is a point on a straight way.
+
+-- The cast under way: the terrain, the box, its motion, whether its centre alone stands on floors, 1 / dx,
+-- the pixels in the motion, what rounding may have put the box into the ground; a piece that stops nothing,
+-- and whether stretches of curves count.
+local ground, bx, by, bw, bh, dx, dy, centre, inverse, speed, slack, ignored
+local with_curves = true
+-- What is tested: whose it is; and the first contact so far: see offer().
+local origin, is_other
+local best_t, best_facing, best_flat_end, best_mirrored, best_other, best_origin
+local best_piece, best_at, best_first, best_last
+
+-- A box's x moved by some, and rounded so that both its sides are exact.
+local function moved_x(x, w, by_x)
+  if by_x == 0 then return x end
+  local middle = x + w / 2 + by_x
+  local left, right = middle - w / 2, middle + w / 2
+  return abs(right) > abs(left) and right - w or left
+end
+
+local function rounding_slack(x, y, w, h, motion_x, motion_y)
+  local half_w, half_h = w / 2, h / 2
+  return ((abs(x + half_w) + half_w) + (abs(y + half_h) + half_h) + max(abs(motion_x) + abs(motion_y),
+      2 * TILE)) *
+             ROUNDING
+end
+
+local function normal_of(t, facing, flat_end, piece)
+  if facing == LEFT then return -1.0, 0.0 end
+  if facing == RIGHT then return 1.0, 0.0 end
+  local sign = facing == UP and 1.0 or -1.0
+  if flat_end or piece == nil then return 0.0, -sign end
+  if not piece.stretch then
+    local length = sqrt(1 + piece.slope * piece.slope)
+    return sign * piece.slope / length, -sign / length
+  end
+  local x = clamp(bx + t * dx + foot_offset(piece, bw, centre), piece.x0, piece.x1)
+  local along_x, along_y = tangent_at(piece.stretch, x)
+  return sign * along_y, -sign * along_x
+end
+
+-- Between contacts at the same time the most opposing one counts, then the one more level; two mirror images
+-- count as one that faces straight up or down. flat_end: a flat side of the box met the end of a piece; at: a
+-- wall's x, a flat one's y; first, last: where the box may be.
+local function offer(t, facing, flat_end, piece, at, first, last)
+  if not (t <= best_t) then return end
+  if t == best_t then
+    local level, best_level = flat_end or piece == nil, best_flat_end or best_piece == nil
+    if level and best_level and facing == best_facing then return end
+    local x, y = normal_of(t, facing, flat_end, piece)
+    local best_x, best_y = normal_of(best_t, best_facing, best_flat_end, best_piece)
+    local a, b = x * dx + y * dy, best_x * dx + best_y * dy
+    if not (a < b or (a == b and abs(y) > abs(best_y))) then
+      if a == b and x == -best_x and x ~= 0 and facing == best_facing then best_mirrored = true end
+      return
+    end
+  end
+  best_t, best_facing, best_flat_end, best_mirrored, best_piece = t, facing, flat_end, false, piece
+  best_at, best_first, best_last, best_origin, best_other = at, first, last, origin, is_other
+end
+
+-- Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
+local function is_slow(closing) return 16 * closing < speed end
+
+-- The same times to twice the precision.
+local function wall_time(facing, at)
+  local high, low = two_add(at, 0.0, facing == LEFT and -bw or -0.0, -0.0)
+  high, low = two_add(high, low, -bx, -0.0)
+  return two_divide(high, low, dx, 0.0)
+end
+local function level_time(up, at)
+  local high, low = two_add(at, 0.0, up and -bh or -0.0, -0.0)
+  high, low = two_add(high, low, -by, -0.0)
+  return two_divide(high, low, dy, 0.0)
+end
+
+local function limit_of(facing, at)
+  if facing == LEFT then return at - bw end
+  return facing == UP and at - bh or at
+end
+
+-- The part of the motion during which the box's x is between first and last: from, to (from > to: none), and
+-- how far away it is at both. open: nothing goes on there. rest_at(x): where the box rests.
+local function window_of(first, last, first_y, last_y, open_first, open_last, up, rest_at)
+  local sign = up and 1 or -1
+  if dx == 0 then
+    local in_first, in_last
+    if open_first then in_first = bx > first + slack else in_first = bx >= first - slack end
+    if open_last then in_last = bx < last - slack else in_last = bx <= last + slack end
+    if not in_first or not in_last then return 1, 0, 0, 0 end
+    local rest = rest_at(bx)
+    return 0.0, 1.0, sign * (rest - (by + 0.0 * dy)), sign * (rest - (by + 1.0 * dy))
+  end
+  local right = dx > 0
+  local enter, leave, open_leave
+  if right then enter, leave, open_leave = first, last, open_last else enter, leave, open_leave = last,
+      first, open_first end
+  local to_leave = (leave - bx) * inverse
+  -- At its end and on the way out: where the outline goes on, the next piece has it.
+  if to_leave * speed <= slack and (open_leave or to_leave <= 1) then return 1, 0, 0, 0 end
+  local from, to, gap, last_gap = 0.0, 1.0, nil, nil
+  local before
+  if right then before = bx < enter else before = bx > enter end
+  if before then
+    from = (enter - bx) * inverse
+    if from > 1 then return 1, 0, 0, 0 end
+    gap = sign * ((right and first_y or last_y) - (by + from * dy))
+  else
+    gap = sign * (rest_at(bx) - (by + 0.0 * dy))
+  end
+  if to_leave < 1 then
+    to = to_leave
+    last_gap = sign * ((right and last_y or first_y) - (by + to * dy))
+  else
+    last_gap = sign * (rest_at(bx + dx) - (by + 1.0 * dy))
+  end
+  return from, to, gap, last_gap
+end
+
+-- When the gap closes at a constant rate; nil if it does not. exact(): the same to twice the precision.
+local function straight_time(from, to, gap, last_gap, closing, forgiven, exact)
+  if from > to or gap < -forgiven then return nil end
+  if gap <= 0 then return from end
+  if last_gap >= 0 and not (to == 1 and last_gap == 0) then return nil end
+  local t
+  if is_slow(closing) then
+    local high, low = exact()
+    t = high + low
+  else
+    t = from + gap / closing
+  end
+  return clamp(t, from, to)
+end
+
+local function flat_in_reach(first, last, rest, open_first, open_last, up, y, piece)
+  local closing = up and dy or -dy
+  if not (closing > 0) then return end
+  local from, to, gap, last_gap =
+      window_of(first, last, rest, rest, open_first, open_last, up, function() return rest end)
+  local t = straight_time(from, to, gap, last_gap, closing, slack, function() return level_time(up, y) end)
+  if t then offer(t, up and UP or DOWN, piece ~= nil, piece, y, first, last) end
+end
+
+local function flat(up, y, x0, x1, open0, open1, piece)
+  local limit, first = limit_of(up and UP or DOWN, y), x0 - bw
+  -- Most are out of reach, or met well between their ends.
+  local gap, closing
+  if up then gap, closing = limit - by, dy else gap, closing = by - limit, -dy end
+  if gap > closing or gap < -slack then return end
+  local t = 0.0
+  if gap > 0 then
+    if is_slow(closing) then
+      local high, low = level_time(up, y)
+      t = max(high + low, 0.0)
+    else
+      t = gap / closing
+    end
+  end
+  local x = bx + t * dx
+  if min(bx, x) > first + slack and max(bx, x) < x1 - slack then
+    offer(t, up and UP or DOWN, piece ~= nil, piece, y, first, x1)
+  else
+    flat_in_reach(first, x1, limit, open0, open1, up, y, piece)
+  end
+end
+
+local function wall(facing, at, y0, y1, open0, open1, piece)
+  local limit = limit_of(facing, at)
+  local gap
+  if facing == LEFT then gap = limit - bx else gap = bx - limit end
+  if gap < -slack then return end
+  local t = 0.0
+  if gap > 0 then
+    if is_slow(abs(dx)) then
+      local high, low = wall_time(facing, at)
+      t = max(high + low, 0.0)
+    else
+      t = gap * abs(inverse)
+    end
+  end
+  if t > 1 or t > best_t then return end
+  local y = by + t * dy
+  if y + bh > y0 + (open0 and slack or -slack) and y < y1 - (open1 and slack or -slack) then
+    offer(t, facing, false, piece, at, 0.0, 0.0)
+  end
+end
+
+-- ---- Which cells ----
+
+-- Tiles side by side with an open top, or bottom, are one.
+local function row_of_tiles(up, y, first, last, left, right)
+  local x = first
+  while x <= last do
+    local x1 = x
+    while x1 <= last and ground:is_open(x1, y, 0, up and -1 or 1) do x1 = x1 + 1 end
+    if x1 > x then
+      local from, to = x * TILE, x1 * TILE
+      if centre and up and against_piece then
+        -- Where slopes may go on, the centre alone counts; over a ledge the whole bottom does.
+        if ground:is_solid(x - 1, y) and ground:is_detailed(x - 1, y) then from = from + bw / 2 end
+        if ground:is_solid(x1, y) and ground:is_detailed(x1, y) then to = to - bw / 2 end
+      end
+      origin = y * ground.width + x
+      flat(up, (up and y or y + 1) * TILE, from, to, not ground:is_solid(x - 1, y), not ground:is_solid(x1,
+          y), nil)
+    end
+    x = x1 + 1
+  end
+end
+
+-- Whether a full tile without details has no full tile beside it there.
+function Terrain:is_open(x, y, beside_x, beside_y)
+  if not self:is_solid(x, y) or self:is_solid(x + beside_x, y + beside_y) then return false end
+  return not (self.is_detailed and self:is_detailed(x, y))
+end
+
+local function cells_of_row(y, first, last)
+  local up = dy > 0
+  local floor_side, other, side = up and UP or DOWN, up and DOWN or UP, dx > 0 and LEFT or RIGHT
+  if against_piece then
+    for x = first, last do
+      if ground:is_detailed(x, y) then
+        local detail = ground:detail(x, y)
+        local faces = detail.faces
+        if faces[floor_side] or (dx ~= 0 and (faces[other] or faces[side])) then
+          for _, piece in ipairs(detail.pieces) do against_piece(piece) end
+        end
+      end
+    end
+  end
+  if dy ~= 0 then row_of_tiles(up, y, first, last) end
+  if dx ~= 0 then
+    local step = side == LEFT and -1 or 1
+    for x = first, last do
+      if ground:is_open(x, y, step, 0) then
+        origin = y * ground.width + x
+        wall(side, (x + (side == LEFT and 0 or 1)) * TILE, y * TILE, y * TILE + TILE, not ground:is_solid(x,
+            y - 1),
+             not ground:is_solid(x, y + 1), nil)
+      end
+    end
+  end
+end
+
+local function cells_between(first, last, count)
+  return floor(max(first, 0.0) * 0.125), min(floor(max(last, 0.0) * 0.125), count - 1)
+end
+
+-- A box meets the ground with its leading sides alone, or with the centre of its bottom.
+local function slice(from, to)
+  local x0, x1, y0, y1 = bx + from * dx, bx + to * dx, by + from * dy, by + to * dy
+  local left, right, top, bottom = min(x0, x1) - slack, max(x0, x1) + slack, min(y0, y1) - slack, max(y0,
+      y1) + slack
+  local lead_x, lead_y = dx > 0 and bw or 0.0, dy < 0 and 0.0 or bh
+  local first_column, last_column = cells_between(left, right + bw, ground.width)
+  local lead_top, lead_bottom = cells_between(top + lead_y, bottom + lead_y, ground.height)
+  local first_row, last_row, lead_left, lead_right = lead_top, lead_bottom, first_column, last_column
+  if dx ~= 0 then
+    first_row, last_row = cells_between(top, bottom + bh, ground.height)
+    if not centre then lead_left, lead_right = cells_between(left + lead_x, right + lead_x, ground.width) end
+  end
+  -- 62 columns at a time, as the program does: which of two equal tiles is named hangs on it.
+  for first = first_column, last_column, 62 do
+    local last = min(first + 61, last_column)
+    for y = first_row, last_row do
+      if y >= lead_top and y <= lead_bottom then
+        cells_of_row(y, first, last)
+      else
+        cells_of_row(y, max(first, lead_left), min(last, lead_right))
+      end
+    end
+  end
+end
+
+-- Shortens from..to to the time during which one axis of the box is on the map.
+local function clip_to_map(at, size, motion, most, from, to)
+  if motion == 0 then
+    if at > most or at + size < 0 then return from, -1 end
+    return from, to
+  end
+  local a, b = (0 - (at + size)) / motion, (most - at) / motion
+  local margin = SLICE / abs(motion)
+  return max(from, min(a, b) - margin), min(to, max(a, b) + margin)
+end
+
+local function against_terrain()
+  local length = max(abs(dx), abs(dy))
+  if length <= SLICE then return slice(0.0, 1.0) end
+  local from, to = clip_to_map(bx, bw, dx, ground.width * TILE, 0.0, 1.0)
+  from, to = clip_to_map(by, bh, dy, ground.height * TILE, from, to)
+  if from > to then return end
+  local slices = ceil((to - from) * length / SLICE) + 1
+  for i = 0, slices - 1 do
+    local stop = from + (to - from) * ((i + 1) / slices)
+    slice(from + (to - from) * (i / slices), stop)
+    if best_t <= stop then return end
+  end
+end
+
+-- Another box that stops it as tiles do.
+local function against_box(x, y, w, h, number)
+  origin, is_other = -1 - number, true
+  local right, bottom = x + w, y + h
+  if dy > 0 then flat(true, y, x, right, true, true, nil) end
+  if dy < 0 then flat(false, bottom, x, right, true, true, nil) end
+  if dx > 0 then wall(LEFT, x, y, bottom, true, true, nil) end
+  if dx < 0 then wall(RIGHT, right, y, bottom, true, true, nil) end
+  is_other = false
+end
+
+-- ---- The contact ----
+
+-- When the box meets what it hit, to twice the precision where that is a rounding away.
+local function time_of_best()
+  if best_t == 0 or (best_piece and not best_flat_end and best_piece.stretch) then return best_t, 0.0 end
+  local high, low
+  if best_facing >= LEFT then
+    high, low = wall_time(best_facing, best_at)
+  elseif best_flat_end or best_piece == nil then
+    high, low = level_time(best_facing == UP, best_at)
+  else
+    high, low = line_time(best_facing == UP, best_piece)
+  end
+  if abs((high + low) - best_t) * speed <= slack then return high, low end
+  return best_t, 0.0
+end
+
+-- A coordinate after a time.
+local function along(at, t, t_low, motion)
+  local high, low = two_multiply(t, t_low, motion, 0.0)
+  high, low = two_add(at, 0.0, high, low)
+  return high, low
+end
+local function rounded(high, low) return high + low end
+
+-- As moved_x, rounded once.
+local function exact_x(t, t_low)
+  local left, left_low = along(bx, t, t_low, dx)
+  local right, right_low = two_add(left, left_low, bw, 0.0)
+  if abs(right + right_low) > abs(left + left_low) then return (right + right_low) - bw end
+  return left + left_low
+end
+
+-- Where the box is then: on what it hit.
+local function position_of_best()
+  local t, t_low = time_of_best()
+  if best_facing >= LEFT then return limit_of(best_facing, best_at), rounded(along(by, t, t_low, dy)) end
+  local level = best_flat_end or best_piece == nil
+  -- What falls straight down keeps its x; else the place on a steep line is told by y.
+  local by_y = dx ~= 0 and not level and is_steep(best_piece)
+  local x = best_t == 0 and bx or exact_x(t, t_low)
+  if by_y and best_t == 0 then
+    x = moved_x(bx, bw, (by - rest_on(best_piece, x, bw, bh, centre)) / best_piece.slope)
+  end
+  x = clamp(x, best_first, best_last)
+  if by_y then return x, rounded(along(by, t, t_low, dy)) end
+  return x, level and limit_of(best_facing, best_at) or rest_on(best_piece, x, bw, bh, centre)
+end
+
+local function begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
+  ground, bx, by, bw, bh, centre, ignored = terrain, x, y, w, h, is_centre, without
+  dx, dy = moved_x(x, w, motion_x) ~= x and motion_x or 0.0, motion_y
+  inverse = dx == 0 and 0.0 or 1 / dx
+  speed = abs(dx) + abs(dy)
+  slack = rounding_slack(x, y, w, h, motion_x, motion_y)
+  best_t, best_facing, best_flat_end, best_mirrored, best_other = huge, UP, false, false, false
+  best_origin, best_piece, best_at, best_first, best_last = 0, nil, 0.0, 0.0, 0.0
+  origin, is_other = 0, false
+end
+
+local function end_cast()
+  if not (best_t <= 1) then return nil end
+  local contact = {t = best_t, facing = best_facing, origin = best_origin, piece = best_piece,
+                   is_other = best_other, on_end = best_flat_end}
+  contact.x, contact.y = position_of_best()
+  if best_mirrored then
+    contact.nx, contact.ny = 0.0, best_facing == UP and -1.0 or 1.0
+  else
+    contact.nx, contact.ny = normal_of(best_t, best_facing, best_flat_end, best_piece)
+  end
+  return contact
+end
+
+-- The first contact of a box at x, y that moves by motion_x, motion_y; nil: none. A contact: t, the share of
+-- the motion; x, y, of the box then; nx, ny, the ground's normal; facing; piece, of a slope. others: boxes
+-- that stop it, too; without: a piece that stops nothing this time.
+local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, others, without)
+  begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
+  if others then
+    for number, other in ipairs(others) do against_box(other.x, other.y, other.w, other.h, number - 1) end
+  end
+  against_terrain()
+  local contact = end_cast()
+  if not is_centre or not terrain.has_pieces or not terrain:has_pieces() then return contact end
+  -- Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so
+  -- its middle.
+  local middle = x + w / 2
+  with_curves = false
+  begin_cast(terrain, middle, y, 0.0, h, motion_x, motion_y, false, without)
+  against_terrain()
+  local hit = end_cast()
+  with_curves = true
+  if hit and hit.t < (contact and contact.t or huge) then
+    hit.x = moved_x(x, w, hit.x - middle)
+    return hit
+  end
+  return contact
+end

@@ -1,0 +1,45 @@
+-- ---- The mouse: it takes a body, and throws it when it is let go ----
+
+local MAX_SPEED, MAX_DISTANCE = 4096.0, 1e9
+
+local function body_at(world, x, y)
+  for _, body in ipairs(world.bodies) do
+    if x > body.x and x < body.x + body.w and y > body.y and y < body.y + body.h then return body.id end
+  end
+  return 0
+end
+
+local function has_body(world, id)
+  for _, body in ipairs(world.bodies) do
+    if body.id == id then return true end
+  end
+  return false
+end
+
+function take_mouse(world, input)
+  if input.mouse_down then
+    if (input.grab or 0) ~= 0 and has_body(world, input.grab) then world.grabbed = input.grab end
+    if world.grabbed == 0 then world.grabbed = body_at(world, input.mouse_x, input.mouse_y) end
+    return
+  end
+  if world.grabbed == 0 then return end
+  for _, body in ipairs(world.bodies) do
+    if body.id == world.grabbed then body.vx, body.vy = body.x - body.previous_x, body.y - body.previous_y end
+  end
+  world.grabbed = 0
+end
+
+local function reachable(at, goal)
+  return clamp(clamp(goal, at - MAX_SPEED, at + MAX_SPEED), -MAX_DISTANCE, MAX_DISTANCE)
+end
+
+-- A dragged body goes part of the way to the mouse, and slides along what it meets.
+function drag(world, body, box, input)
+  local n = world.tuning
+  body.previous_x, body.previous_y = body.x, body.y
+  local x = reachable(body.x, lerp(body.x, input.mouse_x - n.drag_offset, n.drag_blend)) - body.x
+  local y = reachable(body.y, lerp(body.y, input.mouse_y - n.drag_offset, n.drag_blend)) - body.y
+  move(world, box, x, y, others_near and others_near(world, body, box, x, y), function(contact, mx, my)
+    return slide_along(contact.nx, contact.ny, mx * (1 - contact.t), my * (1 - contact.t))
+  end)
+end

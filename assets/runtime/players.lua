@@ -1,0 +1,83 @@
+-- ---- Players: they run along the ground at the speed that is asked for, and jump off it ----
+
+local function take_keys(n, body, box, input)
+  local direction = (input.right and 1 or 0) - (input.left and 1 or 0)
+  local target = n.run_speed * direction
+  local gain = direction == 0 and n.run_loss or body.grounded and n.run_gain or n.air_gain
+  if box.vx < target then box.vx = min(box.vx + gain, target) else box.vx = max(box.vx - gain, target) end
+  if input.jump and not body.jump_held and (body.grounded or body.coyote > 0) then
+    box.vy = -n.jump_speed
+    body.grounded, body.coyote, body.jumping = false, 0, true
+  elseif body.jumping and not input.jump and box.vy < 0 then
+    box.vy = box.vy * n.jump_cut
+    body.jumping = false
+  end
+  body.jump_held = input.jump and true or false
+  if not body.grounded then box.vy = min(box.vy + n.player_gravity, n.fall_limit) end
+  if box.vy >= 0 then body.jumping = false end
+end
+
+local function stand(body, box)
+  body.grounded, body.jumping, body.coyote = true, false, 0
+  box.vy = 0.0
+end
+
+-- Level ground a player follows, keeping its horizontal motion; along anything else it slides, and a walk
+-- ends there.
+local function meet(n, body, box, contact, x, y)
+  local nx, ny = contact.nx, contact.ny
+  local rest_x, rest_y = x * (1 - contact.t), y * (1 - contact.t)
+  if ny < 0 and is_level(contact, n.steepest) then
+    box.landed = true
+    box.vy = 0.0
+    return rest_x, rest_x * (-nx / ny)
+  end
+  if contact.t == 1 then return 0.0, 0.0 end
+  local slide_x, slide_y = slide_along(nx, ny, rest_x, rest_y)
+  local into = box.vx * nx + box.vy * ny
+  if body.grounded or box.landed then
+    if nx * box.vx < 0 then box.vx = 0.0 end
+    return 0.0, 0.0
+  end
+  if into < 0 then box.vx, box.vy = box.vx - nx * into, box.vy - ny * into end
+  return slide_x, slide_y
+end
+
+-- The level ground straight below, within `reach`.
+local function floor_under(world, body, box, reach)
+  local found = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre,
+                         others_near and others_near(world, body, box, 0.0, reach))
+  return found and is_level(found, world.tuning.steepest) and found or nil
+end
+
+-- How far below a grounded player its floor may be after a step that moved it by x.
+local function reach_down(n, x) return n.snap > 0 and n.snap or abs(x) * n.steepest + 1 end
+
+function run(world, body, box, input)
+  local n = world.tuning
+  take_keys(n, body, box, input)
+  if body.coyote > 0 then body.coyote = body.coyote - 1 end
+  local x, y = box.vx, box.vy
+  if body.grounded then
+    local ground_below = floor_under(world, body, box, reach_down(n, 0.0))
+    if ground_below then
+      if n.surface_speed ~= 0 then x = x * -ground_below.ny end
+      y = x * (-ground_below.nx / ground_below.ny)
+    else
+      y = 0.0
+    end
+  end
+  local start, walked = box.x, body.grounded
+  move(world, box, x, y, others_near and others_near(world, body, box, x, y),
+       function(contact, mx, my) return meet(n, body, box, contact, mx, my) end)
+  if box.landed then stand(body, box) end
+  if not body.grounded then return end
+  local ground_below = floor_under(world, body, box, reach_down(n, box.x - start))
+  if ground_below then
+    box.y = ground_below.y
+    stand(body, box)
+  else
+    body.grounded = false
+    if walked then body.coyote = n.coyote_frames end
+  end
+end

@@ -1,0 +1,101 @@
+-- ---- Questions about the ground ----
+
+local function block_of(terrain, x, y, w, h, margin)
+  local function cell(at, count) return clamp(floor(at / TILE), -1, count) end
+  return max(cell(x - margin, terrain.width), 0), min(cell(x + w + margin, terrain.width), terrain.width - 1),
+         max(cell(y - margin, terrain.height), 0), min(cell(y + h + margin, terrain.height),
+             terrain.height - 1)
+end
+
+-- skip_detailed: tiles that slopes lead to do not count.
+local function overlaps_tile(terrain, x, y, w, h, forgiven, skip_detailed)
+  local left, right, top, bottom = block_of(terrain, x, y, w, h, -forgiven)
+  for row = top, bottom do
+    for column = left, right do
+      if terrain:is_solid(column, row) and
+          not (skip_detailed and terrain.is_detailed and terrain:is_detailed(column, row)) then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+-- Whether the box is inside of the ground by more than rounding.
+local function overlaps_ground(terrain, x, y, w, h, is_centre)
+  local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
+  if overlaps_tile(terrain, x, y, w, h, forgiven, is_centre) then return true end
+  if is_centre and overlaps_tile(terrain, x + w / 2, y, 0.0, h, forgiven, false) then return true end
+  return overlaps_slopes ~= nil and terrain:has_pieces() and overlaps_slopes(terrain, x, y, w, h, is_centre,
+      forgiven)
+end
+
+-- How far the box is behind a side that it overlaps, and the way back in front of it.
+local function exit_past(exits, piece, x, y, w, h, is_centre, forgiven)
+  if piece.one_way then return end
+  local distance, out_x, out_y
+  if piece.facing >= LEFT then
+    if not (y + h > piece.y0 + forgiven and y < piece.y1 - forgiven) then return end
+    local limit = piece.facing == LEFT and piece.x0 - w or piece.x0
+    if piece.facing == LEFT then distance = x - limit else distance = limit - x end
+    out_x, out_y = limit - x, 0.0
+  else
+    if not (x + w > piece.x0 + forgiven and x < piece.x1 - forgiven) then return end
+    local limit = rest_on and rest_on(piece, x, w, h, is_centre) or piece.y0 - (piece.facing == UP and h
+        or 0.0)
+    if piece.facing == UP then distance = y - limit else distance = limit - y end
+    out_x, out_y = 0.0, limit - y
+  end
+  if not (distance > forgiven) then return end
+  -- Of two equal ways the one up or down first, so that mirrored boxes leave alike.
+  local at = #exits + 1
+  while at > 1 do
+    local before = exits[at - 1]
+    local is_less = distance < before.distance
+    if distance == before.distance then is_less = out_x == 0 and before.x ~= 0 end
+    if not is_less then break end
+    at = at - 1
+  end
+  table.insert(exits, at, {distance = distance, x = out_x, y = out_y})
+end
+
+-- The sides of a full tile that other tiles leave open.
+local function open_sides(terrain, column, row)
+  local x0, y0 = column * TILE, row * TILE
+  local x1, y1 = x0 + TILE, y0 + TILE
+  local sides = {}
+  local function put(beside_x, beside_y, facing, ax, ay, bx1, by1)
+    if terrain:is_solid(column + beside_x, row + beside_y) then return end
+    sides[#sides + 1] = {x0 = ax, y0 = ay, x1 = bx1, y1 = by1, base_x = ax, base_y = ay, slope = 0.0,
+        origin = 0,
+                         facing = facing}
+  end
+  put(0, -1, UP, x0, y0, x1, y0)
+  put(0, 1, DOWN, x0, y1, x1, y1)
+  put(-1, 0, LEFT, x0, y0, x0, y1)
+  put(1, 0, RIGHT, x1, y0, x1, y1)
+  return sides
+end
+
+-- The shortest way out of the ground; nil: the box is not in it, or there is none.
+local function way_out(terrain, x, y, w, h, is_centre)
+  if not overlaps_ground(terrain, x, y, w, h, is_centre) then return nil end
+  local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
+  local exits = {}
+  local left, right, top, bottom = block_of(terrain, x, y, w, h, forgiven)
+  for row = top, bottom do
+    for column = left, right do
+      local sides = {}
+      if terrain.is_detailed and terrain:is_detailed(column, row) then
+        sides = terrain:detail(column, row).pieces
+      elseif terrain:is_solid(column, row) then
+        sides = open_sides(terrain, column, row)
+      end
+      for _, side in ipairs(sides) do exit_past(exits, side, x, y, w, h, is_centre, forgiven) end
+    end
+  end
+  for _, exit in ipairs(exits) do
+    if not overlaps_ground(terrain, x + exit.x, y + exit.y, w, h, is_centre) then return exit.x, exit.y end
+  end
+  return nil
+end

@@ -1,0 +1,49 @@
+-- Whether the box is in the body of a slope or profile that begins in the cell.
+local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgiven)
+  local left, top = column * TILE, row * TILE
+  local base = top + (shape.is_floor and TILE or 0.0)
+  local from, to = x + forgiven, x + w - forgiven
+  if is_centre and shape.is_floor then
+    from = x + w / 2
+    to = from
+  end
+  if shape.is_floor then
+    if y >= base - forgiven then return false end
+  elseif y + h <= base + forgiven then
+    return false
+  end
+  local off = forgiven + 1.0 / 256  -- a box on a steep line is off it by many roundings
+  for index = 0, shape.width - 1 do
+    local lines = shape.is_floor and shape.columns[index].top or shape.columns[index].bottom
+    for _, line in ipairs(lines) do
+      local x0, x1 = max(from, left + line.x0), min(to, left + line.x1)
+      if x0 <= x1 then
+        for n = 1, 2 do
+          local height = top + line_at(line, (n == 1 and x0 or x1) - left)
+          if height ~= base then
+            if shape.is_floor then
+              if y + h > height + off then return true end
+            elseif y < height - off then
+              return true
+            end
+          end
+        end
+      end
+    end
+  end
+  return false
+end
+
+function overlaps_slopes(terrain, x, y, w, h, is_centre, forgiven)
+  local left, right, top, bottom = block_of(terrain, x, y, w, h, 8 * TILE)  -- what a slope spans at most
+  for row = top, bottom do
+    for column = left, right do
+      local shape = terrain:outline(column, row)
+      if shape and shape.line and not shape.one_way and
+          overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgiven) then
+        return true
+      end
+    end
+  end
+  return false
+end

@@ -1,0 +1,242 @@
+#include "lua_level.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "../level/ground.h"
+#include "number_text.h"
+
+namespace talus {
+namespace {
+
+// Writes the members of a table: "key=value," each.
+class LuaTable {
+ public:
+  explicit LuaTable(std::string& text) : text_(text) { text_ += '{'; }
+  LuaTable(const LuaTable&) = delete;
+  LuaTable& operator=(const LuaTable&) = delete;
+  ~LuaTable() { text_ += '}'; }
+
+  std::string& member(std::string_view key) {
+    text_ += separator_;
+    separator_ = ",";
+    if (!key.empty()) text_.append(key) += '=';
+    return text_;
+  }
+  void number(std::string_view key, double value) { append_number(member(key), value); }
+  void word(std::string_view key, std::string_view value) { member(key).append("\"").append(value) += '"'; }
+  void truth(std::string_view key) { member(key) += "true"; }
+  template <class Range>
+  void numbers(std::string_view key, const Range& values) {
+    LuaTable list(member(key));
+    for (const auto value : values) list.number("", value);
+  }
+
+ private:
+  std::string& text_;
+  const char* separator_ = "";
+};
+
+// A name as a string of Lua: quotes, and bytes that are not printable ASCII, as \ddd.
+std::string escaped(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 32 && byte < 127 && c != '"' && c != '\\') {
+      text += c;
+    } else {
+      const std::string digits = std::to_string(byte);
+      text.append("\\").append(3 - digits.size(), '0').append(digits);
+    }
+  }
+  return text;
+}
+
+std::string_view foot_word(Foot foot) { return foot == Foot::centre ? "centre" : "box"; }
+
+void write_shape(std::string& text, const TileShape& shape) {
+  LuaTable table(text);
+  const bool solid = shape.kind == TileShape::Kind::solid;
+  table.word("kind", solid ? "solid" : shape.kind == TileShape::Kind::slope ? "slope" : "profile");
+  if (shape.side == TileShape::Side::ceiling) table.word("side", "ceiling");
+  if (shape.one_way) table.truth("one_way");
+  if (solid) return;
+  if (shape.tiles != 1) table.number("tiles", shape.tiles);
+  table.numbers("heights", shape.heights);
+}
+
+struct CurveWriter {
+  LuaTable& table;
+  void operator()(const Segment& s) const {
+    table.word("kind", "segment");
+    ends(s.from, s.to);
+  }
+  void operator()(const Arc& a) const {
+    table.word("kind", "arc");
+    table.number("x", a.center.x);
+    table.number("y", a.center.y);
+    table.number("radius", a.radius);
+    sides(a.x0, a.x1);
+    if (a.upper) table.truth("upper");
+  }
+  void operator()(const Parabola& p) const {
+    table.word("kind", "parabola");
+    ends(p.from, p.to);
+    table.number("control_y", p.control_y);
+  }
+  void operator()(const Cubic& c) const {
+    table.word("kind", "cubic");
+    ends(c.from, c.to);
+    table.number("slope0", c.from_slope);
+    table.number("slope1", c.to_slope);
+  }
+  void operator()(const Sine& s) const {
+    table.word("kind", "sine");
+    sides(s.x0, s.x1);
+    table.number("middle", s.middle);
+    table.number("amplitude", s.amplitude);
+    table.number("wavelength", s.wavelength);
+    table.number("origin", s.origin);
+  }
+  void operator()(const Polyline& p) const {
+    table.word("kind", "polyline");
+    sides(p.x0, p.x1);
+    table.numbers("ys", p.ys);
+  }
+  void sides(double x0, double x1) const {
+    table.number("x0", x0);
+    table.number("x1", x1);
+  }
+  void ends(Vec2 from, Vec2 to) const {
+    table.number("x0", from.x);
+    table.number("y0", from.y);
+    table.number("x1", to.x);
+    table.number("y1", to.y);
+  }
+};
+
+void write_curve(std::string& text, const Curve& curve) {
+  LuaTable table(text);
+  std::visit(CurveWriter{table}, curve.form);
+  if (curve.faces != Curve::Faces::up)
+    table.word("faces", curve.faces == Curve::Faces::down ? "down" : "both");
+}
+
+void write_spawn(std::string& text, const Spawn& spawn) {
+  LuaTable table(text);
+  table.word("kind", spawn.kind == BodyKind::player ? "player" : "ball");
+  if (!spawn.name.empty()) table.word("name", escaped(spawn.name));
+  table.number("x", spawn.position.x);
+  table.number("y", spawn.position.y);
+  table.number("w", spawn.size.x);
+  table.number("h", spawn.size.y);
+  table.number("vx", spawn.velocity.x);
+  table.number("vy", spawn.velocity.y);
+  table.word("foot", foot_word(spawn.used_foot()));
+}
+
+// The player's gravity has the name of the balls'.
+std::string lua_key(const TuningField& field) {
+  return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
+}
+
+bool is_ball(const Level& level, int tile) {
+  const auto number = static_cast<std::uint8_t>(tile);
+  return level.tile_shapes[tile].kind == TileShape::Kind::none &&
+         role_of(level.tile_flags(number), level.roles) == TileRole::ball;
+}
+
+bool is_stretch(const Curve& curve) {
+  return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
+}
+
+}  // namespace
+
+std::string lua_level(const Level& level) {
+  const TerrainSource ground = ground_of(level);
+  std::string text = "return ";
+  {
+    LuaTable table(text);
+    table.number("width", ground.width);
+    table.number("height", ground.height);
+    table.numbers("tiles", ground.cells);
+    {
+      LuaTable shapes(table.member("shapes"));
+      for (int tile = 0; tile < kTileCount; ++tile) {
+        if (ground.shapes[tile].kind == TileShape::Kind::none) continue;
+        write_shape(shapes.member("[" + std::to_string(tile) + "]"), ground.shapes[tile]);
+      }
+    }
+    {
+      LuaTable balls(table.member("balls"));
+      for (int tile = 0; tile < kTileCount; ++tile) {
+        if (is_ball(level, tile)) balls.truth("[" + std::to_string(tile) + "]");
+      }
+    }
+    {
+      LuaTable curves(table.member("curves"));
+      for (const Curve& curve : ground.curves) write_curve(curves.member(""), curve);
+    }
+    {
+      LuaTable spawns(table.member("spawns"));
+      for (const Spawn& spawn : level.spawns) write_spawn(spawns.member(""), spawn);
+    }
+    LuaTable tuning(table.member("tuning"));
+    for (const TuningField& field : tuning_fields()) tuning.number(lua_key(field), field.of(level.tuning));
+  }
+  return text + '\n';
+}
+
+std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse) {
+  const TerrainSource ground = ground_of(level);
+  const std::set<std::uint8_t> used(ground.cells.begin(), ground.cells.end());
+  const bool sloped = std::any_of(used.begin(), used.end(), [&](std::uint8_t tile) {
+    const TileShape& shape = ground.shapes[tile];
+    return shape.kind != TileShape::Kind::none && (shape.kind != TileShape::Kind::solid || shape.one_way);
+  });
+  const bool free = !ground.curves.empty();
+  const bool curved = std::any_of(ground.curves.begin(), ground.curves.end(), is_stretch);
+  const bool slopes = sloped || free;
+  const auto is_player = [](const Spawn& spawn) { return spawn.kind == BodyKind::player; };
+  const bool players = std::any_of(level.spawns.begin(), level.spawns.end(), is_player);
+  const auto balls = std::count_if(ground.cells.begin(), ground.cells.end(),
+                                   [&](std::uint8_t tile) { return is_ball(level, tile); });
+  const auto bodies = static_cast<std::size_t>(balls) + level.spawns.size();
+  const bool pairs = level.tuning.article.balls_block != 0 && bodies > 1;
+
+  const std::pair<const char*, bool> all[] = {
+      {"base", true},          {"slopes", slopes},          {"curves", free},  {"stretches", curved},
+      {"terrain", true},       {"details", slopes},         {"edit", true},    {"cast", true},
+      {"cast_slopes", slopes}, {"cast_stretches", curved},  {"queries", true}, {"queries_slopes", slopes},
+      {"mover", true},         {"mover_stretches", curved}, {"balls", true},   {"pairs", pairs},
+      {"players", players},    {"mouse", with_mouse},       {"world", true}};
+  std::vector<std::string> parts;
+  for (const auto& [name, is_needed] : all) {
+    if (is_needed) parts.emplace_back(name);
+  }
+  return parts;
+}
+
+std::string join_lua_parts(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) {
+    std::istringstream lines(text);
+    bool is_head = joined.empty();  // the first lines of all say what the module is
+    for (std::string line; std::getline(lines, line);) {
+      const auto first = line.find_first_not_of(' ');
+      if (first == std::string::npos) continue;
+      const bool is_comment = line.compare(first, 2, "--") == 0;
+      is_head = is_head && is_comment;
+      if (is_comment && !is_head) continue;
+      // No string of the runtime holds two hyphens.
+      const auto comment = is_head ? std::string::npos : line.find(" --");
+      const auto last = line.find_last_not_of(' ', comment == std::string::npos ? line.size() : comment);
+      joined.append(line, first, last - first + 1) += '\n';
+    }
+  }
+  return joined;
+}
+
+}  // namespace talus

@@ -1,0 +1,18 @@
+-- Runs levels by the runtime and prints each body after each frame: frame id x y vx vy, with all digits.
+--   lua5.3 parity.lua LIST
+-- LIST: a table of {name, runtime, level, input, frames}; the three are files. An input is a table by frame of
+-- what world:step() takes; each holds until the next one.
+local list = dofile(arg[1])
+setmetatable(_G, {__index = function(_, name) error("unknown name " .. name, 2) end})
+for _, run in ipairs(list) do
+  print("# " .. run.name)
+  local world = dofile(run.runtime).new(dofile(run.level))
+  local inputs, input = dofile(run.input), {}
+  for frame = 1, run.frames do
+    input = inputs[frame] or input
+    world:step(input)
+    for _, b in ipairs(world.bodies) do
+      print(string.format("%d %d %a %a %a %a", frame, b.id, b.x, b.y, b.vx, b.vy))
+    end
+  end
+end

@@ -1,0 +1,219 @@
+// The Lua runtime gives the bits of the program: every body of every frame, by Lua 5.3 and by LuaJIT.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "formats/format.h"
+#include "formats/hard_case.h"
+#include "formats/lua_level.h"
+#include "property/random_ground.h"
+#include "sim/case_input.h"
+#include "sim/solver.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_at(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void put_file(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string output_of(const std::string& command) {
+  std::string out;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return "cannot run " + command;
+  char part[65536];
+  while (const std::size_t count = std::fread(part, 1, sizeof part, pipe)) out.append(part, count);
+  pclose(pipe);
+  return out;
+}
+
+// Levels that the solver and both Luas run.
+class LuaRuntime : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("talus_lua_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Runs a level by the solver, and writes what the Luas need to run it.
+  void add(Level level, std::int64_t frames, const std::vector<CaseInput>& entries, const std::string& name) {
+    level.tuning.solver = SolverKind::exact;
+    level.tuning.exact.single_precision = 0;
+    const auto scene = std::make_shared<const Scene>(compile_scene(level));
+    const auto solver = make_solver(scene);
+    State state = initial_state(*scene);
+    expected_ += "# " + name + "\n";
+    std::string inputs = "return {";
+    for (std::int64_t frame = 1; frame <= frames; ++frame) {
+      const Input input = case_input(entries, frame);
+      if (!entries.empty()) inputs += input_text(input) + ",\n";
+      solver->step(state, input);
+      for (const Body& body : state.bodies) expected_ += body_text(frame, body);
+    }
+    std::vector<std::string> texts;
+    for (const std::string& part : lua_runtime_parts(level, !entries.empty()))
+      texts.push_back(bytes_at(fs::path(TALUS_SOURCE_DIR "/assets/runtime") / (part + ".lua")));
+    const std::string number = std::to_string(levels_++);
+    list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames);
+    list_ += put("runtime", number, join_lua_parts(texts)) + put("level", number, lua_level(level));
+    list_ += put("input", number, inputs + "}") + "},\n";
+    frames_ += frames;
+    body_frames_ += frames * static_cast<std::int64_t>(state.bodies.size());
+  }
+
+  // Runs them, and says how many frames were compared.
+  void expect_same_bits() {
+    put_file(folder_ / "list.lua", "return {" + list_ + "}");
+    for (const std::string lua : {"lua5.3", "luajit"}) {
+      const std::string out = output_of("cd '" + folder_.string() + "' && " + lua +
+                                        " '" TALUS_SOURCE_DIR "/tests/games/parity.lua' list.lua 2>&1");
+      EXPECT_EQ(first_difference(out, expected_), "") << lua;
+    }
+    std::printf("%d levels, %lld frames, %lld of bodies, by two Luas\n", levels_,
+                static_cast<long long>(frames_), static_cast<long long>(body_frames_));
+  }
+
+  int levels() const { return levels_; }
+  std::int64_t body_frames() const { return body_frames_; }
+
+ private:
+  static std::string input_text(const Input& input) {
+    const auto word = [](bool value) { return value ? "true" : "false"; };
+    char text[200];
+    std::snprintf(text, sizeof text, "{mouse_x=%.17g,mouse_y=%.17g,mouse_down=%s,left=%s,right=%s,jump=%s}",
+                  input.mouse.x, input.mouse.y, word(input.mouse_down), word(input.left), word(input.right),
+                  word(input.jump));
+    return text;
+  }
+  static std::string body_text(std::int64_t frame, const Body& b) {
+    char text[256];
+    std::snprintf(text, sizeof text, "%d %d %a %a %a %a\n", static_cast<int>(frame), b.id, b.box.x, b.box.y,
+                  b.velocity.x, b.velocity.y);
+    return text;
+  }
+  // The level and the line; nothing when there is none.
+  static std::string first_difference(const std::string& out, const std::string& expected) {
+    if (out == expected) return "";
+    const auto at = static_cast<std::size_t>(
+        std::mismatch(out.begin(), out.end(), expected.begin(), expected.end()).first - out.begin());
+    const auto line = at == 0 ? 0 : out.rfind('\n', at - 1) + 1, level = out.rfind('#', at);
+    return out.substr(level, out.find('\n', level) - level) + ": " + out.substr(line, 200) +
+           "\ninstead of\n" + expected.substr(line, 200);
+  }
+  std::string put(const std::string& kind, const std::string& number, const std::string& text) const {
+    const std::string file = kind + number + ".lua";
+    put_file(folder_ / file, text);
+    return "," + kind + "='" + file + "'";
+  }
+
+  fs::path folder_;
+  std::string expected_, list_;
+  int levels_ = 0;
+  std::int64_t frames_ = 0, body_frames_ = 0;
+};
+
+TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
+  for (const auto& entry : fs::directory_iterator(TALUS_SOURCE_DIR "/assets/hard_cases")) {
+    if (entry.path().extension() != ".json") continue;
+    const auto loaded = load_level(entry.path().string());
+    ASSERT_TRUE(loaded) << entry.path();
+    const auto hard = hard_case_of(loaded->level);
+    ASSERT_TRUE(hard && *hard) << entry.path();
+    add(loaded->level, std::min<std::int64_t>((*hard)->frames, 3600), (*hard)->input,
+        entry.path().filename().string());
+  }
+  EXPECT_GE(levels(), 36);
+  EXPECT_GE(body_frames(), 10'000);
+  expect_same_bits();
+}
+
+// Besides what balls they have, many more fall on them.
+TEST_F(LuaRuntime, GivesTheBitsOfTheGoldenCarts) {
+  for (const auto& entry : fs::directory_iterator(TALUS_SOURCE_DIR "/tests/golden/carts")) {
+    auto loaded = load_level(entry.path().string());
+    ASSERT_TRUE(loaded) << entry.path();
+    Dice dice(1);
+    for (int i = 0; i < 20; ++i) {
+      Spawn& spawn = loaded->level.spawns.emplace_back();
+      spawn.position = {dice.in(8, 240 * 8 - 16), dice.in(8, 136 * 8 - 16)};
+      spawn.velocity = {dice.in(-3, 3), 0};
+    }
+    add(std::move(loaded->level), 300, {}, entry.path().filename().string());
+  }
+  EXPECT_EQ(levels(), 6);
+  expect_same_bits();
+}
+
+std::vector<CaseInput> random_input(Dice& dice, int frames, double width, double height) {
+  std::vector<CaseInput> entries;
+  for (int frame = 1; frame < frames; frame += 1 + dice.up_to(12)) {
+    CaseInput& entry = entries.emplace_back();
+    entry.frame = frame;
+    entry.left = dice.one_in(3), entry.right = dice.one_in(2), entry.jump = dice.one_in(3);
+    entry.mouse = {dice.in(0, width), dice.in(0, height)};
+    entry.mouse_down = dice.one_in(4);
+  }
+  return entries;
+}
+
+Level random_level(Dice& dice) {
+  const GroundKinds kinds{.shapes = !dice.one_in(5),
+                          .one_way = dice.one_in(2),
+                          .segments = dice.one_in(3),
+                          .curves = dice.one_in(3)};
+  const RandomGround ground = random_ground(dice, 6 + dice.up_to(14), 6 + dice.up_to(10), kinds);
+  Level level;
+  level.map = TileMap(ground.width, ground.height);
+  for (int i = 0; i < ground.width * ground.height; ++i)
+    level.map.set({i % ground.width, i / ground.width}, ground.cells[i]);
+  level.tile_shapes = ground.shapes;
+  for (const Curve& curve : ground.curves) level.curves.push_back({"", curve, ""});
+  const double grid = dice.one_in(2) ? 4 : 1e10;
+  for (int i = 1 + dice.up_to(5); i > 0; --i) {
+    Spawn& spawn = level.spawns.emplace_back();
+    spawn.position = {dice.step(0, ground.width * 8 - 8, grid), dice.step(0, ground.height * 8 - 8, grid)};
+    spawn.velocity = {dice.step(-4, 4, grid), dice.step(-4, 4, grid)};
+    if (dice.one_in(3)) spawn.size = {dice.step(1, 20, grid), dice.step(1, 20, grid)};
+    if (dice.one_in(2)) spawn.kind = BodyKind::player;
+    if (dice.one_in(3)) spawn.foot = dice.one_in(2) ? Foot::box : Foot::centre;
+  }
+  Tuning& tuning = level.tuning;
+  tuning.article.balls_block = dice.one_in(2) ? 1 : 0;
+  if (dice.one_in(3)) tuning.exact.gravity = 0.25, tuning.exact.rebound = dice.one_in(2) ? 1 : 0;
+  if (dice.one_in(4)) tuning.exact.substeps = 1 + dice.up_to(3);
+  if (dice.one_in(4)) tuning.exact.steepest = 1, tuning.exact.snap = 3;
+  if (dice.one_in(4)) tuning.player.surface_speed = 1;
+  return level;
+}
+
+TEST_F(LuaRuntime, GivesTheBitsOfRandomLevels) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    Dice dice(seed);
+    const Level level = random_level(dice);
+    constexpr int kFrames = 45;
+    const auto input = dice.one_in(2)
+                           ? random_input(dice, kFrames, level.map.width() * 8.0, level.map.height() * 8.0)
+                           : std::vector<CaseInput>();
+    add(level, kFrames, input, "seed " + std::to_string(seed));
+  }
+  EXPECT_EQ(levels(), 1000);
+  EXPECT_GE(body_frames(), 100'000);
+  expect_same_bits();
+}
+
+}  // namespace
+}  // namespace talus
