@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "cell_rect.h"
+#include "level/cell_rect.h"
 #include "level/level.h"
 
 namespace talus {

@@ -241,7 +241,7 @@ TEST(Native, WhatCouldNotBeReadIsNotWritten) {
   level.spawns.push_back({"", {std::numeric_limits<double>::quiet_NaN(), 0}, {}, ""});
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
-  EXPECT_EQ(write_native(level, {}).error().message, "a name of a flag, spawn or curve is not valid UTF-8");
+  EXPECT_EQ(write_native(level, {}).error().message, "a name of a flag, spawn, curve or brush is not valid UTF-8");
   level.spawns.clear();
   level.tuning.article.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");

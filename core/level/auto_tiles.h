@@ -1,0 +1,68 @@
+// The auto-tile set of a level: which tile plays which part where ground is painted (edit/auto_tile.h).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace talus {
+
+// A side is one that faces air. A slope rises from left to right when it goes up; one of two tiles, as the
+// article's 16x8 px slopes, has a left and a right half.
+enum class GroundPart : std::uint8_t {
+  inside,
+  top,
+  left,
+  right,
+  bottom,
+  top_left,
+  top_right,
+  bottom_left,
+  bottom_right,
+  slope_up,
+  slope_down,
+  slope_up_left,
+  slope_up_right,
+  slope_down_left,
+  slope_down_right
+};
+inline constexpr int kGroundPartCount = 15;
+
+struct AutoTiles {
+  // By GroundPart. 0: none, as tile 0 is air.
+  std::array<std::uint8_t, kGroundPartCount> tiles{};
+
+  std::uint8_t of(GroundPart part) const { return tiles[static_cast<std::size_t>(part)]; }
+  std::uint8_t& of(GroundPart part) { return tiles[static_cast<std::size_t>(part)]; }
+  // Whether cells with this tile are ground of the set.
+  bool has(std::uint8_t tile) const {
+    return tile != 0 && std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
+  }
+  bool empty() const { return *this == AutoTiles(); }
+  friend bool operator==(const AutoTiles&, const AutoTiles&) = default;
+};
+
+struct GroundPartInfo {
+  std::string_view key;    // in files and names of widgets: "slope_up_left"
+  std::string_view label;  // for people: "slope up, left half"
+};
+inline constexpr std::array<GroundPartInfo, kGroundPartCount> kGroundParts = {{
+    {"inside", "inside"},
+    {"top", "top"},
+    {"left", "left side"},
+    {"right", "right side"},
+    {"bottom", "bottom"},
+    {"top_left", "top left corner"},
+    {"top_right", "top right corner"},
+    {"bottom_left", "bottom left corner"},
+    {"bottom_right", "bottom right corner"},
+    {"slope_up", "slope up, one tile"},
+    {"slope_down", "slope down, one tile"},
+    {"slope_up_left", "slope up, left half"},
+    {"slope_up_right", "slope up, right half"},
+    {"slope_down_left", "slope down, left half"},
+    {"slope_down_right", "slope down, right half"},
+}};
+
+}  // namespace talus

@@ -1,0 +1,24 @@
+// Brushes of a level: stamps that the user has given a name.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace talus {
+
+inline constexpr int kMaxBrushSide = 256;           // cells
+inline constexpr std::size_t kMaxBrushes = 1000;    // of a level
+inline constexpr std::size_t kMaxBrushName = 1000;  // bytes
+
+// A rectangle of tiles to paint with.
+struct Brush {
+  std::string name;                       // for people; may be empty or repeated
+  int w = 1, h = 1;                       // cells, each 1..kMaxBrushSide
+  std::vector<std::uint8_t> tiles = {0};  // w*h, row by row
+  bool random = false;  // paints a tile of its own at random in each cell, instead of the rectangle
+  std::string extra;    // JSON object of keys that this version does not know, or empty
+  friend bool operator==(const Brush&, const Brush&) = default;
+};
+
+}  // namespace talus

@@ -1,0 +1,147 @@
+// Finding the tiles of a sheet that are ground.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "auto_tile.h"
+
+namespace talus {
+namespace {
+
+constexpr int kMiddle = 2;      // px from the sides, where the middle of a tile begins
+constexpr int kEdgePixels = 6;  // of 8, that make a side look like an edge when the middle has no such colour
+constexpr double kSameHeight = 0.5;  // px
+
+// Colours as bits, one for each of the palette.
+using ColorSet = std::uint16_t;
+
+ColorSet middle_colors(const TileImage& image) {
+  unsigned colors = 0;
+  for (int y = kMiddle; y < kTileSize - kMiddle; ++y)
+    for (int x = kMiddle; x < kTileSize - kMiddle; ++x) colors |= 1u << image[y * kTileSize + x];
+  return static_cast<ColorSet>(colors);
+}
+
+struct Edges {
+  bool top, left, right, bottom;
+  friend bool operator==(const Edges&, const Edges&) = default;
+};
+
+Edges edges_of(const TileImage& image) {
+  const ColorSet middle = middle_colors(image);
+  const auto is_edge = [&](int first, int step) {
+    int others = 0;
+    for (int i = 0; i < kTileSize; ++i)
+      others += (middle >> image[static_cast<std::size_t>(first + i * step)] & 1) == 0 ? 1 : 0;
+    return others >= kEdgePixels;
+  };
+  constexpr int kLast = kTileSize - 1;
+  return {is_edge(0, 1), is_edge(0, kTileSize), is_edge(kLast, kTileSize), is_edge(kLast * kTileSize, 1)};
+}
+
+struct EdgedPart {
+  GroundPart part;
+  Edges edges;
+};
+constexpr EdgedPart kEdgedParts[] = {{GroundPart::top, {true, false, false, false}},
+                                     {GroundPart::left, {false, true, false, false}},
+                                     {GroundPart::right, {false, false, true, false}},
+                                     {GroundPart::bottom, {false, false, false, true}},
+                                     {GroundPart::top_left, {true, true, false, false}},
+                                     {GroundPart::top_right, {true, false, true, false}},
+                                     {GroundPart::bottom_left, {false, true, false, true}},
+                                     {GroundPart::bottom_right, {false, false, true, true}}};
+
+bool is_solid(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
+
+// A floor between two heights, as wide as `tiles`.
+bool is_slope(const TileShape& shape, int tiles, double from, double to) {
+  return shape.kind == TileShape::Kind::slope && shape.side == TileShape::Side::floor && !shape.one_way &&
+         shape.tiles == tiles && std::abs(shape.heights[0] - from) < kSameHeight &&
+         std::abs(shape.heights[1] - to) < kSameHeight;
+}
+
+class Proposal {
+ public:
+  Proposal(const Level& level, std::span<const std::uint8_t> among) : level_(level) {
+    std::copy_if(among.begin(), among.end(), std::back_inserter(tiles_), [](int tile) { return tile != 0; });
+  }
+
+  AutoTiles make() {
+    choose_full_tiles();
+    if (set_.of(GroundPart::inside) == 0) return {};
+    choose_slope(GroundPart::slope_up, 0, kTileSize);
+    choose_slope(GroundPart::slope_down, kTileSize, 0);
+    choose_halves(GroundPart::slope_up_left, GroundPart::slope_up_right, 0, kTileSize);
+    choose_halves(GroundPart::slope_down_left, GroundPart::slope_down_right, kTileSize, 0);
+    return set_;
+  }
+
+ private:
+  const TileImage& image(std::uint8_t tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
+
+  // The first tile for which it holds, and which looks most like the inside; 0: none.
+  template <class Holds>
+  std::uint8_t best(Holds holds) const {
+    std::uint8_t found = 0;
+    for (const std::uint8_t tile : tiles_)
+      if (holds(tile) && (found == 0 || likeness(tile) > likeness(found))) found = tile;
+    return found;
+  }
+
+  // How many of the colours of the inside's middle a tile has there.
+  int likeness(std::uint8_t tile) const {
+    const std::uint8_t inside = set_.of(GroundPart::inside);
+    if (inside == 0) return 0;
+    const unsigned shared = middle_colors(image(tile)) & middle_colors(image(inside));
+    return std::popcount(shared);
+  }
+
+  void choose_full_tiles() {
+    const auto solid = [&](std::uint8_t tile) { return is_solid(shape_of_tile(level_, tile)); };
+    std::uint8_t& inside = set_.of(GroundPart::inside);
+    inside = best([&](std::uint8_t tile) { return solid(tile) && edges_of(image(tile)) == Edges{}; });
+    if (inside == 0) inside = best(solid);
+    for (const EdgedPart& edged : kEdgedParts)
+      set_.of(edged.part) =
+          best([&](std::uint8_t tile) { return solid(tile) && edges_of(image(tile)) == edged.edges; });
+  }
+
+  void choose_slope(GroundPart part, double from, double to) {
+    set_.of(part) =
+        best([&](std::uint8_t tile) { return is_slope(shape_of_tile(level_, tile), 1, from, to); });
+  }
+
+  // Either each half has a shape of its own, or the left one has that of both and its neighbour on the sheet
+  // is but a picture, as in the article.
+  void choose_halves(GroundPart left, GroundPart right, double from, double to) {
+    const double middle = (from + to) / 2;
+    set_.of(left) = best([&](std::uint8_t tile) {
+      return tile % kSheetColumns + 1 < kSheetColumns && is_slope(shape_of_tile(level_, tile), 2, from, to);
+    });
+    if (set_.of(left) != 0) {
+      set_.of(right) = static_cast<std::uint8_t>(set_.of(left) + 1);
+      return;
+    }
+    const auto half = [&](double a, double b) {
+      return best([&](std::uint8_t tile) { return is_slope(shape_of_tile(level_, tile), 1, a, b); });
+    };
+    set_.of(left) = half(from, middle);
+    set_.of(right) = half(middle, to);
+    if (set_.of(left) == 0 || set_.of(right) == 0) set_.of(left) = set_.of(right) = 0;
+  }
+
+  const Level& level_;
+  std::vector<std::uint8_t> tiles_;
+  AutoTiles set_;
+};
+
+}  // namespace
+
+AutoTiles proposed_auto_tiles(const Level& level, std::span<const std::uint8_t> among) {
+  return Proposal(level, among).make();
+}
+
+}  // namespace talus

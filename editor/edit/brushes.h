@@ -1,0 +1,32 @@
+// Named brushes, and painting with tiles at random.
+#pragma once
+
+#include <optional>
+
+#include "map_tools.h"
+
+namespace talus {
+
+// The tile of a stamp that a cell takes at random: always the same one with this seed, so that painting twice
+// over a cell, and undoing and redoing it, changes nothing.
+std::uint8_t random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed);
+
+// The cells of the straight line between two, both included, each with a tile at random. `inside`: paints
+// nothing beyond it.
+Edit paint_random_stroke(const Level& level, Cell from, Cell to, const Stamp& stamp, std::uint32_t seed,
+                         const std::optional<CellRect>& inside = {});
+Edit fill_rect_at_random(const Level& level, CellRect cells, const Stamp& stamp, std::uint32_t seed,
+                         const std::optional<CellRect>& inside = {});
+
+Stamp stamp_of_brush(const Brush& brush);
+// A stamp as a brush; cut at kMaxBrushSide.
+Brush brush_of_stamp(const Stamp& stamp, std::string name, bool random);
+
+// Each an edit of the level's list of brushes; empty where `index` is that of none, or the list is full.
+Edit add_brush(const Level& level, Brush brush);
+Edit rename_brush(const Level& level, int index, std::string name);  // cut at kMaxBrushName
+Edit remove_brush(const Level& level, int index);
+// "Brush 3": the first such name that no brush has.
+std::string free_brush_name(const Level& level);
+
+}  // namespace talus
