@@ -26,6 +26,18 @@ constexpr std::array<Choice, 2> kChanged = {
      {"question/keep", "Keep mine", "Leaves the level as it is here; the next save replaces the file.",
       action::Answer::keep, ImGuiKey_Escape}}};
 
+constexpr std::array<Choice, 2> kDrop = {
+    {{"question/drop", "Drop it", "Forgets the run.", action::Answer::discard, ImGuiKey_Enter},
+     {"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, ImGuiKey_Escape}}};
+
+// By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
+struct QuestionDialog {
+  const char* title;
+  std::span<const Choice> choices;
+};
+constexpr std::array<QuestionDialog, 3> kDialogs = {
+    {{"Unsaved changes", kUnsaved}, {"Changed by another program", kChanged}, {"Drop a run", kDrop}}};
+
 const char* key_label(ImGuiKey key) {
   return key == ImGuiKey_Enter ? "Enter" : key == ImGuiKey_Escape ? "Esc" : "";
 }
@@ -45,16 +57,14 @@ void draw_choices(std::span<const Choice> choices, Actions& actions, Ui& ui) {
 
 void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto& question = session.question();
-  const bool changed = question && question->kind == Question::Kind::changed_outside;
-  // Two titles: where one question follows the other, a new dialog opens.
-  for (const bool about_file : {false, true}) {
-    const char* title = about_file ? "Changed by another program" : "Unsaved changes";
-    if (!begin_dialog(title, question && changed == about_file, {0, 0}, ui)) continue;
-    if (question && changed == about_file) {
+  for (const QuestionDialog& dialog : kDialogs) {
+    const bool asked = question && static_cast<std::size_t>(question->kind) ==
+                                       static_cast<std::size_t>(&dialog - kDialogs.data());
+    if (!begin_dialog(dialog.title, asked, {0, 0}, ui)) continue;
+    if (asked) {
       ImGui::TextUnformatted(question->text.c_str());
       ImGui::Spacing();
-      draw_choices(about_file ? std::span<const Choice>(kChanged) : std::span<const Choice>(kUnsaved),
-                   actions, ui);
+      draw_choices(dialog.choices, actions, ui);
     }
     ImGui::EndPopup();
   }

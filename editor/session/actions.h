@@ -94,7 +94,8 @@ struct SetPngImport {
 struct ApplyPngImport {};  // while its plan is an error, nothing happens
 struct CancelPngImport {};
 struct Quit {};
-// To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep.
+// To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep. To "drop this
+// run": discard or cancel.
 enum class Answer { save, discard, cancel, reload, keep };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;
@@ -153,7 +154,9 @@ struct TakeOver {};  // leaves the recording at the shown frame: what is played 
 struct SwitchBranch {
   int branch = 0;  // id, here and below; of none: nothing happens
 };
-struct DropBranch {  // the one shown too; of the last one, what it holds
+// The one shown too; of the last one, what it holds. Asks first, unless there is nothing in it: see
+// Session::question().
+struct DropBranch {
   int branch = 0;
 };
 struct CompareBranch {  // shows it with the current one
@@ -243,7 +246,7 @@ struct SelectCells {  // on the map; cut at its edge, and wholly outside, or not
 struct SetPasted {  // tiles that hang at the mouse until a click puts them on the map; nothing: none any more
   std::optional<Stamp> tiles;
 };
-struct SetMapTool {
+struct SetMapTool {  // lets go what hangs at the mouse
   MapTool tool;
 };
 struct SetSpriteTool {

@@ -66,7 +66,7 @@ struct Message {
 
 // Something that would lose unsaved changes waits for an answer.
 struct Question {
-  enum class Kind { unsaved_changes, changed_outside };
+  enum class Kind { unsaved_changes, changed_outside, drop_branch };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;
 };

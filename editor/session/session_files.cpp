@@ -45,10 +45,14 @@ void Session::Impl::carry_out(const action::SaveFileAs& a) {
 
 void Session::Impl::carry_out(const action::AnswerQuestion& a) {
   if (!question) return;
-  const bool about_file = question->kind == Question::Kind::changed_outside;
+  const Question::Kind kind = question->kind;
   question.reset();
-  if (about_file) {
+  if (kind == Question::Kind::changed_outside) {
     if (a.answer == action::Answer::reload) reload();
+    return;
+  }
+  if (kind == Question::Kind::drop_branch) {
+    if (a.answer == action::Answer::discard) drop_branch(branch_to_drop);
     return;
   }
   const bool may_go_on = a.answer == action::Answer::discard || (a.answer == action::Answer::save && save());

@@ -80,6 +80,7 @@ struct Session::Impl {
   void carry_out(const action::TakeOver&);
   void carry_out(const action::SwitchBranch& a);
   void carry_out(const action::DropBranch& a);
+  void drop_branch(int branch);
   void carry_out(const action::CompareBranch& a) { player.timeline().compare_with(a.branch); }
   void carry_out(const action::SetInput& a);
   void carry_out(const action::SetMouse& a);
@@ -183,6 +184,7 @@ struct Session::Impl {
   std::optional<Question> question;
   std::optional<PngImport> png_import;
   std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
+  int branch_to_drop = 0;           // id, waits for the question's answer
   bool wants_save_as = false;
   bool wants_quit = false;
   int pixel_stroke = 0;  // of the selected pixels' moves, while they float

@@ -37,9 +37,19 @@ void Session::Impl::carry_out(const action::SwitchBranch& a) {
 
 void Session::Impl::carry_out(const action::DropBranch& a) {
   refresh_scene();
+  const Branch* branch = player.timeline().find(a.branch);
+  if (branch == nullptr || question) return;
+  if (branch->last_frame() == 0) return drop_branch(a.branch);
+  branch_to_drop = a.branch;
+  question = Question{"Drop run " + std::to_string(a.branch) + " with " +
+                          std::to_string(branch->last_frame()) + " frames? Nothing brings it back.",
+                      Question::Kind::drop_branch};
+}
+
+void Session::Impl::drop_branch(int branch) {
   keep_chosen_body([&] {
-    if (a.branch == player.timeline().current().id) player.set_running(false);
-    player.timeline().drop(a.branch);
+    if (branch == player.timeline().current().id) player.set_running(false);
+    player.timeline().drop(branch);
     player.show_held();
   });
 }

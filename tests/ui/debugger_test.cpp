@@ -111,6 +111,8 @@ TEST_F(UiDebugger, TakingTheBallInThePastMakesABranchThatCanBeSwitchedFromAndDro
   click("timeline/branch");
   frames(2);
   click("timeline/drop" + std::to_string(made));
+  frames(3);
+  click("question/drop");
   frames(2);
   EXPECT_EQ(timeline().branches().size(), 1u);
 }

@@ -132,6 +132,11 @@ TEST_F(SessionTimeline, TakeOverEndsTheBranchHere) {
   steps(1);
   EXPECT_EQ(timeline().last_frame(), 7);
   session_.apply(act::DropBranch{timeline().current().id});
+  ASSERT_TRUE(session_.question()) << "what is dropped is gone for good";
+  EXPECT_EQ(session_.question()->kind, Question::Kind::drop_branch);
+  session_.apply(act::AnswerQuestion{act::Answer::cancel});
+  EXPECT_EQ(timeline().branches().size(), 2u);
+  session_.apply({act::DropBranch{timeline().current().id}, act::AnswerQuestion{act::Answer::discard}});
   EXPECT_EQ(timeline().branches().size(), 1u);
   EXPECT_EQ(timeline().last_frame(), 20);
 }
@@ -297,7 +302,7 @@ TEST_F(SessionTimeline, ARecordingThatComesOutOtherwiseIsToldOf) {
   const std::size_t hash = text.find("\"hashes\"") + 20 + 17 * 5;
   text[hash] = text[hash] == '0' ? '1' : '0';
   std::ofstream(path, std::ios::binary) << text;
-  session_.apply(act::OpenRecording{path});
+  session_.apply(act::OpenFile{path});
   run_again();
   EXPECT_EQ(message(), "Frame 5 is not as it was recorded, nor may be later ones.");
   EXPECT_TRUE(session_.message()->is_error);
@@ -309,13 +314,13 @@ TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutAndABadFileChangesNothing) {
   paint({9, 9});
   const std::string path = file("bad.talusrec");
   std::ofstream(path) << "{\"talus_recording\": 1}";
-  session_.apply(act::OpenRecording{path});
+  session_.apply(act::OpenFile{path});
   ASSERT_TRUE(session_.question());
   session_.apply(act::AnswerQuestion{act::Answer::discard});
   EXPECT_EQ(message(), path + ":key hashes: error: is missing");
   EXPECT_EQ(session_.level().map.at({9, 9}), kSolid);
   EXPECT_EQ(timeline().last_frame(), 3);
-  session_.apply(act::OpenRecording{file("missing.talusrec")});
+  session_.apply(act::OpenFile{file("missing.talusrec")});
   session_.apply(act::AnswerQuestion{act::Answer::discard});
   EXPECT_THAT(message(), testing::HasSubstr("missing.talusrec"));
   fs::remove(path);
