@@ -66,11 +66,23 @@ std::uint8_t pixel_at(const Level& level, const SpriteArea& area, int x, int y) 
   return pixel_of(level, area, {x, y}).before;
 }
 
-Edit draw_line(const Level& level, const SpriteArea& area, Cell from, Cell to, std::uint8_t color) {
-  Edit edit{"Draw pixels", {}};
-  for_each_on_line(from, to, [&](Cell pixel) {
-    if (lies_in_area(area, pixel)) paint_pixel(edit, level, area, pixel, color);
-  });
+PixelBlock copy_pixels(const Level& level, const SpriteArea& area, CellRect rect) {
+  PixelBlock block{rect.w, rect.h, {}};
+  block.colors.reserve(static_cast<std::size_t>(rect.w) * rect.h);
+  for (int y = rect.y; y < rect.y + rect.h; ++y)
+    for (int x = rect.x; x < rect.x + rect.w; ++x) block.colors.push_back(pixel_at(level, area, x, y));
+  return block;
+}
+
+Edit put_pixels(const Level& level, const SpriteArea& area, const PixelBlock& block, Cell at,
+                std::string label) {
+  Edit edit{std::move(label), {}};
+  for (int y = 0; y < block.h; ++y) {
+    for (int x = 0; x < block.w; ++x) {
+      const Cell pixel{at.x + x, at.y + y};
+      if (lies_in_area(area, pixel)) paint_pixel(edit, level, area, pixel, block.at(x, y));
+    }
+  }
   return edit;
 }
 
@@ -93,26 +105,22 @@ Edit replace_color(const Level& level, const SpriteArea& area, std::uint8_t from
   });
 }
 
-Edit flip_horizontal(const Level& level, const SpriteArea& area) {
-  return redraw(level, area, "Flip horizontally",
-                [&](int x, int y) { return pixel_at(level, area, area.width() - 1 - x, y); });
-}
-
-Edit flip_vertical(const Level& level, const SpriteArea& area) {
-  return redraw(level, area, "Flip vertically",
-                [&](int x, int y) { return pixel_at(level, area, x, area.height() - 1 - y); });
-}
-
-Edit rotate_clockwise(const Level& level, const SpriteArea& area) {
-  assert(area.tiles.w == area.tiles.h);
-  return redraw(level, area, "Rotate",
-                [&](int x, int y) { return pixel_at(level, area, y, area.width() - 1 - x); });
+Edit turn_pixels(const Level& level, const SpriteArea& area, PixelTurn turn) {
+  assert(turn != PixelTurn::rotate || area.tiles.w == area.tiles.h);
+  const PixelBlock canvas = copy_pixels(level, area, {0, 0, area.width(), area.height()});
+  return put_pixels(level, area, turned(canvas, turn), {0, 0}, label_of(turn));
 }
 
 Edit clear_area(const Level& level, const SpriteArea& area, std::uint8_t color) {
   Edit edit = redraw(level, area, "Clear", [&](int, int) { return color; });
   change_flags(edit, level, area, [](std::uint8_t) { return 0; });
   return edit;
+}
+
+Edit clear_pixels(const Level& level, const SpriteArea& area, CellRect rect, std::uint8_t color) {
+  const PixelBlock block{rect.w, rect.h,
+                         std::vector<std::uint8_t>(static_cast<std::size_t>(rect.w) * rect.h, color)};
+  return put_pixels(level, area, block, {rect.x, rect.y}, "Clear");
 }
 
 FlagLamp flag_lamp(const Level& level, const SpriteArea& area, int flag) {
@@ -131,6 +139,14 @@ Edit set_flag(const Level& level, const SpriteArea& area, int flag, bool on) {
   const int bit = 1 << flag;
   Edit edit{(on ? "Set flag " : "Clear flag ") + std::to_string(flag), {}};
   change_flags(edit, level, area, [&](std::uint8_t flags) { return on ? flags | bit : flags & ~bit; });
+  return edit;
+}
+
+Edit set_flags(const Level& level, const SpriteArea& area, const std::vector<std::uint8_t>& flags) {
+  assert(flags.size() == static_cast<std::size_t>(area.tiles.w) * area.tiles.h);
+  Edit edit{"Set flags", {}};
+  auto next = flags.begin();
+  change_flags(edit, level, area, [&](std::uint8_t) { return *next++; });
   return edit;
 }
 

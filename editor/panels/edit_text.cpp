@@ -59,8 +59,13 @@ std::string describe(const Edit& edit) {
   if (edit.changes.empty()) return edit.label;
   const Change& first = edit.changes.front();
   if (std::holds_alternative<CellChange>(first)) return describe_cells(edit);
-  if (const auto* pixel = std::get_if<PixelChange>(&first))
-    return with_count(edit.label, edit.changes.size(), "pixel") + number_of(pixel->sheet, pixel->tile);
+  if (const auto* pixel = std::get_if<PixelChange>(&first)) {
+    const auto count = std::count_if(edit.changes.begin(), edit.changes.end(), [](const Change& c) {
+      return std::holds_alternative<PixelChange>(c);
+    });
+    return with_count(edit.label, static_cast<std::size_t>(count), "pixel") +
+           number_of(pixel->sheet, pixel->tile);
+  }
   if (const auto* flags = std::get_if<FlagsChange>(&first))
     return edit.label + number_of(flags->sheet, flags->tile);
   if (const auto* tuning = std::get_if<TuningChange>(&first)) return describe_tuning(edit, *tuning);

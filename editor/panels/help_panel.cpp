@@ -15,12 +15,15 @@ struct MouseHelp {
 };
 constexpr MouseHelp kMouse[] = {
     {"left button on the map", "the chosen tool"},
-    {"right or middle button, or Space and left",
-     "drags the view; with a player, Space jumps in the play view"},
+    {"middle button on the map", "picks the tiles of a dragged rectangle as the stamp"},
+    {"Shift over the map", "shows the tile sheet there, to choose a stamp"},
+    {"right button, or Space and left", "drags the view; with a player, Space jumps in the play view"},
     {"wheel on the map or play view", "zooms at the mouse"},
     {"left button on a ball in the play view", "chooses it and holds it"},
     {"left and right button on the pixels", "draw with their two colours"},
     {"middle button on the pixels", "picks the colour"},
+    {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
+    {"mouse over the sprites or the map", "gives them the keys; so do a click, F2 and F3"},
     {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
     {"a file dropped on the window", "is opened"},
 };
@@ -43,7 +46,7 @@ void draw_scope(Scope scope, Ui& ui) {
     if (command.scope != scope) continue;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
     ImGui::TextUnformatted(keys_of(command, ui).c_str());
     ImGui::PopStyleColor();
     ImGui::TableNextColumn();
@@ -82,7 +85,7 @@ void draw_player_keys(Ui& ui) {
   for (const Row& row : kRows) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kAccent));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
     ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
     ImGui::PopStyleColor();
     ImGui::TableNextColumn();

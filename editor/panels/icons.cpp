@@ -165,6 +165,12 @@ void draw_sprite_icon(const Pen& pen, Icon icon) {
       for (float x : {.02f, .36f, .7f})
         for (float y : {.02f, .36f, .7f}) pen.frame(x, y, x + .28f, y + .28f);
       break;
+    case Icon::enlarge:
+      pen.stroke({{.55f, .12f}, {.88f, .12f}, {.88f, .45f}});
+      pen.stroke({{.12f, .55f}, {.12f, .88f}, {.45f, .88f}});
+      pen.stroke({{.88f, .12f}, {.58f, .42f}});
+      pen.stroke({{.12f, .88f}, {.42f, .58f}});
+      break;
     case Icon::flip_horizontal:
       pen.solid({{.42f, .2f}, {.42f, .8f}, {.1f, .8f}});
       pen.stroke({{.58f, .2f}, {.58f, .8f}, {.9f, .8f}}, true);

@@ -32,6 +32,7 @@ enum class Icon {
   frame,
   ellipse,
   neighbours,
+  enlarge,
   flip_horizontal,
   flip_vertical,
   rotate,

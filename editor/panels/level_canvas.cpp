@@ -341,7 +341,8 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
     draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(pattern->lowest_flag(), 255), ui);
   }
   if (is_play() && session.state().bodies.empty()) {
-    const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (7)";
+    const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
+                             keys_of(find_command("map/body"), ui) + ")";
     const float width = ImGui::CalcTextSize(text.c_str()).x + ui.px(12);
     draw_plate(list,
                {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},

@@ -1,7 +1,8 @@
-// Drawing on pixels.
+// Tools, sizes and brushes beside the canvas.
 #include "pixel_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -10,142 +11,169 @@
 namespace talus {
 namespace {
 
-constexpr float kSizeWidth = 92;  // px at scale 1, for "128x128"
+constexpr int kToolColumns = 4;
+constexpr float kToolGap = 2;                        // px at scale 1, between the tools
+constexpr std::array<int, 4> kSizes = {1, 2, 4, 8};  // tiles, of the canvas
 
-void draw_pixels(ImDrawList& list, const SpriteArea& area, ImVec2 at, float zoom, const Ui& ui, bool grid) {
-  const float side = 1.0f / kSheetColumns;
-  const auto x = static_cast<float>(area.tiles.x), y = static_cast<float>(area.tiles.y);
-  const float w = static_cast<float>(area.width()) * zoom, h = static_cast<float>(area.height()) * zoom;
-  list.AddImage(
-      ui.sheet(area.sheet), at, {at.x + w, at.y + h}, {x * side, y * side},
-      {(x + static_cast<float>(area.tiles.w)) * side, (y + static_cast<float>(area.tiles.h)) * side});
-  list.AddRect({at.x - 1, at.y - 1}, {at.x + w + 1, at.y + h + 1}, theme::color(theme::kLine));
-  if (!grid) return;
-  const int step = zoom >= 8 ? 1 : kTileSize;
+struct Tool {
+  std::string_view command;
+  Icon icon;
+};
+constexpr std::array<Tool, 12> kTools = {{{"pixels/pencil", Icon::pencil},
+                                          {"pixels/pick", Icon::pick},
+                                          {"pixels/select", Icon::select},
+                                          {"pixels/fill", Icon::fill},
+                                          {"pixels/line", Icon::line},
+                                          {"pixels/rectangle", Icon::frame},
+                                          {"pixels/ellipse", Icon::ellipse},
+                                          {"pixels/clear", Icon::clear},
+                                          {"pixels/flip_h", Icon::flip_horizontal},
+                                          {"pixels/flip_v", Icon::flip_vertical},
+                                          {"pixels/rotate", Icon::rotate},
+                                          {"pixels/neighbours", Icon::neighbours}}};
+
+// A square of so many tiles at the area's place, or inside it about a pixel of the canvas.
+SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
+  const auto place = [&](int first, int count, int px) {
+    const int at = tiles < count ? first + px / kTileSize / tiles * tiles : first;
+    return std::clamp(at, 0, kSheetColumns - tiles);
+  };
+  return {
+      area.sheet,
+      {place(area.tiles.x, area.tiles.w, pixel.x), place(area.tiles.y, area.tiles.h, pixel.y), tiles, tiles}};
+}
+
+void draw_grid_lines(ImDrawList& list, const SpriteArea& area, const CanvasView& view) {
+  const ImVec2 from = view.min, to = view.max;
+  const int step = view.zoom >= 8 ? 1 : kTileSize;
+  const auto color = [](int i) { return theme::color(theme::kText, i % kTileSize == 0 ? 90 : 24); };
   for (int i = step; i < area.width(); i += step) {
-    const float d = static_cast<float>(i) * zoom;
-    list.AddRectFilled({at.x + d, at.y}, {at.x + d + 1, at.y + h},
-                       theme::color(theme::kText, i % kTileSize == 0 ? 90 : 24));
+    const float x = from.x + static_cast<float>(i) * view.zoom;
+    list.AddRectFilled({x, from.y}, {x + 1, to.y}, color(i));
   }
   for (int i = step; i < area.height(); i += step) {
-    const float d = static_cast<float>(i) * zoom;
-    list.AddRectFilled({at.x, at.y + d}, {at.x + w, at.y + d + 1},
-                       theme::color(theme::kText, i % kTileSize == 0 ? 90 : 24));
+    const float y = from.y + static_cast<float>(i) * view.zoom;
+    list.AddRectFilled({from.x, y}, {to.x, y + 1}, color(i));
   }
+}
+
+void draw_image(ImDrawList& list, const SpriteArea& area, const CanvasView& view, const Ui& ui) {
+  constexpr float kSide = 1.0f / kSheetColumns;
+  const ImVec2 from{static_cast<float>(area.tiles.x) * kSide, static_cast<float>(area.tiles.y) * kSide};
+  list.AddImage(
+      ui.sheet(area.sheet), view.min, view.max, from,
+      {from.x + static_cast<float>(area.tiles.w) * kSide, from.y + static_cast<float>(area.tiles.h) * kSide});
+  list.AddRect({view.min.x - 1, view.min.y - 1}, {view.max.x + 1, view.max.y + 1},
+               theme::color(theme::kLine));
 }
 
 }  // namespace
 
 void PixelPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  draw_toolbar(session, actions, ui);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kToolGap), ui.px(kToolGap)));
+  ImGui::BeginGroup();
+  draw_tools(session, actions, ui);
+  draw_sizes(session, actions, ui);
+  draw_brushes(session, actions, ui);
+  ImGui::EndGroup();
+  ImGui::PopStyleVar();
+  ImGui::SameLine(0, ui.px(2 * theme::kGap));
+  draw_canvas(session, actions, ui);
+}
+
+void PixelPanel::draw_tools(const Session& session, Actions& actions, Ui& ui) {
+  for (std::size_t i = 0; i < kTools.size(); ++i) {
+    if (i % kToolColumns != 0) ImGui::SameLine();
+    command_button(kTools[i].command, kTools[i].command, kTools[i].icon, session, actions, ui);
+  }
+}
+
+void PixelPanel::draw_sizes(const Session& session, Actions& actions, Ui& ui) {
   const SpriteArea& area = session.choices().area;
+  for (int tiles : kSizes) {
+    if (tiles != kSizes.front()) ImGui::SameLine();
+    const std::string side = std::to_string(tiles * kTileSize);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    if (ui.text_button("pixels/size" + side, side, area.tiles.w == tiles && area.tiles.h == tiles,
+                       "A canvas of " + side + "x" + side +
+                           " px; a drag on the sheet chooses any size, up to all of it.",
+                       "wheel over the canvas", true, ui.px(theme::kButton)))
+      actions.push_back(action::SelectTiles{resized(area, tiles, {0, 0})});
+    ImGui::PopStyleVar();
+  }
+}
+
+void PixelPanel::draw_brushes(const Session& session, Actions& actions, Ui& ui) {
+  for (int size = 1; size <= kMaxBrush; ++size) {
+    if (size > 1) ImGui::SameLine();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string number = std::to_string(size);
+    if (ui.icon_button("pixels/brush" + number, Icon::none, session.choices().brush == size,
+                       "A brush of " + number + "x" + number + " px for pencil, line, rectangle and ellipse.",
+                       keys_of(find_command("pixels/smaller_brush"), ui) + "  " +
+                           keys_of(find_command("pixels/larger_brush"), ui)))
+      actions.push_back(action::SetBrush{size});
+    const float side = ui.px(static_cast<float>(size) * 3);
+    const float inset = std::floor((ui.px(theme::kButton) - side) / 2);
+    const ImVec2 from{at.x + inset, at.y + inset};
+    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + side, from.y + side},
+                                              theme::color(theme::kText));
+  }
+}
+
+void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  const bool surrounded = ui.view.pixels.neighbours && area.sheet == SheetId::tiles;
+  const float margin = surrounded ? kSurroundings : 0;  // px of the art
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float longer = static_cast<float>(std::max(area.width(), area.height()));
+  const float longer = static_cast<float>(std::max(area.width(), area.height())) + 2 * margin;
   const float zoom = std::max(1.0f, std::floor((std::min(room.x, room.y) - 2) / longer));
   const ImVec2 size{static_cast<float>(area.width()) * zoom, static_cast<float>(area.height()) * zoom};
   ImVec2 at = ImGui::GetCursorScreenPos();
-  at = {std::floor(at.x + std::max(1.0f, (room.x - size.x) / 2)), at.y + 1};
+  at = {std::floor(at.x + std::max(1.0f, (room.x - size.x) / 2)), std::floor(at.y + 1 + margin * zoom)};
   ImGui::SetCursorScreenPos(at);
   ImGui::InvisibleButton("pixels", size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.item("pixels/canvas");
-  handle_mouse(session, actions, ui, at, zoom);
-  draw_pixels(*ImGui::GetWindowDrawList(), area, at, zoom, ui, session.choices().grid);
-  if (const auto pixel = ui.view.hover.sprite) {
-    const ImVec2 corner{at.x + static_cast<float>(pixel->x) * zoom,
-                        at.y + static_cast<float>(pixel->y) * zoom};
-    ImGui::GetWindowDrawList()->AddRect(corner, {corner.x + zoom, corner.y + zoom},
-                                        theme::color(theme::kText));
-  }
-}
-
-void PixelPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
-  struct Tool {
-    std::string_view command;
-    Icon icon;
-  };
-  constexpr Tool kTools[] = {{"pixels/pencil", Icon::pencil},
-                             {"pixels/pick", Icon::pick},
-                             {"pixels/fill", Icon::fill},
-                             {"pixels/flip_h", Icon::flip_horizontal},
-                             {"pixels/flip_v", Icon::flip_vertical},
-                             {"pixels/rotate", Icon::rotate},
-                             {"pixels/clear", Icon::clear}};
-  for (const Tool& tool : kTools) {
-    if (&tool != kTools) ui.same_line_if_fits(ui.px(theme::kButton));
-    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
-  }
-  ui.same_line_if_fits(ui.px(kSizeWidth));
-  draw_size_choice(session, actions, ui);
-}
-
-void PixelPanel::draw_size_choice(const Session& session, Actions& actions, Ui& ui) {
-  const SpriteArea& area = session.choices().area;
-  const std::string now = std::to_string(area.width()) +
-                          (area.width() == area.height() ? "" : "x" + std::to_string(area.height()));
-  const bool open =
-      ui.begin_combo("pixels/size", now, ui.px(kSizeWidth),
-                     "How many pixels wide and high the canvas is; a drag on the sheet chooses any size.");
-  if (!open) return;
-  for (int tiles : {1, 2, 4, 8}) {
-    if (!ImGui::Selectable((std::to_string(tiles * kTileSize) + " px").c_str(), area.tiles.w == tiles))
-      continue;
-    const CellRect rect{std::min(area.tiles.x, kSheetColumns - tiles),
-                        std::min(area.tiles.y, kSheetColumns - tiles), tiles, tiles};
-    actions.push_back(action::SelectTiles{{area.sheet, rect}});
-  }
-  ImGui::EndCombo();
-}
-
-void PixelPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float zoom) {
-  const SpriteArea& area = session.choices().area;
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Cell pixel{static_cast<int>(std::floor((mouse.x - at.x) / zoom)),
-                   static_cast<int>(std::floor((mouse.y - at.y) / zoom))};
-  const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < area.width() && pixel.y < area.height();
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered && inside) {
+  const CanvasView view{at, {at.x + size.x, at.y + size.y}, {at.x, at.y}, zoom};
+  const Cell pixel = [&] {
+    const Vec2 p = view.to_level(ImGui::GetIO().MousePos);
+    return Cell{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
+  }();
+  const bool hovered = ImGui::IsItemHovered() && pixel.x >= 0 && pixel.y >= 0 && pixel.x < area.width() &&
+                       pixel.y < area.height();
+  if (hovered) {
     ui.view.hover.sprite = pixel;
-    if (ImGui::IsMouseClicked(2))
-      actions.push_back(action::SetColor{pixel_at(session.level(), area, pixel.x, pixel.y)});
-    const bool right = ImGui::IsMouseClicked(1);
-    if (ImGui::IsMouseClicked(0) || right) {
-      secondary_ = right;
-      stroke_ = session.next_stroke();
-      last_ = pixel;
-      use_tool(session, actions, pixel, true);
-    }
+    change_size_by_wheel(session, actions, pixel);
   }
-  if (!last_) return;
-  if (!ImGui::GetIO().MouseDown[secondary_ ? 1 : 0]) {
-    last_.reset();
-  } else if (pixel != *last_) {
-    use_tool(session, actions, pixel, false);
-    last_ = pixel;
-  }
+  gesture_.update(session, actions, pixel, hovered);
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_image(list, area, view, ui);
+  if (session.choices().grid) draw_grid_lines(list, area, view);
+  if (surrounded) surroundings_.draw(list, session, view, ui);
+  gesture_.draw(list, session, view, pixel, hovered, ui.scale);
 }
 
-void PixelPanel::use_tool(const Session& session, Actions& actions, Cell pixel, bool pressed) {
-  const Level& level = session.level();
-  const Choices& choices = session.choices();
-  const auto color = static_cast<std::uint8_t>(secondary_ ? choices.secondary_color : choices.color);
-  switch (choices.sprite_tool) {
-    case SpriteTool::pencil:
-      actions.push_back(action::EditLevel{draw_line(level, choices.area, *last_, pixel, color), stroke_});
-      break;
-    case SpriteTool::pick:
-      if (pressed)
-        actions.push_back(action::SetColor{pixel_at(level, choices.area, pixel.x, pixel.y), secondary_});
-      break;
-    case SpriteTool::fill:
-      if (!pressed) break;
-      actions.push_back(action::EditLevel{
-          ImGui::GetIO().KeyCtrl
-              ? replace_color(level, choices.area, pixel_at(level, choices.area, pixel.x, pixel.y), color)
-              : fill_pixels(level, choices.area, pixel, color)});
-      break;
+// Up: fewer pixels, larger. Touch pads turn the wheel by fractions, which add up.
+void PixelPanel::change_size_by_wheel(const Session& session, Actions& actions, Cell pixel) {
+  if (gesture_.active()) return;
+  wheel_ += ImGui::GetIO().MouseWheel;
+  const int steps = static_cast<int>(wheel_);
+  wheel_ -= static_cast<float>(steps);
+  if (steps == 0) return;
+  const SpriteArea& area = session.choices().area;
+  const int now = std::max(area.tiles.w, area.tiles.h);
+  int tiles = now;
+  if (steps > 0) {
+    const auto next = std::lower_bound(kSizes.begin(), kSizes.end(), now);
+    if (next != kSizes.begin()) tiles = *std::prev(next);
+  } else {
+    const auto next = std::upper_bound(kSizes.begin(), kSizes.end(), now);
+    if (next != kSizes.end()) tiles = *next;
   }
+  if (tiles != now) actions.push_back(action::SelectTiles{resized(area, tiles, pixel)});
 }
 
 }  // namespace talus

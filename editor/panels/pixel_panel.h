@@ -1,9 +1,9 @@
 // The pixel canvas: the selected tiles, enlarged, to draw on.
 #pragma once
 
-#include <optional>
-
 #include "panel.h"
+#include "sprite_gesture.h"
+#include "sprite_surroundings.h"
 
 namespace talus {
 
@@ -14,14 +14,15 @@ class PixelPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  void draw_toolbar(const Session& session, Actions& actions, Ui& ui);
-  void draw_size_choice(const Session& session, Actions& actions, Ui& ui);
-  void handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float zoom);
-  void use_tool(const Session& session, Actions& actions, Cell pixel, bool pressed);
+  void draw_tools(const Session& session, Actions& actions, Ui& ui);
+  void draw_sizes(const Session& session, Actions& actions, Ui& ui);
+  void draw_brushes(const Session& session, Actions& actions, Ui& ui);
+  void draw_canvas(const Session& session, Actions& actions, Ui& ui);
+  void change_size_by_wheel(const Session& session, Actions& actions, Cell pixel);
 
-  std::optional<Cell> last_;  // px, of the stroke
-  bool secondary_ = false;    // the stroke is the right button's
-  int stroke_ = 0;
+  SpriteGesture gesture_;
+  SpriteSurroundings surroundings_;
+  float wheel_ = 0;  // clicks of the wheel that made no whole step yet
 };
 
 }  // namespace talus

@@ -1,34 +1,15 @@
-// The commands of the sprites and of the map.
+// The commands of the sprites: the pixel canvas, the palette and the sheet.
 #include <algorithm>
 
 #include "command_table.h"
-#include "edit/shape_tools.h"
-#include "edit/spawn_tools.h"
-#include "spawn_gesture.h"
+#include "edit/sprite_clipboard.h"
 
 namespace talus {
 namespace {
 
-constexpr double kSegmentReach = 4;  // px, from the mouse to the segment that Delete takes away
-
 using S = const Session&;
 using A = Actions&;
 using U = Ui&;
-
-template <MapTool tool>
-void choose_map_tool(S, A actions, U) {
-  actions.push_back(action::SetMapTool{tool});
-}
-
-template <MapTool tool>
-bool is_map_tool(S session, const Ui&) {
-  return session.choices().map_tool == tool;
-}
-
-template <MapTool tool>
-Command map_tool(std::string_view id, KeyChord key, std::string_view label, std::string_view help) {
-  return toggle(id, key, label, help, choose_map_tool<tool>, is_map_tool<tool>);
-}
 
 template <SpriteTool tool>
 void choose_sprite_tool(S, A actions, U) {
@@ -45,22 +26,74 @@ Command sprite_tool(std::string_view id, KeyChord key, std::string_view label, s
   return toggle(id, key, label, help, choose_sprite_tool<tool>, is_sprite_tool<tool>);
 }
 
-void edit(A actions, Edit edit) {
-  if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
+template <int step>
+void change_brush(S session, A actions, U) {
+  actions.push_back(action::SetBrush{session.choices().brush + step});
 }
 
-template <Edit (*tool)(const Level&, const SpriteArea&)>
-void edit_area(S session, A actions, U) {
-  edit(actions, tool(session.level(), session.choices().area));
+bool has_selection(S session, const Ui&) { return session.choices().pixels.rect().has_value(); }
+
+template <PixelTurn turn>
+void turn_pixels(S, A actions, U) {
+  actions.push_back(action::TurnPixels{turn});
 }
 
+bool can_rotate(S session, const Ui& ui) {
+  const CellRect& tiles = session.choices().area.tiles;
+  return has_selection(session, ui) || tiles.w == tiles.h;
+}
+
+// The selected pixels, else the tiles with their flags.
 void clear_sprite(S session, A actions, U) {
-  edit(actions, clear_area(session.level(), session.choices().area,
-                           static_cast<std::uint8_t>(session.choices().secondary_color)));
+  const Choices& choices = session.choices();
+  const auto color = static_cast<std::uint8_t>(choices.secondary_color);
+  const auto& rect = choices.pixels.rect();
+  actions.push_back(action::EditLevel{rect ? clear_pixels(session.level(), choices.area, *rect, color)
+                                           : clear_area(session.level(), choices.area, color)});
 }
 
-bool area_is_square(S session, const Ui&) {
-  return session.choices().area.tiles.w == session.choices().area.tiles.h;
+void copy_sprite(S session, A, U) {
+  const Choices& choices = session.choices();
+  const std::string text = choices.pixels.rect()
+                               ? pixels_to_text(choices.pixels.pixels(session.level(), choices.area))
+                               : tiles_to_text(session.level(), choices.area);
+  ImGui::SetClipboardText(text.c_str());
+}
+
+void cut_sprite(S session, A actions, U ui) {
+  copy_sprite(session, actions, ui);
+  clear_sprite(session, actions, ui);
+}
+
+std::string clipboard_text() {
+  const char* text = ImGui::GetClipboardText();
+  return text == nullptr ? "" : text;
+}
+
+void emit_paste(A actions, tl::expected<Edit, std::string> edit) {
+  if (edit)
+    actions.push_back(action::EditLevel{std::move(*edit)});
+  else
+    actions.push_back(action::ShowMessage{edit.error(), true});
+}
+
+void paste_sprite(S session, A actions, U) {
+  const Choices& choices = session.choices();
+  const std::string text = clipboard_text();
+  if (auto block = pixels_from_text(text)) {
+    const CellRect at = choices.pixels.rect().value_or(CellRect{});
+    actions.push_back(action::PastePixels{std::move(*block), {at.x, at.y}});
+  } else {
+    emit_paste(actions, paste_tiles(session.level(), choices.area, text));
+  }
+}
+
+void copy_palette(S session, A, U) {
+  ImGui::SetClipboardText(palette_to_text(session.level().palette).c_str());
+}
+
+void paste_colors(S session, A actions, U ui) {
+  emit_paste(actions, paste_palette(session.level(), ui.view.palette_color, clipboard_text()));
 }
 
 template <int step, bool secondary>
@@ -70,12 +103,24 @@ void cycle_color(S session, A actions, U ui) {
   actions.push_back(action::SetColor{ui.view.palette_color, secondary});
 }
 
+// The selected pixels, else the selection on the sheet.
 template <int dx, int dy>
-void move_sheet_cursor(S session, A actions, U) {
+void move_selection(S session, A actions, U ui) {
+  if (has_selection(session, ui)) {
+    actions.push_back(action::MovePixels{{dx, dy}});
+    return;
+  }
   SpriteArea area = session.choices().area;
   area.tiles.x = std::clamp(area.tiles.x + dx, 0, kSheetColumns - area.tiles.w);
   area.tiles.y = std::clamp(area.tiles.y + dy, 0, kSheetColumns - area.tiles.h);
   actions.push_back(action::SelectTiles{area});
+}
+
+template <int dx, int dy>
+Command arrow(std::string_view id, int key, std::string_view label) {
+  return repeating(command(id, KeyChord{key}, label,
+                           "Moves the selection on the sheet, or the selected pixels.",
+                           move_selection<dx, dy>));
 }
 
 void switch_sheet(S session, A actions, U) {
@@ -84,118 +129,116 @@ void switch_sheet(S session, A actions, U) {
   actions.push_back(action::SelectTiles{area});
 }
 
-template <int dx, int dy>
-void scroll_map(S, A, U ui) {
-  ui.view.scroll_by = ui.view.scroll_by + Vec2{dx * 64.0, dy * 64.0};
+std::vector<Command> pixel_tools() {
+  return {
+      sprite_tool<SpriteTool::pencil>("pixels/pencil", KeyChord{'1'}, "Pencil",
+                                      "Draws pixels; the right button draws the other colour."),
+      sprite_tool<SpriteTool::pick>("pixels/pick", KeyChord{'2'}, "Pick colour",
+                                    "Takes the colour under the mouse; so does the middle button."),
+      sprite_tool<SpriteTool::select>(
+          "pixels/select", KeyChord{'3'}, "Select pixels",
+          "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over what is there. "
+          "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it."),
+      sprite_tool<SpriteTool::fill>("pixels/fill", KeyChord{'4'}, "Fill",
+                                    "Fills an area of one colour; with Ctrl, that colour everywhere."),
+      sprite_tool<SpriteTool::line>("pixels/line", KeyChord{'l'}, "Line",
+                                    "Drag a line; with Shift, level, upright or diagonal."),
+      sprite_tool<SpriteTool::rectangle>("pixels/rectangle", KeyChord{'r'}, "Rectangle",
+                                         "Drag a rectangle; with Shift a square, with Ctrl filled."),
+      sprite_tool<SpriteTool::ellipse>("pixels/ellipse", KeyChord{'e'}, "Ellipse",
+                                       "Drag an ellipse; with Shift a circle, with Ctrl filled."),
+      repeating(command("pixels/smaller_brush", KeyChord{'-'}, "Smaller brush", "One px less, down to 1.",
+                        change_brush<-1>, [](S s, const Ui&) { return s.choices().brush > 1; })),
+      repeating(command("pixels/larger_brush", KeyChord{'='}, "Larger brush", "One px more, up to 4.",
+                        change_brush<1>, [](S s, const Ui&) { return s.choices().brush < kMaxBrush; })),
+      toggle(
+          "pixels/neighbours", KeyChord{'n'}, "Neighbours on the map",
+          "Shows the tiles around, as at the place on the map where the mouse was last, else the commonest, "
+          "and the lines of slopes.",
+          [](S, A, U ui) { ui.view.pixels.neighbours = !ui.view.pixels.neighbours; },
+          [](S, const Ui& ui) { return ui.view.pixels.neighbours; }),
+      toggle(
+          "pixels/enlarge", KeyChord{'z'}, "Enlarge the pixels",
+          "Shows the pixel canvas above the map and the play view, instead of below the sheet.",
+          [](S, A, U ui) { ui.view.pixels.enlarged = !ui.view.pixels.enlarged; },
+          [](S, const Ui& ui) { return ui.view.pixels.enlarged; }),
+  };
 }
 
-void erase_hovered(S session, A actions, U ui) {
-  if (session.choices().map_tool == MapTool::body) {
-    const int chosen = chosen_spawn(session);
-    if (chosen >= 0) edit(actions, remove_spawn(session.level(), chosen));
-    return;
-  }
-  if (session.choices().map_tool == MapTool::segment) {
-    if (const auto at = ui.view.hover.pixel)
-      edit(actions, remove_segment(session.level(), *at, kSegmentReach));
-    return;
-  }
-  const Stamp& stamp = session.choices().stamp;
-  if (const auto cell = ui.view.hover.cell)
-    edit(actions, erase_cells(session.level(), {cell->x, cell->y, stamp.w, stamp.h}));
+template <PixelTurn how>
+Command shift_command(std::string_view id, int key, std::string_view label) {
+  return repeating(
+      command(id, shift(key), label,
+              "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in "
+              "at the other side.",
+              turn_pixels<how>));
 }
 
-std::vector<Command> pixel_commands() {
-  return in_scope(
-      Scope::sprites,
-      {
-          sprite_tool<SpriteTool::pencil>("pixels/pencil", KeyChord{'1'}, "Pencil",
-                                          "Draws pixels; the right button draws the other colour."),
-          sprite_tool<SpriteTool::pick>("pixels/pick", KeyChord{'2'}, "Pick colour",
-                                        "Takes the colour under the mouse; so does the middle button."),
-          sprite_tool<SpriteTool::fill>("pixels/fill", KeyChord{'4'}, "Fill",
-                                        "Fills an area of one colour; with Ctrl, that colour everywhere."),
-          command("pixels/flip_h", KeyChord{'5'}, "Flip left and right",
-                  "Mirrors the selected tiles, left to right.", edit_area<flip_horizontal>),
-          command("pixels/flip_v", KeyChord{'6'}, "Flip up and down",
-                  "Mirrors the selected tiles, top to bottom.", edit_area<flip_vertical>),
-          command("pixels/rotate", KeyChord{'7'}, "Rotate",
-                  "Turns the selected tiles by a quarter, clockwise.", edit_area<rotate_clockwise>,
-                  area_is_square),
-          also_on(KeyChord{kKeyDelete},
-                  command("pixels/clear", KeyChord{'8'}, "Clear",
-                          "Fills the selected tiles with the right button's colour.", clear_sprite)),
-      });
+std::vector<Command> pixel_changes() {
+  return {
+      command("pixels/flip_h", KeyChord{'5'}, "Flip left and right",
+              "Mirrors the selected pixels, or all of the canvas, left to right.",
+              turn_pixels<PixelTurn::flip_horizontal>),
+      command("pixels/flip_v", KeyChord{'6'}, "Flip up and down",
+              "Mirrors the selected pixels, or all of the canvas, top to bottom.",
+              turn_pixels<PixelTurn::flip_vertical>),
+      command("pixels/rotate", KeyChord{'7'}, "Rotate",
+              "Turns the selected pixels, or all of a square canvas, by a quarter, clockwise.",
+              turn_pixels<PixelTurn::rotate>, can_rotate),
+      also_on(KeyChord{kKeyDelete},
+              command("pixels/clear", KeyChord{'8'}, "Clear",
+                      "Fills the selected pixels with the right button's colour, or all of the canvas, whose "
+                      "flags go too.",
+                      clear_sprite)),
+      shift_command<PixelTurn::shift_left>("pixels/shift_left", kKeyLeft, "Shift pixels left"),
+      shift_command<PixelTurn::shift_right>("pixels/shift_right", kKeyRight, "Shift pixels right"),
+      shift_command<PixelTurn::shift_up>("pixels/shift_up", kKeyUp, "Shift pixels up"),
+      shift_command<PixelTurn::shift_down>("pixels/shift_down", kKeyDown, "Shift pixels down"),
+      command("pixels/cut", ctrl('x'), "Cut", "Copies, then clears.", cut_sprite),
+      command("pixels/copy", ctrl('c'), "Copy",
+              "Copies the selected pixels, or the tiles with their flags, as TIC-80 does.", copy_sprite),
+      command("pixels/paste", ctrl('v'), "Paste",
+              "Puts in pixels, which float, or as many tiles as are selected, also from TIC-80.",
+              paste_sprite),
+      command(
+          "pixels/deselect", KeyChord{kKeyEscape}, "Select no pixels", "Puts down what floats.",
+          [](S, A actions, U) { actions.push_back(action::SelectPixels{}); }, has_selection),
+  };
+}
+
+std::vector<Command> palette_commands() {
+  return {
+      repeating(command("palette/previous", KeyChord{'['}, "Previous colour",
+                        "The left button's colour, one back.", cycle_color<-1, false>)),
+      repeating(command("palette/next", KeyChord{']'}, "Next colour", "The left button's colour, one on.",
+                        cycle_color<1, false>)),
+      repeating(command("palette/previous_right", shift('['), "Previous right colour",
+                        "The right button's colour, one back.", cycle_color<-1, true>)),
+      repeating(command("palette/next_right", shift(']'), "Next right colour",
+                        "The right button's colour, one on.", cycle_color<1, true>)),
+      command("palette/copy", ctrl_shift('c'), "Copy the palette",
+              "Copies all sixteen colours as 96 hex digits, as TIC-80 does.", copy_palette),
+      command("palette/paste", ctrl_shift('v'), "Paste the palette",
+              "Puts in sixteen colours, also from TIC-80, or RRGGBB for the chosen one.", paste_colors),
+  };
 }
 
 std::vector<Command> sheet_commands() {
-  return in_scope(Scope::sprites,
-                  {
-                      repeating(command("palette/previous", KeyChord{'['}, "Previous colour",
-                                        "The left button's colour, one back.", cycle_color<-1, false>)),
-                      repeating(command("palette/next", KeyChord{']'}, "Next colour",
-                                        "The left button's colour, one on.", cycle_color<1, false>)),
-                      repeating(command("palette/previous_right", shift('['), "Previous right colour",
-                                        "The right button's colour, one back.", cycle_color<-1, true>)),
-                      repeating(command("palette/next_right", shift(']'), "Next right colour",
-                                        "The right button's colour, one on.", cycle_color<1, true>)),
-                      command("sheet/switch", KeyChord{kKeyTab}, "Tiles or sprites",
-                              "Switches between the two sheets.", switch_sheet),
-                      repeating(command("sheet/left", KeyChord{kKeyLeft}, "Tile to the left",
-                                        "Moves the selection.", move_sheet_cursor<-1, 0>)),
-                      repeating(command("sheet/right", KeyChord{kKeyRight}, "Tile to the right",
-                                        "Moves the selection.", move_sheet_cursor<1, 0>)),
-                      repeating(command("sheet/up", KeyChord{kKeyUp}, "Tile above", "Moves the selection.",
-                                        move_sheet_cursor<0, -1>)),
-                      repeating(command("sheet/down", KeyChord{kKeyDown}, "Tile below",
-                                        "Moves the selection.", move_sheet_cursor<0, 1>)),
-                  });
-}
-
-std::vector<Command> map_commands() {
-  return in_scope(
-      Scope::map,
-      {
-          map_tool<MapTool::stamp>("map/stamp", KeyChord{'1'}, "Stamp", "Paints the selected tiles."),
-          map_tool<MapTool::pan>(
-              "map/pan", KeyChord{'2'}, "Move the view",
-              "Drags the view; so do the middle and the right button, and Space where it is no player's."),
-          map_tool<MapTool::rectangle>("map/rectangle", KeyChord{'3'}, "Rectangle",
-                                       "Fills a dragged rectangle with the selected tiles."),
-          map_tool<MapTool::fill>("map/fill", KeyChord{'4'}, "Fill", "Fills an area of equal tiles."),
-          map_tool<MapTool::erase>("map/erase", KeyChord{'5'}, "Erase", "Paints tile 0."),
-          map_tool<MapTool::pick>("map/pick", KeyChord{'6'}, "Pick tiles",
-                                  "Takes the tiles of a dragged rectangle as the stamp."),
-          map_tool<MapTool::body>(
-              "map/body", KeyChord{'7'}, "Place bodies",
-              "Places a ball or a player, as the inspector says, or moves one that is there."),
-          map_tool<MapTool::slope>(
-              "map/slope", KeyChord{'8'}, "Lay a slope",
-              "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn."),
-          map_tool<MapTool::segment>(
-              "map/segment", KeyChord{'9'}, "Add a segment",
-              "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
-              "ceiling. For the exact solver."),
-          repeating(
-              command("map/delete", KeyChord{kKeyDelete}, "Erase at the mouse",
-                      "Paints tile 0 under the mouse, as large as the stamp; with the body tool, "
-                      "removes the chosen body, and with the segment tool, the segment under the mouse.",
-                      erase_hovered)),
-          command("map/fit", KeyChord{kKeyTab}, "World view",
-                  "Shows the whole map, or goes back to where you were.",
-                  [](S, A, U ui) { ui.view.fit_map = true; }),
-          repeating(
-              command("map/left", KeyChord{kKeyLeft}, "Scroll left", "Moves the view.", scroll_map<-1, 0>)),
-          repeating(
-              command("map/right", KeyChord{kKeyRight}, "Scroll right", "Moves the view.", scroll_map<1, 0>)),
-          repeating(command("map/up", KeyChord{kKeyUp}, "Scroll up", "Moves the view.", scroll_map<0, -1>)),
-          repeating(
-              command("map/down", KeyChord{kKeyDown}, "Scroll down", "Moves the view.", scroll_map<0, 1>)),
-      });
+  return {
+      command("sheet/switch", KeyChord{kKeyTab}, "Tiles or sprites", "Switches between the two sheets.",
+              switch_sheet),
+      arrow<-1, 0>("sheet/left", kKeyLeft, "To the left"),
+      arrow<1, 0>("sheet/right", kKeyRight, "To the right"),
+      arrow<0, -1>("sheet/up", kKeyUp, "Up"),
+      arrow<0, 1>("sheet/down", kKeyDown, "Down"),
+  };
 }
 
 }  // namespace
 
-std::vector<Command> tool_commands() { return joined({pixel_commands(), sheet_commands(), map_commands()}); }
+std::vector<Command> tool_commands() {
+  return in_scope(Scope::sprites,
+                  joined({pixel_tools(), pixel_changes(), palette_commands(), sheet_commands()}));
+}
 
 }  // namespace talus

@@ -39,9 +39,17 @@ struct Layout {
   double right = 0.305;       // width of the right column
   double sheet = 0.49;        // height of the sheet, of the left column
   double right_split = 0.68;  // height of the inspector, of the right column
+  double pixels = 0.55;       // height of the enlarged pixel canvas, of the middle
   double canvas_split = 0.5;  // height of the map, of the middle, when map and play are both shown
   double dock = 0.3;          // height of the debugger's panels, of what is between menu and timeline
   friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+// How the pixel canvas is shown.
+struct PixelView {
+  bool neighbours = false;  // among the tiles that stand around it on the map
+  bool enlarged = false;    // above the map and the play view, instead of below the sheet
+  friend bool operator==(const PixelView&, const PixelView&) = default;
 };
 
 // Where the mouse is over a canvas, for the status bar.
@@ -73,7 +81,7 @@ struct View {
   std::vector<std::string> hard_cases;    // paths of the levels that come with the program, in order
   std::vector<std::string> tabs;          // ids of the panels that are shown where several share a region
   int palette_color = 12;                 // 0..15, which the sliders edit
-  bool neighbours_shown = false;          // the pixel canvas among the tiles around it on the map
+  PixelView pixels;
   std::array<std::optional<Cell>, kTileCount> tile_places;  // where on the map the mouse was on each tile last
 
   int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: none

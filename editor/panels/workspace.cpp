@@ -110,7 +110,9 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetCursorScreenPos({left, top});
   const float moved_left = splitter("layout/left", {bar, height}, SplitterAxis::horizontal, ui);
   if (moved_left != 0) layout.left = (left + moved_left) / window.x;
-  draw_region(frame, Region::canvas, {left + bar, top}, {window.x - left - right - 2 * bar, height});
+  const float middle = window.x - left - right - 2 * bar;
+  const float above = draw_enlarged_pixels(frame, {left + bar, top}, {middle, height});
+  draw_region(frame, Region::canvas, {left + bar, top + above}, {middle, height - above});
   ImGui::SetCursorScreenPos({window.x - right - bar, top});
   const float moved_right = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
   if (moved_right != 0) layout.right = (right - moved_right) / window.x;
@@ -148,9 +150,25 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.layout.sheet = (sheet + moved) / size.y;
   const float y = at.y + sheet + bar;
-  draw_region(frame, Region::pixels, {at.x, y}, {size.x, pixels - palette});
-  draw_region(frame, Region::palette, {at.x, y + pixels - palette}, {size.x, palette});
+  if (ui.view.pixels.enlarged) {
+    draw_region(frame, Region::palette, {at.x, y}, {size.x, std::min(pixels, 3 * palette)});
+  } else {
+    draw_region(frame, Region::pixels, {at.x, y}, {size.x, pixels - palette});
+    draw_region(frame, Region::palette, {at.x, y + pixels - palette}, {size.x, palette});
+  }
   draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
+}
+
+float Workspace::draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room) {
+  Ui& ui = frame.ui;
+  if (!ui.view.pixels.enlarged) return 0;
+  const float bar = ui.px(kSplitterWidth), least = ui.px(kPixelsLeast);
+  const float height = part(ui.view.layout.pixels, room.y, least, least + bar);
+  draw_region(frame, Region::pixels, at, {room.x, height});
+  ImGui::SetCursorScreenPos({at.x, at.y + height});
+  const float moved = splitter("layout/pixels", {room.x, bar}, SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.layout.pixels = (height + moved) / room.y;
+  return height + bar;
 }
 
 void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {

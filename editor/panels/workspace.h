@@ -1,6 +1,8 @@
 // Workspace: lays the panels out in fixed regions with splitters between them.
 #pragma once
 
+#include <optional>
+
 #include "panel_list.h"
 
 namespace talus {
@@ -20,12 +22,17 @@ class Workspace {
   void draw_left(Frame& frame, ImVec2 at, ImVec2 size);
   // The debugger's panels at the bottom of the room, if they are open; their height.
   float draw_dock(Frame& frame, ImVec2 at, ImVec2 room);
+  // The pixel canvas above the map and the play view, if it is enlarged; its height.
+  float draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room);
   void draw_right(Frame& frame, ImVec2 at, ImVec2 size);
   // One region: its panel, or tabs of its panels.
   void draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size);
   void draw_tabs(Frame& frame, Region region);
+  void follow_mouse(View& view);
 
   std::vector<PanelPlace> panels_;
+  // The side under the mouse, in this frame and when the mouse moved last.
+  std::optional<Focus> pointed_at_, pointed_before_;
 };
 
 }  // namespace talus

@@ -46,7 +46,7 @@ void EventQueue::begin_frame(bool hold_presses) {
   SDL_Event event;
   while (SDL_PollEvent(&event)) waiting_.push_back(event);
   holds_presses_ = hold_presses;
-  button_changed_ = typed_ = command_pressed_ = false;
+  moved_ = button_changed_ = typed_ = command_pressed_ = false;
   changed_keys_.reset();
 }
 
@@ -63,6 +63,7 @@ bool EventQueue::next(SDL_Event& event) {
 // - After a command key, nothing more that is typed or clicked: Enter or Escape may close what would get it,
 // and
 //   a text field takes one such key a frame, after all letters.
+// - After the mouse has moved, no key: it is meant for what the mouse has come to.
 // - After anything typed, no button: a click may take the text's field away before it has looked.
 // - No key that counts changes twice.
 bool EventQueue::must_wait(const SDL_Event& event) const {
@@ -70,11 +71,13 @@ bool EventQueue::must_wait(const SDL_Event& event) const {
   if (button_changed_) return is_mouse(event) || is_key(event) || is_text(event);
   if (command_pressed_) return is_button(event) || is_key(event) || is_text(event);
   if (typed_ && is_button(event)) return true;
+  if (moved_ && event.type == SDL_KEYDOWN) return true;
   return is_command_key(event) && event.key.repeat == 0 && changed_keys_[event.key.keysym.scancode];
 }
 
 void EventQueue::track(const SDL_Event& event) {
   if (event.type == SDL_MOUSEMOTION) {
+    moved_ = true;
     mouse_.x = static_cast<float>(event.motion.x);
     mouse_.y = static_cast<float>(event.motion.y);
     mouse_.inside = true;

@@ -40,6 +40,7 @@ class EventQueue {
   SDL_Keymod modifiers_ = KMOD_NONE;
   // Of this frame:
   bool holds_presses_ = false;
+  bool moved_ = false;  // the mouse has, in this frame
   bool button_changed_ = false;
   bool typed_ = false;            // a text or any key was pressed
   bool command_pressed_ = false;  // a key that is no typing

@@ -24,9 +24,10 @@ struct LayoutField {
   const char* key;
   double Layout::*value;
 };
-constexpr std::array<LayoutField, 6> kLayoutFields = {{{"left", &Layout::left},
+constexpr std::array<LayoutField, 7> kLayoutFields = {{{"left", &Layout::left},
                                                        {"right", &Layout::right},
                                                        {"sheet", &Layout::sheet},
+                                                       {"pixels", &Layout::pixels},
                                                        {"right_split", &Layout::right_split},
                                                        {"canvas_split", &Layout::canvas_split},
                                                        {"dock", &Layout::dock}}};
@@ -96,6 +97,8 @@ Settings from_json(const json& root) {
   read_number(root, "ui_scale", 1, 4, s.ui_scale);
   read_bool(root, "grid", s.grid);
   read_bool(root, "screen_borders", s.screen_borders);
+  read_bool(root, "pixel_neighbours", s.pixels.neighbours);
+  read_bool(root, "pixels_enlarged", s.pixels.enlarged);
   if (root.contains("overlays")) {
     s.overlays = {};
     for (const std::string& key : read_strings(root, "overlays"))
@@ -127,6 +130,8 @@ json to_json(const Settings& s) {
           {"ui_scale", s.ui_scale},
           {"grid", s.grid},
           {"screen_borders", s.screen_borders},
+          {"pixel_neighbours", s.pixels.neighbours},
+          {"pixels_enlarged", s.pixels.enlarged},
           {"overlays", overlays},
           {"recent_files", s.recent_files},
           {"tabs", s.tabs},

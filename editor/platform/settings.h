@@ -18,6 +18,7 @@ struct Settings {
   double ui_scale = 0;  // 0: automatic; else 1 to 4
   bool grid = true;
   bool screen_borders = true;
+  PixelView pixels;
   OverlaySet overlays;                    // unknown names are left out
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing

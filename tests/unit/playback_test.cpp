@@ -213,7 +213,7 @@ TEST(Playback, UndoIsInTheNextStepToo) {
 TEST(Playback, PicturesAndPlainTilesDoNotRecompile) {
   Session session(ball_over_floor());
   const Scene* before = &session.scene();
-  session.apply(act::EditLevel{draw_line(session.level(), {}, {0, 0}, {7, 7}, 3), 0});
+  session.apply(act::EditLevel{draw_line(session.level(), {}, {0, 0}, {7, 7}, {3}), 0});
   session.apply(act::EditLevel{set_color(session.level(), 3, {1, 2, 3}), 0});
   session.apply(act::EditLevel{rename_flag(session.level(), 3, "ice"), 0});
   session.apply(painted(session, {9, 2}, kPlain));

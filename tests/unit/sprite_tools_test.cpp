@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/sprite_shapes.h"
+
 namespace talus {
 namespace {
 
@@ -17,14 +19,14 @@ Level with(Level level, const Edit& edit) {
 // Pixels (0, 0), (1, 0) and (0, 1) of the area get colours 1, 2 and 3: no symmetry.
 Level with_corner(const SpriteArea& area) {
   Level level;
-  level = with(level, draw_line(level, area, {0, 0}, {0, 0}, 1));
-  level = with(level, draw_line(level, area, {1, 0}, {1, 0}, 2));
-  return with(level, draw_line(level, area, {0, 1}, {0, 1}, 3));
+  level = with(level, draw_line(level, area, {0, 0}, {0, 0}, {1}));
+  level = with(level, draw_line(level, area, {1, 0}, {1, 0}, {2}));
+  return with(level, draw_line(level, area, {0, 1}, {0, 1}, {3}));
 }
 
 TEST(SpriteTools, AnAreaIsOnePictureOfItsTiles) {
   Level level;
-  level = with(level, draw_line(level, kFour, {7, 8}, {8, 8}, 5));
+  level = with(level, draw_line(level, kFour, {7, 8}, {8, 8}, {5}));
   EXPECT_EQ(level.sheet(SheetId::sprites).images[34][7], 5);
   EXPECT_EQ(level.sheet(SheetId::sprites).images[35][0], 5);
   EXPECT_EQ(pixel_at(level, kFour, 7, 8), 5);
@@ -33,20 +35,20 @@ TEST(SpriteTools, AnAreaIsOnePictureOfItsTiles) {
 
 TEST(SpriteTools, LineHasBothEndsAndIsCutAtTheArea) {
   Level level;
-  EXPECT_EQ(draw_line(level, kOne, {0, 0}, {7, 7}, 4).changes.size(), 8u);
-  level = with(level, draw_line(level, kOne, {-3, 2}, {20, 2}, 4));
+  EXPECT_EQ(draw_line(level, kOne, {0, 0}, {7, 7}, {4}).changes.size(), 8u);
+  level = with(level, draw_line(level, kOne, {-3, 2}, {20, 2}, {4}));
   for (int x = 0; x < 8; ++x) EXPECT_EQ(pixel_at(level, kOne, x, 2), 4);
   EXPECT_EQ(level.sheet(SheetId::tiles).images[0][23], 0) << "the neighbour must stay as it is";
   EXPECT_EQ(level.sheet(SheetId::tiles).images[2][16], 0);
 }
 
 TEST(SpriteTools, DrawingTheSameColourIsAnEmptyEdit) {
-  EXPECT_TRUE(draw_line(Level(), kOne, {0, 0}, {7, 0}, 0).empty());
+  EXPECT_TRUE(draw_line(Level(), kOne, {0, 0}, {7, 0}, {0}).empty());
 }
 
 TEST(SpriteTools, FillStopsAtOtherColours) {
   Level level;
-  level = with(level, draw_line(level, kOne, {3, 0}, {3, 7}, 9));
+  level = with(level, draw_line(level, kOne, {3, 0}, {3, 7}, {9}));
   level = with(level, fill_pixels(level, kOne, {0, 0}, 6));
   EXPECT_EQ(pixel_at(level, kOne, 2, 7), 6);
   EXPECT_EQ(pixel_at(level, kOne, 3, 4), 9);
@@ -62,7 +64,7 @@ TEST(SpriteTools, FillGoesOverTheTilesOfTheAreaAndNoFurther) {
 
 TEST(SpriteTools, ReplaceColorIgnoresConnection) {
   Level level = with_corner(kOne);
-  level = with(level, draw_line(level, kOne, {7, 7}, {7, 7}, 1));
+  level = with(level, draw_line(level, kOne, {7, 7}, {7, 7}, {1}));
   level = with(level, replace_color(level, kOne, 1, 8));
   EXPECT_EQ(pixel_at(level, kOne, 0, 0), 8);
   EXPECT_EQ(pixel_at(level, kOne, 7, 7), 8);
@@ -71,7 +73,7 @@ TEST(SpriteTools, ReplaceColorIgnoresConnection) {
 
 TEST(SpriteTools, FlipHorizontalMirrorsTheWholeArea) {
   Level level = with_corner(kFour);
-  level = with(level, flip_horizontal(level, kFour));
+  level = with(level, turn_pixels(level, kFour, PixelTurn::flip_horizontal));
   EXPECT_EQ(pixel_at(level, kFour, 15, 0), 1);
   EXPECT_EQ(pixel_at(level, kFour, 14, 0), 2);
   EXPECT_EQ(pixel_at(level, kFour, 15, 1), 3);
@@ -80,7 +82,7 @@ TEST(SpriteTools, FlipHorizontalMirrorsTheWholeArea) {
 
 TEST(SpriteTools, FlipVerticalMirrorsTheWholeArea) {
   Level level = with_corner(kFour);
-  level = with(level, flip_vertical(level, kFour));
+  level = with(level, turn_pixels(level, kFour, PixelTurn::flip_vertical));
   EXPECT_EQ(pixel_at(level, kFour, 0, 15), 1);
   EXPECT_EQ(pixel_at(level, kFour, 1, 15), 2);
   EXPECT_EQ(pixel_at(level, kFour, 0, 14), 3);
@@ -91,7 +93,7 @@ TEST(SpriteTools, FlipVerticalMirrorsTheWholeArea) {
 //   . . .        . . .
 TEST(SpriteTools, RotateIsClockwise) {
   Level level = with_corner(kFour);
-  level = with(level, rotate_clockwise(level, kFour));
+  level = with(level, turn_pixels(level, kFour, PixelTurn::rotate));
   EXPECT_EQ(pixel_at(level, kFour, 15, 0), 1);
   EXPECT_EQ(pixel_at(level, kFour, 15, 1), 2);
   EXPECT_EQ(pixel_at(level, kFour, 14, 0), 3);
@@ -100,8 +102,43 @@ TEST(SpriteTools, RotateIsClockwise) {
 TEST(SpriteTools, FourRotationsGiveThePictureBack) {
   const Level level = with_corner(kFour);
   Level turned = level;
-  for (int i = 0; i < 4; ++i) turned = with(turned, rotate_clockwise(turned, kFour));
+  for (int i = 0; i < 4; ++i) turned = with(turned, turn_pixels(turned, kFour, PixelTurn::rotate));
   EXPECT_TRUE(turned == level);
+}
+
+TEST(SpriteTools, ShiftsComeInAtTheOtherSide) {
+  Level level = with_corner(kFour);
+  level = with(level, turn_pixels(level, kFour, PixelTurn::shift_left));
+  EXPECT_EQ(pixel_at(level, kFour, 15, 0), 1);
+  EXPECT_EQ(pixel_at(level, kFour, 0, 0), 2);
+  EXPECT_EQ(pixel_at(level, kFour, 15, 1), 3);
+  level = with(level, turn_pixels(level, kFour, PixelTurn::shift_up));
+  EXPECT_EQ(pixel_at(level, kFour, 15, 15), 1);
+  EXPECT_EQ(pixel_at(level, kFour, 15, 0), 3);
+  level = with(level, turn_pixels(level, kFour, PixelTurn::shift_right));
+  level = with(level, turn_pixels(level, kFour, PixelTurn::shift_down));
+  EXPECT_TRUE(level == with_corner(kFour));
+}
+
+TEST(SpriteTools, ClearPixelsLeavesTheFlagsAndWhatLiesBeside) {
+  Level level = with_corner(kOne);
+  level.sheet(SheetId::tiles).flags[1] = 7;
+  level = with(level, clear_pixels(level, kOne, {-2, 0, 3, 1}, 9));
+  EXPECT_EQ(pixel_at(level, kOne, 0, 0), 9);
+  EXPECT_EQ(pixel_at(level, kOne, 1, 0), 2);
+  EXPECT_EQ(pixel_at(level, kOne, 0, 1), 3);
+  EXPECT_EQ(level.sheet(SheetId::tiles).flags[1], 7);
+}
+
+TEST(SpriteTools, SetFlagsGivesEachTileItsOwn) {
+  Level level;
+  level.sheet(SheetId::sprites).flags[35] = 0xff;
+  level = with(level, set_flags(level, kFour, {1, 2, 4, 8}));
+  const auto& flags = level.sheet(SheetId::sprites).flags;
+  EXPECT_EQ(flags[18], 1);
+  EXPECT_EQ(flags[19], 2);
+  EXPECT_EQ(flags[34], 4);
+  EXPECT_EQ(flags[35], 8);
 }
 
 TEST(SpriteTools, ClearFillsAndTakesTheFlagsToo) {

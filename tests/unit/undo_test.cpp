@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "edit/shape_tools.h"
-#include "edit/sprite_tools.h"
+#include "edit/sprite_shapes.h"
 #include "edit/undo_stack.h"
 
 namespace talus {
@@ -131,17 +131,17 @@ Edit made_by(const Gesture& g, const Level& level) {
     case 4:
       return erase_cells(level, spanned(at, to));
     case 5:
-      return draw_line(level, area, at, to, color);
+      return draw_line(level, area, at, to, {color});
     case 6:
       return fill_pixels(level, area, at, color);
     case 7:
       return replace_color(level, area, static_cast<std::uint8_t>(g.a % 16), color);
     case 8:
-      return flip_horizontal(level, area);
+      return turn_pixels(level, area, PixelTurn::flip_horizontal);
     case 9:
-      return flip_vertical(level, area);
+      return turn_pixels(level, area, PixelTurn::flip_vertical);
     case 10:
-      return rotate_clockwise(level, area);
+      return turn_pixels(level, area, PixelTurn::rotate);
     case 11:
       return clear_area(level, area, color);
     case 12:

@@ -1,0 +1,32 @@
+// PixelBlock: a rectangle of pixels on their own, apart from any sheet, and how it is turned.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace talus {
+
+struct PixelBlock {
+  int w = 0, h = 0;                  // px
+  std::vector<std::uint8_t> colors;  // w * h of 0..15, row by row
+  std::uint8_t at(int x, int y) const { return colors[static_cast<std::size_t>(y) * w + x]; }
+  friend bool operator==(const PixelBlock&, const PixelBlock&) = default;
+};
+
+// Shifts go by one px, and what leaves at one side comes in at the other.
+enum class PixelTurn {
+  flip_horizontal,
+  flip_vertical,
+  rotate,  // by a quarter, clockwise: width and height change places
+  shift_left,
+  shift_right,
+  shift_up,
+  shift_down
+};
+
+PixelBlock turned(const PixelBlock& block, PixelTurn turn);
+std::string label_of(PixelTurn turn);  // for the history: "Flip horizontally"
+
+}  // namespace talus

@@ -1,0 +1,100 @@
+// Shapes as a set of pixels, which is painted once.
+#include "sprite_shapes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <cstdlib>
+
+#include "collision/function_ref.h"
+#include "raster.h"
+
+namespace talus {
+namespace {
+
+// The pixels of a canvas that a shape covers, however often its brush goes over them.
+class Mask {
+ public:
+  explicit Mask(const SpriteArea& area)
+      : w_(area.width()), h_(area.height()), covered_(static_cast<std::size_t>(w_) * h_) {}
+
+  void cover(CellRect rect) {
+    for (int y = std::max(0, rect.y); y < std::min(h_, rect.y + rect.h); ++y)
+      for (int x = std::max(0, rect.x); x < std::min(w_, rect.x + rect.w); ++x) covered_[index(x, y)] = true;
+  }
+  Edit paint(const Level& level, const SpriteArea& area, std::uint8_t color, std::string label) const {
+    PixelBlock canvas = copy_pixels(level, area, {0, 0, w_, h_});
+    for (std::size_t i = 0; i < covered_.size(); ++i)
+      if (covered_[i]) canvas.colors[i] = color;
+    return put_pixels(level, area, canvas, {0, 0}, std::move(label));
+  }
+
+ private:
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * w_ + x; }
+  int w_, h_;
+  std::vector<bool> covered_;
+};
+
+// A shape of which `inside` knows every pixel of `box`. The outline is what has a side neighbour outside.
+Edit draw_shape(const Level& level, const SpriteArea& area, CellRect box, PixelPen pen, bool filled,
+                FunctionRef<bool(int, int)> inside, std::string label) {
+  Mask mask(area);
+  const auto is_edge = [&](int x, int y) {
+    return !inside(x - 1, y) || !inside(x + 1, y) || !inside(x, y - 1) || !inside(x, y + 1);
+  };
+  for (int y = 0; y < box.h; ++y) {
+    for (int x = 0; x < box.w; ++x) {
+      if (!inside(x, y)) continue;
+      if (filled) mask.cover({box.x + x, box.y + y, 1, 1});
+      if (is_edge(x, y)) mask.cover(brush_at({box.x + x, box.y + y}, pen.brush));
+    }
+  }
+  return mask.paint(level, area, pen.color, std::move(label));
+}
+
+int sign(int v) { return v < 0 ? -1 : 1; }
+
+}  // namespace
+
+CellRect brush_at(Cell pixel, int brush) {
+  assert(brush >= 1 && brush <= kMaxBrush);
+  return {pixel.x - (brush - 1) / 2, pixel.y - (brush - 1) / 2, brush, brush};
+}
+
+Edit draw_line(const Level& level, const SpriteArea& area, Cell from, Cell to, PixelPen pen) {
+  Mask mask(area);
+  for_each_on_line(from, to, [&](Cell pixel) { mask.cover(brush_at(pixel, pen.brush)); });
+  return mask.paint(level, area, pen.color, "Draw pixels");
+}
+
+Edit draw_rectangle(const Level& level, const SpriteArea& area, Cell from, Cell to, PixelPen pen,
+                    bool filled) {
+  const CellRect box = spanned(from, to);
+  const auto inside = [&](int x, int y) { return x >= 0 && y >= 0 && x < box.w && y < box.h; };
+  return draw_shape(level, area, box, pen, filled, inside, "Draw a rectangle");
+}
+
+Edit draw_ellipse(const Level& level, const SpriteArea& area, Cell from, Cell to, PixelPen pen, bool filled) {
+  const CellRect box = spanned(from, to);
+  const std::int64_t w = box.w, h = box.h;
+  // Pixels whose middle lies in the ellipse that touches all sides of the box; in half px.
+  const auto inside = [&](int x, int y) {
+    const std::int64_t dx = 2 * x + 1 - w, dy = 2 * y + 1 - h;
+    return dx * dx * h * h + dy * dy * w * w <= w * w * h * h;
+  };
+  return draw_shape(level, area, box, pen, filled, inside, "Draw an ellipse");
+}
+
+Cell straightened(Cell from, Cell to) {
+  const int dx = to.x - from.x, dy = to.y - from.y;
+  if (std::abs(dx) > 2 * std::abs(dy)) return {to.x, from.y};
+  if (std::abs(dy) > 2 * std::abs(dx)) return {from.x, to.y};
+  return squared(from, to);
+}
+
+Cell squared(Cell from, Cell to) {
+  const int dx = to.x - from.x, dy = to.y - from.y, side = std::max(std::abs(dx), std::abs(dy));
+  return {from.x + sign(dx) * side, from.y + sign(dy) * side};
+}
+
+}  // namespace talus

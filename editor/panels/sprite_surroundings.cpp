@@ -1,0 +1,108 @@
+// Neighbours and slope lines around the pixel canvas.
+#include "sprite_surroundings.h"
+
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+constexpr int kDimmed = 110;  // opacity of the neighbours, 0 to 255
+
+// Where the mouse was last on the map at a place of all these tiles, if it still is one.
+std::optional<Cell> last_place(const TileMap& map, CellRect tiles, const View& view) {
+  for (int y = 0; y < tiles.h; ++y) {
+    for (int x = 0; x < tiles.w; ++x) {
+      const int tile = (tiles.y + y) * kSheetColumns + tiles.x + x;
+      const auto& cell = view.tile_places[static_cast<std::size_t>(tile)];
+      if (!cell) continue;
+      if (const auto place = place_of_tiles(map, tiles, *cell)) return place;
+    }
+  }
+  return std::nullopt;
+}
+
+ImVec2 corner(const CanvasView& view, int tile_x, int tile_y) {
+  return view.to_screen({static_cast<double>(tile_x) * kTileSize, static_cast<double>(tile_y) * kTileSize});
+}
+
+void draw_tile(ImDrawList& list, int tile, int x, int y, const CanvasView& view, const Ui& ui) {
+  constexpr float kSide = 1.0f / kSheetColumns;
+  const float u = static_cast<float>(tile % kSheetColumns) * kSide;
+  const float v = static_cast<float>(tile / kSheetColumns) * kSide;
+  list.AddImage(ui.sheet(SheetId::tiles), corner(view, x, y), corner(view, x + 1, y + 1), {u, v},
+                {u + kSide, v + kSide}, IM_COL32(255, 255, 255, kDimmed));
+}
+
+// The line that a slope's bodies stand on or hang from, when its tile stands at (x, y), in tiles of the
+// canvas.
+void draw_slope_line(ImDrawList& list, const TileShape& shape, int x, int y, const CanvasView& view,
+                     float scale) {
+  if (shape.kind != TileShape::Kind::slope && shape.kind != TileShape::Kind::profile) return;
+  const bool floor = shape.side == TileShape::Side::floor;
+  const double left = x * kTileSize, foot = (y + (floor ? 1 : 0)) * kTileSize;
+  const double step =
+      shape.tiles * static_cast<double>(kTileSize) / static_cast<double>(shape.heights.size() - 1);
+  const auto stroke = [&](ImU32 color, float width) {
+    for (std::size_t i = 0; i < shape.heights.size(); ++i) {
+      const double height = floor ? -shape.heights[i] : shape.heights[i];
+      list.PathLineTo(view.to_screen({left + static_cast<double>(i) * step, foot + height}));
+    }
+    list.PathStroke(color, ImDrawFlags_None, width);
+  };
+  const float width = std::max(1.0f, scale * 2);
+  stroke(theme::color(theme::kDark, 200), width + 2);
+  stroke(theme::color(theme::kAccent), width);
+}
+
+void draw_centred(ImDrawList& list, const char* text, ImVec2 middle) {
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  list.AddText({middle.x - size.x / 2, middle.y - size.y / 2}, theme::color(theme::kMuted), text);
+}
+
+}  // namespace
+
+void SpriteSurroundings::draw(ImDrawList& list, const Session& session, const CanvasView& view,
+                              const Ui& ui) {
+  const Level& level = session.level();
+  const SpriteArea& area = session.choices().area;
+  const TileNeighbours& around = neighbours(session, ui);
+  list.PushClipRect(view.to_screen({-kSurroundings, -kSurroundings}),
+                    view.to_screen({area.width() + kSurroundings + 0.0, area.height() + kSurroundings + 0.0}),
+                    true);
+  const bool known =
+      std::any_of(around.ring.begin(), around.ring.end(), [](auto t) { return t.has_value(); });
+  const auto for_each = [&](auto visit) {
+    for (int y = -1; y <= area.tiles.h; ++y) {
+      for (int x = -1; x <= area.tiles.w; ++x) {
+        const bool inside = x >= 0 && y >= 0 && x < area.tiles.w && y < area.tiles.h;
+        const auto tile = inside ? static_cast<std::uint8_t>(area.tile_at(x, y)) : around.at(x, y);
+        if (tile) visit(*tile, x, y, inside);
+      }
+    }
+  };
+  for_each([&](std::uint8_t tile, int x, int y, bool inside) {
+    if (!inside) draw_tile(list, tile, x, y, view, ui);
+  });
+  for_each([&](std::uint8_t tile, int x, int y, bool) {
+    draw_slope_line(list, shape_of_tile(level, tile), x, y, view, ui.scale);
+  });
+  if (!known)
+    draw_centred(list, "not on the map yet", view.to_screen({area.width() / 2.0, -kSurroundings / 2.0}));
+  list.PopClipRect();
+}
+
+const TileNeighbours& SpriteSurroundings::neighbours(const Session& session, const Ui& ui) {
+  const TileMap& map = session.level().map;
+  const CellRect& tiles = session.choices().area.tiles;
+  if (const auto place = last_place(map, tiles, ui.view)) return placed_ = neighbours_at(map, tiles, *place);
+  const bool same = counted_ && counted_tiles_ == tiles;
+  // While a stroke goes on, what it changes can wait.
+  if (!same || (counted_revision_ != session.revision() && !ImGui::IsAnyMouseDown())) {
+    counted_ = commonest_neighbours(map, tiles);
+    counted_tiles_ = tiles;
+    counted_revision_ = session.revision();
+  }
+  return *counted_;
+}
+
+}  // namespace talus
