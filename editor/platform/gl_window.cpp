@@ -130,10 +130,12 @@ float GlWindow::pixel_ratio() const {
 }
 
 void GlWindow::set_style(const WindowStyle& style) {
-  if (style == style_) return;
+  const float ratio = pixel_ratio();  // another one on another screen
+  if (style == style_ && ratio == font_ratio_) return;
   style_ = style;
+  font_ratio_ = ratio;
   theme::apply(style.scale, style.theme);
-  load_fonts(style, pixel_ratio());
+  load_fonts(style, ratio);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }

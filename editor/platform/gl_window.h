@@ -60,6 +60,7 @@ class GlWindow {
   bool has_video_ = false;
   bool has_backend_ = false;
   WindowStyle style_{0, 0, ThemeKind::dark};  // that was set last
+  float font_ratio_ = 0;                      // pixel_ratio() at that time
 };
 
 }  // namespace talus

@@ -15,8 +15,9 @@ void WorkGuard::start(View& view) {
 bool WorkGuard::follow(Session& session, double now, bool busy) {
   const auto error = autosave_.follow(session, now);
   if (error) session.apply(action::ShowMessage{*error, true});
-  if (now < next_look_ || busy) return error.has_value();
+  if (now < next_look_) return error.has_value();
   next_look_ = now + kFileInterval;
+  if (busy) return error.has_value();
   const auto shown = [&] {
     return std::tuple(session.revision(), session.modified(),
                       session.message() ? session.message()->text : "", session.question().has_value());

@@ -29,7 +29,7 @@ TEST(FuzzyScore, BeginningsOfWordsAndLettersInARowComeFirst) {
 }
 
 TEST(FuzzyScore, TakesTheBestOfSeveralWays) {
-  EXPECT_GT(fuzzy_score("a cat", "ca"), fuzzy_score("c x a t", "ct"));
+  EXPECT_GT(fuzzy_score("a cat", "ca"), fuzzy_score("ac a", "ca"));
   EXPECT_GT(fuzzy_score("aab ab", "ab"), fuzzy_score("xab", "ab"));
 }
 
