@@ -48,6 +48,13 @@ FrameCost cost_of_frame(double seconds) {
   return cost;
 }
 
+// Renames a file that the program is about to replace; says so.
+std::string kept_aside(const std::string& path) {
+  std::error_code error;
+  std::filesystem::rename(path, path + ".damaged", error);
+  return error ? "" : " It is kept as " + path + ".damaged.";
+}
+
 // Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
 float automatic_scale(float window_height) {
   return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
@@ -70,7 +77,7 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
     if (auto loaded = load_settings(settings_path()))
       settings = std::move(*loaded);
     else
-      problem = loaded.error();
+      problem = loaded.error() + kept_aside(settings_path());
   }
   const std::string error = app->open_window(settings);
   if (!error.empty()) return tl::unexpected(error);

@@ -236,6 +236,34 @@ TEST_F(UiSettings, TheMouseAloneReachesEveryCommand) {
   EXPECT_EQ(found, commands().size());
 }
 
+TEST_F(UiSettings, WindowsAndDialogsAreWholeInTheSmallestWindow) {
+  start(path("level.talus.json"), 1152, 700);
+  const auto check = [&](std::string_view prefix, std::size_t least) {
+    std::size_t count = 0;
+    for (const Widget& w : app().ui().widgets.all()) {
+      if (!w.name.starts_with(prefix)) continue;
+      ++count;
+      EXPECT_GE(w.min.x, w.clip_min.x) << w.name;
+      EXPECT_LE(w.max.x, w.clip_max.x) << w.name;
+      if (w.scrolls) continue;
+      EXPECT_GE(w.min.y, w.clip_min.y) << w.name;
+      EXPECT_LE(w.max.y, w.clip_max.y) << w.name;
+    }
+    EXPECT_GE(count, least) << prefix;
+  };
+  for (double size : {14.0, kMaxFontSize}) {
+    app().ui().view.preferences.font_size = size;
+    open_settings();
+    check("settings/", 14);
+    key(ctrl(','));
+    open_keys("");
+    check("keys/", 20);
+    key(kEscKey);
+    frames(3);
+    EXPECT_FALSE(app().ui().view.program.keys_open);
+  }
+}
+
 TEST_F(UiSettings, TheTimesOfTheWindowAreShown) {
   key(ctrl_shift('m'));
   frames(3);
