@@ -4,9 +4,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
-#include <optional>
 
 #include "atomic_file.h"
 
@@ -57,9 +57,11 @@ std::string size_text(std::uint32_t width, std::uint32_t height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
+// What a file has to say, apart from its pixels.
 struct Header {
   std::uint32_t width = 0, height = 0;
   std::vector<Rgb> palette;
+  std::string needed;  // the file again, with the chunks alone that make its pixels
 };
 
 std::vector<Rgb> palette_of(std::string_view chunk) {
@@ -74,31 +76,55 @@ tl::unexpected<FormatError> error_at(std::size_t byte, std::string message) {
   return tl::unexpected(FormatError{"byte " + std::to_string(byte), std::move(message)});
 }
 
+constexpr std::size_t kAround = 12, kHeaderSize = 13;  // bytes: of a chunk besides its content; of IHDR
+
+struct Chunk {
+  std::string_view whole, type, content;
+};
+
+FormatResult<Chunk> chunk_at(std::string_view bytes, std::size_t at) {
+  const std::size_t left = bytes.size() - at;
+  const std::size_t length = left < kAround ? left : u32_at(bytes, at);
+  if (left < kAround || length > left - kAround)
+    return error_at(at, "the picture ends in the middle of a chunk");
+  return Chunk{bytes.substr(at, length + kAround), bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
+}
+
+// Of pixels that are indices. stb reads beyond a short palette, so it gets a full one.
+void add_palette(std::string_view content, Header& header) {
+  constexpr std::size_t kFull = 3 * 256;
+  header.palette = palette_of(content);
+  std::string colors(content.substr(0, kFull));
+  colors.resize(kFull);
+  constexpr std::string_view kLength("\0\0\3\0", 4), kChecksum("\0\0\0\0", 4);  // which stb does not check
+  header.needed.append(kLength).append("PLTE").append(colors).append(kChecksum);
+}
+
 FormatResult<Header> read_header(std::string_view bytes) {
-  constexpr std::size_t kAround = 12, kHeaderSize = 13;  // bytes: of a chunk besides its content; of IHDR
+  constexpr std::size_t kColorType = 9;  // in IHDR
+  constexpr char kIndexed = 3;
   Header header;
+  header.needed = kSignature;
   std::size_t packed = 0;
+  bool indexed = false;
   for (std::size_t at = kSignature.size(); at < bytes.size();) {
-    const std::size_t left = bytes.size() - at;
-    const std::size_t length = left < kAround ? left : u32_at(bytes, at);
-    if (left < kAround || length > left - kAround)
-      return error_at(at, "the picture ends in the middle of a chunk");
-    const std::string_view type = bytes.substr(at + 4, 4), content = bytes.substr(at + 8, length);
+    const auto chunk = chunk_at(bytes, at);
+    if (!chunk) return tl::unexpected(chunk.error());
     const bool first = at == kSignature.size();
-    if (first != (type == "IHDR") || (first && length != kHeaderSize))
+    if (first != (chunk->type == "IHDR") || (first && chunk->content.size() != kHeaderSize))
       return error_at(at, "must be the picture's one header, and is not");
     if (first) {
-      header.width = u32_at(content, 0);
-      header.height = u32_at(content, 4);
+      header.width = u32_at(chunk->content, 0);
+      header.height = u32_at(chunk->content, 4);
+      indexed = chunk->content[kColorType] == kIndexed;
     }
-    // Only in pictures of palette colours it is what their pixels are made of.
-    constexpr std::size_t kColorType = 9;
-    constexpr char kIndexed = 3;
-    const char color_type = bytes[kSignature.size() + 8 + kColorType];
-    if (type == "PLTE" && color_type == kIndexed) header.palette = palette_of(content);
-    if (type == "IDAT") packed += length;
-    if (type == "IEND") break;
-    at += kAround + length;
+    if (chunk->type == "IDAT") packed += chunk->content.size();
+    if (chunk->type == "PLTE" && indexed)
+      add_palette(chunk->content, header);
+    else if (first || chunk->type == "IDAT" || chunk->type == "tRNS" || chunk->type == "IEND")
+      header.needed += chunk->whole;
+    if (chunk->type == "IEND") break;
+    at += chunk->whole.size();
   }
   if (header.width == 0 || header.height == 0) return tl::unexpected(FormatError{"", "is an empty picture"});
   if (header.width > kMaxPngSide || header.height > kMaxPngSide) {
@@ -108,6 +134,12 @@ FormatResult<Header> read_header(std::string_view bytes) {
   if (packed > kMaxPacked)
     return tl::unexpected(FormatError{"", "has more data than a picture of its size can have"});
   return header;
+}
+
+// In pictures without a palette every colour may be.
+bool has_color(const PngPicture& picture, Rgb color) {
+  const auto& palette = picture.palette;
+  return palette.empty() || std::find(palette.begin(), palette.end(), color) != palette.end();
 }
 
 void append_bytes(void* text, void* data, int size) {
@@ -125,8 +157,8 @@ FormatResult<PngPicture> read_png(std::string_view bytes) {
   constexpr int kChannels = 4;
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> rgba(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
-                            &width, &height, &channels, kChannels),
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(header->needed.data()),
+                            static_cast<int>(header->needed.size()), &width, &height, &channels, kChannels),
       stbi_image_free);
   if (!rgba)
     return tl::unexpected(FormatError{"", std::string("is a damaged PNG picture: ") + stbi_failure_reason()});
@@ -137,6 +169,8 @@ FormatResult<PngPicture> read_png(std::string_view bytes) {
     const bool transparent = c[3] < kHalfOpaque;
     picture.transparent.push_back(transparent);
     picture.pixels.push_back(transparent ? Rgb{} : Rgb{c[0], c[1], c[2]});
+    if (!transparent && !has_color(picture, picture.pixels.back()))
+      return tl::unexpected(FormatError{"", "has a pixel of a colour beyond its palette"});
   }
   return picture;
 }

@@ -31,9 +31,9 @@ Edit one_of_each(const Level& level) {
   return {"Everything",
           {PixelChange{SheetId::sprites, 255, 63, 0, 15}, FlagsChange{SheetId::tiles, 0, 0, 255},
            ColorChange{3, level.palette[3], {1, 2, 3}}, FlagNameChange{7, "", "water"},
-           RolesChange{level.roles, roles}, TileShapeChange{7, {}, solid}, FlagShapeChange{6, {}, solid},
-           CurvesChange{{}, {curve}}, TuningChange{level.tuning, tuning}, SpawnsChange{{}, {spawn}},
-           MapChange{level.map, map}}};
+           FlagFieldsChange{{}, {{"ground", 4, 2, {}, ""}}}, RolesChange{level.roles, roles},
+           TileShapeChange{7, {}, solid}, FlagShapeChange{6, {}, solid}, CurvesChange{{}, {curve}},
+           TuningChange{level.tuning, tuning}, SpawnsChange{{}, {spawn}}, MapChange{level.map, map}}};
 }
 
 TEST(Edit, ChangesEveryPartOfALevel) {
@@ -43,6 +43,8 @@ TEST(Edit, ChangesEveryPartOfALevel) {
   EXPECT_EQ(level.sheet(SheetId::tiles).flags[0], 255);
   EXPECT_EQ(level.palette[3], (Rgb{1, 2, 3}));
   EXPECT_EQ(level.flag_names[7], "water");
+  ASSERT_EQ(level.flag_fields.size(), 1u);
+  EXPECT_EQ(level.flag_fields[0].name, "ground");
   EXPECT_EQ(level.roles.ball, FlagRoles::kUnused);
   EXPECT_EQ(level.tile_shapes[7].kind, TileShape::Kind::solid);
   EXPECT_EQ(level.flag_shapes[6].kind, TileShape::Kind::solid);

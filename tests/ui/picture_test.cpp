@@ -1,0 +1,151 @@
+// Pictures of sheets and palettes through the dialogs.
+#include <fstream>
+
+#include "formats/png_sheet.h"
+#include "harness.h"
+
+namespace talus {
+namespace {
+
+class UiPicture : public UiTest {
+ protected:
+  void SetUp() override {
+    UiTest::SetUp();
+    start();
+  }
+  // Of one colour.
+  std::string save_png(const std::string& name, int width, int height, Rgb color) {
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < width * height; ++i) bytes.insert(bytes.end(), {color.r, color.g, color.b});
+    std::ofstream(path(name), std::ios::binary) << encode_png(width, height, 3, bytes.data());
+    return path(name);
+  }
+  void open_picture(const std::string& name) {
+    key(ctrl('i'));
+    frames(3);
+    click("files/entry/" + name);
+    click("files/confirm");
+    frames(3);
+  }
+  void choose_in_file_menu(const std::string& command) {
+    click("menu/File");
+    frames(2);
+    click("menu/" + command);
+    frames(3);
+  }
+  const TileImage& image(int tile) {
+    return level().sheet(SheetId::tiles).images[static_cast<std::size_t>(tile)];
+  }
+};
+
+constexpr KeyChord kReturnKey{'\r'}, kEscKey{27};
+
+TEST_F(UiPicture, ThePreviewIsAppliedInOneUndo) {
+  save_png("blue.png", 16, 8, default_palette()[9]);
+  click(on_sheet(64));
+  open_picture("blue.png");
+  ASSERT_TRUE(session().png_import());
+  EXPECT_EQ(session().png_import()->options.tile, 64) << "at the selection";
+  EXPECT_EQ(session().png_import()->plan->pixels, 128);
+  EXPECT_EQ(image(64), TileImage{}) << "nothing is done yet";
+  click("import/apply");
+  frames(3);
+  EXPECT_FALSE(session().png_import());
+  EXPECT_EQ(find("import/apply"), nullptr);
+  EXPECT_EQ(image(65)[0], 9);
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  key(ctrl('z'));
+  EXPECT_EQ(image(65), TileImage{});
+}
+
+TEST_F(UiPicture, CancelChangesNothing) {
+  save_png("blue.png", 8, 8, default_palette()[9]);
+  open_picture("blue.png");
+  ASSERT_NE(find("import/cancel"), nullptr);
+  key(kEscKey);
+  frames(3);
+  EXPECT_EQ(find("import/cancel"), nullptr);
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiPicture, ThePlaceAndThePaletteAreChosen) {
+  const Rgb odd{1, 200, 3};
+  save_png("odd.png", 8, 8, odd);
+  open_picture("odd.png");
+  click("import/sprites");
+  frames(2);
+  const Widget* after = find("import/after");
+  ASSERT_NE(after, nullptr);
+  const float cell = (after->max.x - after->min.x) / kSheetColumns;
+  click(ImVec2{after->min.x + 3.5f * cell, after->min.y + 2.5f * cell});
+  frames(2);
+  EXPECT_EQ(session().png_import()->options.tile, 35);
+  EXPECT_GT(session().png_import()->plan->largest_distance, 1);
+  click("import/take_palette");
+  frames(2);
+  EXPECT_EQ(session().png_import()->plan->largest_distance, 0);
+  EXPECT_EQ(session().png_import()->plan->colors, 1);
+  key(kReturnKey);
+  frames(3);
+  EXPECT_EQ(level().palette[0], odd);
+  EXPECT_EQ(session().history().edits().size(), 1u)
+      << "or none, if the sprite had changed only by its palette";
+  key(ctrl('z'));
+  EXPECT_EQ(level().palette[0], default_palette()[0]);
+}
+
+TEST_F(UiPicture, WhatDoesNotFitCannotBeApplied) {
+  save_png("wide.png", 128, 8, default_palette()[9]);
+  open_picture("wide.png");
+  const Widget* after = find("import/after");
+  ASSERT_NE(after, nullptr);
+  click(ImVec2{(after->min.x + after->max.x) / 2, after->min.y + 4});
+  frames(2);
+  ASSERT_NE(find("import/error"), nullptr);
+  EXPECT_EQ(session().png_import()->plan.error(),
+            "The picture of 128x8 px does not fit at tile 8, where 64x128 px are left.");
+  EXPECT_FALSE(find("import/apply")->enabled);
+}
+
+TEST_F(UiPicture, ABadFileIsSaidInTheFileDialog) {
+  std::ofstream(path("bad.png"), std::ios::binary) << "no picture";
+  save_png("nine.png", 9, 8, {});
+  open_picture("bad.png");
+  ASSERT_NE(find("files/confirm"), nullptr) << "it stays open";
+  click("files/entry/nine.png");
+  click("files/confirm");
+  frames(3);
+  ASSERT_NE(find("files/confirm"), nullptr);
+  EXPECT_FALSE(session().png_import());
+  EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiPicture, SheetsAndPaletteAreExported) {
+  choose_in_file_menu("picture/export_tiles");
+  click("files/confirm");
+  frames(3);
+  const auto tiles = load_png(path("level-tiles.png"));
+  ASSERT_TRUE(tiles) << tiles.error().message;
+  EXPECT_EQ(tiles->width, 128);
+  EXPECT_EQ(tiles->at(8, 0), level().palette[image(1)[0]]);
+  choose_in_file_menu("picture/export_palette");
+  click("files/confirm");
+  frames(3);
+  const auto palette = load_png(path("level-palette.png"));
+  ASSERT_TRUE(palette) << palette.error().message;
+  EXPECT_EQ(palette->at(15, 0), level().palette[15]);
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "Saved level-palette.png.");
+}
+
+TEST_F(UiPicture, APaletteComesBack) {
+  save_png("colors.png", 16, 1, {9, 8, 7});
+  open_picture("colors.png");
+  EXPECT_EQ(session().png_import()->options.part, PngPart::palette) << "it can be nothing else";
+  click("import/apply");
+  frames(3);
+  EXPECT_EQ(level().palette[15], (Rgb{9, 8, 7}));
+}
+
+}  // namespace
+}  // namespace talus

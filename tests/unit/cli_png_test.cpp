@@ -1,0 +1,87 @@
+// Pictures out of and into levels on the command line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "cli/cli.h"
+#include "formats/format.h"
+#include "formats/png_picture.h"
+#include "png_bytes.h"
+
+namespace talus {
+namespace {
+
+struct PngAnswer {
+  int status;
+  std::string out, err;
+};
+
+PngAnswer run_png(const std::vector<std::string>& arguments) {
+  std::ostringstream out, err;
+  const int status = run_cli(arguments, out, err);
+  return {status, out.str(), err.str()};
+}
+
+std::string png_path(const std::string& name) { return testing::TempDir() + "cli_png_" + name; }
+
+std::string level_path() {
+  Level level;
+  level.sheet(SheetId::tiles).images[1].fill(9);
+  const std::string path = png_path("level.talus.json");
+  EXPECT_TRUE(save_level(level, *find_format("native"), path));
+  return path;
+}
+
+TEST(CliPng, ExportsEachPart) {
+  const std::string level = level_path(), png = png_path("tiles.png");
+  EXPECT_EQ(run_png({"export", level, "--to", "tiles-png", "-o", png}).status, kExitGood);
+  const auto tiles = load_png(png);
+  ASSERT_TRUE(tiles) << tiles.error().message;
+  EXPECT_EQ(tiles->at(8, 0), default_palette()[9]);
+  const PngAnswer palette = run_png({"export", level, "--to", "palette-png", "-o", "-"});
+  EXPECT_EQ(palette.status, kExitGood);
+  const auto colors = read_png(palette.out);
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->width, 16);
+  const PngAnswer sprites = run_png({"export", level, "--to", "sprites-png", "-o", "-"});
+  ASSERT_TRUE(read_png(sprites.out));
+}
+
+TEST(CliPng, AnOutputMustHaveAPicturesName) {
+  const PngAnswer answer = run_png({"export", level_path(), "--to", "tiles-png", "-o", png_path("a.tic")});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_EQ(answer.err, png_path("a.tic") +
+                            ": error: is no name of a PNG picture, which would be written: it "
+                            "must end with .png\n");
+}
+
+TEST(CliPng, TakesAPictureIntoALevel) {
+  const std::string level = level_path(), png = png_path("in.png");
+  std::ofstream(png, std::ios::binary) << rgb_png(8, std::vector<Rgb>(64, default_palette()[5]));
+  const PngAnswer answer =
+      run_png({"import", png, "--into", level, "--part", "sprites", "--tile", "7", "-o", level});
+  EXPECT_EQ(answer.status, kExitGood) << answer.err;
+  EXPECT_EQ(answer.out, level + ": 64 pixels of 1 tiles and 0 colours changed; largest colour distance 0\n");
+  const auto loaded = load_level(level);
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->level.sheet(SheetId::sprites).images[7][5], 5);
+  EXPECT_EQ(loaded->level.sheet(SheetId::tiles).images[1][0], 9);
+}
+
+TEST(CliPng, ABadPictureLeavesTheLevelAlone) {
+  const std::string level = level_path(), png = png_path("bad.png"), out = png_path("unwritten.talus.json");
+  std::ofstream(png, std::ios::binary) << rgb_png(9, std::vector<Rgb>(9));
+  const PngAnswer size = run_png({"import", png, "--into", level, "-o", out});
+  EXPECT_EQ(size.status, kExitBad);
+  EXPECT_EQ(size.err, png + ": error: The picture is 9x1 px, which is no whole number of tiles of 8x8 px.\n");
+  EXPECT_EQ(size.out, "");
+  EXPECT_FALSE(std::ifstream(out).good());
+  const PngAnswer none = run_png({"import", level, "--into", level, "-o", out});
+  EXPECT_EQ(none.err, level + ": error: is no PNG picture\n");
+  EXPECT_EQ(run_png({"import", png, "--tile", "3", "-o", out}).status, kExitUsage) << "into what?";
+}
+
+}  // namespace
+}  // namespace talus

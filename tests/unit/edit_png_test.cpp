@@ -1,0 +1,90 @@
+// Plans of what a picture changes in a level.
+#include <gtest/gtest.h>
+
+#include "edit/png_import.h"
+#include "png_bytes.h"
+
+namespace talus {
+namespace {
+
+constexpr Rgb kPureRed{255, 0, 0};
+
+PngPicture filled(std::uint32_t width, std::size_t height, Rgb color) {
+  return *read_png(rgb_png(width, std::vector<Rgb>(width * height, color)));
+}
+
+TEST(PngImport, DrawsInTheLevelsColours) {
+  Level level;
+  const Rgb nearly{level.palette[2].r, static_cast<std::uint8_t>(level.palette[2].g + 3), level.palette[2].b};
+  const auto plan = plan_png_import(level, filled(16, 8, nearly), {PngPart::sprites, 18, false});
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->pixels, 128);
+  EXPECT_EQ(plan->tiles, 2);
+  EXPECT_EQ(plan->colors, 0);
+  EXPECT_EQ(plan->tiles_recolored, 0);
+  EXPECT_EQ(plan->largest_distance, 3);
+  const Level before = level;
+  apply_edit(level, plan->edit);
+  EXPECT_EQ(level.sheet(SheetId::sprites).images[18][0], 2);
+  EXPECT_EQ(level.sheet(SheetId::sprites).images[19][63], 2);
+  EXPECT_EQ(level.sheet(SheetId::sprites).images[20], TileImage{});
+  EXPECT_EQ(level.sheet(SheetId::sprites), plan->sheet);
+  revert_edit(level, plan->edit);
+  EXPECT_EQ(level, before);
+}
+
+TEST(PngImport, TakesThePaletteOver) {
+  Level level;
+  level.sheet(SheetId::sprites).images[3][0] = 0;  // every image has colour 0, which becomes red
+  const auto plan = plan_png_import(level, filled(8, 8, kPureRed), {PngPart::tiles, 0, true});
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->colors, 1);
+  EXPECT_EQ(plan->tiles_recolored, 512);
+  EXPECT_EQ(plan->pixels, 0) << "it is drawn in colour 0, as the tile is";
+  EXPECT_EQ(plan->largest_distance, 0);
+  apply_edit(level, plan->edit);
+  EXPECT_EQ(level.palette[0], kPureRed);
+}
+
+TEST(PngImport, OfAPaletteChangesNoPixel) {
+  Level level;
+  const auto plan = plan_png_import(level, filled(3, 1, kPureRed), {PngPart::palette, 0, false});
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->colors, 3);
+  EXPECT_EQ(plan->pixels, 0);
+  apply_edit(level, plan->edit);
+  EXPECT_EQ(level.palette[2], kPureRed);
+  EXPECT_EQ(level.palette[3], default_palette()[3]);
+}
+
+TEST(PngImport, OfWhatIsThereChangesNothing) {
+  Level level;
+  level.sheet(SheetId::tiles).images[200].fill(7);
+  const auto picture = read_png(write_png_part(level, PngPart::tiles));
+  ASSERT_TRUE(picture);
+  const auto plan = plan_png_import(level, *picture, {PngPart::tiles, 0, false});
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_TRUE(plan->edit.empty());
+  const auto taken = plan_png_import(level, *picture, {PngPart::tiles, 0, true});
+  ASSERT_TRUE(taken) << taken.error();
+  EXPECT_TRUE(taken->edit.empty()) << "its colours keep their places";
+}
+
+TEST(PngImport, SaysWhatDoesNotFit) {
+  const Level level;
+  const auto error = [&](const PngPicture& picture, PngImportOptions options) {
+    const auto plan = plan_png_import(level, picture, options);
+    return plan ? "no error" : plan.error();
+  };
+  EXPECT_EQ(error(filled(12, 8, kPureRed), {}),
+            "The picture is 12x8 px, which is no whole number of tiles of 8x8 px.");
+  EXPECT_EQ(error(filled(8, 9, kPureRed), {}),
+            "The picture is 8x9 px, which is no whole number of tiles of 8x8 px.");
+  EXPECT_EQ(error(filled(16, 16, kPureRed), {PngPart::tiles, 15, false}),
+            "The picture of 16x16 px does not fit at tile 15, where 8x128 px are left.");
+  EXPECT_EQ(error(filled(16, 16, kPureRed), {PngPart::palette, 0, false}),
+            "The picture is 16x16 px, and a palette is 1 to 16 px side by side.");
+}
+
+}  // namespace
+}  // namespace talus
