@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "commands.h"
@@ -41,6 +42,16 @@ SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
   return {
       area.sheet,
       {place(area.tiles.x, area.tiles.w, pixel.x), place(area.tiles.y, area.tiles.h, pixel.y), tiles, tiles}};
+}
+
+int smaller_size(int tiles) {
+  const auto next = std::lower_bound(kSizes.begin(), kSizes.end(), tiles);
+  return next == kSizes.begin() ? tiles : *std::prev(next);
+}
+
+int larger_size(int tiles) {
+  const auto next = std::upper_bound(kSizes.begin(), kSizes.end(), tiles);
+  return next == kSizes.end() ? tiles : *next;
 }
 
 void draw_grid_lines(ImDrawList& list, const SpriteArea& area, const CanvasView& view) {
@@ -166,13 +177,7 @@ void PixelPanel::change_size_by_wheel(const Session& session, Actions& actions, 
   const SpriteArea& area = session.choices().area;
   const int now = std::max(area.tiles.w, area.tiles.h);
   int tiles = now;
-  if (steps > 0) {
-    const auto next = std::lower_bound(kSizes.begin(), kSizes.end(), now);
-    if (next != kSizes.begin()) tiles = *std::prev(next);
-  } else {
-    const auto next = std::upper_bound(kSizes.begin(), kSizes.end(), now);
-    if (next != kSizes.end()) tiles = *next;
-  }
+  for (int i = 0; i < std::abs(steps); ++i) tiles = steps > 0 ? smaller_size(tiles) : larger_size(tiles);
   if (tiles != now) actions.push_back(action::SelectTiles{resized(area, tiles, pixel)});
 }
 

@@ -30,10 +30,12 @@ void Session::Impl::carry_out(const action::MovePixels& a) {
 
 void Session::Impl::carry_out(const action::TurnPixels& a) {
   const auto hole = static_cast<std::uint8_t>(choices.secondary_color);
-  if (choices.pixels.rect())
+  if (choices.pixels.rect()) {
     carry_out(action::EditLevel{choices.pixels.turn(level, choices.area, a.turn, hole)});
-  else if (a.turn != PixelTurn::rotate || choices.area.tiles.w == choices.area.tiles.h)
+    pixel_stroke = ++last_stroke;
+  } else if (a.turn != PixelTurn::rotate || choices.area.tiles.w == choices.area.tiles.h) {
     carry_out(action::EditLevel{turn_pixels(level, choices.area, a.turn)});
+  }
 }
 
 void Session::Impl::carry_out(const action::PastePixels& a) {

@@ -81,9 +81,9 @@ TEST_F(SpriteSelection, AnotherEditPutsItDown) {
   select({0, 0, 2, 2});
   move(5, 2);
   session.apply(act::EditLevel{fill_pixels(session.level(), kCanvas, {4, 4}, 5)});
-  ASSERT_EQ(picture(), "77......\n77......\n.....12.\n....534a\n....5555\n........\n........\n........\n");
+  ASSERT_EQ(picture(), "77......\n77......\n.....12.\n....5345\n....5555\n........\n........\n........\n");
   move(-1, 0);
-  EXPECT_EQ(picture(), "77......\n77......\n....127.\n....347a\n....5555\n........\n........\n........\n");
+  EXPECT_EQ(picture(), "77......\n77......\n....127.\n....3475\n....5555\n........\n........\n........\n");
   EXPECT_EQ(undos(), 3u);
 }
 
@@ -115,7 +115,7 @@ TEST_F(SpriteSelection, WithoutOneAllOfTheCanvasTurns) {
   session.apply(act::TurnPixels{PixelTurn::shift_right});
   EXPECT_EQ(picture().substr(0, 9), ".12.....\n");
   session.apply(act::TurnPixels{PixelTurn::rotate});
-  EXPECT_EQ(picture(), "........\n......31\n......42\n........\n...aa...\n...aa...\n...aa...\n...aa...\n");
+  EXPECT_EQ(picture(), "...aa...\n......31\n......42\n........\n........\n...aa...\n...aa...\n...aa...\n");
   EXPECT_EQ(undos(), 2u);
   session.apply(act::SelectTiles{{SheetId::tiles, {0, 0, 2, 1}}});
   session.apply(act::TurnPixels{PixelTurn::rotate});

@@ -28,7 +28,7 @@ TEST(SpriteShapes, LineWithABrushIsAsThickAndCutAtTheEdge) {
   EXPECT_EQ(drawn(draw_line(Level(), kTile, {-3, 0}, {4, 0}, {7, 2})),
             "777777..\n777777..\n........\n........\n........\n........\n........\n........\n");
   const Edit edit = draw_line(Level(), kTile, {2, 2}, {5, 5}, {1, 4});
-  EXPECT_EQ(drawn(edit), ".1111...\n.11111..\n.111111.\n.1111111\n..111111\n...11111\n....1111\n........\n");
+  EXPECT_EQ(drawn(edit), "........\n.1111...\n.11111..\n.111111.\n.1111111\n..111111\n...11111\n....1111\n");
   EXPECT_EQ(edit.changes.size(), 37u) << "each pixel once";
 }
 
