@@ -61,6 +61,8 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
 void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui) {
   ui.begin_row();
   ImGui::SameLine(0, ui.px(16));
+  ImGui::TextUnformatted("apart by more than");
+  ImGui::SameLine();
   ImGui::SetNextItemWidth(ui.px(64));
   double& parting = ui.view.parting;
   ImGui::InputDouble("##threshold", &parting, 0, 0, "%.6g");
