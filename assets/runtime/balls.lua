@@ -40,7 +40,8 @@ local function rebound(n, ball, contact, x, y, kept_x, kept_y, into, bounce)
 end
 
 -- Turns the velocity round, and gives the motion to go on with.
-local function bounce_off(n, ball, contact, x, y)
+local function bounce_off(world, _, ball, contact, x, y)
+  local n = world.tuning
   local nx, ny = contact.nx, contact.ny
   local level = is_level(contact, n.steepest)
   ball.landed = ball.landed or (level and ny < 0)
@@ -65,9 +66,7 @@ local function fall(world, body, ball)
   for _ = 1, n.substeps do
     ball.part, ball.time_left = part, part
     if n.gravity > 0 then ball.vy = ball.vy + n.gravity * part end
-    local x, y = ball.vx * part, ball.vy * part
-    move(world, ball, x, y, others_near and others_near(world, body, ball, x, y),
-         function(contact, mx, my) return bounce_off(n, ball, contact, mx, my) end)
+    move(world, body, ball, ball.vx * part, ball.vy * part, bounce_off)
   end
   body.grounded = ball.landed
 end

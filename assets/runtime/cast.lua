@@ -81,21 +81,25 @@ local function limit_of(facing, at)
 end
 
 -- The part of the motion during which the box's x is between first and last: from, to (from > to: none), and
--- how far away it is at both. open: nothing goes on there. rest_at(x): where the box rests.
-local function window_of(first, last, first_y, last_y, open_first, open_last, up, rest_at)
+-- how far away it is at both. open: nothing goes on there. piece: on which the box rests; nil: it rests at
+-- first_y.
+local function window_of(first, last, first_y, last_y, open_first, open_last, up, piece)
   local sign = up and 1 or -1
   if dx == 0 then
     local in_first, in_last
     if open_first then in_first = bx > first + slack else in_first = bx >= first - slack end
     if open_last then in_last = bx < last - slack else in_last = bx <= last + slack end
     if not in_first or not in_last then return 1, 0, 0, 0 end
-    local rest = rest_at(bx)
+    local rest = piece and rest_on(piece, bx, bw, bh, centre) or first_y
     return 0.0, 1.0, sign * (rest - (by + 0.0 * dy)), sign * (rest - (by + 1.0 * dy))
   end
   local right = dx > 0
   local enter, leave, open_leave
-  if right then enter, leave, open_leave = first, last, open_last else enter, leave, open_leave = last,
-      first, open_first end
+  if right then
+    enter, leave, open_leave = first, last, open_last
+  else
+    enter, leave, open_leave = last, first, open_first
+  end
   local to_leave = (leave - bx) * inverse
   -- At its end and on the way out: where the outline goes on, the next piece has it.
   if to_leave * speed <= slack and (open_leave or to_leave <= 1) then return 1, 0, 0, 0 end
@@ -107,25 +111,28 @@ local function window_of(first, last, first_y, last_y, open_first, open_last, up
     if from > 1 then return 1, 0, 0, 0 end
     gap = sign * ((right and first_y or last_y) - (by + from * dy))
   else
-    gap = sign * (rest_at(bx) - (by + 0.0 * dy))
+    local rest = piece and rest_on(piece, bx, bw, bh, centre) or first_y
+    gap = sign * (rest - (by + 0.0 * dy))
   end
   if to_leave < 1 then
     to = to_leave
     last_gap = sign * ((right and last_y or first_y) - (by + to * dy))
   else
-    last_gap = sign * (rest_at(bx + dx) - (by + 1.0 * dy))
+    local rest = piece and rest_on(piece, bx + dx, bw, bh, centre) or first_y
+    last_gap = sign * (rest - (by + 1.0 * dy))
   end
   return from, to, gap, last_gap
 end
 
--- When the gap closes at a constant rate; nil if it does not. exact(): the same to twice the precision.
-local function straight_time(from, to, gap, last_gap, closing, forgiven, exact)
+-- When the gap to a line, or, of no piece, to a level side at y, closes at a constant rate; nil if it does not.
+local function straight_time(from, to, gap, last_gap, closing, forgiven, up, y, piece)
   if from > to or gap < -forgiven then return nil end
   if gap <= 0 then return from end
   if last_gap >= 0 and not (to == 1 and last_gap == 0) then return nil end
   local t
   if is_slow(closing) then
-    local high, low = exact()
+    local high, low
+    if piece then high, low = line_time(up, piece) else high, low = level_time(up, y) end
     t = high + low
   else
     t = from + gap / closing
@@ -136,9 +143,8 @@ end
 local function flat_in_reach(first, last, rest, open_first, open_last, up, y, piece)
   local closing = up and dy or -dy
   if not (closing > 0) then return end
-  local from, to, gap, last_gap =
-      window_of(first, last, rest, rest, open_first, open_last, up, function() return rest end)
-  local t = straight_time(from, to, gap, last_gap, closing, slack, function() return level_time(up, y) end)
+  local from, to, gap, last_gap = window_of(first, last, rest, rest, open_first, open_last, up, nil)
+  local t = straight_time(from, to, gap, last_gap, closing, slack, up, y, nil)
   if t then offer(t, up and UP or DOWN, piece ~= nil, piece, y, first, last) end
 end
 

@@ -34,11 +34,9 @@ local function sloped(first, last, first_y, last_y, open_first, open_last, up, p
   if up then closing = dy - rise else closing = rise - dy end
   -- A box that slides along the line does not approach it, whatever rounding says.
   if not (closing > ROUNDING * (abs(dy) + abs(rise))) then return end
-  local from, to, gap, last_gap = window_of(first, last, first_y, last_y, open_first, open_last, up,
-                                            function(x) return rest_on(piece, x, bw, bh, centre) end)
+  local from, to, gap, last_gap = window_of(first, last, first_y, last_y, open_first, open_last, up, piece)
   local forgiven = slack * max(1.0, abs(piece.slope))  -- across a steep line, not down to it
-  local t = straight_time(from, to, gap, last_gap, closing, forgiven, function() return line_time(up,
-      piece) end)
+  local t = straight_time(from, to, gap, last_gap, closing, forgiven, up, nil, piece)
   if t then offer(t, piece.facing, false, piece, 0.0, first, last) end
 end
 

@@ -33,13 +33,15 @@ local function reachable(at, goal)
   return clamp(clamp(goal, at - MAX_SPEED, at + MAX_SPEED), -MAX_DISTANCE, MAX_DISTANCE)
 end
 
+local function slide(_, _, _, contact, x, y)
+  return slide_along(contact.nx, contact.ny, x * (1 - contact.t), y * (1 - contact.t))
+end
+
 -- A dragged body goes part of the way to the mouse, and slides along what it meets.
 function drag(world, body, box, input)
   local n = world.tuning
   body.previous_x, body.previous_y = body.x, body.y
   local x = reachable(body.x, lerp(body.x, input.mouse_x - n.drag_offset, n.drag_blend)) - body.x
   local y = reachable(body.y, lerp(body.y, input.mouse_y - n.drag_offset, n.drag_blend)) - body.y
-  move(world, box, x, y, others_near and others_near(world, body, box, x, y), function(contact, mx, my)
-    return slide_along(contact.nx, contact.ny, mx * (1 - contact.t), my * (1 - contact.t))
-  end)
+  move(world, body, box, x, y, slide)
 end

@@ -29,8 +29,9 @@ local function settle(box, surface)
   if abs(box.y - y) <= 4 * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then box.y = y end
 end
 
--- Moves a box by x, y. respond(contact, x, y) gives the motion to go on with. others: see cast_box.
-local function move(world, box, x, y, others, respond)
+-- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) gives the motion to go on with.
+local function move(world, body, box, x, y, respond)
+  local others = others_near and others_near(world, body, box, x, y)
   local passes, before_x, before_y = 0, nil, nil
   local followed, surface, goal_x, goal_y, after_x, after_y
   while box.x + x ~= box.x or box.y + y ~= box.y do
@@ -46,7 +47,7 @@ local function move(world, box, x, y, others, respond)
     else
       box.x, box.y = contact.x, contact.y
       surface = not contact.on_end and contact.piece or nil
-      x, y = respond(contact, x, y)
+      x, y = respond(world, body, box, contact, x, y)
       -- Sliding along one plane into the one before, there is nowhere to go.
       local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
       if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then break end

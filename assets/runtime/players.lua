@@ -24,7 +24,8 @@ end
 
 -- Level ground a player follows, keeping its horizontal motion; along anything else it slides, and a walk
 -- ends there.
-local function meet(n, body, box, contact, x, y)
+local function meet(world, body, box, contact, x, y)
+  local n = world.tuning
   local nx, ny = contact.nx, contact.ny
   local rest_x, rest_y = x * (1 - contact.t), y * (1 - contact.t)
   if ny < 0 and is_level(contact, n.steepest) then
@@ -68,8 +69,7 @@ function run(world, body, box, input)
     end
   end
   local start, walked = box.x, body.grounded
-  move(world, box, x, y, others_near and others_near(world, body, box, x, y),
-       function(contact, mx, my) return meet(n, body, box, contact, mx, my) end)
+  move(world, body, box, x, y, meet)
   if box.landed then stand(body, box) end
   if not body.grounded then return end
   local ground_below = floor_under(world, body, box, reach_down(n, box.x - start))

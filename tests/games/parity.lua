@@ -3,10 +3,12 @@
 -- LIST: a table of {name, runtime, level, input, frames}; the three are files. An input is a table by frame of
 -- what world:step() takes; each holds until the next one.
 local list = dofile(arg[1])
+local runtimes = {}
 setmetatable(_G, {__index = function(_, name) error("unknown name " .. name, 2) end})
 for _, run in ipairs(list) do
   print("# " .. run.name)
-  local world = dofile(run.runtime).new(dofile(run.level))
+  runtimes[run.runtime] = runtimes[run.runtime] or dofile(run.runtime)
+  local world = runtimes[run.runtime].new(dofile(run.level))
   local inputs, input = dofile(run.input), {}
   for frame = 1, run.frames do
     input = inputs[frame] or input
