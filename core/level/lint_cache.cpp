@@ -171,7 +171,6 @@ void LintCache::list(const Level& level) {
     problems_.insert(problems_.begin(),
                      {worst, "more", std::to_string(left_out) + " more problems are not listed", {}, -1, -1});
   }
-  ++listing_;
 }
 
 }  // namespace talus

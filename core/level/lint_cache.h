@@ -4,7 +4,6 @@
 #include <array>
 #include <bitset>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -33,7 +32,6 @@ class LintCache {
   // By row, then column, then rule, as lint() gives them. Of blocks still to be looked at, what was found
   // before.
   const std::vector<Problem>& problems() const { return problems_; }
-  std::uint64_t listing() const { return listing_; }  // grows when they may be others
 
  private:
   struct Block {
@@ -60,7 +58,6 @@ class LintCache {
   std::vector<Block> blocks_;
   std::size_t next_ = 0;  // no block before it is unknown
   std::vector<Problem> problems_;
-  std::uint64_t listing_ = 0;
 };
 
 }  // namespace talus

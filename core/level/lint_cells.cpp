@@ -34,30 +34,13 @@ class CellLinter {
     out_.push_back({severity, code, message, cell, tile, -1});
   }
 
-  // The cells behind the first that a slope's box covers must show the rest of it.
   void check_slope(Cell cell, int tile) {
-    const std::string subject = "tile " + std::to_string(tile) + " at " + cell_text(cell) + " is " +
-                                role_with_article(tiles_[static_cast<std::size_t>(tile)].role) + ", but ";
-    for (int i = 1; i < tiles_.slope_cells(); ++i) {
-      const Cell right = {cell.x + i, cell.y};
-      const std::string where =
-          i == 1 ? "the tile to its right" : "the tile " + std::to_string(i) + " to its right";
-      if (!level_.map.contains(right)) {
-        return add(Severity::error, "slope-half-missing",
-                   subject + "the map ends at its right: the rest of the slope is cut off", cell, tile);
-      }
-      const std::uint8_t other = level_.map.at(right);
-      if (tiles_.is_empty(other)) {
-        return add(Severity::error, "slope-half-missing",
-                   subject + where + " is empty: half of the slope is not drawn", cell, tile);
-      }
-      if (tiles_[other].solid || tiles_.is_slope(other)) {
-        const std::string why = tiles_[other].solid
-                                    ? " is solid: it stands inside the slope's box"
-                                    : " has a slope's flag too: a slope is flagged on its left tile alone";
-        return add(Severity::error, "slope-overlap", subject + where + why, cell, tile);
-      }
-    }
+    const auto fault = slope_fault_at(level_, tiles_, cell);
+    if (!fault) return;
+    add(Severity::error, fault->code,
+        "tile " + std::to_string(tile) + " at " + cell_text(cell) + " is " +
+            role_with_article(tiles_[static_cast<std::size_t>(tile)].role) + ", but " + fault->text,
+        cell, tile);
   }
 
   // What is drawn as the right half of a slope needs the flagged tile at its left.
@@ -90,7 +73,7 @@ class CellLinter {
   void check_ball(Cell cell, int tile) {
     const Vec2 corner = {static_cast<double>(cell.x) * kTileSize, static_cast<double>(cell.y) * kTileSize};
     const int left = std::max(0, cell.x - tiles_.slope_cells());
-    const int up = std::max(0, cell.y - tiles_.slope_cells());
+    const int up = std::max(0, cell.y - tiles_.slope_rows());
     for (Cell at{left, up}; at.y <= cell.y; ++at.y) {
       for (at.x = left; at.x <= cell.x; ++at.x) {
         const std::uint8_t slope = level_.map.at(at);
@@ -121,6 +104,28 @@ void lint_cells(const Level& level, const LintTiles& tiles, std::array<Cell, 2> 
   }
   lint_seams(level, tiles, area, out);
   lint_gaps(level, tiles, area, out);
+}
+
+// The cells behind the first that a slope's box covers must show the rest of it.
+std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& tiles, Cell cell) {
+  if (!tiles.is_slope(level.map.at(cell))) return std::nullopt;
+  for (int i = 1; i < tiles.slope_cells(); ++i) {
+    const Cell right = {cell.x + i, cell.y};
+    const std::string where =
+        i == 1 ? "the tile to its right" : "the tile " + std::to_string(i) + " to its right";
+    if (!level.map.contains(right))
+      return SlopeFault{"slope-half-missing", "the map ends at its right: the rest of the slope is cut off"};
+    const std::uint8_t other = level.map.at(right);
+    if (tiles.is_empty(other))
+      return SlopeFault{"slope-half-missing", where + " is empty: half of the slope is not drawn"};
+    if (tiles[other].solid)
+      return SlopeFault{"slope-overlap", where + " is solid: it stands inside the slope's box"};
+    if (tiles.is_slope(other)) {
+      return SlopeFault{"slope-overlap",
+                        where + " has a slope's flag too: a slope is flagged on its left tile alone"};
+    }
+  }
+  return std::nullopt;
 }
 
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at) {

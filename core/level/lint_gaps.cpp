@@ -40,8 +40,9 @@ class GapFinder {
     return level_.map.contains(on_map(c)) && tiles_[level_.map.at(on_map(c))].solid;
   }
   bool is_clear(Cell c) const {
-    if (!level_.map.contains(on_map(c))) return true;
-    const LintTiles::Tile& tile = tiles_[level_.map.at(on_map(c))];
+    const Cell at = on_map(c);
+    if (!level_.map.contains(at)) return at.y < 0 && at.x >= 0 && at.x < level_.map.width();  // the sky
+    const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
     return !tile.solid && !tile.line;
   }
   // Clear cells from this one on, no more than are needed.

@@ -29,6 +29,14 @@ void lint_gaps(const Level& level, const LintTiles& tiles, std::array<Cell, 2> a
 // All that is wrong elsewhere: with roles, shapes, curves and spawns. has_balls: there are ball tiles.
 void lint_level(const Level& level, const LintTiles& tiles, bool has_balls, std::vector<Problem>& out);
 
+// What is wrong with what is beside a flagged slope: the rule's code, and the end of a sentence. None where
+// no flagged slope is.
+struct SlopeFault {
+  const char* code;
+  std::string text;
+};
+std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& tiles, Cell cell);
+
 // How deep a body of this size with this corner, px, lies below the floor that the article computes for a
 // slope flagged in the cell; 0 when it is above, or beside the slope's box.
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at);

@@ -14,7 +14,8 @@ constexpr int kPatch = 64;  // cells, side of what is compiled at a time
 struct End {
   double y = 0;  // px
   bool floor = true;
-  Cell tile;  // whose shape it is
+  int row = 0;  // of the cell that it is in
+  Cell tile;    // whose shape it is
 };
 
 class SeamFinder {
@@ -52,14 +53,14 @@ class SeamFinder {
   }
 
  private:
-  // The ends of floors and ceilings at one side of a cell at which no other goes on.
+  // The exposed ends of floors and ceilings at one side of a cell.
   void ends_of(Cell cell, bool right, std::vector<End>& ends) {
     pieces_.clear();
     compiler_.compile(cell, {}, pieces_);
     const double x = (cell.x + (right ? 1.0 : 0.0)) * kTileSize;
     const double row0 = cell.y * 1.0 * kTileSize, row1 = row0 + kTileSize;
     for (const Piece<double>& piece : pieces_) {
-      const bool ends_here = right ? piece.x1 == x && piece.last1 : piece.x0 == x && piece.last0;
+      const bool ends_here = right ? piece.x1 == x : piece.x0 == x;
       if (piece.is_wall() || !ends_here) continue;
       // A steep piece is in several cells: its end counts in one of them.
       const double y = right ? piece.y1 : piece.y0;
@@ -67,31 +68,47 @@ class SeamFinder {
       const bool lower = y > std::min(piece.y0, piece.y1) || (!floor && piece.y0 == piece.y1);
       const bool in_row = lower ? y > row0 && y <= row1 : y >= row0 && y < row1;
       if (in_row)
-        ends.push_back({y, floor, {piece.origin % level_.map.width(), piece.origin / level_.map.width()}});
+        ends.push_back(
+            {y, floor, cell.y, {piece.origin % level_.map.width(), piece.origin / level_.map.width()}});
     }
   }
 
   void check(Cell cell) {
     here_.clear();
     ends_of(cell, true, here_);
-    for (const End& end : here_) {
-      double jump = kTileSize;  // the least, below that
-      Seam seam{cell, {}, end.y, 0, end.tile, {}, end.floor};
-      const int last = std::min(cell.y + 1, level_.map.height() - 1);
-      for (Cell other{cell.x + 1, std::max(cell.y - 1, 0)}; other.y <= last; ++other.y) {
-        there_.clear();
-        ends_of(other, false, there_);
-        for (const End& next : there_) {
-          const double by = std::abs(next.y - end.y);
-          if (next.floor != end.floor || by <= tiles_.seam() || by >= jump) continue;
-          jump = by;
-          seam.right = other;
-          seam.right_y = next.y;
-          seam.right_tile = next.tile;
-        }
-      }
-      if (jump < kTileSize) out_.push_back(seam);
+    if (here_.empty()) return;
+    there_.clear();
+    const int last = std::min(cell.y + 1, level_.map.height() - 1);
+    for (Cell other{cell.x + 1, std::max(cell.y - 1, 0)}; other.y <= last; ++other.y)
+      ends_of(other, false, there_);
+    for (const End& end : here_) find_jump(cell, end);
+  }
+
+  void find_jump(Cell cell, const End& end) {
+    double jump = kTileSize;  // the least, below that
+    Seam seam{cell, {}, end.y, 0, end.tile, {}, end.floor};
+    for (const End& next : there_) {
+      const double by = std::abs(next.y - end.y);
+      if (next.floor != end.floor || by >= jump) continue;
+      jump = by;
+      seam.right = {cell.x + 1, next.row};
+      seam.right_y = next.y;
+      seam.right_tile = next.tile;
     }
+    if (jump == kTileSize || jump <= tiles_.seam() || is_on_curve(cell, end)) return;
+    // Slopes that lack a half are told of as such.
+    if (!has_fault(seam.left_tile) && !has_fault(seam.right_tile)) out_.push_back(seam);
+  }
+
+  bool has_fault(Cell slope) const { return slope_fault_at(level_, tiles_, slope).has_value(); }
+
+  // Whether a curve goes on where a floor or a ceiling ends.
+  bool is_on_curve(Cell cell, const End& end) const {
+    const double x = (cell.x + 1.0) * kTileSize;
+    const auto ends = tiles_.curves().ends.at({x, end.y}, true);
+    return std::any_of(ends.begin(), ends.end(), [&](const CurveEnds::End& curve) {
+      return (tiles_.curves().pieces[curve.piece].facing == Facing::up) == end.floor;
+    });
   }
 
   const Level& level_;

@@ -43,7 +43,8 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
       outlines_(shapes_),
       sources_(usable_curves(level)),
       curves_(cut_curves(sources_)),
-      slope_cells_(static_cast<int>(std::ceil(level.tuning.article.slope_width / kTileSize))) {
+      slope_cells_(static_cast<int>(std::ceil(level.tuning.article.slope_width / kTileSize))),
+      slope_rows_(static_cast<int>(std::ceil(level.tuning.article.slope_height / kTileSize))) {
   for (std::size_t i = 0; i < kTileCount; ++i) {
     Tile& tile = tiles_[i];
     tile.role = role_of(level.tile_flags(static_cast<std::uint8_t>(i)), level.roles);
@@ -83,7 +84,7 @@ void LintTiles::note_masks(const Level& level) {
 }
 
 int LintTiles::reach() const {
-  int reach = std::max(kOutlineReach, slope_cells_ + 1);
+  int reach = std::max({kOutlineReach, slope_cells_ + 1, slope_rows_ + 1});
   // A gap is looked at from its mouth to the other one, at both of which the player must fit.
   if (player_) {
     const double side = std::max(player_->x, player_->y);
@@ -159,7 +160,8 @@ void LintTiles::check_picture(int tile) {
 
 bool operator==(const LintTiles& a, const LintTiles& b) {
   return a.options_ == b.options_ && a.shapes_ == b.shapes_ && a.tiles_ == b.tiles_ &&
-         a.sources_ == b.sources_ && a.slope_cells_ == b.slope_cells_ && a.player_ == b.player_;
+         a.sources_ == b.sources_ && a.slope_cells_ == b.slope_cells_ && a.slope_rows_ == b.slope_rows_ &&
+         a.player_ == b.player_;
 }
 
 }  // namespace talus

@@ -42,6 +42,7 @@ class LintTiles {
   const CurveOutline& curves() const { return curves_; }
   double seam() const { return options_.seam; }
   int slope_cells() const { return slope_cells_; }  // width of a flagged slope's box
+  int slope_rows() const { return slope_rows_; }    // and its height
   // px: the least width and the least height of the players that are placed; none: there is no player.
   const std::optional<Vec2>& player() const { return player_; }
   // Cells in x and y: problems depend on nothing that is further from their own cell.
@@ -69,7 +70,7 @@ class LintTiles {
   TileOutlines outlines_;
   std::vector<Curve> sources_;
   CurveOutline curves_;
-  int slope_cells_ = 2;
+  int slope_cells_ = 2, slope_rows_ = 1;
   std::optional<Vec2> player_;
   std::array<std::vector<Problem>, kTileCount> problems_;
 };

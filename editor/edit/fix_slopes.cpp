@@ -169,7 +169,9 @@ class SeamFixer {
     const double now = height;
     const double up = left ? seam_.left_y - seam_.right_y : seam_.right_y - seam_.left_y;
     height += after.side == TileShape::Side::floor ? up : -up;
-    if (problem_of(after)) return;
+    const bool is_nothing =
+        std::all_of(after.heights.begin(), after.heights.end(), [](double h) { return h == 0; });
+    if (is_nothing || problem_of(after)) return;
     edits_.push_back(single_change(std::string(height > now ? "Raise" : "Lower") + " the " +
                                        (left ? "right" : "left") + " end of " + tile_text(tile) +
                                        "'s slope from " + px_text(now) + " to " + px_text(height) +

@@ -62,7 +62,13 @@ void move_inside(const Level& level, int index, std::vector<Edit>& out) {
 void move_ball(const Level& level, const LintTiles& tiles, Cell cell, std::vector<Edit>& out) {
   for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostUp; --up.y) {
     if (!tiles.is_empty(level.map.at(up))) continue;
-    Edit edit = put_tile(level, cell, 0, "Move the ball of " + cell_text(cell) + " up to " + cell_text(up));
+    // Where it covers a slope's right half, that comes in its place.
+    const Cell left{cell.x - 1, cell.y};
+    const auto half = static_cast<std::uint8_t>(level.map.contains(left) ? level.map.at(left) + 1 : 0);
+    const bool is_half = half != 0 && tiles[half].half_of == half - 1;
+    Edit edit = put_tile(level, cell, is_half ? half : 0,
+                         "Move the ball of " + cell_text(cell) + " up to " + cell_text(up) +
+                             (is_half ? ", and put tile " + std::to_string(half) + " in its place" : ""));
     edit.changes.push_back(CellChange{up, level.map.at(up), level.map.at(cell)});
     out.push_back(std::move(edit));
     return;

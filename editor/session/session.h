@@ -109,8 +109,7 @@ class Session {
   // The same as far as advance() has come since the last change, and what was known before of the rest: for
   // those who must not wait.
   const std::vector<Problem>& listed_problems() const;
-  std::uint64_t listing() const;  // grows when listed_problems() changes
-  bool is_linting() const;        // they are not all of the level as it is
+  bool is_linting() const;  // they are not all of the level as it is
   const LintOptions& lint_options() const;
   const std::optional<HardCase>& hard_case() const;  // that the opened level is, whose input is played too
 

@@ -59,7 +59,6 @@ const std::vector<Problem>& Session::problems() const {
 }
 
 const std::vector<Problem>& Session::listed_problems() const { return impl_->lint_cache.problems(); }
-std::uint64_t Session::listing() const { return impl_->lint_cache.listing(); }
 bool Session::is_linting() const { return !impl_->lint_cache.is_done(); }
 const LintOptions& Session::lint_options() const { return impl_->lint_options; }
 const ReachFinder& Session::reach() const { return impl_->reach; }

@@ -1,0 +1,161 @@
+// The panel of problems: going from one to the next, filtering, and repairing a broken level by its buttons
+// alone. And where a player gets to.
+#include "harness.h"
+#include "level/lint.h"
+
+namespace talus {
+namespace {
+
+class UiProblems : public UiTest {
+ protected:
+  // A copy of the level that is broken on purpose: two slopes without their right halves, two seams, a tile
+  // with flags that contradict each other, and a player inside of a wall.
+  void start_broken(int width = 1280, int height = 720) {
+    const std::string copy = path("broken.talus.json");
+    std::filesystem::copy_file(TALUS_SOURCE_DIR "/tests/ui/broken.talus.json", copy);
+    start(copy, width, height);
+    frames(8);  // the lint and the fixes are looked for a few at a time
+  }
+
+  std::vector<std::string> codes() {
+    std::vector<std::string> codes;
+    for (const Problem& problem : *app().ui().problems) codes.push_back(problem.code);
+    return codes;
+  }
+  std::string row_of(const std::string& code) {
+    const std::vector<std::string> all = codes();
+    return std::to_string(std::find(all.begin(), all.end(), code) - all.begin());
+  }
+  std::string last_edit() { return session().history().edits().back().label; }
+};
+
+TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
+  start_broken();
+  ASSERT_EQ(codes(), (std::vector<std::string>{"flags-conflict", "spawn-in-solid", "slope-half-missing",
+                                               "slope-half-missing", "seam", "seam"}));
+
+  click("problems/row" + row_of("spawn-in-solid"));  // see where it is first
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{25, 13}));
+  click("problems/fix" + row_of("spawn-in-solid"));
+  EXPECT_EQ(level().spawns[0].position, (Vec2{204, 96}));  // on top of the wall
+  EXPECT_EQ(last_edit(), "Move spawn \"hero\" up by 12 px to 204, 96 px");
+  frames(4);
+
+  click("problems/fix" + row_of("flags-conflict"));
+  EXPECT_EQ(level().tile_flags(8), 1);
+  frames(4);
+
+  click("problems/kind");
+  click("problems/kind_slope-half-missing");
+  click("problems/fix_all");
+  EXPECT_EQ(tile_at({11, 14}), 4);
+  EXPECT_EQ(tile_at({15, 14}), 6);
+  EXPECT_EQ(last_edit(), "Fix 2 problems: slope without its right half");
+  frames(4);
+
+  click("problems/kind");
+  click("problems/kind_all");
+  frames(4);
+  ASSERT_EQ(codes(), (std::vector<std::string>{"seam", "seam"}));
+  click("problems/fix0");
+  EXPECT_EQ(tile_at({18, 14}), 33);
+  frames(4);
+  click("problems/fix0");
+  EXPECT_EQ(level().tile_shapes[40].heights, (std::vector<double>{0, 8}));
+  frames(4);
+
+  EXPECT_EQ(codes(), std::vector<std::string>());
+  EXPECT_EQ(session().history().edits().size(), 5u);
+  key(ctrl('s'));
+  EXPECT_FALSE(session().modified());
+  for (int i = 0; i < 5; ++i) key(ctrl('z'));
+  frames(8);
+  EXPECT_EQ(codes().size(), 6u);
+}
+
+TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
+  start_broken();
+  key(kKeyF8);
+  EXPECT_EQ(app().ui().view.problems.chosen->code, "flags-conflict");
+  key(kKeyF8);
+  EXPECT_EQ(app().ui().view.problems.chosen->code, "spawn-in-solid");
+  key(kKeyF8);
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{10, 14}));
+  key(alt(kKeyF8));
+  EXPECT_EQ(tile_at({11, 14}), 4);
+  frames(4);
+  key(kKeyF8);  // the one that has the fixed one's row now
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{14, 14}));
+  key(shift(kKeyF8));
+  EXPECT_EQ(app().ui().view.problems.chosen->code, "spawn-in-solid");
+  key(shift(kKeyF8));
+  key(shift(kKeyF8));  // round to the last one
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{21, 14}));
+}
+
+TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
+  start_broken();
+  click("problems/row5", kRight);  // 3 px up to the wall
+  ASSERT_NE(find("problems/choice0"), nullptr);
+  click("problems/choice_kind");
+  EXPECT_EQ(app().ui().view.problems.kind, "seam");
+  EXPECT_EQ(find("problems/row0"), nullptr);
+  ASSERT_NE(find("problems/row4"), nullptr);
+  click("problems/seam");  // jumps of up to 3 px are meant from now on
+  key(ctrl('a'));
+  type("3");
+  frames(4);
+  EXPECT_EQ(session().lint_options().seam, 3);
+  EXPECT_EQ(codes().size(), 5u);
+}
+
+TEST_F(UiProblems, FarCellsAreNotCutOff) {
+  Level level = test_level();
+  level.map = TileMap(1 << 21, 4);
+  level.map.set({2'000'000, 2}, 3);
+  const std::string file = path("long.talus.json");
+  ASSERT_TRUE(save_level(level, *format_for_file(file), file));
+  start(file, 1152, 700);
+  for (int i = 0; i < 400 && session().is_linting(); ++i) frames();
+  ASSERT_FALSE(session().is_linting());
+  const std::string row = "problems/row" + row_of("slope-half-missing");
+  frames(2);
+  const Widget* widget = find(row);
+  ASSERT_NE(widget, nullptr);
+  // As high as its place in a line of its own, and the message in several.
+  EXPECT_GT(widget->max.y - widget->min.y, 3 * 14);
+  click(row);
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2'000'000, 2}));
+}
+
+TEST_F(UiProblems, WhereThePlayerGetsTo) {
+  start_broken();
+  key(kKeyF8);
+  click("problems/fix" + row_of("spawn-in-solid"));
+  key(kKeyF12);
+  EXPECT_TRUE(session().choices().overlays.has(OverlayId::reach));
+  ASSERT_NE(session().reach().found(), nullptr);
+  for (int i = 0; i < 2000 && session().reach().running(); ++i) frames();
+  const ReachSearch& found = *session().reach().found();
+  EXPECT_TRUE(found.finished());
+  EXPECT_TRUE(found.reached({20, 14}));
+  EXPECT_FALSE(found.reached({25, 14}));  // in the wall
+
+  const int branch = session().timeline().current().id;
+  move(on_map({20, 14}));
+  key('w');
+  EXPECT_NE(session().timeline().current().id, branch);
+  const Rect box = session().state().bodies.back().box;
+  EXPECT_LT(box.x, 21 * 8);
+  EXPECT_GT(box.right(), 20 * 8);
+
+  key(kKeyF3);
+  click(on_sheet(1));
+  click(on_map({2, 10}));
+  frames(2);
+  EXPECT_TRUE(session().reach().is_stale());
+  EXPECT_NE(find("reach/stale"), nullptr);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,195 @@
+// Every fix: what it says, and that the problem is gone.
+#include "edit/fixes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "slope_level.h"
+
+namespace talus {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Problem first_of(const Level& level, std::string_view code) {
+  for (const Problem& problem : lint(level)) {
+    if (problem.code == code) return problem;
+  }
+  ADD_FAILURE() << "no " << code;
+  return {};
+}
+
+// What the fixes of the first problem of this kind say. Each is tried, must leave less problems, and can be
+// undone.
+std::vector<std::string> labels_of(const Level& level, std::string_view code) {
+  const Problem problem = first_of(level, code);
+  std::vector<std::string> labels;
+  for (const Edit& edit : fixes_for(level, {}, problem)) {
+    labels.push_back(edit.label);
+    Level fixed = level;
+    apply_edit(fixed, edit);
+    EXPECT_LT(lint(fixed).size(), lint(level).size()) << edit.label;
+    EXPECT_THAT(fixes_for(fixed, {}, problem), IsEmpty()) << edit.label;
+    revert_edit(fixed, edit);
+    EXPECT_TRUE(fixed == level) << edit.label;
+  }
+  return labels;
+}
+
+TEST(Fixes, SlopesGetTheirOtherHalf) {
+  EXPECT_THAT(labels_of(slope_level({"o....", "./...", "#####"}), "slope-half-missing"),
+              ElementsAre("Place tile 10, the slope's right half, at (2, 1)"));
+  EXPECT_THAT(labels_of(slope_level({"o....", "..../", "#####"}), "slope-half-missing"),
+              ElementsAre("Take tile 9 away from (4, 1), where the map cuts it off"));
+  EXPECT_THAT(labels_of(slope_level({"o....", "./#..", "#####"}), "slope-overlap"),
+              ElementsAre("Put tile 10, the slope's right half, in the place of tile 1 at (2, 1)"));
+  EXPECT_THAT(labels_of(slope_level({"o....", "..-..", "#####"}), "slope-left-missing"),
+              ElementsAre("Place tile 9, the slope's left half, at (1, 1)", "Take tile 10 away from (2, 1)"));
+}
+
+TEST(Fixes, FlagsOfSlopes) {
+  Level level = slope_level({"o....", "./-..", "#####"});
+  level.sheet(SheetId::tiles).flags[kFlaggedHalf] = 4;
+  Level fixed = level;
+  const std::vector<Edit> edits = fixes_for(level, {}, first_of(level, "slope-overlap"));
+  ASSERT_EQ(edits.size(), 1u);
+  EXPECT_EQ(edits[0].label, "Clear the up-slope flag of tile 10, the slope's right half");
+  apply_edit(fixed, edits[0]);
+  EXPECT_THAT(lint_lines(fixed), IsEmpty());
+
+  level = slope_level({"o......", "./-.a..", "#######"});
+  level.tile_shapes[kSlopeA] = {};
+  level.sheet(SheetId::tiles).images[kSlopeA] = level.sheet(SheetId::tiles).images[kFlaggedSlope];
+  const auto flag = fixes_for(level, {}, first_of(level, "slope-unflagged"));
+  ASSERT_EQ(flag.size(), 1u);
+  EXPECT_EQ(flag[0].label, "Set flag 2, up-slope, of tile 2");
+  apply_edit(level, flag[0]);
+  EXPECT_EQ(level.tile_flags(kSlopeA), 4);
+}
+
+TEST(Fixes, SeamsAreFilledOrLevelled) {
+  EXPECT_THAT(labels_of(slope_level({"o....", ".a.##", "#####"}), "seam"),
+              ElementsAre("Place tile 3, which goes on at the same height, at (2, 1)"));
+  EXPECT_THAT(labels_of(slope_level({"o....", ".a##.", "#####"}), "seam"),
+              ElementsAre("Raise the right end of tile 2's slope from 4 to 8 px, wherever the tile is"));
+  EXPECT_THAT(labels_of(slope_level({"o....", "...b#", "#####"}), "seam"),
+              ElementsAre("Place tile 2, which goes on at the same height, at (2, 1)",
+                          "Lower the left end of tile 3's slope from 4 to 0 px, wherever the tile is"));
+  Level hanging = slope_level({"#####", ".^...", "....o", "....."});
+  hanging.tile_shapes[kHangingSign].heights = {2, 5};
+  EXPECT_THAT(labels_of(hanging, "seam-ceiling"),
+              ElementsAre("Lower the left end of tile 7's slope from 2 to 0 px, wherever the tile is"));
+}
+
+TEST(Fixes, AFixThatBreaksAnotherJoinIsNotOffered) {
+  // Raising tile 2 to the wall would leave a step before tile 3 beside it.
+  const Level level = slope_level({"o........", ".a#..ab#.", "#########"});
+  EXPECT_THAT(fixes_for(level, {}, first_of(level, "seam")), IsEmpty());
+}
+
+TEST(Fixes, SteepFloorsAreLowered) {
+  Level level = slope_level({"o....", ".....", "..a..", "..#.."});
+  level.tile_shapes[kSlopeA].heights = {0, 20};
+  EXPECT_THAT(
+      labels_of(level, "too-steep"),
+      ElementsAre("Lower the right end of tile 2's slope from 20 to 16 px, wherever the tile is",
+                  "Let floors rise by 3 px for each px, in the whole level (steepest floor, in Tuning)"));
+}
+
+TEST(Fixes, TilesAndFlags) {
+  Level level = slope_level({"o....", ".....", "#####"});
+  level.sheet(SheetId::tiles).flags[kSolidSign] = 1 | 8;
+  EXPECT_THAT(labels_of(level, "flags-conflict"),
+              ElementsAre("Clear the down-slope flag of tile 1, which is solid as before"));
+  level.sheet(SheetId::tiles).flags[kSolidSign] = 1;
+  level.sheet(SheetId::tiles).images[kSolidSign].fill(0);
+  EXPECT_THAT(labels_of(level, "invisible"),
+              ElementsAre("Draw tile 1 as what it is", "Clear all flags of tile 1"));
+  apply_edit(level, fixes_for(level, {}, first_of(level, "invisible"))[0]);
+  EXPECT_EQ(level.sheet(SheetId::tiles).images[kSolidSign][63], 15);
+
+  level.roles.one_way = 6;
+  level.sheet(SheetId::tiles).flags[kBallSign] |= 1 << 6;
+  EXPECT_THAT(labels_of(level, "flag-idle"), ElementsAre("Clear the flags of tile 8 that change nothing"));
+  level.roles.one_way = 0;
+  EXPECT_THAT(labels_of(level, "shared-flag"), ElementsAre("Let flag 0 no longer stand for one-way"));
+}
+
+TEST(Fixes, ShapesCurvesAndTheSolver) {
+  Level level = slope_level({"o....", "#####"});
+  level.tile_shapes[200] = {.kind = TileShape::Kind::slope, .heights = {1}};
+  EXPECT_THAT(labels_of(level, "bad-shape"), ElementsAre("Remove the shape of tile 200"));
+  level.tile_shapes[200] = {};
+  level.flag_shapes[5] = {.tiles = 9};
+  EXPECT_THAT(labels_of(level, "bad-shape"), ElementsAre("Remove the shape of flag 5"));
+  level.flag_shapes[5] = {};
+  level.curves = {{"good", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""},
+                  {"", {Segment{{8, 0}, {0, 8}}, Curve::Faces::up}, ""}};
+  EXPECT_THAT(labels_of(level, "bad-curve"), ElementsAre("Remove curve 1"));
+  level.curves.pop_back();
+  level.tuning.solver = SolverKind::article;
+  EXPECT_THAT(labels_of(level, "curves-need-exact"), ElementsAre("Choose the exact solver for this level"));
+}
+
+TEST(Fixes, BodiesAreMovedOutOfTheGround) {
+  Level level = slope_level({"......", "......", ".##ab.", "######"});
+  level.spawns = {{"hero", {12, 19}, {}, "", BodyKind::player, {8, 8}}};
+  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move spawn \"hero\" up by 11 px to 12, 8 px"));
+  // On the slope, where its middle is.
+  level.spawns[0].position = {28, 15};
+  level.spawns[0].name.clear();
+  EXPECT_THAT(labels_of(level, "spawn-in-slope"), ElementsAre("Move spawn 0 up by 3 px to 28, 12 px"));
+  level.spawns[0].position = {44, 1};
+  EXPECT_THAT(labels_of(level, "spawn-outside"), ElementsAre("Move spawn 0 to 40, 1 px"));
+}
+
+TEST(Fixes, ABodyBelowTheMapsTopLeavesSideways) {
+  Level level = slope_level({"#..", "#..", "###"});
+  level.spawns = {{"", {6, 1}, {}, ""}};
+  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move spawn 0 to 8, 1 px"));
+}
+
+TEST(Fixes, ABallIsMovedOutOfASlope) {
+  const Level level = slope_level({"....", "....", "./o.", "####"});
+  EXPECT_THAT(labels_of(level, "spawn-in-slope"),
+              ElementsAre("Move the ball of (2, 2) up to (2, 1), and put tile 10 in its place"));
+}
+
+TEST(Fixes, AllOfAKindAreOneEdit) {
+  const Level level = slope_level({"o..........", "./../..e../", "###########"});
+  const std::vector<Problem> problems = lint(level);
+  int fixed = 0;
+  const Edit edit = fix_all(level, {}, problems, "slope-half-missing", &fixed);
+  EXPECT_EQ(fixed, 3);
+  EXPECT_EQ(edit.label, "Fix 3 problems: slope without its right half");
+  EXPECT_EQ(edit.changes.size(), 3u);
+  Level after = level;
+  apply_edit(after, edit);
+  EXPECT_EQ(after.map.at({2, 1}), kFlaggedHalf);
+  EXPECT_EQ(after.map.at({5, 1}), kFlaggedHalf);
+  EXPECT_EQ(after.map.at({10, 1}), 0);
+  for (const Problem& problem : lint(after)) EXPECT_NE(problem.code, "slope-half-missing");
+  revert_edit(after, edit);
+  EXPECT_TRUE(after == level);
+}
+
+TEST(Fixes, CurvesAreRemovedFromTheLast) {
+  Level level = slope_level({"o....", "#####"});
+  const LevelCurve bad{"", {Segment{{8, 0}, {0, 8}}, Curve::Faces::up}, ""};
+  level.curves = {bad, {"good", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""}, bad};
+  const Edit edit = fix_all(level, {}, lint(level), "bad-curve");
+  apply_edit(level, edit);
+  ASSERT_EQ(level.curves.size(), 1u);
+  EXPECT_EQ(level.curves[0].name, "good");
+}
+
+TEST(Fixes, WhatIsGoneIsNotFixed) {
+  Level level = slope_level({"o....", "./...", "#####"});
+  const Problem problem = first_of(level, "slope-half-missing");
+  level.map.set({1, 1}, 0);
+  EXPECT_THAT(fixes_for(level, {}, problem), IsEmpty());
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,168 @@
+// Where floors do not meet, where a player does not fit through, and what is wrong with a tile by itself.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "formats/format.h"
+#include "slope_level.h"
+
+namespace talus {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(LintSeams, FloorsThatMeetAreGood) {
+  EXPECT_THAT(lint_lines(slope_level({"o............",  //
+                                      "....ab##cd...", "#############"})),
+              IsEmpty());
+  EXPECT_THAT(lint_lines(slope_level({"o.........", "...ab##...", ".ab######.", "##########"})), IsEmpty());
+}
+
+TEST(LintSeams, WholeStepsAndLedgesAreMeant) {
+  EXPECT_THAT(lint_lines(slope_level({"o....#...", ".....#ab.", "##..###..", "#########"})), IsEmpty());
+}
+
+TEST(LintSeams, AFloorJumps) {
+  EXPECT_THAT(lint_lines(slope_level({"o....", ".a##.", "#####"})),
+              ElementsAre("seam: floor jumps 4 px between (1, 1) and (2, 1)"));
+  EXPECT_THAT(lint_lines(slope_level({"o....", "..e..", "#####"})),
+              ElementsAre("seam: floor jumps 5 px between (1, 2) and (2, 1)",
+                          "seam: floor jumps 5 px between (2, 1) and (3, 2)"));
+  // Down to the floor, where the slope's other half is not there.
+  EXPECT_THAT(lint_lines(slope_level({"o....", ".a...", "#####"})),
+              ElementsAre("seam: floor jumps 4 px between (1, 1) and (2, 2)"));
+}
+
+TEST(LintSeams, AJumpIsFoundInFractionsOfAPixel) {
+  Level level = slope_level({"o....", ".a##.", "#####"});
+  level.tile_shapes[kSlopeA].heights = {0, 8 - 1.0 / 256};
+  EXPECT_THAT(lint_lines(level), ElementsAre("seam: floor jumps 0.003906 px between (1, 1) and (2, 1)"));
+  level.tile_shapes[kSlopeA].heights = {0, 8};
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+}
+
+TEST(LintSeams, SmallJumpsMayBeMeant) {
+  const Level level = slope_level({"o....", "..e..", "#####"});
+  EXPECT_THAT(lint_lines(level, {4.75}).size(), 2u);
+  EXPECT_THAT(lint_lines(level, {5}), IsEmpty());
+}
+
+TEST(LintSeams, ACeilingJumps) {
+  EXPECT_THAT(lint_lines(slope_level({"#####", ".^...", "....o", "....."})),
+              ElementsAre("seam-ceiling: ceiling jumps 3 px between (1, 1) and (2, 0)"));
+}
+
+TEST(LintSeams, AWideSlopeJumpsAtItsEnd) {
+  Level level = slope_level({"o.......", ".a......", "########"});
+  level.tile_shapes[kSlopeA] = {.kind = TileShape::Kind::slope, .tiles = 3, .heights = {0, 6}};
+  EXPECT_THAT(lint_lines(level), ElementsAre("seam: floor jumps 6 px between (3, 1) and (4, 2)"));
+}
+
+TEST(LintSeams, ACurveMayGoOn) {
+  Level level = slope_level({"o....", ".a...", "##..."});
+  level.map.set({2, 1}, kBlockE);
+  level.tile_shapes[kBlockE].heights = {1, 1};  // 3 px lower
+  EXPECT_THAT(lint_lines(level).size(), 1u);
+  level.curves.push_back({"", {Segment{{16, 12}, {40, 12}}, Curve::Faces::up}, ""});
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+}
+
+Level gap_level(const std::vector<std::string>& rows, Vec2 size) {
+  Level level = slope_level(rows);
+  level.spawns = {{"", {0, 0}, {}, "", BodyKind::player, size}};
+  return level;
+}
+
+TEST(LintGaps, ATunnelIsTooLow) {
+  const std::vector<std::string> rows = {"........", "..####..", "........", "########"};
+  EXPECT_THAT(lint_lines(gap_level(rows, {8, 12})),
+              ElementsAre("gap-too-small: the gap at (2, 2) is 8 px high, and a player is 12 px"));
+  EXPECT_THAT(lint_lines(gap_level(rows, {8, 8})), IsEmpty());
+  EXPECT_THAT(lint_lines(gap_level({"........", "..####..", ".....#..", "########"}, {8, 12})), IsEmpty());
+  Level balls = slope_level(rows);
+  balls.spawns = {{"", {0, 0}, {}, "", BodyKind::ball, {8, 12}}};
+  EXPECT_THAT(lint_lines(balls), IsEmpty());
+}
+
+TEST(LintGaps, AShaftIsTooNarrow) {
+  const std::vector<std::string> rows = {".....", ".....", "##.##", "##.##", ".....", ".....", "#####"};
+  EXPECT_THAT(lint_lines(gap_level(rows, {10, 8})),
+              ElementsAre("gap-too-small: the gap at (2, 2) is 8 px wide, and a player is 10 px"));
+  EXPECT_THAT(lint_lines(gap_level(rows, {8, 8})), IsEmpty());
+  EXPECT_THAT(lint_lines(gap_level({".....", ".....", "##.##", "#####"}, {10, 8})), IsEmpty());  // a pit
+}
+
+TEST(LintTiles, AFloorIsTooSteep) {
+  Level level = slope_level({"o....", ".....", "..a..", "..#.."});
+  level.tile_shapes[kSlopeA].heights = {0, 16};
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+  level.tile_shapes[kSlopeA].heights = {0, 20};
+  EXPECT_THAT(lint_lines(level), ElementsAre("too-steep: tile 2 rises 20 px in 8 px; more than 16 px is no "
+                                             "floor to stand on"));
+  level.tuning.exact.steepest = 2.5;
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+}
+
+TEST(LintTiles, ATileHasNoPicture) {
+  Level level = slope_level({"o....", ".....", "#####"});
+  level.sheet(SheetId::tiles).images[kSolidSign].fill(0);
+  EXPECT_THAT(lint_lines(level), ElementsAre("invisible: tile 1 is solid, but its picture is blank"));
+  level.map.cells().assign(15, 0);
+  level.spawns.push_back({});
+  EXPECT_THAT(lint_lines(level), IsEmpty());  // it is not on the map
+  level.map.cells().assign(15, kSolidSign);
+  level.spawns[0].position = {0, -8};
+  for (TileImage& image : level.sheet(SheetId::tiles).images) image.fill(0);
+  EXPECT_THAT(lint_lines(level).size(), 1u);  // the spawn; nothing has a picture in such a level
+}
+
+TEST(LintTiles, ASlopeIsDrawnButNotFlagged) {
+  Level level = slope_level({"o......", "./-.a..", "#######"});
+  level.tile_shapes[kSlopeA] = {};
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+  level.sheet(SheetId::tiles).images[kSlopeA] = level.sheet(SheetId::tiles).images[kFlaggedSlope];
+  EXPECT_THAT(lint_lines(level), ElementsAre("slope-unflagged: tile 2 is drawn like tile 9, an up-slope, but "
+                                             "nothing makes it one"));
+  level.tile_shapes[kSlopeA] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  EXPECT_THAT(lint_lines(level).size(), 0u);
+}
+
+TEST(LintTiles, ARightHalfHasNoLeftOne) {
+  EXPECT_THAT(lint_lines(slope_level({"o......", ".-.../-", "#######"})),
+              ElementsAre("slope-left-missing: tile 10 at (1, 1) is drawn as the right half of tile 9, an "
+                          "up-slope, but no slope is at its left: bodies fall through it"));
+}
+
+TEST(LintTiles, AFlagChangesNothing) {
+  Level level = slope_level({"o#..-"});
+  level.spawns.push_back({"", {16, 0}, {}, ""});
+  level.sheet(SheetId::tiles).images[kFlaggedHalf].fill(1);
+  level.roles.one_way = 6;
+  level.sheet(SheetId::tiles).flags[kFlaggedHalf] = 1 << 6;
+  EXPECT_THAT(lint_lines(level), ElementsAre("flag-idle: tile 10 has the flag of one-way, which changes "
+                                             "nothing: it has no shape"));
+}
+
+TEST(LintSpawns, ABodyInAShapeOfItsOwn) {
+  Level level = slope_level({"....", "....", ".ab.", "####"});
+  level.spawns = {{"", {16, 12}, {}, "", BodyKind::player, {8, 8}}};  // b's floor is at 18 below its middle
+  EXPECT_THAT(lint_lines(level), ElementsAre("spawn-in-slope: spawn 0 at 16, 12 px starts 2 px inside the "
+                                             "shape of a tile"));
+  level.spawns[0].position.y = 10;
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+}
+
+TEST(LintRules, EveryKindHasALabel) {
+  for (const LintRule& rule : lint_rules()) EXPECT_EQ(rule_label(rule.code), rule.label);
+  EXPECT_EQ(rule_label("more"), "more");
+}
+
+TEST(LintSeams, TheDemoHasTheProblemOfItsTourAlone) {
+  const auto demo = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json");
+  ASSERT_TRUE(demo);
+  EXPECT_THAT(lint_lines(demo->level), ElementsAre("slope-unflagged: tile 9 is drawn like tile 3, an "
+                                                   "up-slope, but nothing makes it one"));
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,54 @@
+// Small levels from text, for the tests of the lint and of its fixes.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "level/lint.h"
+
+namespace talus {
+
+// '.' empty, '#' solid, 'a' and 'b' the halves of a slope up with shapes of their own, 'c' and 'd' those of one
+// down, 'e' 5 px high, '^' hangs down by 3 px at its right, 'o' a ball, '/' the left half of a flagged slope up
+// and '-' its right half. The number of a tile is its place here.
+inline constexpr std::string_view kSlopeSigns = ".#abcde^o/-";
+inline constexpr std::uint8_t kSolidSign = 1, kSlopeA = 2, kSlopeB = 3, kBlockE = 6, kHangingSign = 7,
+                              kBallSign = 8, kFlaggedSlope = 9, kFlaggedHalf = 10;
+
+inline Level slope_level(const std::vector<std::string>& rows) {
+  using Kind = TileShape::Kind;
+  Level level;
+  level.map = TileMap(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
+  for (int y = 0; y < level.map.height(); ++y) {
+    for (int x = 0; x < level.map.width(); ++x) {
+      const char sign = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+      level.map.set({x, y}, static_cast<std::uint8_t>(kSlopeSigns.find(sign)));
+    }
+  }
+  Sheet& tiles = level.sheet(SheetId::tiles);
+  for (std::size_t tile = 1; tile < kSlopeSigns.size(); ++tile) tiles.images[tile].fill(1);
+  tiles.flags[kSolidSign] = 1;
+  tiles.flags[kBallSign] = 2;
+  tiles.flags[kFlaggedSlope] = 4;
+  // Its upper left half is clear; that of its right half is a corner.
+  for (std::size_t i = 0; i < 32; ++i) tiles.images[kFlaggedSlope][i] = 0;
+  tiles.images[kFlaggedHalf][0] = 0;
+  level.tile_shapes[kSlopeA] = {.kind = Kind::slope, .heights = {0, 4}};
+  level.tile_shapes[kSlopeB] = {.kind = Kind::slope, .heights = {4, 8}};
+  level.tile_shapes[4] = {.kind = Kind::slope, .heights = {8, 4}};
+  level.tile_shapes[5] = {.kind = Kind::slope, .heights = {4, 0}};
+  level.tile_shapes[kBlockE] = {.kind = Kind::slope, .heights = {5, 5}};
+  level.tile_shapes[kHangingSign] = {
+      .kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 3}};
+  return level;
+}
+
+// What lint finds, "code: message" each.
+inline std::vector<std::string> lint_lines(const Level& level, const LintOptions& options = {}) {
+  std::vector<std::string> lines;
+  for (const Problem& problem : lint(level, options)) lines.push_back(problem.code + ": " + problem.message);
+  return lines;
+}
+
+}  // namespace talus
