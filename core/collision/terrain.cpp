@@ -100,7 +100,7 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
       chunks_[chunk_index({x, y})] = std::move(chunk);
     }
   }
-  compile({Cell{0, 0}, Cell{width_ - 1, height_ - 1}});
+  compile({Cell{0, 0}, Cell{width_ - 1, height_ - 1}}, source.progress);
 }
 
 template <class Real>
@@ -146,12 +146,14 @@ OutlineCompiler BasicTerrain<Real>::compiler() const {
 
 // Compiles the cells from the first to the last, which may lie outside.
 template <class Real>
-void BasicTerrain<Real>::compile(std::array<Cell, 2> area) {
+void BasicTerrain<Real>::compile(std::array<Cell, 2> area, const std::function<bool(double)>& progress) {
   OutlineCompiler outlines = compiler();
   const Cell first{std::max(area[0].x, 0), std::max(area[0].y, 0)};
   const Cell last{std::min(area[1].x, width_ - 1), std::min(area[1].y, height_ - 1)};
   for (int y = first.y / kSide * kSide; y <= last.y; y += kSide) {
     for (int x = first.x / kSide * kSide; x <= last.x; x += kSide) {
+      const double chunk = static_cast<double>(y / kSide) * chunk_columns_ + x / kSide;
+      if (progress && !progress(chunk / static_cast<double>(chunks_.size()))) return;
       compile_chunk({x, y},
                     {Cell{std::max(first.x, x), std::max(first.y, y)},
                      Cell{std::min(last.x, x + kSide - 1), std::min(last.y, y + kSide - 1)}},

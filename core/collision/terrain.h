@@ -11,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +32,9 @@ struct TerrainSource {
   std::span<const std::uint8_t> cells;  // width * height tile numbers, row by row
   std::array<TileShape, kTileKinds> shapes;
   std::vector<Curve> curves;
+  // Called now and then while the terrain is made, with the part that is done, 0..1. False gives up: what
+  // was made by then is good for nothing. None: it is made in one go.
+  std::function<bool(double)> progress = {};
 };
 
 // What of the features a terrain has; a sweep is built for these alone.
@@ -198,7 +202,7 @@ class BasicTerrain {
                                     std::span<const CurveStretch<double>> stretches) const;
   std::span<const CurveInCell> curves_between(Cell first, Cell last) const;
   OutlineCompiler compiler() const;
-  void compile(std::array<Cell, 2> area);
+  void compile(std::array<Cell, 2> area, const std::function<bool(double)>& progress = {});
   bool is_bare(Cell corner, std::array<Cell, 2> area) const;
   void compile_chunk(Cell corner, std::array<Cell, 2> area, OutlineCompiler& compiler);
   Words details_in(std::array<Cell, 2> area, const OutlineCompiler& compiler) const;

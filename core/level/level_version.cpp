@@ -50,6 +50,8 @@ LevelVersion version_of(const Level& level, const LevelVersion* before) {
 
 LevelVersion version_of(const Level& level, const LevelVersion& before, std::span<const Cell> changed) {
   LevelVersion version = before;
+  version.spawns = shared_part(level.spawns, before.spawns);
+  version.tuning = level.tuning;
   for (const Cell cell : changed) {
     auto& row = version.rows[static_cast<std::size_t>(cell.y)];
     if (!is_row(level.map, cell.y, *row))

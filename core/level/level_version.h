@@ -32,8 +32,8 @@ struct LevelVersion {
 
 // The version that a level is. before: the one whose equal parts are shared; null: none.
 LevelVersion version_of(const Level& level, const LevelVersion* before = nullptr);
-// The same for a level that differs from `before` in these cells of the map alone, by whose number it takes
-// time.
+// The same for a level that differs from `before` in these cells of the map, by whose number it takes time,
+// and otherwise in its spawns and its tuning alone.
 LevelVersion version_of(const Level& level, const LevelVersion& before, std::span<const Cell> changed);
 
 // Gives a level what the version has; pictures, names and carts stay.

@@ -63,20 +63,24 @@ void Timeline::step(const Input& input, bool with_record) {
   wanted_ = frame();
 }
 
-void Timeline::edit(const Level& level, const std::vector<Cell>* cells) {
-  if (!set_level(level, cells)) return;
+void Timeline::edit(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
+  if (!set_level(level, cells, std::move(compiled))) return;
   if (in_past()) fork_at(frame());
   begin_chapter();
 }
 
 // Whether the simulation sees a difference. Spawns count though they look the same to it: their order tells
 // which body is whose after the next edit.
-bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells) {
-  auto scene = std::make_shared<const Scene>(cells != nullptr ? recompile_scene(*scene_, level, *cells)
-                                                              : compile_scene(level));
+bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
+  const bool is_known = compiled != nullptr;
+  ScenePtr scene = std::move(compiled);
+  if (!is_known)
+    scene = std::make_shared<const Scene>(cells != nullptr ? recompile_scene(*scene_, level, *cells)
+                                                           : compile_scene(level));
   auto version = std::make_shared<const LevelVersion>(cells != nullptr ? version_of(level, *version_, *cells)
                                                                        : version_of(level, version_.get()));
-  if (*scene == *scene_ && version->spawns == version_->spawns) return false;
+  // What was compiled elsewhere is large, and shares nothing that would make it quick to compare.
+  if (!is_known && *scene == *scene_ && version->spawns == version_->spawns) return false;
   version_ = std::move(version);
   scene_ = std::move(scene);
   scenes_.put(version_, scene_);

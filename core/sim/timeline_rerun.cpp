@@ -7,8 +7,9 @@
 
 namespace talus {
 
-void Timeline::edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from) {
-  if (set_level(level, cells)) rerun(from);
+void Timeline::edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from,
+                              ScenePtr compiled) {
+  if (set_level(level, cells, std::move(compiled))) rerun(from);
 }
 
 void Timeline::rerun(std::int64_t from) {

@@ -33,12 +33,13 @@ void Player::start() {
   held_.reset();
 }
 
-void Player::edit(const Level& edited, const std::vector<Cell>* cells) {
+void Player::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled) {
   const bool reruns = rule_.kind != EditRule::Kind::go_on && timeline_->last_frame() > 0;
   if (reruns) {
-    timeline_->edit_and_rerun(edited, cells, rule_.kind == EditRule::Kind::from_start ? 0 : rule_.frame);
+    timeline_->edit_and_rerun(edited, cells, rule_.kind == EditRule::Kind::from_start ? 0 : rule_.frame,
+                              std::move(compiled));
   } else {
-    timeline_->edit(edited, cells);
+    timeline_->edit(edited, cells, std::move(compiled));
   }
   if (timeline_->frame() == 0) playback_.input.grab = 0;  // bodies may have other numbers now
   show_held();

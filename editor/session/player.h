@@ -15,8 +15,8 @@ class Player {
 
   void load(const Level& level);          // another level: stopped, at frame 0, with nothing recorded
   void load(const Recording& recording);  // the same with a recording, which is still to be run
-  // The same level, edited, in these cells of the map alone if they are given. What follows the rule says.
-  void edit(const Level& edited, const std::vector<Cell>* cells);
+  // The same level, edited; see Timeline::edit. What follows the rule says.
+  void edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled = nullptr);
   void set_rule(const EditRule& rule) { rule_ = rule; }
   void reset();  // a new run from frame 0; keeps running if it ran
 

@@ -1,0 +1,47 @@
+// SceneCompiler: compiles large levels beside the editor, which goes on with the scene that it has.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "level/level.h"
+#include "sim/scene_cache.h"
+
+namespace talus {
+
+class SceneCompiler {
+ public:
+  // A map of more cells than this takes too long to be compiled between two frames.
+  static constexpr std::size_t kMostCellsAtOnce = std::size_t{1} << 17;
+  static bool is_large(const Level& level) { return level.map.cells().size() > kMostCellsAtOnce; }
+
+  struct Result {
+    std::shared_ptr<const Level> level;
+    ScenePtr scene;  // its
+  };
+
+  SceneCompiler() = default;
+  ~SceneCompiler() { cancel(); }
+  SceneCompiler(const SceneCompiler&) = delete;
+  SceneCompiler& operator=(const SceneCompiler&) = delete;
+
+  void start(const Level& level);                   // in the place of what is under way
+  void cancel();                                    // waits until it has given up, a few ms
+  bool is_busy() const { return job_ != nullptr; }  // from start() until take() or cancel()
+  double progress() const;                          // of what is under way, 0..1
+  std::optional<Result> take();                     // once it is done, and then no more
+
+ private:
+  struct Job {
+    std::shared_ptr<const Level> level;
+    std::atomic<double> progress = 0;
+    std::atomic<bool> wanted = true, done = false;
+    ScenePtr scene;  // written before `done`
+  };
+  std::unique_ptr<Job> job_;
+  std::thread thread_;
+};
+
+}  // namespace talus

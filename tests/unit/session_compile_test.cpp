@@ -1,0 +1,122 @@
+// Large levels are compiled beside the session, which goes on meanwhile.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "edit/map_tools.h"
+#include "edit/spawn_tools.h"
+#include "formats/format.h"
+#include "session/session.h"
+
+namespace talus {
+namespace {
+
+constexpr int kLargeSide = 400;  // cells
+
+// A floor of tile 1, which is solid, in every second row, and a ball over the first.
+Level large_level() {
+  Level level;
+  level.sheet(SheetId::tiles).flags[1] = 1;
+  level.map = TileMap(kLargeSide, kLargeSide);
+  for (int y = 3; y < kLargeSide; y += 2)
+    for (int x = 0; x < kLargeSide; ++x) level.map.set({x, y}, 1);
+  level.spawns.push_back({"", {16, 8}, {}, ""});
+  return level;
+}
+
+void wait_for_scene(Session& session) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  while (session.compile_progress() && Clock::now() - start < std::chrono::seconds(120)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    session.advance(0);
+  }
+  ASSERT_FALSE(session.compile_progress());
+}
+
+action::EditLevel clear_solid_flag() {
+  return {Edit{"Clear the flag", {FlagsChange{SheetId::tiles, 1, 1, 0}}}, 0};
+}
+
+void expect_scene_of_level(const Session& session) {
+  EXPECT_TRUE(session.scene() == compile_scene(session.level()));
+}
+
+TEST(SessionCompile, AnEditOfALargeGroundIsSeenWhenItIsCompiled) {
+  Session session(large_level());
+  const Scene* before = &session.scene();
+  session.apply(clear_solid_flag());
+  ASSERT_TRUE(session.compile_progress());
+  EXPECT_EQ(&session.scene(), before) << "still the ground as it was";
+  session.apply(action::StepFrame{});
+  EXPECT_EQ(session.state().frame, 1) << "which is played on meanwhile";
+  wait_for_scene(session);
+  expect_scene_of_level(session);
+  EXPECT_EQ(session.state().frame, 1);
+}
+
+TEST(SessionCompile, WhatIsPaintedMeanwhileComesWithIt) {
+  Session session(large_level());
+  session.apply(clear_solid_flag());
+  session.apply(action::EditLevel{paint_stamp(session.level(), {7, 7}, {1, 1, {5}})});
+  session.apply(action::EditLevel{Edit{"Solid", {FlagsChange{SheetId::tiles, 5, 0, 1}}}, 0});
+  wait_for_scene(session);
+  expect_scene_of_level(session);
+  EXPECT_EQ(session.level().map.at({7, 7}), 5);
+}
+
+TEST(SessionCompile, UndoMeanwhileEndsWithTheLevelAsItWas) {
+  Session session(large_level());
+  session.apply(clear_solid_flag());
+  session.apply(action::Undo{});
+  wait_for_scene(session);
+  expect_scene_of_level(session);
+}
+
+TEST(SessionCompile, TuningAndBodiesNeedNoGround) {
+  Session session(large_level());
+  Tuning tuning = session.level().tuning;
+  tuning.exact.substeps = 3;
+  session.apply(action::EditLevel{Edit{"Tune", {TuningChange{session.level().tuning, tuning}}}, 0});
+  EXPECT_FALSE(session.compile_progress());
+  expect_scene_of_level(session);
+  std::vector<Spawn> spawns = session.level().spawns;
+  spawns.push_back({"", {64, 8}, {}, ""});
+  session.apply(action::EditLevel{Edit{"Add a body", {SpawnsChange{session.level().spawns, spawns}}}, 0});
+  EXPECT_FALSE(session.compile_progress());
+  expect_scene_of_level(session);
+  EXPECT_EQ(session.state().bodies.size(), 2u);
+}
+
+TEST(SessionCompile, ALargeLevelIsOpenedAtOnceAndPlaysWhenItIsCompiled) {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / "talus_session_compile.talus.json").string();
+  ASSERT_TRUE(save_level(large_level(), *find_format("native"), file));
+  Session session;
+  session.apply(action::OpenFile{file});
+  session.apply(action::Play{});
+  EXPECT_EQ(session.level(), large_level());
+  if (session.compile_progress()) {
+    session.apply(action::StepFrame{});
+    EXPECT_EQ(session.state().frame, 0) << "there is nothing to fall on yet";
+  }
+  wait_for_scene(session);
+  std::filesystem::remove(file);
+  expect_scene_of_level(session);
+  for (int i = 0; i < 200; ++i) session.apply(action::StepFrame{});
+  EXPECT_EQ(session.state().bodies.at(0).box.bottom(), 24) << "on the first floor";
+}
+
+TEST(SessionCompile, AnotherLevelGivesUpTheOneThatIsCompiled) {
+  Session session(large_level());
+  session.apply(clear_solid_flag());
+  session.apply(action::NewLevel{});
+  session.apply(action::AnswerQuestion{action::Answer::discard});
+  EXPECT_FALSE(session.compile_progress());
+  expect_scene_of_level(session);
+}
+
+}  // namespace
+}  // namespace talus
