@@ -14,6 +14,7 @@
 #include "outline.h"
 #include "removed_edges.h"
 #include "visible.h"
+#include "visible_items.h"
 
 namespace talus {
 namespace {
@@ -113,9 +114,9 @@ class Drawer {
   }
 
   void draw_boxes() {
-    for (const SceneItem& item : scene_.items) {
+    for_each_visible_item(scene_, visible_, [&](const SceneItem& item) {
       if (item.role != TileRole::ball) box(OverlayId::boxes, item.box);
-    }
+    });
     for (const Body& body : state_.bodies) box(OverlayId::boxes, body.box);
   }
 

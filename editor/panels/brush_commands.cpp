@@ -15,10 +15,11 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-void save_stamp(S session, A actions, U ui) {
+void save_brush(S session, A actions, U ui) {
   const Level& level = session.level();
   const Choices& choices = session.choices();
-  Edit edit = add_brush(level, brush_of_stamp(choices.stamp, free_brush_name(level), choices.random_stamp));
+  const Stamp stamp = choices.selection ? stamp_of_map(level, *choices.selection) : choices.stamp;
+  Edit edit = add_brush(level, brush_of_stamp(stamp, free_brush_name(level), choices.random_stamp));
   ui.view.wants_tab = "brushes";
   if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
 }
@@ -74,8 +75,9 @@ std::vector<Command> brush_commands() {
                  toggle_random, [](S session, const Ui&) { return session.choices().random_stamp; }),
           command("map/shuffle", shift('d'), "Other tiles at random",
                   "What is painted at random from now on takes other tiles.", shuffle),
-          command("brushes/add", ctrl_shift('b'), "Save the stamp as a brush",
-                  "Keeps the stamp in the level, under a name.", save_stamp),
+          command("brushes/add", ctrl_shift('b'), "Save as a brush",
+                  "Keeps the stamp, or the selected tiles of the map, in the level, under a name.",
+                  save_brush),
           command(
               "ground/propose", ctrl_shift('g'), "Propose tiles for ground",
               "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or, if one "

@@ -117,7 +117,7 @@ void BrushesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void BrushesPanel::draw_buttons(const Session& session, Actions& actions, Ui& ui) const {
-  draw_command("brushes/add", "Save stamp", session, actions, ui);
+  draw_command("brushes/add", "Save", session, actions, ui);
   ImGui::SameLine();
   draw_command("map/random", "Random", session, actions, ui);
   ImGui::SameLine();

@@ -10,8 +10,41 @@
 namespace talus {
 namespace {
 
-constexpr std::array<float, 12> kZooms = {0.25f, 0.5f, 1, 2, 3, 4, 5, 6, 8, 10, 12, 16};
+// Far enough for the longest map.
+constexpr std::array<float, 25> kZooms = {1.0f / 32768,
+                                          1.0f / 16384,
+                                          1.0f / 8192,
+                                          1.0f / 4096,
+                                          1.0f / 2048,
+                                          1.0f / 1024,
+                                          1.0f / 512,
+                                          1.0f / 256,
+                                          1.0f / 128,
+                                          1.0f / 64,
+                                          1.0f / 32,
+                                          1.0f / 16,
+                                          0.125f,
+                                          0.25f,
+                                          0.5f,
+                                          1,
+                                          2,
+                                          3,
+                                          4,
+                                          5,
+                                          6,
+                                          8,
+                                          10,
+                                          12,
+                                          16};
+constexpr int kQuarter = 13;         // the step of 1/4
 constexpr double kKeptInSight = 48;  // px of the screen
+
+int step_that_fits(Vec2 level, ImVec2 canvas) {
+  int step = 0;
+  for (std::size_t i = 0; i < kZooms.size(); ++i)
+    if (level.x * kZooms[i] <= canvas.x && level.y * kZooms[i] <= canvas.y) step = static_cast<int>(i);
+  return step;
+}
 
 }  // namespace
 
@@ -30,7 +63,10 @@ float Camera::zoom() const { return kZooms[static_cast<std::size_t>(step_)]; }
 void Camera::zoom_at(ImVec2 at, int steps) {
   untouched_ = false;
   const double before = zoom();
-  step_ = std::clamp(step_ + steps, 0, static_cast<int>(kZooms.size()) - 1);
+  const int step = std::clamp(step_ + steps, least_, static_cast<int>(kZooms.size()) - 1);
+  if (step == step_) return;
+  step_ = step;
+  before_.reset();
   const double ratio = zoom() / before;
   offset_ = {std::round(at.x - (at.x - offset_.x) * ratio), std::round(at.y - (at.y - offset_.y) * ratio)};
 }
@@ -47,9 +83,7 @@ void Camera::centre(Vec2 point, ImVec2 canvas) {
 }
 
 void Camera::fit(Vec2 level, ImVec2 canvas) {
-  step_ = 0;
-  for (std::size_t i = 0; i < kZooms.size(); ++i)
-    if (level.x * kZooms[i] <= canvas.x && level.y * kZooms[i] <= canvas.y) step_ = static_cast<int>(i);
+  step_ = step_that_fits(level, canvas);
   centre(level * 0.5, canvas);
   untouched_ = true;
 }
@@ -65,6 +99,14 @@ void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {
     untouched_ = false;
   }
 }
+
+void Camera::leave_whole(Vec2 point, ImVec2 canvas) {
+  if (before_) step_ = before_->step;
+  before_.reset();
+  centre(point, canvas);
+}
+
+void Camera::limit(Vec2 map, ImVec2 canvas) { least_ = std::min(kQuarter, step_that_fits(map, canvas)); }
 
 void Camera::clamp(Vec2 map, ImVec2 canvas) {
   offset_.x = std::clamp(offset_.x, kKeptInSight - map.x * zoom(), canvas.x - kKeptInSight);

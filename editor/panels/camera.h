@@ -34,8 +34,14 @@ class Camera {
   void centre(Vec2 point, ImVec2 canvas);
   // The largest zoom at which a level of this size, in px, fits; puts it in the middle.
   void fit(Vec2 level, ImVec2 canvas);
-  // The whole map, or what was shown before that.
+  // The world view: the whole map, or what was shown before that.
   void toggle_whole(Vec2 map, ImVec2 canvas);
+  // Since toggle_whole(), until another zoom is chosen.
+  bool shows_whole() const { return before_.has_value(); }
+  // The same as centre(), but from the world view back to the zoom before it.
+  void leave_whole(Vec2 point, ImVec2 canvas);
+  // How far out the zoom goes: to where a map of this size fits, but to 1/4 in any case.
+  void limit(Vec2 map, ImVec2 canvas);
   // Keeps part of the map in sight.
   void clamp(Vec2 map, ImVec2 canvas);
   CanvasView view(ImVec2 min, ImVec2 size) const;
@@ -45,8 +51,9 @@ class Camera {
     int step;
     Vec2 offset;
   };
-  int step_ = 3;
-  Vec2 offset_;  // px of the screen, from the canvas's corner to the level's
+  int step_ = 16;   // 2x
+  int least_ = 13;  // the lowest step
+  Vec2 offset_;     // px of the screen, from the canvas's corner to the level's
   bool untouched_ = true;
   std::optional<Place> before_;  // where to go back to from the whole map
 };

@@ -18,8 +18,9 @@ class CanvasPanel : public Panel {
   void draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
   void draw_both(const Session& session, Actions& actions, Ui& ui);
 
-  LevelCanvas map_{LevelCanvas::Kind::map};
-  LevelCanvas play_{LevelCanvas::Kind::play};
+  LevelCanvas map_{LevelCanvas::Kind::map, "map"};
+  LevelCanvas second_map_{LevelCanvas::Kind::map, "second_map", true};
+  LevelCanvas play_{LevelCanvas::Kind::play, "play"};
 };
 
 }  // namespace talus

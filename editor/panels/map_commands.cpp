@@ -3,6 +3,7 @@
 
 #include "command_table.h"
 #include "curve_gesture.h"
+#include "edit/auto_tile.h"
 #include "edit/map_mirror.h"
 #include "edit/map_selection.h"
 #include "edit/spawn_tools.h"
@@ -19,7 +20,6 @@ using U = Ui&;
 
 template <MapTool tool>
 void choose_map_tool(S, A actions, U) {
-  actions.push_back(action::SetPasted{});
   actions.push_back(action::SetMapTool{tool});
 }
 
@@ -67,15 +67,15 @@ void cut_selection(S session, A actions, U ui) {
   emit_edit(actions, std::move(cut));
 }
 
-void paste_cells(S session, A actions, U) {
+void paste_at_mouse(S, A actions, U) {
   const char* text = ImGui::GetClipboardText();
   auto tiles = cells_of_text(text == nullptr ? "" : text);
   if (!tiles) {
     actions.push_back(action::ShowMessage{"Nothing to paste: " + tiles.error() + ".", true});
     return;
   }
+  actions.push_back(action::SetMapTool{MapTool::select});
   actions.push_back(action::SetPasted{*std::move(tiles)});
-  if (session.choices().map_tool != MapTool::select) actions.push_back(action::SetMapTool{MapTool::select});
 }
 
 template <MirrorAxis axis>
@@ -113,9 +113,14 @@ void erase_hovered(S session, A actions, U ui) {
     emit_edit(actions, erase_cells(session.level(), *session.choices().selection));
     return;
   }
+  const auto cell = ui.view.hover.cell;
+  if (!cell) return;
+  if (session.choices().map_tool == MapTool::ground && !session.level().auto_tiles.empty()) {
+    emit_edit(actions, paint_ground(session.level(), *cell, *cell, GroundChange::remove));
+    return;
+  }
   const Stamp& stamp = session.choices().stamp;
-  if (const auto cell = ui.view.hover.cell)
-    emit_edit(actions, erase_cells(session.level(), {cell->x, cell->y, stamp.w, stamp.h}));
+  emit_edit(actions, erase_cells(session.level(), {cell->x, cell->y, stamp.w, stamp.h}));
 }
 
 std::vector<Command> map_tool_commands() {
@@ -173,7 +178,7 @@ std::vector<Command> selection_commands() {
       command("map/paste", ctrl('v'), "Paste",
               "Takes tiles from the clipboard, of TIC-80's map editor too: they hang at the mouse until a "
               "click puts them down.",
-              paste_cells),
+              paste_at_mouse),
       command("map/mirror_h", KeyChord{'h'}, "Mirror left and right",
               "Mirrors the selected tiles; slopes become the tiles that slope the other way.",
               mirror_selection<MirrorAxis::horizontal>, has_selection),

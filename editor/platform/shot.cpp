@@ -30,6 +30,7 @@ void prepare(const WindowShotOptions& options, Session& session, View& view) {
   for (const std::string& condition : options.stops)
     session.apply(action::SetBreakpoint{{.condition = condition, .body = options.body}});
   if (options.runs_back) session.apply(action::RunToStop{SearchDirection::backwards});
+  if (options.overlays.has(OverlayId::reach)) session.apply(action::FindReach{});
   if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
   view.tabs = options.panels;
   view.dock_open = !options.panels.empty();
@@ -97,7 +98,8 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   prepare(options, session, (*app)->ui().view);
   do {
     for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();
-  } while (session.debugger().is_busy() || session.compile_progress());
+  } while (session.debugger().is_busy() || session.compile_progress() || session.is_linting() ||
+           session.reach().running());
   if (cost != nullptr) *cost = measure(**app);
   return (*app)->screenshot(png_path);
 }

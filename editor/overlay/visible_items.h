@@ -1,0 +1,37 @@
+// The boxes of a scene's ground that can be seen.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sim/scene.h"
+#include "visible.h"
+
+namespace talus {
+
+// Calls visit for each item of a tile, balls included, whose box touches the rectangle. Takes time by the
+// rectangle, not by the scene: items are sorted by column, then row.
+template <class Visit>
+void for_each_visible_item(const Scene& scene, const Rect& visible, Visit visit) {
+  const auto end = std::partition_point(scene.items.begin(), scene.items.end(),
+                                        [](const SceneItem& item) { return item.spawn < 0; });
+  if (end == scene.items.begin()) return;
+  // A box may reach so far beyond its cell.
+  const auto cell = [](double px, int margin) {
+    return static_cast<int>(std::clamp(std::floor(px / kTileSize) + margin, -1.0, double{kMaxTerrainSide}));
+  };
+  const int top = cell(visible.y, -kMaxShapeTiles), bottom = cell(visible.bottom(), kMaxShapeTiles);
+  const int right = std::min(cell(visible.right(), 0), std::prev(end)->cell.x);
+  const auto before = [](const SceneItem& item, Cell at) {
+    return std::tie(item.cell.x, item.cell.y) < std::tie(at.x, at.y);
+  };
+  auto item = scene.items.begin();
+  for (int x = std::max(0, cell(visible.x, -kMaxShapeTiles)); x <= right; ++x) {
+    item = std::lower_bound(item, end, Cell{x, top}, before);
+    for (; item != end && item->cell.x == x && item->cell.y <= bottom; ++item)
+      if (meet(item->box, visible)) visit(*item);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,144 @@
+// Finding one's way on large maps: the world view, the minimap and two maps; and what drawing them costs.
+#include <cmath>
+
+#include "formats/format.h"
+#include "harness.h"
+
+namespace talus {
+namespace {
+
+class UiWorld : public UiTest {
+ protected:
+  // A level of this size with a solid tile in a quarter of its cells, alone on the screen.
+  void open_large(int width, int height) {
+    Level large = test_level();
+    large.map = TileMap(width, height);
+    std::uint32_t bits = 1;
+    for (std::uint8_t& cell : large.map.cells()) {
+      bits = bits * 1664525u + 1013904223u;
+      cell = bits >> 30 == 0 ? 1 : 0;
+    }
+    large.tuning.solver = SolverKind::exact;
+    ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
+    start(path("large.talus.json"));
+    key(kKeyF3);
+    key(ctrl('1'));
+  }
+  // The cell in the middle of a canvas.
+  Cell middle(const std::string& canvas = "map") {
+    move(centre(canvas + "/canvas"));
+    return app().ui().view.hover.cell.value_or(Cell{-1, -1});
+  }
+  void expect_near(Cell a, Cell b, int most) {
+    EXPECT_NEAR(a.x, b.x, most);
+    EXPECT_NEAR(a.y, b.y, most);
+  }
+  float zoom(const std::string& canvas = "map") {
+    const ImVec2 from = on_canvas(canvas, {0, 0}), to = on_canvas(canvas, {8, 0});
+    return std::round(to.x - from.x) / 8;
+  }
+  ImVec2 size_of(std::string_view widget) {
+    const Widget* found = find(widget);
+    return found == nullptr ? ImVec2{} : ImVec2{found->max.x - found->min.x, found->max.y - found->min.y};
+  }
+};
+
+TEST_F(UiWorld, AClickInTheWorldViewGoesThere) {
+  open_large(600, 400);
+  const float before = zoom();
+  key(kKeyTab);
+  expect_near(middle(), {300, 200}, 2);
+  click(on_map({500, 320}));
+  EXPECT_EQ(zoom(), before);
+  expect_near(middle(), {500, 320}, 4);
+  EXPECT_FALSE(session().modified()) << "nothing was painted";
+  click(on_map({500, 320}));
+  EXPECT_TRUE(session().modified()) << "now the tool works again";
+}
+
+TEST_F(UiWorld, TabGoesBackFromTheWorldView) {
+  open_large(600, 400);
+  const Cell before = middle();
+  key(kKeyTab);
+  key(kKeyTab);
+  EXPECT_EQ(middle(), before);
+}
+
+TEST_F(UiWorld, TheMinimapMovesTheView) {
+  open_large(600, 400);
+  EXPECT_EQ(find("map/minimap"), nullptr);
+  key('o');
+  frames();
+  ASSERT_NE(find("map/minimap"), nullptr);
+  const float before = zoom();
+  click("map/minimap");
+  expect_near(middle(), {300, 200}, 4);
+  const ImVec2 at = centre("map/minimap"), size = size_of("map/minimap");
+  EXPECT_NEAR(size.x / size.y, 1.5, 0.05);
+  drag(at, {at.x + size.x / 3, at.y - size.y / 4});
+  expect_near(middle(), {500, 100}, 5);
+  EXPECT_EQ(zoom(), before);
+  EXPECT_FALSE(session().modified()) << "nothing was painted";
+  key('o');
+  frames();
+  EXPECT_EQ(find("map/minimap"), nullptr);
+}
+
+TEST_F(UiWorld, TwoMapsHaveCamerasOfTheirOwn) {
+  open_large(600, 400);
+  key(ctrl('4'));
+  frames(2);
+  const Cell first = middle();
+  const float before = zoom();
+  move(centre("second_map/canvas"));
+  wheel(1);
+  EXPECT_GT(zoom("second_map"), before);
+  EXPECT_EQ(zoom(), before);
+  key(kKeyTab);
+  expect_near(middle("second_map"), {300, 200}, 2);
+  EXPECT_EQ(middle(), first) << "the keys are for the map that was used last";
+  click(on_canvas("second_map", {500 * 8, 300 * 8}));
+  click(centre("second_map/canvas"));
+  EXPECT_TRUE(session().modified()) << "both are painted on";
+}
+
+// What is drawn goes by what is seen: the numbers are those of a map that is no larger than the canvas.
+TEST_F(UiWorld, DrawingAHugeMapCostsWhatIsVisible) {
+  open_large(2048, 2048);
+  const ImVec2 size = size_of("map/canvas");
+  for (int i = 0; i < 30 && zoom() > 1; ++i) key('-');
+  ASSERT_EQ(zoom(), 1);
+  frames();
+  const double cells = (size.x / 8 + 2) * (size.y / 8 + 2);
+  const int window = 30'000;  // vertices, of all else in the window
+  EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, cells * 4 + window);
+  EXPECT_GT(ImGui::GetIO().MetricsRenderVertices, cells / 4) << "a quarter of the cells has a tile";
+  key(kKeyTab);
+  frames();
+  EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, window);
+  key('o');
+  key(ctrl('3'));
+  frames(2);
+  EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, cells * 4 + window);
+}
+
+TEST_F(UiWorld, TheGroundOfALargeLevelIsCompiledWhileTheEditorGoesOn) {
+  open_large(1024, 1024);
+  for (int i = 0; i < 100'000 && session().compile_progress(); ++i) frames();
+  ASSERT_FALSE(session().compile_progress());
+  const Scene* before = &session().scene();
+  session().apply(action::EditLevel{Edit{"Solid", {FlagsChange{SheetId::tiles, 7, 0, 1}}}, 0});
+  frames();
+  if (session().compile_progress()) {
+    EXPECT_NE(find("status/compiling"), nullptr);
+    EXPECT_EQ(&session().scene(), before);
+  }
+  click(on_map({3, 3}));
+  EXPECT_EQ(session().history().edits().size(), 2u) << "painted meanwhile";
+  for (int i = 0; i < 100'000 && session().compile_progress(); ++i) frames();
+  EXPECT_EQ(find("status/compiling"), nullptr);
+  EXPECT_NE(&session().scene(), before);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,80 @@
+// The map from afar.
+#include "overlay/map_picture.h"
+
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+constexpr Rgb kBlack{0, 0, 0}, kRed{200, 0, 0}, kBlue{0, 0, 100};
+
+// Tile 1 is red but for a corner of blue; tile 2 is blue and a ball.
+Level picture_level(int width, int height) {
+  Level level;
+  level.palette[0] = kBlack;
+  level.palette[1] = kRed;
+  level.palette[2] = kBlue;
+  Sheet& tiles = level.sheet(SheetId::tiles);
+  tiles.images[1].fill(1);
+  tiles.images[1][0] = 2;
+  tiles.images[2].fill(2);
+  tiles.flags[2] = 2;
+  level.map = TileMap(width, height);
+  return level;
+}
+
+Rgb pixel(const std::vector<std::uint8_t>& rgba, int at) {
+  const auto i = static_cast<std::size_t>(at) * 4;
+  return {rgba[i], rgba[i + 1], rgba[i + 2]};
+}
+std::uint8_t alpha(const std::vector<std::uint8_t>& rgba, int at) {
+  return rgba[static_cast<std::size_t>(at) * 4 + 3];
+}
+
+TEST(MapPicture, ATileHasTheColourOfMostOfItsPixels) {
+  const TileColors colors = tile_colors(picture_level(1, 1), {});
+  EXPECT_EQ(colors[0], kBlack);
+  EXPECT_EQ(colors[1], kRed);
+  EXPECT_EQ(colors[2], kBlue);
+}
+
+TEST(MapPicture, BallsMayBeHiddenAndFlagsTinted) {
+  const Level level = picture_level(1, 1);
+  EXPECT_EQ(tile_colors(level, {.hide_balls = true, .tinted = {}, .tint = {}})[2], kBlack);
+  const TileColors tinted =
+      tile_colors(level, {.hide_balls = false, .tinted = pattern_of_flag(1), .tint = {100, 0, 0}});
+  EXPECT_EQ(tinted[1], kRed);
+  EXPECT_EQ(tinted[2], (Rgb{43, 0, 57}));
+}
+
+TEST(MapPicture, APixelIsACellAndClearBeyondTheMap) {
+  Level level = picture_level(2, 2);
+  level.map.set({1, 0}, 1);
+  level.map.set({0, 1}, 2);
+  const auto rgba = map_picture(level.map, tile_colors(level, {}), {0, 0}, 1, 3, 3);
+  EXPECT_EQ(pixel(rgba, 0), kBlack);
+  EXPECT_EQ(pixel(rgba, 1), kRed);
+  EXPECT_EQ(pixel(rgba, 3), kBlue);
+  EXPECT_EQ(alpha(rgba, 4), 255);
+  for (const int beyond : {2, 5, 6, 7, 8}) EXPECT_EQ(alpha(rgba, beyond), 0) << beyond;
+}
+
+TEST(MapPicture, ABlockIsTheMeanOfItsCellsOnTheMap) {
+  Level level = picture_level(3, 2);
+  level.map.set({0, 0}, 1);
+  level.map.set({2, 1}, 1);
+  const auto rgba = map_picture(level.map, tile_colors(level, {}), {0, 0}, 2, 2, 1);
+  EXPECT_EQ(pixel(rgba, 0), (Rgb{50, 0, 0}));
+  EXPECT_EQ(pixel(rgba, 1), (Rgb{100, 0, 0})) << "of its four cells two are on the map";
+}
+
+TEST(MapPicture, AHugeBlockIsSampled) {
+  Level level = picture_level(16, 16);
+  for (int y = 0; y < 16; y += 4)
+    for (int x = 0; x < 16; x += 4) level.map.set({x, y}, 1);
+  EXPECT_EQ(pixel(map_picture(level.map, tile_colors(level, {}), {0, 0}, 16, 1, 1), 0), kRed)
+      << "every fourth cell of every fourth row";
+}
+
+}  // namespace
+}  // namespace talus
