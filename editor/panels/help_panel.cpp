@@ -25,6 +25,8 @@ constexpr MouseHelp kMouse[] = {
     {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
     {"mouse over the sprites or the map", "gives them the keys; so do a click, F2 and F3"},
     {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
+    {"drag with Paint flags, on the sheet or the map",
+     "sets the tinted flag, or clears it where the first tile has it"},
     {"a file dropped on the window", "is opened"},
 };
 

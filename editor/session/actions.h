@@ -12,12 +12,12 @@
 #include "edit/curve_tools.h"
 #include "edit/edit.h"
 #include "edit/map_tools.h"
-#include "edit/png_import.h"
 #include "edit/pixel_selection.h"
 #include "edit/sprite_shapes.h"
 #include "edit/sprite_tools.h"
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
+#include "png_import.h"
 #include "sim/timeline.h"
 #include "variant_run.h"
 #include "watches.h"
@@ -255,7 +255,7 @@ struct SetSpriteTool {
 struct SetBrush {  // of the tools that draw pixels
   int size = 1;    // px, 1..kMaxBrush; clamped
 };
-struct SelectPixels {  // in the canvas, until another tool or canvas is chosen
+struct SelectPixels {            // in the canvas, until another tool or canvas is chosen
   std::optional<CellRect> rect;  // px of the canvas, clamped to it; nothing: none
 };
 // The selected pixels are lifted from the canvas: the right button's colour stays behind, and they float
@@ -264,7 +264,8 @@ struct SelectPixels {  // in the canvas, until another tool or canvas is chosen
 struct MovePixels {
   Cell by;  // px
 };
-struct TurnPixels {  // the selected ones, in the same way, or all of the canvas, which rotates if it is square
+struct TurnPixels {  // the selected ones, in the same way, or all of the canvas, which rotates if it is
+                     // square
   PixelTurn turn = PixelTurn::flip_horizontal;
 };
 struct PastePixels {  // they are selected, and float
@@ -308,10 +309,10 @@ using Action = std::variant<
     action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop, action::FindParting,
     action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant, action::SelectBody,
     action::SelectSpawn, action::SelectCurve, action::SetCurveKind, action::SelectTiles, action::SetStamp,
-    action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool, action::SetSpriteTool, action::SetBrush,
-                 action::SelectPixels, action::MovePixels, action::TurnPixels, action::PastePixels,
-                 action::SetColor, action::SetOverlay, action::SetFlagOverlay, action::SetOverlayPalette, action::FindReach, action::CancelReach,
-    action::ShowWay, action::SetLintOptions, action::SetGrid,
+    action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool, action::SetSpriteTool,
+    action::SetBrush, action::SelectPixels, action::MovePixels, action::TurnPixels, action::PastePixels,
+    action::SetColor, action::SetOverlay, action::SetFlagOverlay, action::SetOverlayPalette,
+    action::FindReach, action::CancelReach, action::ShowWay, action::SetLintOptions, action::SetGrid,
     action::SetScreenBorders>;
 using Actions = std::vector<Action>;
 

@@ -1,7 +1,7 @@
 // Plans of what a picture changes in a level.
 #include <gtest/gtest.h>
 
-#include "edit/png_import.h"
+#include "session/png_import.h"
 #include "png_bytes.h"
 
 namespace talus {
