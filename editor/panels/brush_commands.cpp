@@ -75,11 +75,11 @@ std::vector<Command> brush_commands() {
                  toggle_random, [](S session, const Ui&) { return session.choices().random_stamp; }),
           command("map/shuffle", shift('d'), "Other tiles at random",
                   "What is painted at random from now on takes other tiles.", shuffle),
-          command("brushes/add", ctrl_shift('b'), "Save as a brush",
+          command("brushes/add", shift('b'), "Save as a brush",
                   "Keeps the stamp, or the selected tiles of the map, in the level, under a name.",
                   save_brush),
           command(
-              "ground/propose", ctrl_shift('g'), "Propose tiles for ground",
+              "ground/propose", shift('g'), "Propose tiles for ground",
               "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or, if one "
               "alone is selected, all tiles of the sheet.",
               propose_ground),

@@ -69,7 +69,7 @@ TEST_F(UiBrushes, ARandomStampPaintsTheTilesOfItsCells) {
 }
 
 TEST_F(UiBrushes, GroundIsProposedPaintedAndTakenAway) {
-  key(ctrl_shift('g'));
+  key(shift('g'));
   const AutoTiles& set = level().auto_tiles;
   EXPECT_EQ(set.of(GroundPart::inside), 1);
   EXPECT_EQ(set.of(GroundPart::slope_up_left), 3);
@@ -90,8 +90,7 @@ TEST_F(UiBrushes, GroundIsProposedPaintedAndTakenAway) {
 }
 
 TEST_F(UiBrushes, AGroundRectangleIsFilledWithShift) {
-  key(ctrl_shift('g'));
-  key(kKeyF3);
+  key(shift('g'));
   key('g');
   hold_modifiers(shift(0));
   drag(on_map({3, 3}), on_map({5, 4}));

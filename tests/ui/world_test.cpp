@@ -21,6 +21,7 @@ class UiWorld : public UiTest {
     large.tuning.solver = SolverKind::exact;
     ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
     start(path("large.talus.json"));
+    click(on_sheet(3));
     key(kKeyF3);
     key(ctrl('1'));
   }

@@ -192,8 +192,8 @@ TEST(AutoTile, WithoutAnInsideNothingHappens) {
 }
 
 TEST(AutoTile, PaintsOverOtherTilesAndLeavesThemAloneOtherwise) {
-  EXPECT_EQ(painted({"xox", "xxx"}), (GroundRows{"x=x", "xxx"}));
-  Level level = ground_level({"x=x", "xxx"});
+  EXPECT_EQ(painted({"xox", "xxx"}), (GroundRows{"x_x", "xxx"}));
+  Level level = ground_level({"x_x", "xxx"});
   EXPECT_TRUE(paint_ground(level, {0, 0}, {0, 1}, GroundChange::remove).empty()) << "no ground there";
 }
 
