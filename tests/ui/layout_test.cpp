@@ -69,6 +69,9 @@ TEST_P(UiLayout, EveryWidgetIsWholeAndApartInEveryLayout) {
   click("tabs/color");
   frames(3);
   check_all("other tabs");
+  app().ui().view.pixels = {true, true};
+  frames(3);
+  check_all("enlarged pixels");
 }
 
 TEST_P(UiLayout, PictureShowsTheLevel) {

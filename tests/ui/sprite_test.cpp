@@ -287,6 +287,23 @@ TEST_F(UiSprite, NeighboursOfThePlaceThatWasPointedAtLastAreShown) {
   EXPECT_EQ(find("pixels/canvas")->max.x - find("pixels/canvas")->min.x, before.max.x - before.min.x);
 }
 
+TEST_F(UiSprite, CanvasIsEnlargedAboveTheMapAndBack) {
+  const Widget before = *find("pixels/canvas");
+  click("pixels/enlarge");
+  frames(2);
+  EXPECT_GE(find("pixels/canvas")->max.x - find("pixels/canvas")->min.x,
+            1.5f * (before.max.x - before.min.x));
+  click(on_pixels(7, 7));
+  EXPECT_EQ(picture()[picture().size() - 2], '5');
+  EXPECT_EQ(app().ui().view.focus, Focus::sprites);
+  click(on_map({10, 4}));
+  EXPECT_EQ(tile_at({10, 4}), 9) << "the map below it is at work";
+  move(on_pixels(3, 3));
+  key('z');
+  frames(2);
+  EXPECT_EQ(find("pixels/canvas")->min.x, before.min.x);
+}
+
 using UiFocus = UiSprite;
 
 TEST_F(UiFocus, KeysAreForWhatTheMouseCameTo) {
