@@ -16,7 +16,8 @@ std::optional<FileStamp> outer_stamp(const std::string& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-  return FileStamp{status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size, 0};
+  return FileStamp{status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size,
+                   status.st_ino, 0};
 }
 
 }  // namespace
@@ -33,7 +34,9 @@ std::optional<FileStamp> stamp_of_file(const std::string& path) {
 FileChange file_change(const std::string& path, FileStamp& known) {
   const auto outer = outer_stamp(path);
   if (!outer) return FileChange::gone;
-  if (outer->modified == known.modified && outer->size == known.size) return FileChange::none;
+  const bool same =
+      outer->modified == known.modified && outer->size == known.size && outer->number == known.number;
+  if (same) return FileChange::none;
   const auto now = stamp_of_file(path);
   if (!now || now->content != known.content) return FileChange::content;
   known = *now;

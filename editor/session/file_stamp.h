@@ -10,6 +10,7 @@ namespace talus {
 struct FileStamp {
   std::int64_t modified = 0;  // ns since 1970, as the file system says
   std::int64_t size = 0;      // bytes
+  std::uint64_t number = 0;   // of the file in its file system: another one was renamed to its name
   std::uint64_t content = 0;  // hash of the bytes
 
   // It is known that the file went away: if it comes back, its content counts.
@@ -21,8 +22,8 @@ struct FileStamp {
 std::optional<FileStamp> stamp_of_file(const std::string& path);
 
 enum class FileChange { none, content, gone };
-// What has become of the file since `known`. The bytes are read only where time or size differ; where they
-// are the same after all, `known` is brought up to the file.
+// What has become of the file since `known`. The bytes are read only where time, size or number differ; where
+// they are the same after all, `known` is brought up to the file.
 FileChange file_change(const std::string& path, FileStamp& known);
 
 }  // namespace talus
