@@ -114,16 +114,17 @@ TEST_F(SessionDebug, AStopIsToldOfAndItsBodyChosenWhereNoneIs) {
   add_breakpoint("vy < 0");
   session.apply(action::Play{});
   for (int k = 0; k < 400 && session.playback().running; ++k) session.advance(1.0 / 60);
-  const std::string told = "Breakpoint 1 at frame " + std::to_string(up[0]) + ", body 1.";
+  const std::string told = "Breakpoint 1 at frame " + std::to_string(up[0]) + ", body 1";
   ASSERT_TRUE(session.message());
-  EXPECT_EQ(session.message()->text, told);
+  EXPECT_EQ(session.message()->text, told + ", hit 1.");
   EXPECT_FALSE(session.message()->is_error);
   EXPECT_EQ(session.choices().body, 1);
-  session.apply({action::SelectBody{2}, action::DismissMessage{}, action::SeekFrame{up[0] + 1},
-                 action::RunToStop{SearchDirection::backwards}});
+  step(3);
+  session.apply(
+      {action::SelectBody{2}, action::DismissMessage{}, action::RunToStop{SearchDirection::backwards}});
   settle();
   EXPECT_EQ(frame(), up[0]);
-  EXPECT_EQ(session.message()->text, told);
+  EXPECT_EQ(session.message()->text, told + ".");
   EXPECT_EQ(session.choices().body, 2) << "the user's choice stays";
   session.apply(action::RunToStop{SearchDirection::backwards});
   settle();
