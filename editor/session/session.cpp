@@ -59,6 +59,7 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
   if (edit.empty()) return;
   note_change(edit);
   history.push(level, std::move(edit), a.stroke);
+  cut_selection();
 }
 
 void Session::Impl::carry_out(const action::Undo&) {
@@ -67,6 +68,7 @@ void Session::Impl::carry_out(const action::Undo&) {
   const Edit& edit = history.edits()[history.position()];
   if (edit.selection) choices.selection = edit.selection->before;
   note_change(edit);
+  cut_selection();
   choices.pixels.check(level, choices.area);
 }
 
@@ -76,6 +78,7 @@ void Session::Impl::carry_out(const action::Redo&) {
   const Edit& edit = history.edits()[history.position() - 1];
   if (edit.selection) choices.selection = edit.selection->after;
   note_change(edit);
+  cut_selection();
   choices.pixels.check(level, choices.area);
 }
 
@@ -110,13 +113,17 @@ void Session::Impl::carry_out(const action::SelectTiles& a) {
 }
 
 void Session::Impl::carry_out(const action::SelectCells& a) {
-  const CellRect map{0, 0, level.map.width(), level.map.height()};
-  choices.selection = a.cells ? shared(*a.cells, map) : std::nullopt;
+  choices.selection = a.cells;
+  cut_selection();
+}
+
+void Session::Impl::cut_selection() {
+  if (choices.selection)
+    choices.selection = shared(*choices.selection, {0, 0, level.map.width(), level.map.height()});
 }
 
 void Session::Impl::note_change(const Edit& edit) {
   ++revision;
-  carry_out(action::SelectCells{choices.selection});  // the map may have become smaller
   for (const Change& change : edit.changes) {
     if (changes_scene(level, change)) scene_changes.add(change);
     if (const auto* cell = std::get_if<CellChange>(&change)) {

@@ -138,6 +138,7 @@ struct Session::Impl {
 
   void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
   // Brings the simulation up to the level, if it is behind; where a large level is compiled for that, later.
+  void cut_selection();  // at the edges of a map that may have become smaller
   void refresh_scene();
   void load_player();                                   // with another level
   void take_compiled();                                 // the scene of a large level, when it is done

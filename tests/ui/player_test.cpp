@@ -129,7 +129,7 @@ TEST_F(UiPlayer, TypingDoesNotSteer) {
 }
 
 TEST_F(UiPlayer, BodyToolPlacesMovesAndRemoves) {
-  key('7');
+  key('0');
   click(on_map({10, 4}));
   ASSERT_EQ(level().spawns.size(), 2u);
   EXPECT_EQ(level().spawns[1].position, (Vec2{80, 32}));

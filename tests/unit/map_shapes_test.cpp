@@ -14,7 +14,7 @@ const Stamp kShapeAb{2, 1, {1, 2}};
 TEST(MapShapes, EllipseTouchesAllSidesAndIsSymmetric) {
   const Level level = level_of_rows(MapRows(5, "......."));
   EXPECT_EQ(rows_after(level, fill_ellipse(level, {0, 0, 7, 5}, kShapeA)),
-            (MapRows{"..aaa..", "aaaaaaa", "aaaaaaa", "aaaaaaa", "..aaa.."}));
+            (MapRows{".aaaaa.", "aaaaaaa", "aaaaaaa", "aaaaaaa", ".aaaaa."}));
   EXPECT_EQ(rows_after(level, fill_ellipse(level, {1, 1, 4, 4}, kShapeA)),
             (MapRows{".......", "..aa...", ".aaaa..", ".aaaa..", "..aa..."}));
   EXPECT_EQ(rows_after(level, fill_ellipse(level, {2, 2, 1, 1}, kShapeA))[2], "..a....");
@@ -35,7 +35,7 @@ TEST(MapShapes, OutlineOfAnEllipseIsClosedAndHollow) {
   const Level level = level_of_rows(MapRows(7, "........."));
   EXPECT_EQ(
       rows_after(level, outline_ellipse(level, {0, 0, 9, 7}, kShapeA)),
-      (MapRows{"...aaa...", ".aaa.aaa.", "aa.....aa", "a.......a", "aa.....aa", ".aaa.aaa.", "...aaa..."}));
+      (MapRows{"..aaaaa..", ".a.....a.", "a.......a", "a.......a", "a.......a", ".a.....a.", "..aaaaa.."}));
 }
 
 TEST(MapShapes, OutlineOfARectangleLeavesItsInside) {
