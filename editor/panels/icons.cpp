@@ -162,8 +162,10 @@ void draw_sprite_icon(const Pen& pen, Icon icon) {
       break;
     case Icon::neighbours:
       pen.box(.36f, .36f, .64f, .64f);
-      for (float x : {.02f, .36f, .7f})
-        for (float y : {.02f, .36f, .7f}) pen.frame(x, y, x + .28f, y + .28f);
+      for (float f : {.28f, .72f}) {
+        pen.stroke({{f, .06f}, {f, .94f}});
+        pen.stroke({{.06f, f}, {.94f, f}});
+      }
       break;
     case Icon::enlarge:
       pen.stroke({{.55f, .12f}, {.88f, .12f}, {.88f, .45f}});
