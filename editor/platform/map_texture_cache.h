@@ -27,17 +27,20 @@ class MapTextureCache : public MapTextures {
  private:
   static constexpr int kSide = 256;          // texels of a texture
   static constexpr std::size_t kMost = 128;  // textures kept, each 256 KB here and there
+  // Of many cells, which take some ms to look at: drawn again no more often than every so many frames.
+  static constexpr std::uint64_t kFramesBetween = 20;
 
   struct Texture {
     unsigned name = 0;
-    std::vector<std::uint8_t> rgba;  // as it is in the texture
-    MapLook look;                    // that it has
-    std::uint64_t revision = 0;      // of the level that it shows
-    std::uint64_t used = 0;          // frame
+    std::vector<std::uint8_t> rgba;     // as it is in the texture
+    MapLook look;                       // that it has
+    std::uint64_t revision = 0;         // of the level that it shows
+    std::uint64_t drawn = 0, used = 0;  // frames
   };
   // Which texture: block, balls hidden, column and row among those of the same kind.
   using Key = std::tuple<int, bool, int, int>;
 
+  bool is_stale(const Texture& texture, int block, const MapLook& look) const;
   void draw(Texture& texture, const Key& key, const MapLook& look) const;
   void forget_oldest();
 

@@ -128,10 +128,24 @@ TEST(NativeBrushes, ComeBackAsTheyWereWithUnknownKeys) {
   const Level read = read_native(text, {}).value();
   EXPECT_EQ(read, level);
   EXPECT_EQ(brush_text(read), text);
-  EXPECT_NE(text.find(R"("brushes": [
-    {"name": "bush", "random": true, "rows": ["0708", "090a"]},
-    {"name": "", "rows": ["..ff.."], "colour": "red"}
-  ])"),
+  EXPECT_NE(text.find(R"(
+  "brushes": [
+    {
+      "name": "bush",
+      "random": true,
+      "rows": [
+        "0708",
+        "090a"
+      ]
+    },
+    {
+      "name": "",
+      "rows": [
+        "..ff.."
+      ],
+      "colour": "red"
+    }
+  ],)"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find(R"("auto_tiles": {"inside": 16, "slope_down_right": 255})"), std::string::npos) << text;
