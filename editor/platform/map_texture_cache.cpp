@@ -44,8 +44,7 @@ std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, i
     for (int column = index(part->x); column <= index(part->x + part->w - 1); ++column) {
       const Key key{block, look.hide_balls, column, row};
       Texture& texture = textures_[key];
-      if (texture.name == 0 || texture.revision != revision_ || texture.look != look)
-        draw(texture, key, look);
+      if (is_stale(texture, block, look)) draw(texture, key, look);
       texture.used = frame_;
       const Cell from{static_cast<int>(column * side), static_cast<int>(row * side)};
       const int w = static_cast<int>(std::min<std::int64_t>(side, map.width() - from.x));
@@ -62,12 +61,18 @@ std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, i
   return found;
 }
 
+bool MapTextureCache::is_stale(const Texture& texture, int block, const MapLook& look) const {
+  if (texture.name == 0 || texture.look != look) return true;
+  return texture.revision != revision_ && (block == 1 || frame_ - texture.drawn >= kFramesBetween);
+}
+
 void MapTextureCache::draw(Texture& texture, const Key& key, const MapLook& look) const {
   const auto [block, hides_balls, column, row] = key;
   const Cell from{column * kSide * block, row * kSide * block};
   auto rgba = map_picture(level_->map, tile_colors(*level_, look), from, block, kSide, kSide);
   texture.revision = revision_;
   texture.look = look;
+  texture.drawn = frame_;
   if (texture.name != 0 && rgba == texture.rgba) return;
   if (texture.name == 0) texture.name = make_texture();
   glBindTexture(GL_TEXTURE_2D, texture.name);
