@@ -35,26 +35,44 @@ class SeamFinder {
     const Cell last{std::min(area[1].x + 1, level_.map.width() - 1),
                     std::min(area[1].y + 1, level_.map.height() - 1)};
     compiler_.enter({first, last});
-    const int width = area[1].x - area[0].x + 1;
-    wanted_.assign(static_cast<std::size_t>(width) * (area[1].y - area[0].y + 1), false);
-    compiler_.for_lines([&](Cell c, const TileOutline& shape) {
+    around_ = {first, last};
+    const std::size_t cells =
+        static_cast<std::size_t>(last.x - first.x + 1) * static_cast<std::size_t>(last.y - first.y + 1);
+    touched_.assign(cells, false);
+    ground_.assign(cells, false);
+    for (Cell c = first; c.y <= last.y; ++c.y) {
+      for (c.x = first.x; c.x <= last.x; ++c.x)
+        ground_[index_of(c)] = tiles_.outlines()[level_.map.at(c)].full;
+    }
+    compiler_.for_lines([this](Cell c, const TileOutline& shape) {
       const auto& [from, to] = shape.touched;
-      for (int y = std::max(c.y + from.y, area[0].y); y <= std::min(c.y + to.y, area[1].y); ++y) {
-        for (int x = std::max(c.x + from.x, area[0].x); x <= std::min(c.x + to.x, area[1].x); ++x)
-          wanted_[static_cast<std::size_t>(y - area[0].y) * width + (x - area[0].x)] = true;
-      }
+      mark({c.x + from.x, c.y + from.y}, {c.x + to.x, c.y + to.y}, touched_);
+      // Its neighbours are touched, but not covered.
+      mark({c.x + from.x + 1, c.y + from.y + 1}, {c.x + to.x - 1, c.y + to.y - 1}, ground_);
     });
-    auto wanted = wanted_.begin();
     for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
       for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
-        if (*wanted++ && c.x + 1 < level_.map.width()) check(c);
+        if (touched_[index_of(c)] && c.x + 1 < level_.map.width()) check(c);
       }
     }
   }
 
  private:
+  std::size_t index_of(Cell c) const {  // of a cell around the area
+    return static_cast<std::size_t>(c.y - around_[0].y) *
+               static_cast<std::size_t>(around_[1].x - around_[0].x + 1) +
+           static_cast<std::size_t>(c.x - around_[0].x);
+  }
+  void mark(Cell from, Cell to, std::vector<bool>& cells) const {
+    for (Cell c{0, std::max(from.y, around_[0].y)}; c.y <= std::min(to.y, around_[1].y); ++c.y) {
+      for (c.x = std::max(from.x, around_[0].x); c.x <= std::min(to.x, around_[1].x); ++c.x)
+        cells[index_of(c)] = true;
+    }
+  }
+
   // The exposed ends of floors and ceilings at one side of a cell.
   void ends_of(Cell cell, bool right, std::vector<End>& ends) {
+    if (!ground_[index_of(cell)]) return;
     pieces_.clear();
     compiler_.compile(cell, {}, pieces_);
     const double x = (cell.x + (right ? 1.0 : 0.0)) * kTileSize;
@@ -115,7 +133,9 @@ class SeamFinder {
   const LintTiles& tiles_;
   OutlineCompiler compiler_;
   std::vector<Seam>& out_;
-  std::vector<bool> wanted_;  // of the area, row by row: a slope or the like changes the outline
+  std::array<Cell, 2> around_{};  // the area and its neighbours
+  // By cell around the area: whether a slope or the like may change the outline; and whether there is ground.
+  std::vector<bool> touched_, ground_;
   std::vector<Piece<double>> pieces_;
   std::vector<End> here_, there_;
 };

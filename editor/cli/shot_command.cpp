@@ -78,6 +78,11 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
   if (!options.window.empty()) return shoot_window(context, options);
   Session session(std::move(*level), options.file);
   for (std::int64_t i = 0; i < options.frame; ++i) session.apply(action::StepFrame{});
+  if (options.shot.overlays.has(OverlayId::reach)) {
+    session.apply(action::FindReach{});
+    if (session.message()) return fail(context, options.file, "", session.message()->text);
+    while (session.reach().running()) session.advance(0);
+  }
   const auto written = write_shot(session, options.shot, options.output);
   if (!written) fail(context, options.output, "", written.error());
 }
@@ -104,7 +109,7 @@ void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   const std::string window = "--window";
   command.add_option("--panel", shot.panels, "Open the debugger with these tabs")
       ->delimiter(',')
-      ->check(CLI::IsMember({"inspector", "why", "tuning", "input_roll", "watch", "stops", "compare"}))
+      ->check(CLI::IsMember({"inspector", "why", "tuning", "input_roll", "watch", "stops", "compare", "reach", "problems"}))
       ->needs(window);
   command.add_option("--break", shot.stops, "Condition of a breakpoint, such as 'penetration > 1'")
       ->needs(window);

@@ -93,7 +93,7 @@ Edit fix_all(const Level& level, const LintOptions& options, std::span<const Pro
   auto tiles = std::make_unique<LintTiles>(trial, options);
   int count = 0;
   // From the last one, so that what is removed leaves those before it where they are.
-  for (std::size_t i = problems.size(); i-- > 0;) {
+  for (std::size_t i = problems.size(); i-- > 0 && count < kMostFixes;) {
     const Problem& problem = problems[i];
     if (problem.code != code) continue;
     for (const Edit& edit : fixes_with(trial, *tiles, problem)) {

@@ -101,6 +101,10 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   } while (session.debugger().is_busy() || session.compile_progress() || session.is_linting() ||
            session.reach().running());
   if (cost != nullptr) *cost = measure(**app);
+  if (session.message() && !session.message()->is_error) {  // it would hide what it is about
+    session.apply(action::DismissMessage{});
+    (*app)->frame();
+  }
   return (*app)->screenshot(png_path);
 }
 

@@ -30,6 +30,10 @@ void Session::Impl::lint_some() {
 
 void Session::Impl::carry_out(const action::FindReach&) {
   refresh_scene();
+  if (compiler.is_busy()) {
+    message = Message{"The level is still being compiled: look again when that is done.", true};
+    return;
+  }
   const Body* chosen = player.state().find(choices.body);
   const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
   if (const auto problem = reach.start(*player.timeline().level_scene(), origin)) {

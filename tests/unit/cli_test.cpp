@@ -225,5 +225,11 @@ TEST(CliCheck, ErrorsGiveOneAndNameTheirCell) {
   EXPECT_THAT(answer.out, HasSubstr(path + ":cell 0,0: error: "));
 }
 
+TEST(CliShot, TheReachNeedsAPlayer) {
+  const Answer answer = run({"shot", kSix, "--overlay", "reach", "-o", testing::TempDir() + "reach.png"});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(answer.err, HasSubstr(": error: Only the exact solver has players"));
+}
+
 }  // namespace
 }  // namespace talus

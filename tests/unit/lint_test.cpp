@@ -79,6 +79,7 @@ TEST(Lint, AShapeReachesOverTheMapsEdge) {
   level.tile_shapes[101] = {.kind = TileShape::Kind::slope, .heights = {0, 16}};
   level.tile_shapes[102] = level.tile_shapes[101];
   level.tile_shapes[102].side = TileShape::Side::ceiling;
+  for (const std::size_t tile : {100u, 101u, 102u}) level.sheet(SheetId::tiles).images[tile].fill(1);
   for (const Cell cell : {Cell{2, 1}, Cell{3, 1}, Cell{9, 2}}) level.map.set(cell, 100);
   level.map.set({4, 0}, 101);
   level.map.set({5, 0}, 102);
@@ -88,6 +89,7 @@ TEST(Lint, AShapeReachesOverTheMapsEdge) {
                                            "the map's upper edge, where it stops nothing",
                                            "W shape-leaves-map (3, 1) 100: tile 100 at (3, 1) reaches over "
                                            "the map's right edge, where it stops nothing",
+                                           "W seam (6, 1): floor jumps 3 px between (6, 1) and (7, 1)",
                                            "W shape-leaves-map (7, 2) 102: tile 102 at (7, 2) reaches over "
                                            "the map's lower edge, where it stops nothing",
                                            "W shape-leaves-map (9, 2) 100: tile 100 at (9, 2) reaches over "
@@ -267,7 +269,7 @@ TEST(Lint, ForeignCartsGetFewProblems) {
   };
   EXPECT_EQ(count("car"), 1u);  // no balls
   EXPECT_EQ(count("tetris"), 1u);
-  EXPECT_EQ(count("quest"), 2u);  // and its tile 0 has every flag
+  EXPECT_EQ(count("quest"), 3u);  // and its tile 0 has every flag, and no picture
 }
 
 }  // namespace
