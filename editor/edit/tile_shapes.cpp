@@ -68,9 +68,18 @@ struct Line {
   double left, right;
 };
 
-// The plainest line within half a pixel of the middles of all columns; of equally plain ones the nearest.
-std::optional<Line> fit_line(const std::vector<int>& columns) {
-  constexpr double kTolerance = 0.5 + 1e-9;  // px
+// How far a column's topmost edge may be above the line in the middle of the column, px.
+struct Tolerance {
+  double least, most;
+};
+constexpr Tolerance kNear{-0.5, 0.5};
+constexpr Tolerance kThroughPixels{0, 1};  // stairs are drawn so that the line runs through the last pixels
+constexpr Tolerance kBeyondPixels{-1, 0};  // or through the first clear ones
+
+// The plainest line with ends on multiples of `step` px that keeps to the tolerance at all columns; of
+// equally plain ones the nearest.
+std::optional<Line> fit_line(const std::vector<int>& columns, double step, Tolerance tolerance) {
+  constexpr double kRounding = 1e-9;
   const double count = static_cast<double>(columns.size());
   std::optional<Line> best;
   std::pair<int, double> best_score;
@@ -78,8 +87,8 @@ std::optional<Line> fit_line(const std::vector<int>& columns) {
     double squares = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const double error =
-          std::lerp(line.left, line.right, (static_cast<double>(i) + 0.5) / count) - columns[i];
-      if (std::abs(error) > kTolerance) return;
+          columns[i] - std::lerp(line.left, line.right, (static_cast<double>(i) + 0.5) / count);
+      if (error < tolerance.least - kRounding || error > tolerance.most + kRounding) return;
       squares += error * error;
     }
     const std::pair score(plainness(line.left) + plainness(line.right), squares);
@@ -87,11 +96,17 @@ std::optional<Line> fit_line(const std::vector<int>& columns) {
     best = line;
     best_score = score;
   };
-  for (double step = 1; step >= 0.25 && !best; step /= 2) {
-    for (double left = 0; left <= kTileSize; left += step)
-      for (double right = 0; right <= kTileSize; right += step) try_line({left, right});
-  }
+  for (double left = 0; left <= kTileSize; left += step)
+    for (double right = 0; right <= kTileSize; right += step) try_line({left, right});
   return best;
+}
+
+std::optional<Line> fit_line(const std::vector<int>& columns) {
+  for (double step = 1; step >= 0.25; step /= 2) {
+    for (const Tolerance& tolerance : {kNear, kThroughPixels, kBeyondPixels})
+      if (const auto line = fit_line(columns, step, tolerance)) return line;
+  }
+  return std::nullopt;
 }
 
 // Heights at the column lines: between two columns their mean.

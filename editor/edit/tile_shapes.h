@@ -26,8 +26,9 @@ CellRect tiles_of_shape(int tile, const TileShape& shape);
 
 // What the opaque pixels of a tile, and of those to its right, look like; colour 0 is clear. A floor goes
 // along the topmost pixel of each column, a ceiling along the lowest; whichever has fewer clear pixels behind
-// it. Full: solid. A line where all columns are within half a pixel of one, else a profile. Nothing: all is
-// clear. tiles: 1..kMaxShapeTiles, cut at the sheet's edge.
+// it. Full: solid. A line where all columns are within half a pixel of one, or where one runs through their
+// last pixels or the first clear ones, as stairs are drawn; else a profile. Nothing: all is clear.
+// tiles: 1..kMaxShapeTiles, cut at the sheet's edge.
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles = 1);
 // The same for each tile of the area by itself; those without an opaque pixel keep what they have.
 Edit suggest_shapes(const Level& level, const SpriteArea& area);

@@ -149,7 +149,7 @@ TEST(CurveTools, TheNearestCurveWithinReachIsFound) {
 
 TEST(CurveTools, ACopyIsBesideTheCurveOnTheMap) {
   Level level = level_for_curves();
-  level = with_curve(level, add_curve(level, CurveKind::segment, {8, 8}, {160, 80}));
+  level = with_curve(level, add_curve(level, CurveKind::segment, {0, 0}, {160, 80}));
   level.curves[0].name = "ramp";
   const auto none = duplicate_curve(level, 0);
   EXPECT_FALSE(none) << "as wide as the map";

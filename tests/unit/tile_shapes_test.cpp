@@ -73,6 +73,14 @@ TEST(TileShapes, OverTwoTiles) {
             sloped({0, 8}, Side::floor, 2));
 }
 
+TEST(TileShapes, OfTheHalvesOfTheSameStairs) {
+  EXPECT_EQ(suggested({"", "", "", "", "......##", "....####", "..######", "########"}), sloped({0, 4}));
+  EXPECT_EQ(suggested({"", "", "", "", "", "......##", "....####", "..######"}), sloped({0, 4}));
+  EXPECT_EQ(suggested({"......##", "....####", "..######", "########", "########", "########", "########",
+                       "########"}),
+            sloped({4, 8}));
+}
+
 TEST(TileShapes, AreSuggestedForAllSelectedTilesAtOnce) {
   Level level;
   const auto row = "########........########";
