@@ -17,7 +17,8 @@ std::uint8_t tile_of(int number) { return static_cast<std::uint8_t>(number); }
 
 // A picture of the tile, its number, and a button that takes the one that is chosen on the sheet.
 void draw_tile(const std::string& name, const char* label, int& tile, const Session& session, Ui& ui) {
-  ui.label(label);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
   ImGui::SameLine(ui.px(kLabel));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ui.px(theme::kButton);

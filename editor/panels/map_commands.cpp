@@ -212,7 +212,7 @@ void find_next_tile(S session, A actions, U ui) {
 
 std::vector<Command> whole_map_commands() {
   return {
-      command("map/find", ctrl('f'), "Find and replace tiles...",
+      command("map/find", ctrl('h'), "Find and replace tiles...",
               "Finds the chosen tile on the map, counts it and replaces it.", open_find_tiles),
       repeating(command("map/find_next", KeyChord{'n'}, "Next such tile",
                         "Shows the next cell with the tile that is looked for.",
@@ -220,7 +220,7 @@ std::vector<Command> whole_map_commands() {
       repeating(command("map/find_previous", shift('n'), "Previous such tile",
                         "Shows the cell before with the tile that is looked for.",
                         find_next_tile<FindDirection::previous>)),
-      command("map/resize", ctrl_shift('m'), "Size of the map...",
+      command("map/resize", ctrl('e'), "Size of the map...",
               "Makes the map larger or smaller, or shifts everything on it.",
               [](S, A, U ui) { ui.view.resize_open = true; }),
   };

@@ -45,6 +45,15 @@ Edit fill_edit(const Session& session, Cell cell) {
   return flood_fill(level, cell, choices.stamp, choices.selection);
 }
 
+// Whether these cells have one that may be painted; says why not.
+bool is_in_selection(const Session& session, Actions& actions, CellRect cells) {
+  const auto& selection = session.choices().selection;
+  if (!selection || shared(*selection, cells)) return true;
+  actions.push_back(
+      action::ShowMessage{"The tools stay inside the selection: draw there, or press Escape first."});
+  return false;
+}
+
 }  // namespace
 
 void MapGesture::update(const Session& session, Actions& actions, Cell cell, int pressed) {
@@ -68,12 +77,7 @@ void MapGesture::update(const Session& session, Actions& actions, Cell cell, int
 
 void MapGesture::press(const Session& session, Actions& actions, Cell cell) {
   if (tool_ != MapTool::fill || !session.level().map.contains(cell)) return;
-  const auto& selection = session.choices().selection;
-  if (selection && !selection->contains(cell)) {
-    actions.push_back(
-        action::ShowMessage{"Fill stays inside the selection: click there, or press Escape first."});
-    return;
-  }
+  if (!is_in_selection(session, actions, {cell.x, cell.y, 1, 1})) return;
   Edit edit = fill_edit(session, cell);
   if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
 }
@@ -93,6 +97,7 @@ void MapGesture::paint(const Session& session, Actions& actions, Cell cell) cons
 void MapGesture::finish(const Session& session, Actions& actions) const {
   if (!spans_cells(tool_)) return;
   if (tool_ != MapTool::pick) {
+    if (!is_in_selection(session, actions, spanned(*from_, last_))) return;
     Edit edit = shape_edit(session, tool_, *from_, last_);
     if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
   } else if (session.level().map.contains(*from_)) {

@@ -28,7 +28,8 @@ std::string text_of_losses(const ResizedMap& result) {
 }
 
 void number_field(const char* name, const char* label, int& value, const char* help, Ui& ui) {
-  ui.label(label);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
   ImGui::SameLine(ui.px(kLabel));
   ImGui::SetNextItemWidth(ui.px(kField));
   ImGui::InputInt((std::string("##") + name).c_str(), &value, 0);
@@ -66,10 +67,10 @@ void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
   const Cell before{frame_.width, frame_.height};
   number_field("resize/width", "Width", frame_.width, "Cells in a row; TIC-80 has 240.", ui);
   ImGui::SameLine();
-  ui.label("now " + std::to_string(map.width()));
+  ImGui::TextUnformatted(("now " + std::to_string(map.width())).c_str());
   number_field("resize/height", "Height", frame_.height, "Rows of cells; TIC-80 has 136.", ui);
   ImGui::SameLine();
-  ui.label("now " + std::to_string(map.height()));
+  ImGui::TextUnformatted(("now " + std::to_string(map.height())).c_str());
   frame_.width = std::clamp(frame_.width, 1, kMaxTerrainSide);
   frame_.height = std::clamp(frame_.height, 1, kMaxTerrainSide);
   if (before != Cell{frame_.width, frame_.height}) choose_anchor(map);
@@ -77,7 +78,8 @@ void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
 
 // Where the map grows or is cut, in a square of nine.
 void ResizePanel::draw_anchors(const TileMap& map, Ui& ui) {
-  ui.label("Keep");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Keep");
   ImGui::SameLine(ui.px(kLabel));
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ui.px(2)));

@@ -122,7 +122,7 @@ TEST_F(UiMap, ShapesAndFillStayInsideTheSelection) {
   EXPECT_EQ(tile_at({10, 8}), 0);
   ASSERT_TRUE(session().message());
   EXPECT_EQ(session().message()->text,
-            "Fill stays inside the selection: click there, or press Escape first.");
+            "The tools stay inside the selection: draw there, or press Escape first.");
 }
 
 TEST_F(UiMap, FillWithCtrlReplacesTheTileEverywhere) {
@@ -287,7 +287,7 @@ TEST_F(UiMap, ShiftShowsTheSheetOverTheMap) {
 }
 
 TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
-  key(ctrl_shift('m'));
+  key(ctrl('e'));
   frames(3);
   click("resize/width");
   key(ctrl('a'));
@@ -307,7 +307,7 @@ TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
 }
 
 TEST_F(UiMap, MapGrowsAtTheSideThatIsNotKept) {
-  key(ctrl_shift('m'));
+  key(ctrl('e'));
   frames(3);
   click("resize/anchor8");
   click("resize/height");
@@ -323,7 +323,7 @@ TEST_F(UiMap, MapGrowsAtTheSideThatIsNotKept) {
 }
 
 TEST_F(UiMap, EscapeLeavesTheMapsSizeAlone) {
-  key(ctrl_shift('m'));
+  key(ctrl('e'));
   frames(3);
   click("resize/width");
   key(ctrl('a'));
@@ -337,7 +337,7 @@ TEST_F(UiMap, EscapeLeavesTheMapsSizeAlone) {
 TEST_F(UiMap, TilesAreFoundAndReplaced) {
   stamp(3, 3, {2, 2});
   click(on_map({20, 12}));
-  key(ctrl('f'));
+  key(ctrl('h'));
   frames(3);
   EXPECT_EQ(app().ui().view.find_tile, 3) << "the chosen tile";
   click("find_tiles/next");
