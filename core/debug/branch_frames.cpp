@@ -4,6 +4,12 @@
 
 namespace talus {
 
+void BranchFrames::know(const VersionPtr& version, const ScenePtr& scene) const {
+  if (known_ == version) return;
+  known_ = version;
+  scenes_.put(version, scene);
+}
+
 void BranchFrames::read(std::int64_t frame, Frame& into) const {
   assert(frame >= 0 && frame <= last());
   runner_.go_to(branch_, frame, &into.record);

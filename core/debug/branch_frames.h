@@ -15,6 +15,9 @@ class BranchFrames final : public FrameSource {
   // The same branch with more frames. One that was run again is another: make new BranchFrames.
   void grow(Branch branch) { branch_ = std::move(branch); }
 
+  // The scene of a version of the level, which need not be compiled then: of a large one that takes long.
+  void know(const VersionPtr& version, const ScenePtr& scene) const;
+
   std::int64_t last() const override { return branch_.run_frame(); }
   void read(std::int64_t frame, Frame& into) const override;
 
@@ -23,6 +26,7 @@ class BranchFrames final : public FrameSource {
   // Where it is along the branch does not show.
   mutable SceneCache scenes_;
   mutable Runner runner_{scenes_};
+  mutable VersionPtr known_;                       // that know() was told of last
   mutable std::shared_ptr<const Terrain> ground_;  // of ground_version_
   mutable VersionPtr ground_version_;
 };

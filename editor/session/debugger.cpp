@@ -39,7 +39,9 @@ const State* Debugger::other_state(const Timeline& timeline) const {
 void Debugger::follow(const Timeline& timeline, const Level& level) {
   const Branch& branch = timeline.current();
   const bool is_other = branch.id != branch_ || branch.revision != revision_;
-  shown_.of(branch);
+  const BranchFrames& frames = shown_.of(branch);
+  if (&timeline.scene() == timeline.level_scene().get())
+    frames.know(branch.chapters[branch.chapter_at(timeline.frame())].version, timeline.level_scene());
   side_.follow(timeline, level, kFrames);
   if (is_other) {
     stops_.forget_frames();
