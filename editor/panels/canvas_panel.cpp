@@ -2,7 +2,6 @@
 #include "canvas_panel.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 
 #include "commands.h"
@@ -76,7 +75,7 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
-  // Half the usual gap, so that all of it has room in one line of a window 1280 px wide.
+  // Half the usual gap, so that all of it has room in two lines of a window 1152 px wide.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
   draw_mode("canvas/map", "Map", "canvas/map", session, actions, ui);
   ImGui::SameLine();
@@ -86,15 +85,14 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   ImGui::SameLine();
   draw_mode("canvas/two_maps", "2x", "canvas/two_maps", session, actions, ui);
   constexpr ToolButton kTools[] = {
-      {"map/stamp", Icon::stamp},     {"map/pan", Icon::pan},         {"map/select", Icon::select},
-      {"map/fill", Icon::fill},       {"map/line", Icon::line},       {"map/rectangle", Icon::rectangle},
-      {"map/ellipse", Icon::ellipse}, {"map/slope", Icon::slope},     {"map/segment", Icon::segment},
-      {"map/curve", Icon::curve},
-      {"map/body", Icon::body},       {"map/ground", Icon::ground}, {"map/erase", Icon::erase},     {"map/pick", Icon::pick}};
+      {"map/stamp", Icon::stamp},     {"map/pan", Icon::pan},     {"map/select", Icon::select},
+      {"map/fill", Icon::fill},       {"map/line", Icon::line},   {"map/rectangle", Icon::rectangle},
+      {"map/ellipse", Icon::ellipse}, {"map/slope", Icon::slope}, {"map/segment", Icon::segment},
+      {"map/curve", Icon::curve},     {"map/body", Icon::body},   {"map/ground", Icon::ground},
+      {"map/erase", Icon::erase},     {"map/pick", Icon::pick}};
   const float button = ui.px(theme::kButton);
-  ui.same_line_if_fits(static_cast<float>(std::size(kTools)) * (button + ui.px(2)), ui.px(8));
   for (const ToolButton& tool : kTools) {
-    if (&tool != kTools) ui.same_line_if_fits(button);
+    ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
   }
   constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
@@ -116,8 +114,8 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
 
 void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
   const auto now = session.choices().flag_overlay;
-  draw_flag_choice("canvas/flag_tint", now ? short_label(session.level(), *now) : "no tint", ui.px(84), session,
-                   actions, ui);
+  draw_flag_choice("canvas/flag_tint", now ? short_label(session.level(), *now) : "no tint", ui.px(84),
+                   session, actions, ui);
 }
 
 }  // namespace talus

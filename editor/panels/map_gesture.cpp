@@ -86,10 +86,9 @@ void MapGesture::paint(const Session& session, Actions& actions, Cell cell) cons
   if (tool_ != MapTool::stamp && tool_ != MapTool::erase) return;
   const Choices& choices = session.choices();
   const Stamp stamp = tool_ == MapTool::stamp ? choices.stamp : Stamp{};
-  Edit edit =
-      tool_ == MapTool::stamp && choices.random_stamp
-          ? paint_random_stroke(session.level(), last_, cell, stamp, choices.random_seed, choices.selection)
-          : paint_stroke(session.level(), *from_, last_, cell, stamp);
+  Edit edit = tool_ == MapTool::stamp && choices.random_stamp
+                  ? paint_random_stroke(session.level(), last_, cell, stamp, choices.random_seed)
+                  : paint_stroke(session.level(), *from_, last_, cell, stamp);
   if (tool_ == MapTool::erase) edit.label = "Erase tiles";
   if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit), stroke_});
 }

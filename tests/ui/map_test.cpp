@@ -34,6 +34,7 @@ class UiMap : public UiTest {
     click(on_map(at));
   }
   void select(Cell from, Cell to) {
+    key(kKeyF3);
     key('3');
     drag(on_map(from), on_map(to));
   }
@@ -317,7 +318,7 @@ TEST_F(UiMap, MapGrowsAtTheSideThatIsNotKept) {
   frames(2);
   click("resize/apply");
   frames(3);
-  EXPECT_EQ(level().map.height(), 20);
+  ASSERT_EQ(level().map.height(), 20);
   EXPECT_EQ(tile_at({0, 19}), 1) << "the floor stays at the bottom";
   EXPECT_EQ(tile_at({5, 13}), 2);
 }
