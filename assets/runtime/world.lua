@@ -57,42 +57,37 @@ function World:overlaps(x, y, w, h, foot)
   return overlaps_ground(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, foot == "centre")
 end
 
-function World:grounded(body) return body.grounded end
-
-local function add_body(world, kind, x, y, w, h, vx, vy, foot, name)
-  local body = {id = #world.bodies + 1, kind = kind, name = name, x = x + 0.0, y = y + 0.0, w = w + 0.0,
-      h = h + 0.0,
-                vx = vx + 0.0, vy = vy + 0.0, foot = foot, grounded = false, jumping = false,
-                    jump_held = false,
-                coyote = 0, clear = false}
+-- Adds a body and returns it: a table of kind, "ball" or "player", x and y; and, where they are not so, w and h
+-- (8), vx and vy (0), foot ("box", of players "centre").
+function World:add(body)
+  body.id = #self.bodies + 1
+  body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or TILE) + 0.0, (body.h or TILE) + 0.0
+  body.vx, body.vy = (body.vx or 0) + 0.0, (body.vy or 0) + 0.0
+  body.foot = body.foot or body.kind == "player" and "centre" or "box"
   body.previous_x, body.previous_y = body.x, body.y
-  world.bodies[body.id] = body
+  body.grounded, body.jumping, body.jump_held, body.coyote, body.clear = false, false, false, 0, false
+  self.bodies[body.id] = body
   return body
-end
-
--- Adds a body: kind "ball" or "player"; foot: "box" or "centre".
-function World:add(kind, x, y, w, h, vx, vy, foot)
-  return add_body(self, kind, x, y, w or 8, h or 8, vx or 0, vy or 0, foot or kind == "player"
-      and "centre" or "box")
 end
 
 local talus = {}
 
--- A world from a level: width, height, in cells; tiles, row by row; shapes and balls, by tile; curves;
--- spawns; tuning. As exported.
+-- A world from a level as exported: width, height, in cells; tiles, row by row; shapes and balls, by tile;
+-- curves; spawns; tuning.
 function talus.new(level)
   local world = setmetatable({frame = 0, bodies = {}, grabbed = 0, tuning = {}}, World)
-  for key, value in pairs(level.tuning) do world.tuning[key] = value end
+  for key, value in pairs(level.tuning) do world.tuning[key] = value + 0.0 end
   world.terrain = new_terrain(level)
   for x = 0, level.width - 1 do
     for y = 0, level.height - 1 do
-      if level.balls[level.tiles[y * level.width + x + 1]] then
-        add_body(world, "ball", x * TILE, y * TILE, TILE, TILE, 0, 0, "box")
-      end
+      local tile = level.tiles[y * level.width + x + 1]
+      if level.balls[tile] then world:add {kind = "ball", x = x * TILE, y = y * TILE, tile = tile} end
     end
   end
-  for _, s in ipairs(level.spawns or {}) do
-    add_body(world, s.kind, s.x, s.y, s.w, s.h, s.vx, s.vy, s.foot, s.name)
+  for _, spawn in ipairs(level.spawns) do
+    local body = {}
+    for key, value in pairs(spawn) do body[key] = value end
+    world:add(body)
   end
   return world
 end

@@ -4,7 +4,9 @@
 #include <ostream>
 
 #include "command.h"
-#include "formats/format.h"
+#include "formats/atomic_file.h"
+#include "formats/exporter.h"
+#include "platform/asset_path.h"
 #include "png_convert.h"
 
 namespace talus {
@@ -44,10 +46,28 @@ void convert(CommandContext& context, const Conversion& conversion) {
   }
 }
 
+// Writes the folder of an exporter.
+void export_folder(CommandContext& context, const std::string& input, const Exporter& exporter,
+                   const std::string& output) {
+  const std::optional<Level> level = load_or_fail(context, input);
+  if (!level) return;
+  if (output == "-")
+    return fail(context, output, "",
+                "is one file, but a " + std::string(exporter.label) + " is a folder: name one");
+  const auto read_asset = [](const std::string& name) { return read_file(asset_path(name)); };
+  FormatResult<Exported> exported = exporter.write(*level, read_asset);
+  if (!exported) return fail(context, input, exported.error().place, exported.error().message);
+  if (auto written = write_exported(*exported, output); !written)
+    return fail(context, output, written.error().place, written.error().message);
+  for (const std::string& what : exported->dropped)
+    context.err << output << ": warning: not stored in this format: " << what << '\n';
+}
+
 std::vector<std::string> format_ids() {
   std::vector<std::string> ids;
   for (const Format& format : formats()) ids.emplace_back(format.id);
   for (const PngPartInfo& info : png_part_infos()) ids.emplace_back(info.id);
+  for (const Exporter& exporter : exporters()) ids.emplace_back(exporter.id);
   return ids;
 }
 
@@ -93,10 +113,15 @@ void add_export_command(CLI::App& program, CommandContext& context) {
   command->add_option("--to", conversion->format, "Format to write")
       ->required()
       ->check(CLI::IsMember(format_ids()));
-  command->add_option("-o,--output", conversion->output, "File to write; - for standard output")->required();
+  command
+      ->add_option("-o,--output", conversion->output,
+                   "File to write, - for standard output; of lua and love a folder")
+      ->required();
   command->callback([&context, conversion] {
     if (const auto part = png_part_of(conversion->format))
       export_png(context, conversion->input, *part, conversion->output);
+    else if (const Exporter* exporter = find_exporter(conversion->format))
+      export_folder(context, conversion->input, *exporter, conversion->output);
     else
       convert(context, *conversion);
   });

@@ -1,0 +1,8 @@
+function love.conf(t)
+  t.identity = "talus-level"
+  t.version = "11.4"
+  t.window.title = "Talus level"
+  t.window.width, t.window.height = 960, 540
+  t.window.resizable = true
+  t.modules.joystick, t.modules.physics, t.modules.video = false, false, false
+end

@@ -1,0 +1,74 @@
+#include "exporter.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "atomic_file.h"
+#include "lua_level.h"
+#include "png_sheet.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+FormatResult<std::string> runtime_of(const Level& level, const ReadAsset& read_asset, bool with_mouse) {
+  std::vector<std::string> texts;
+  for (const std::string& part : lua_runtime_parts(level, with_mouse)) {
+    FormatResult<std::string> text = read_asset("runtime/" + part + ".lua");
+    if (!text) return text;
+    texts.push_back(std::move(*text));
+  }
+  return join_lua_parts(texts);
+}
+
+// The runtime and the level, for any game in Lua.
+FormatResult<Exported> write_lua(const Level& level, const ReadAsset& read_asset) {
+  FormatResult<std::string> runtime = runtime_of(level, read_asset, false);
+  if (!runtime) return tl::unexpected(runtime.error());
+  return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", lua_level(level)}}, {}};
+}
+
+FormatResult<Exported> write_love(const Level& level, const ReadAsset& read_asset) {
+  FormatResult<std::string> runtime = runtime_of(level, read_asset, true);
+  if (!runtime) return tl::unexpected(runtime.error());
+  Exported out{{{"talus.lua", std::move(*runtime)},
+                {"level.lua", lua_level(level)},
+                {"sheet.png", write_png_part(level, PngPart::tiles)}},
+               {}};
+  for (const std::string name : {"main.lua", "conf.lua"}) {
+    FormatResult<std::string> text = read_asset("templates/love/" + name);
+    if (!text) return tl::unexpected(text.error());
+    out.files.push_back({name, std::move(*text)});
+  }
+  return out;
+}
+
+constexpr std::array<Exporter, 2> kExporters = {{
+    {"lua", "Lua runtime and level", write_lua},
+    {"love", "game for LÖVE 11", write_love},
+}};
+
+}  // namespace
+
+std::span<const Exporter> exporters() { return kExporters; }
+
+const Exporter* find_exporter(std::string_view id) {
+  const auto found =
+      std::find_if(kExporters.begin(), kExporters.end(), [&](const Exporter& e) { return e.id == id; });
+  return found == kExporters.end() ? nullptr : &*found;
+}
+
+FormatResult<void> write_exported(const Exported& exported, const std::string& folder) {
+  for (const ExportedFile& file : exported.files) {
+    const std::filesystem::path path = std::filesystem::path(folder) / file.name;
+    std::error_code failure;
+    std::filesystem::create_directories(path.parent_path(), failure);
+    if (failure) return tl::unexpected(FormatError{"", "the folder cannot be made: " + failure.message()});
+    if (auto written = write_file_atomic(path.string(), file.bytes); !written) return written;
+  }
+  return {};
+}
+
+}  // namespace talus
