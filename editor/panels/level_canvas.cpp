@@ -90,7 +90,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
-  if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/minimap");
+  if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/overview");
   list.PopClipRect();
 }
 

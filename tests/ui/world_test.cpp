@@ -67,14 +67,14 @@ TEST_F(UiWorld, TabGoesBackFromTheWorldView) {
 
 TEST_F(UiWorld, TheMinimapMovesTheView) {
   open_large(600, 400);
-  EXPECT_EQ(find("map/minimap"), nullptr);
+  EXPECT_EQ(find("map/overview"), nullptr);
   key('o');
   frames();
-  ASSERT_NE(find("map/minimap"), nullptr);
+  ASSERT_NE(find("map/overview"), nullptr);
   const float before = zoom();
-  click("map/minimap");
+  click("map/overview");
   expect_near(middle(), {300, 200}, 4);
-  const ImVec2 at = centre("map/minimap"), size = size_of("map/minimap");
+  const ImVec2 at = centre("map/overview"), size = size_of("map/overview");
   EXPECT_NEAR(size.x / size.y, 1.5, 0.05);
   drag(at, {at.x + size.x / 3, at.y - size.y / 4});
   expect_near(middle(), {500, 100}, 5);
@@ -82,7 +82,7 @@ TEST_F(UiWorld, TheMinimapMovesTheView) {
   EXPECT_FALSE(session().modified()) << "nothing was painted";
   key('o');
   frames();
-  EXPECT_EQ(find("map/minimap"), nullptr);
+  EXPECT_EQ(find("map/overview"), nullptr);
 }
 
 TEST_F(UiWorld, TwoMapsHaveCamerasOfTheirOwn) {
