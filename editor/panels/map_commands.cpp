@@ -198,6 +198,7 @@ void open_find_tiles(S session, A, U ui) {
 
 template <FindDirection direction>
 void find_next_tile(S session, A actions, U ui) {
+  if (!ui.view.find_tiles_open) ui.view.find_tile = session.choices().stamp.tiles.front();
   const auto tile = static_cast<std::uint8_t>(ui.view.find_tile);
   const auto cell =
       find_tile(session.level().map, tile, ui.view.marked_cell, direction, session.choices().selection);
@@ -215,11 +216,12 @@ std::vector<Command> whole_map_commands() {
       command("map/find", ctrl('h'), "Find and replace tiles...",
               "Finds the chosen tile on the map, counts it and replaces it.", open_find_tiles),
       repeating(command("map/find_next", KeyChord{'n'}, "Next such tile",
-                        "Shows the next cell with the tile that is looked for.",
+                        "Shows the next cell with the tile that is looked for, or else with the chosen one.",
                         find_next_tile<FindDirection::next>)),
-      repeating(command("map/find_previous", shift('n'), "Previous such tile",
-                        "Shows the cell before with the tile that is looked for.",
-                        find_next_tile<FindDirection::previous>)),
+      repeating(
+          command("map/find_previous", shift('n'), "Previous such tile",
+                  "Shows the cell before with the tile that is looked for, or else with the chosen one.",
+                  find_next_tile<FindDirection::previous>)),
       command("map/resize", ctrl('e'), "Size of the map...",
               "Makes the map larger or smaller, or shifts everything on it.",
               [](S, A, U ui) { ui.view.resize_open = true; }),

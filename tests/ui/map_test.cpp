@@ -358,5 +358,19 @@ TEST_F(UiMap, TilesAreFoundAndReplaced) {
   EXPECT_EQ(describe(session().history().edits().back()), "Replace 2 tiles at (2, 2)");
 }
 
+TEST_F(UiMap, NextTileByItsKeyIsTheChosenOne) {
+  stamp(3, 3, {2, 2});
+  click(on_map({20, 12}));
+  key('n');
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2, 2}));
+  key(shift('n'));
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 12}));
+  click(on_sheet(7));
+  key(kKeyF3);
+  key('n');
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "The map has no tile 7.");
+}
+
 }  // namespace
 }  // namespace talus
