@@ -52,7 +52,6 @@ MovedCells move_selection(const Level& level, const UndoStack& history, CellRect
     change.tiles = last->selection->tiles;
     if (change.tiles == Tiles::moved) hole = last->selection->before;
   }
-  const TileMap below = last != nullptr ? map_before(map, *last) : map;
   const Stamp tiles = stamp_of_map(level, selection);
 
   CellPainter painter(map);
@@ -63,6 +62,7 @@ MovedCells move_selection(const Level& level, const UndoStack& history, CellRect
     });
   }
   if (last != nullptr) {
+    const TileMap below = map_before(map, *last);
     for_each_cell(selection, [&](Cell c) {
       if (!to.contains(c) && !(hole && hole->contains(c))) painter.paint(c, below.at(c));
     });
