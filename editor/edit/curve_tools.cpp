@@ -20,10 +20,6 @@ constexpr std::array<std::string_view, kCurveKindCount> kLabels = {"segment", "a
 constexpr const char* kNoLength = "drag from one end to the other";
 constexpr double kLeastBulge = 0.25;  // px, between the middles of an arc and of its chord
 
-std::string with_article(std::string_view label) {
-  return (label == "arc" ? "an " : "a ") + std::string(label);
-}
-
 // Its ends in the order that the form asks for. faces: of the way from a to b.
 Curve segment_along(Vec2 a, Vec2 b, bool both) {
   const bool forwards = a.x != b.x ? a.x < b.x : b.y < a.y;
@@ -228,6 +224,10 @@ std::optional<std::string> refusal(const Level& level, const Curve& curve) {
 
 std::string_view label_of(CurveKind kind) { return kLabels[static_cast<std::size_t>(kind)]; }
 
+std::string with_article(CurveKind kind) {
+  return (kind == CurveKind::arc ? "an " : "a ") + std::string(label_of(kind));
+}
+
 std::string title_of(const Level& level, int curve) {
   const LevelCurve& titled = level.curves[static_cast<std::size_t>(curve)];
   if (!titled.name.empty()) return titled.name;
@@ -275,7 +275,7 @@ Curve curve_between(CurveKind kind, Vec2 a, Vec2 b) {
 
 tl::expected<Edit, std::string> add_curve(const Level& level, LevelCurve curve) {
   if (auto why = refusal(level, curve.curve)) return tl::unexpected(*std::move(why));
-  std::string label = "Add " + with_article(label_of(kind_of(curve.curve)));
+  std::string label = "Add " + with_article(kind_of(curve.curve));
   std::vector<LevelCurve> curves = level.curves;
   curves.push_back(std::move(curve));
   return set_curves(level, std::move(curves), std::move(label));
@@ -298,7 +298,7 @@ tl::expected<Edit, std::string> change_curve(const Level& level, int curve, Leve
 Edit remove_curve(const Level& level, int curve) {
   assert(curve >= 0 && static_cast<std::size_t>(curve) < level.curves.size());
   std::vector<LevelCurve> curves = level.curves;
-  const std::string label = "Remove " + with_article(label_of(kind_of(curves[curve].curve)));
+  const std::string label = "Remove " + with_article(kind_of(curves[curve].curve));
   curves.erase(curves.begin() + curve);
   return set_curves(level, std::move(curves), label);
 }

@@ -15,6 +15,7 @@ inline constexpr int kCurveKindCount = 6;
 
 inline CurveKind kind_of(const Curve& curve) { return static_cast<CurveKind>(curve.form.index()); }
 std::string_view label_of(CurveKind kind);  // "parabola"
+std::string with_article(CurveKind kind);   // "an arc"
 // What it is called on screen: its name, or its kind and its number, from 0: "arc 2".
 std::string title_of(const Level& level, int curve);
 

@@ -50,7 +50,7 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        "In red, how deep a body is inside of the ground, and the shortest way out.", 0xff6b6b, 0xc850ff},
       {OverlayId::shapes, "shapes", "shapes",
        "The shapes of the tiles that make the ground, on the map, in the play view and on the sheet.",
-       0xc8e06a, 0xffff6e},
+       0xff5cf0, 0xffff6e},
       {OverlayId::reach, "reach", "reach",
        "Cells that a player was found to get to from its start, and the floors that it stood on there.",
        0x8bd450, 0xc8ff00},

@@ -117,9 +117,8 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
                 : "No curve chosen: click one on the map, or drag to draw another.");
     return;
   }
-  ui.heading(title_of(session.level(), curve) + ": a " +
-             std::string(label_of(kind_of(curve_of(session, curve).curve))) + ", curve " +
-             std::to_string(curve));
+  const CurveKind kind = kind_of(curve_of(session, curve).curve);
+  ui.heading("Curve " + std::to_string(curve) + ", " + with_article(kind));
   draw_name(session, actions, ui, curve);
   draw_faces(session, actions, ui, curve);
   draw_numbers(session, actions, ui, curve);

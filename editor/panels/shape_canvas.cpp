@@ -8,6 +8,7 @@
 
 #include "debug/number_text.h"
 #include "edit/tile_shapes.h"
+#include "shape_drawing.h"
 
 namespace talus {
 namespace {
@@ -127,8 +128,7 @@ void ShapeCanvas::draw_line(const Frame& frame, Ui& ui) const {
   std::vector<ImVec2> points;
   for (std::size_t i = 0; i < frame.shape.heights.size(); ++i) points.push_back(frame.point(i));
   const float base = frame.hangs() ? frame.at.y : end.y;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    list.AddQuadFilled(points[i - 1], points[i], {points[i].x, base}, {points[i - 1].x, base}, tint);
+  if (!frame.shape.one_way) fill_to_base(list, points, base, tint);
   const int count = static_cast<int>(points.size());
   list.AddPolyline(points.data(), count, theme::color(theme::kDark, 200), ImDrawFlags_None, ui.px(2) + 2);
   list.AddPolyline(points.data(), count, theme::color(frame.color), ImDrawFlags_None, ui.px(2));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace talus {
 namespace {
@@ -36,6 +35,14 @@ int reach_of(const Shapes& shapes) {
 
 }  // namespace
 
+void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base, ImU32 color) {
+  const ImDrawListFlags flags = list.Flags;
+  list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // smooth edges would show where parts meet
+  for (std::size_t i = 1; i < line.size(); ++i)
+    list.AddQuadFilled(line[i - 1], line[i], {line[i].x, base}, {line[i - 1].x, base}, color);
+  list.Flags = flags;
+}
+
 void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, float cell, std::uint32_t color,
                      const Ui& ui) {
   if (shape.kind == TileShape::Kind::none) return;
@@ -57,8 +64,7 @@ void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, fl
     const float height = static_cast<float>(shape.heights[i]) * cell / kTileSize;
     points.push_back({corner.x + static_cast<float>(i) * step, hangs ? base + height : base - height});
   }
-  for (std::size_t i = 1; i < points.size() && !shape.one_way; ++i)
-    list.AddQuadFilled(points[i - 1], points[i], {points[i].x, base}, {points[i - 1].x, base}, tint);
+  if (!shape.one_way) fill_to_base(list, points, base, tint);
   const int count = static_cast<int>(points.size());
   if (cell >= kOutlinedCell)
     list.AddPolyline(points.data(), count, theme::color(theme::kDark, 160), ImDrawFlags_None, width + 2);
