@@ -30,6 +30,8 @@ std::string one_decimal(double value) {
   return text;
 }
 
+std::string time_label(double ti, bool overlaps) { return overlaps ? "inside" : "t " + two_decimals(ti); }
+
 std::string all_digits(double value) { return formatted("%.17g", value); }
 
 }  // namespace talus

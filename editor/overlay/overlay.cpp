@@ -179,7 +179,7 @@ class Drawer {
     }
     if (overlays_.has(OverlayId::touch_points)) {
       if (sees({point.x, point.y, 0, 0})) out_.marks.push_back({OverlayId::touch_points, point});
-      label(OverlayId::touch_points, point, "t " + two_decimals(contact.ti), body);
+      label(OverlayId::touch_points, point, time_label(contact.ti, contact.overlaps), body);
     }
   }
 

@@ -67,7 +67,7 @@ class StageDrawer {
     if (normal != Vec2{})
       out_.lines.push_back(
           {OverlayId::normals, there.center(), there.center() + normal * kNormalLength, true});
-    label({there.right(), there.y}, "t " + two_decimals(contact.ti));
+    label({there.right(), there.y}, time_label(contact.ti, contact.overlaps));
   }
 
   void label(Vec2 at, std::string text) {

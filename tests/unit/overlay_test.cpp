@@ -188,6 +188,11 @@ TEST(Overlays, TouchPointHasTheTimeOfImpact) {
   EXPECT_EQ(drawing.labels[0].text, "t 0.25");
   EXPECT_EQ(drawing.labels[0].at, (Vec2{6, 8}));
   EXPECT_FALSE(drawing.labels[0].important);
+  record.contacts[0].overlaps = true;
+  record.contacts[0].ti = -16;  // no time, but the area
+  const auto inside = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::touch_points), 0);
+  ASSERT_EQ(inside.labels.size(), 1u);
+  EXPECT_EQ(inside.labels[0].text, "inside");
 }
 
 TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
