@@ -113,6 +113,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_commands({"pixels/cut",
                    "pixels/copy",
                    "pixels/paste",
+                   "pixels/select_all",
                    "pixels/deselect",
                    "",
                    "pixels/pencil",

@@ -33,6 +33,12 @@ void change_brush(S session, A actions, U) {
 
 bool has_selection(S session, const Ui&) { return session.choices().pixels.rect().has_value(); }
 
+void select_all_pixels(S session, A actions, U) {
+  const SpriteArea& area = session.choices().area;
+  actions.push_back(action::SetSpriteTool{SpriteTool::select});
+  actions.push_back(action::SelectPixels{CellRect{0, 0, area.width(), area.height()}});
+}
+
 template <PixelTurn turn>
 void turn_pixels(S, A actions, U) {
   actions.push_back(action::TurnPixels{turn});
@@ -200,6 +206,8 @@ std::vector<Command> pixel_changes() {
       command("pixels/paste", ctrl('v'), "Paste",
               "Puts in pixels, which float, or as many tiles as are selected, also from TIC-80.",
               paste_sprite),
+      command("pixels/select_all", ctrl('a'), "Select all pixels", "Selects all of the canvas.",
+              select_all_pixels),
       command(
           "pixels/deselect", KeyChord{kKeyEscape}, "Select no pixels", "Puts down what floats.",
           [](S, A actions, U) { actions.push_back(action::SelectPixels{}); }, has_selection),

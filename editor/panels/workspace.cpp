@@ -53,8 +53,8 @@ bool is_pointed_at(Region region, View& view) {
   const auto side = side_of(region);
   if (!side || region == Region::dock) return false;
   const bool clicked = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
-  if (clicked && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
-                                        ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+  if (clicked &&
+      ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
     view.focus = *side;
   return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
 }
@@ -62,7 +62,9 @@ bool is_pointed_at(Region region, View& view) {
 // The side that the keys go to has an accent at its top.
 void show_focus(Region region, Ui& ui) {
   const auto side = side_of(region);
-  if (!side || ui.view.focus != *side || (is_sprite_region(region) && region != Region::sheet)) return;
+  const bool at_top = !is_sprite_region(region) || region == Region::sheet ||
+                      (region == Region::pixels && ui.view.pixels.enlarged);
+  if (!side || ui.view.focus != *side || !at_top) return;
   const ImVec2 at = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(3)},
                                             theme::tone(theme::kAccent));

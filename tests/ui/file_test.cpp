@@ -230,7 +230,7 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   EXPECT_EQ(app().ui().view.canvas, CanvasMode::play);
   EXPECT_NEAR(centre("layout/left").x, moved, 1);
   EXPECT_NE(find("tuning/fall_speed"), nullptr) << "the chosen tab is shown again";
-  EXPECT_EQ(app().ui().view.tabs, (std::vector<std::string>{"tuning", "history"}));
+  EXPECT_EQ(app().ui().view.tabs, (std::vector<std::string>{"flags", "tuning", "history"}));
   EXPECT_EQ(app().ui().view.recent_files,
             (std::vector<std::string>{path("level.talus.json"), path("second.talus.json")}));
   click("menu/File");

@@ -149,6 +149,15 @@ TEST_F(UiSprite, ClickSelectsOnePixelAndBesideASelectionNone) {
   EXPECT_FALSE(selected());
 }
 
+TEST_F(UiSprite, AllOfTheCanvasIsSelected) {
+  click("pixels/size16");
+  key(ctrl('a'));
+  EXPECT_EQ(session().choices().sprite_tool, SpriteTool::select);
+  EXPECT_EQ(selected(), (CellRect{0, 0, 16, 16}));
+  key('1');
+  EXPECT_FALSE(selected()) << "it is the select tool's";
+}
+
 TEST_F(UiSprite, FlipsClearAndShiftActOnTheSelection) {
   drag(on_pixels(0, 0), on_pixels(0, 7));
   key('3');
