@@ -1,8 +1,7 @@
 // Finding the tiles of a sheet that are ground.
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "auto_tile.h"
@@ -12,6 +11,7 @@ namespace {
 
 constexpr int kMiddle = 2;      // px from the sides, where the middle of a tile begins
 constexpr int kEdgePixels = 6;  // of 8, that make a side look like an edge when the middle has no such colour
+constexpr int kLikeInside = 20;  // pixels of 64, of an edge: with fewer of the inside's it is of other ground
 constexpr double kSameHeight = 0.5;  // px
 
 // Colours as bits, one for each of the palette.
@@ -91,12 +91,15 @@ class Proposal {
     return found;
   }
 
-  // How many of the colours of the inside's middle a tile has there.
+  // How many pixels of a tile have the colour that most of the inside has.
   int likeness(std::uint8_t tile) const {
     const std::uint8_t inside = set_.of(GroundPart::inside);
     if (inside == 0) return 0;
-    const unsigned shared = middle_colors(image(tile)) & middle_colors(image(inside));
-    return std::popcount(shared);
+    const TileImage& pixels = image(inside);
+    std::array<int, kColorCount> counts{};
+    for (const std::uint8_t pixel : pixels) ++counts[pixel];
+    const auto main = std::max_element(counts.begin(), counts.end()) - counts.begin();
+    return static_cast<int>(std::count(image(tile).begin(), image(tile).end(), main));
   }
 
   void choose_full_tiles() {
@@ -105,8 +108,9 @@ class Proposal {
     inside = best([&](std::uint8_t tile) { return solid(tile) && edges_of(image(tile)) == Edges{}; });
     if (inside == 0) inside = best(solid);
     for (const EdgedPart& edged : kEdgedParts)
-      set_.of(edged.part) =
-          best([&](std::uint8_t tile) { return solid(tile) && edges_of(image(tile)) == edged.edges; });
+      set_.of(edged.part) = best([&](std::uint8_t tile) {
+        return solid(tile) && edges_of(image(tile)) == edged.edges && likeness(tile) >= kLikeInside;
+      });
   }
 
   void choose_slope(GroundPart part, double from, double to) {

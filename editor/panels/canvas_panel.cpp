@@ -83,7 +83,7 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   ImGui::SameLine();
   draw_mode("canvas/both", "Both", "canvas/both", session, actions, ui);
   ImGui::SameLine();
-  draw_mode("canvas/two_maps", "2x", "canvas/two_maps", session, actions, ui);
+  draw_mode("canvas/two_maps", "Maps", "canvas/two_maps", session, actions, ui);
   constexpr ToolButton kTools[] = {
       {"map/stamp", Icon::stamp},     {"map/pan", Icon::pan},     {"map/select", Icon::select},
       {"map/fill", Icon::fill},       {"map/line", Icon::line},   {"map/rectangle", Icon::rectangle},
@@ -103,7 +103,8 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
                                   {"canvas/borders", Icon::borders},
                                   {"canvas/paint_in_play", Icon::pencil}};
   for (const ToolButton& tool : kView) {
-    if (tool.command == "canvas/paint_in_play" && ui.view.canvas == CanvasMode::map) continue;
+    const bool has_play = ui.view.canvas == CanvasMode::play || ui.view.canvas == CanvasMode::both;
+    if (tool.command == "canvas/paint_in_play" && !has_play) continue;
     ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
     command_button(tool.command, tool.command, tool.icon, session, actions, ui);
   }

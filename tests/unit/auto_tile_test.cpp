@@ -327,6 +327,17 @@ TEST(AutoTileProposal, TakesTheEdgesThatLookLikeTheInside) {
   EXPECT_EQ(proposed_auto_tiles(level, all_tiles()).of(GroundPart::top), 11);
 }
 
+TEST(AutoTileProposal, LeavesOutEdgesOfOtherGround) {
+  Level level = sheet_of_ground();
+  auto& flags = level.sheet(SheetId::tiles).flags;
+  flags[11] = 0;          // no top of this ground,
+  flags[5] = kSolidFlag;  // but one of rock, with some pixels of the ground's colour
+  std::vector<std::string> rock(8, "77777733");
+  rock[0] = "66666666";
+  draw_tile(level, 5, rock);
+  EXPECT_EQ(proposed_auto_tiles(level, all_tiles()).of(GroundPart::top), 0);
+}
+
 TEST(AutoTileProposal, TakesSlopesByTheirShapes) {
   Level level = sheet_of_ground();
   auto& flags = level.sheet(SheetId::tiles).flags;
