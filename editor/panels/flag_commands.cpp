@@ -35,7 +35,7 @@ std::vector<Command> flag_commands() {
           "in all its cells. A drag that begins where the flag is set clears it.",
           toggle_brush,
           [](const Session& session, const Ui&) { return session.choices().map_tool == MapTool::flag; }),
-      command("flags/find", ctrl('f'), "Find flags", "Lists the tiles that have a flag, and their cells.",
+      command("flags/find", alt('g'), "Find flags", "Lists the tiles that have a flag, and their cells.",
               [](const Session&, Actions&, Ui& ui) { ui.view.wants_tab = "flag_search"; }),
       repeating(command("flags/next", ctrl('g'), "Next cell with the flag",
                         "Shows the next cell of the map whose tile has the tinted flag.", go_to_flagged<true>,

@@ -3,6 +3,8 @@
 
 #include <imgui_stdlib.h>
 
+#include <utility>
+
 #include "commands.h"
 #include "edit/flag_tools.h"
 #include "edit/shape_tools.h"
@@ -38,12 +40,14 @@ void FlagMenu::open_field(int first_flag, float at_x) {
 void FlagMenu::show_flag(const Level& level, int flag) {
   flag_ = flag;
   is_field_ = false;
+  wants_keys_ = true;
   new_name_ = level.flag_names[static_cast<std::size_t>(flag)];
 }
 
 void FlagMenu::show_field(int first_flag) {
   flag_ = first_flag;
   is_field_ = true;
+  wants_keys_ = true;
 }
 
 void FlagMenu::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -63,7 +67,7 @@ void FlagMenu::draw_flag(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   ui.heading("Flag " + std::to_string(flag_));
   ImGui::SetNextItemWidth(ui.px(180));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   const bool named =
       ImGui::InputTextWithHint("##name", "name", &new_name_, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.item("flags/name", "What you call this flag; Enter sets it.");
@@ -136,7 +140,7 @@ void FlagMenu::draw_field(const Session& session, Actions& actions, Ui& ui, std:
   const FlagField& field = level.flag_fields[index];
   ui.heading("Field of flags " + std::to_string(field.first) + " to " + std::to_string(field.last()));
   ImGui::SetNextItemWidth(ui.px(200));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   FlagField changed = field;
   if (ImGui::InputTextWithHint("##field_name", "name, such as slope kind", &changed.name))
     actions.push_back(action::EditLevel{set_flag_field(level, index, changed), text_stroke_});

@@ -29,10 +29,11 @@ class FlagMenu {
 
   int flag_ = 0;  // whose menu it is; of a field: its first
   bool is_field_ = false;
-  float x_ = 0;           // px of the screen, its left side
-  std::string new_name_;  // of the flag
-  int shape_stroke_ = 0;  // of the drag of a shape's number; 0: none
-  int text_stroke_ = 0;   // of what is typed for a field
+  float x_ = 0;              // px of the screen, its left side
+  bool wants_keys_ = false;  // the name, as the menu shows another one
+  std::string new_name_;     // of the flag
+  int shape_stroke_ = 0;     // of the drag of a shape's number; 0: none
+  int text_stroke_ = 0;      // of what is typed for a field
 };
 
 }  // namespace talus

@@ -81,7 +81,7 @@ void FlagsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   menu_.draw(session, actions, ui);
 }
 
-// In line with the panel's title.
+// In line with the panel's tab.
 void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   const Command& brush = find_command("flags/brush");
   const float byte = ui.px(28), width = ui.px(80), gap = ui.px(theme::kGap);
@@ -95,7 +95,9 @@ void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   if (pressed) brush.run(session, actions, ui);
   ui.item("flags/brush", brush.help, keys_of(brush, ui));
   ImGui::SameLine(0, gap);
-  ui.heading("hex");
+  const ImVec2 at = ImGui::GetCursorScreenPos();  // an item of text would be lowered as the tabs' text is
+  ImGui::GetWindowDrawList()->AddText({at.x, at.y + ui.px(1)}, theme::tone(theme::kMuted), "hex");
+  ImGui::Dummy({hex, 1});
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(byte);
   draw_byte(session, actions, ui);

@@ -51,8 +51,8 @@ std::string zoom_text(float zoom) {
 }
 
 // What is tinted, or what the flag brush does at the mouse.
-std::string flag_caption(const Session& session, FlagPattern pattern, std::optional<Cell> hovered) {
-  if (session.choices().map_tool != MapTool::flag) return "tinted: " + pattern_label(session.level(), pattern);
+std::string flag_caption(const Session& session, FlagPattern pattern, bool paints, std::optional<Cell> hovered) {
+  if (!paints || session.choices().map_tool != MapTool::flag) return "tinted: " + pattern_label(session.level(), pattern);
   if (!hovered) return brush_text(session, SheetId::tiles, {});
   return brush_text(session, SheetId::tiles, session.level().map.at(*hovered)) + ", in all its cells";
 }
@@ -336,7 +336,8 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
                theme::color(theme::kMuted), ui);
   if (is_play()) draw_overlay_legend(list, session.choices(), view, ui);
   if (const auto pattern = session.choices().flag_overlay) {
-    const std::string text = flag_caption(session, *pattern, ui.view.hover.cell);
+    const bool paints = !is_play() || ui.view.paint_in_play;
+    const std::string text = flag_caption(session, *pattern, paints, ui.view.hover.cell);
     const float height = ImGui::GetTextLineHeight() + ui.px(4);
     draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(pattern->lowest_flag(), 255), ui);
   }

@@ -142,7 +142,7 @@ void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
     ui.item("import/error");
   } else {
     const PngImportPlan& plan = *import.plan;
-    std::string text;
+    std::string text = plan.edit.empty() ? "Nothing changes: the level has all of this already.\n" : "";
     if (import.options.part != PngPart::palette)
       text =
           "Changes " + counted_text(plan.pixels, "pixel") + " of " + counted_text(plan.tiles, "tile") + ".\n";

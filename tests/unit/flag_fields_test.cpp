@@ -66,8 +66,14 @@ TEST(FlagFieldFile, ComesBackAsItWas) {
       "name": "slope kind",
       "first": 2,
       "bits": 2,
-      "values": ["none", "up", "down"]
-    },)"),
+      "values": [
+        "none",
+        "up",
+        "down"
+      ]
+    },
+    {"first": 6, "bits": 2, "hint": "new"}
+  ],)"),
             std::string::npos)
       << written->bytes;
   const auto read = read_native(written->bytes, {});
