@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr int kBlockCells = 65'536;  // about
+constexpr int kBlockCells = 16'384;  // about: full of slopes, they take some ms
 constexpr std::size_t kMostCellsAlone =
     64;  // of which each is looked at with its surroundings; else blocks are
 

@@ -20,29 +20,39 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
   const int y0 = cell_within(visible.y, rows), y1 = cell_within(visible.bottom() + kTileSize, rows);
   const double count = 1.0 * (x1 - x0) * (y1 - y0);
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / kMostCells))));
-  const auto px = [](int cell) { return cell * 1.0 * kTileSize; };
   // Cells of a row that are alike, as one.
   const auto runs = [&](int y, auto is_in, auto put) {
     int start = x0;
     for (int x = x0; x < x1 + step; x += step) {
       if (x < x1 && is_in(Cell{x, y})) continue;
-      if (x > start) put(px(start), px(std::min(x, x1)));
+      if (x > start) put(start * 1.0 * kTileSize, std::min(x, x1) * 1.0 * kTileSize);
       start = x + step;
     }
   };
+  // Runs that are below equal ones make their boxes higher.
+  std::vector<Rect> open, here;
+  const auto close = [&](const Rect& box) { drawing.boxes.push_back({OverlayId::reach, box, !stale}); };
   for (int y = y0; y < y1; y += step) {
-    const double bottom = px(std::min(y + step, y1));
+    const double top = y * 1.0 * kTileSize, bottom = std::min(y + step, y1) * 1.0 * kTileSize;
+    here.clear();
     runs(
         y, [&](Cell c) { return reach.reached(c); },
         [&](double from, double to) {
-          drawing.boxes.push_back({OverlayId::reach, {from, px(y), to - from, bottom - px(y)}, !stale});
+          const auto above = std::find_if(
+              open.begin(), open.end(), [&](const Rect& box) { return box.x == from && box.w == to - from; });
+          here.push_back({from, above != open.end() ? above->y : top, to - from, 0});
+          here.back().h = bottom - here.back().y;
+          if (above != open.end()) open.erase(above);
         });
+    std::for_each(open.begin(), open.end(), close);
+    open.swap(here);
     runs(
         y, [&](Cell c) { return reach.stood_at(c); },
         [&](double from, double to) {
           drawing.lines.push_back({OverlayId::reach, {from, bottom}, {to, bottom}});
         });
   }
+  std::for_each(open.begin(), open.end(), close);
 }
 
 }  // namespace talus

@@ -95,7 +95,9 @@ TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
 
 TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   start_broken();
-  click("problems/row5", kRight);  // 3 px up to the wall
+  key(shift(kKeyF8));  // the last one, 3 px up to the wall: the list is scrolled there
+  frames(2);
+  click("problems/row5", kRight);
   ASSERT_NE(find("problems/choice0"), nullptr);
   click("problems/choice_kind");
   EXPECT_EQ(app().ui().view.problems.kind, "seam");
@@ -141,17 +143,17 @@ TEST_F(UiProblems, WhereThePlayerGetsTo) {
   EXPECT_TRUE(found.reached({20, 14}));
   EXPECT_FALSE(found.reached({25, 14}));  // in the wall
 
-  const int branch = session().timeline().current().id;
   move(on_map({20, 14}));
+  frames(2);
+  const std::size_t way = found.way_to({20, 14}).size();
+  EXPECT_GT(way, 0u);
   key('w');
-  EXPECT_NE(session().timeline().current().id, branch);
+  EXPECT_EQ(session().state().frame, static_cast<std::int64_t>(way));
   const Rect box = session().state().bodies.back().box;
   EXPECT_LT(box.x, 21 * 8);
   EXPECT_GT(box.right(), 20 * 8);
 
-  key(kKeyF3);
-  click(on_sheet(1));
-  click(on_map({2, 10}));
+  key(ctrl('z'));  // the player is in the wall again
   frames(2);
   EXPECT_TRUE(session().reach().is_stale());
   EXPECT_NE(find("reach/stale"), nullptr);

@@ -40,7 +40,7 @@ TEST(LintCache, AChangedCellIsLookedAtWithItsSurroundings) {
 
 TEST(LintCache, AChangedCellCountsInTheNextBlockToo) {
   std::mt19937 random(2);
-  Level level = random_slopes(4096, 40, random);  // blocks of 16 rows
+  Level level = random_slopes(4096, 40, random);  // blocks of 4 rows
   for (int y = 0; y < 40; ++y) {
     for (int x = 40; x < 4096; ++x) level.map.set({x, y}, 0);
   }
@@ -58,21 +58,22 @@ TEST(LintCache, AChangedCellCountsInTheNextBlockToo) {
 TEST(LintCache, AChangedTileIsLookedAtInAllBlocksALittleAtATime) {
   std::mt19937 random(3);
   Level level = random_slopes(64, 8, random);
-  level.map = TileMap(4096, 40);
-  level.map.set({10, 5}, kSlopeA);
-  level.map.set({10, 35}, kSlopeA);
+  level.map = TileMap(4096, 40);  // ten blocks
+  level.map.set({10, 1}, kSlopeA);
+  level.map.set({10, 39}, kSlopeA);
   level.spawns.resize(1);
   LintCache cache;
   EXPECT_FALSE(cache.is_done());
   ASSERT_TRUE(cache.advance(level, {}, kAll));
   EXPECT_THAT(cache.problems(), testing::IsEmpty());  // slopes in the air
-  level.sheet(SheetId::tiles).flags[kSlopeA] = 4;  // a slope of two tiles, but for its own shape
+  level.sheet(SheetId::tiles).flags[kSlopeA] = 4;     // a slope of two tiles, but for its own shape
   cache.note_rest();
   EXPECT_FALSE(cache.is_done());
-  EXPECT_FALSE(cache.advance(level, {}, 1));
-  ASSERT_EQ(cache.problems().size(), 1u);
-  EXPECT_EQ(cache.problems()[0].cell, (Cell{10, 5}));
-  EXPECT_FALSE(cache.advance(level, {}, 1));
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_FALSE(cache.advance(level, {}, 1)) << i;
+    ASSERT_EQ(cache.problems().size(), 1u);
+    EXPECT_EQ(cache.problems()[0].cell, (Cell{10, 1}));
+  }
   EXPECT_TRUE(cache.advance(level, {}, 1));
   EXPECT_EQ(cache.problems(), lint(level));
   EXPECT_EQ(cache.problems().size(), 2u);

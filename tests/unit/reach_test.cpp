@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "overlay/reach_drawing.h"
 #include "session/session.h"
 #include "slope_level.h"
 
@@ -82,6 +83,26 @@ TEST(Reach, TooManyStatesEndIt) {
   EXPECT_TRUE(reach.advance(100'000));
   EXPECT_TRUE(reach.is_full());
   EXPECT_EQ(reach.known(), 50u);
+}
+
+TEST(Reach, IsDrawnAsBoxesOfItsCells) {
+  ReachSearch reach = search_of(walled_level(3));
+  while (!reach.advance(1000)) {
+  }
+  OverlayDrawing all, stale, left;
+  add_reach(reach, false, 14, 13, {0, 0, 112, 104}, all);
+  double area = 0;
+  for (const OverlayBox& box : all.boxes) {
+    area += box.box.w * box.box.h;
+    EXPECT_TRUE(box.filled);
+  }
+  EXPECT_EQ(area, 64.0 * static_cast<double>(reach.cells()));
+  EXPECT_FALSE(all.lines.empty());
+  add_reach(reach, true, 14, 13, {0, 0, 112, 104}, stale);
+  ASSERT_EQ(stale.boxes.size(), all.boxes.size());
+  EXPECT_FALSE(stale.boxes[0].filled);
+  add_reach(reach, false, 14, 13, {-50, 0, 60, 104}, left);
+  for (const OverlayBox& box : left.boxes) EXPECT_LE(box.box.right(), 24);
 }
 
 TEST(Reach, TheSessionSearchesAndPlaysTheWay) {
