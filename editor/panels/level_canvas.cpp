@@ -51,8 +51,10 @@ std::string zoom_text(float zoom) {
 }
 
 // What is tinted, or what the flag brush does at the mouse.
-std::string flag_caption(const Session& session, FlagPattern pattern, bool paints, std::optional<Cell> hovered) {
-  if (!paints || session.choices().map_tool != MapTool::flag) return "tinted: " + pattern_label(session.level(), pattern);
+std::string flag_caption(const Session& session, FlagPattern pattern, bool paints,
+                         std::optional<Cell> hovered) {
+  if (!paints || session.choices().map_tool != MapTool::flag)
+    return "tinted: " + pattern_label(session.level(), pattern);
   if (!hovered) return brush_text(session, SheetId::tiles, {});
   return brush_text(session, SheetId::tiles, session.level().map.at(*hovered)) + ", in all its cells";
 }
@@ -197,7 +199,8 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
     handle_play_mouse(session, actions, view, hovered);
 }
 
-void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const CanvasView& view, bool pressed) {
+void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
+                       bool pressed) {
   const ImGuiIO& io = ImGui::GetIO();
   const MapTool tool = session.choices().map_tool;
   const bool begins = !is_editing(), down = io.MouseDown[0];
@@ -212,7 +215,8 @@ void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const C
   else if (spawn_gesture_.active() || (begins && tool == MapTool::body))
     spawn_gesture_.update(session, actions, view, at, pressed, down);
   else if (flag_brush_.active() || (begins && tool == MapTool::flag))
-    flag_brush_.update(session, actions, SheetId::tiles, view.to_cell(io.MousePos), TileOfMap{session.level().map}, pressed, down);
+    flag_brush_.update(session, actions, SheetId::tiles, view.to_cell(io.MousePos),
+                       TileOfMap{session.level().map}, pressed, down);
   else if (ground_gesture_.active() || (begins && tool == MapTool::ground))
     ground_gesture_.update(session, actions, ui, view.to_cell(io.MousePos), pressed, down);
   else if (select_gesture_.active() || (begins && selects(session.choices())))
@@ -254,8 +258,7 @@ bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool pain
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view);
   const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
   const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
-  if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0))))
-    panning_ = true;
+  if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0)))) panning_ = true;
   if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
   if (panning_) camera_.scroll({-io.MouseDelta.x, -io.MouseDelta.y});
   if (panning_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -326,7 +329,10 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap = ui.px(4);
-  std::string title = std::string(is_play() ? "Play" : is_second_ ? "Second map" : "Map") + "  " + zoom_text(view.zoom);
+  std::string title = std::string(is_play()    ? "Play"
+                                  : is_second_ ? "Second map"
+                                               : "Map") +
+                      "  " + zoom_text(view.zoom);
   if (camera_.shows_whole()) title += "   click: go there";
   if (is_play() && keys_steer(session, ui.view))
     title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
@@ -339,7 +345,8 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
     const bool paints = !is_play() || ui.view.paint_in_play;
     const std::string text = flag_caption(session, *pattern, paints, ui.view.hover.cell);
     const float height = ImGui::GetTextLineHeight() + ui.px(4);
-    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text, flag_color(pattern->lowest_flag(), 255), ui);
+    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text,
+               flag_color(pattern->lowest_flag(), 255), ui);
   }
   if (is_play() && session.state().bodies.empty()) {
     const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
