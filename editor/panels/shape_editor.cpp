@@ -15,7 +15,8 @@ using Side = TileShape::Side;
 constexpr std::array<Kind, 4> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile};
 constexpr double kLowest = 0, kHighest = kMaxShapeTiles * kTileSide;
 constexpr int kLeastTiles = 1, kMostTiles = kMaxShapeTiles;
-constexpr float kHeightWidth = 36;  // px at scale 1, of one height of a profile
+constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
+constexpr float kHeightWidth = 32;  // px at scale 1, of one height of a profile
 
 std::string_view label_of(Kind kind) {
   constexpr std::array<std::string_view, 4> kLabels = {"none", "solid", "slope", "profile"};
@@ -37,9 +38,11 @@ class ShapeEditor {
         draw_profile();
       draw_width();
       bool hangs = shape_.side == Side::ceiling;
-      check("ceiling", "hangs from the ceiling", hangs, "The ground is above the line, measured downwards.");
+      ui_.same_line_if_fits(ui_.px(kCheckWidth));
+      check("ceiling", "ceiling", hangs, "The ground hangs above the line, and is measured downwards.");
       shape_.side = hangs ? Side::ceiling : Side::floor;
     }
+    ui_.same_line_if_fits(ui_.px(kCheckWidth));
     check("one_way", "one-way", shape_.one_way, "Stops only what comes from the open side of its line.");
     return changed_;
   }

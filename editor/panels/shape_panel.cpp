@@ -49,8 +49,11 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui, int tile) {
   const TileShape& own = session.level().tile_shapes[static_cast<std::size_t>(tile)];
-  if (const auto shape = draw_shape("shape/kind", own, session, field_stroke_, ui))
-    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_stroke_});
+  auto shape = draw_shape("shape/kind", own, session, field_stroke_, ui);
+  if (!shape) return;
+  if (own.kind == TileShape::Kind::none)  // the first of its own is as like what its flags gave as may be
+    shape = with_kind(shape_of_tile(session.level(), static_cast<std::uint8_t>(tile)), shape->kind);
+  actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_stroke_});
 }
 
 void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile) {
