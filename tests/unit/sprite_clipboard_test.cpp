@@ -8,17 +8,17 @@
 namespace talus {
 namespace {
 
-const SpriteArea kTile{SheetId::tiles, {3, 0, 1, 1}};
-const SpriteArea kFour{SheetId::sprites, {0, 0, 2, 2}};
-const SpriteArea kWide{SheetId::tiles, {3, 0, 2, 1}};
+const SpriteArea kClipTile{SheetId::tiles, {3, 0, 1, 1}};
+const SpriteArea kClipFour{SheetId::sprites, {0, 0, 2, 2}};
+const SpriteArea kClipWide{SheetId::tiles, {3, 0, 2, 1}};
 
-Level numbered_level() {
+Level level_with_numbered_tile() {
   Level level = with_picture(
-      Level(), kTile, "123.....\n........\n........\n........\n........\n........\n........\n.......f\n");
+      Level(), kClipTile, "123.....\n........\n........\n........\n........\n........\n........\n.......f\n");
   level.sheet(SheetId::tiles).flags[3] = 0x21;  // flags 0 and 5
   return level;
 }
-const std::string kTileText =
+const std::string kClipTileText =
     "12300000"
     "00000000"
     "00000000"
@@ -30,7 +30,7 @@ const std::string kTileText =
     "12";
 
 TEST(SpriteClipboard, TileIsADigitAPixelThenItsFlagsLowDigitFirst) {
-  EXPECT_EQ(tiles_to_text(numbered_level(), kTile), kTileText);
+  EXPECT_EQ(tiles_to_text(level_with_numbered_tile(), kClipTile), kClipTileText);
 }
 
 // The digits of a row go over both tiles of the canvas before the next row begins.
@@ -46,11 +46,11 @@ TEST(SpriteClipboard, SquareIsWrittenRowByRowThenTheFlagsOfEachTile) {
   std::string text;
   for (int row = 0; row < 8; ++row) text += "1111111122222222";
   for (int row = 0; row < 8; ++row) text += "33333333aaaaaaaa";
-  EXPECT_EQ(tiles_to_text(level, kFour), text +
-                                             "08"
-                                             "00"
-                                             "00"
-                                             "f0");
+  EXPECT_EQ(tiles_to_text(level, kClipFour), text +
+                                                 "08"
+                                                 "00"
+                                                 "00"
+                                                 "f0");
 }
 
 TEST(SpriteClipboard, PastePutsPixelsAndFlagsInOneEdit) {
@@ -58,12 +58,12 @@ TEST(SpriteClipboard, PastePutsPixelsAndFlagsInOneEdit) {
   level.sheet(SheetId::tiles).images[3].fill(9);
   level.sheet(SheetId::tiles).flags[3] = 0xff;
   const Level before = level;
-  std::string upper = "\n " + kTileText + "\r\n";
+  std::string upper = "\n " + kClipTileText + "\r\n";
   for (char& c : upper) c = c == 'f' ? 'F' : c;
-  const auto edit = paste_tiles(level, kTile, upper);
+  const auto edit = paste_tiles(level, kClipTile, upper);
   ASSERT_TRUE(edit) << edit.error();
   apply_edit(level, *edit);
-  EXPECT_EQ(picture_of(level, kTile), picture_of(numbered_level(), kTile));
+  EXPECT_EQ(picture_of(level, kClipTile), picture_of(level_with_numbered_tile(), kClipTile));
   EXPECT_EQ(level.sheet(SheetId::tiles).flags[3], 0x21);
   revert_edit(level, *edit);
   EXPECT_TRUE(level == before);
@@ -76,34 +76,34 @@ TEST(SpriteClipboard, WhatIsCopiedIsPastedElsewhereTheSame) {
     level.sheet(SheetId::tiles).images[4][i] = static_cast<std::uint8_t>(i * 5 % 16);
   }
   level.sheet(SheetId::tiles).flags[4] = 0x5a;
-  const std::string text = tiles_to_text(level, kWide);
+  const std::string text = tiles_to_text(level, kClipWide);
   EXPECT_EQ(text.substr(0, 10), "tiles 2x1\n");
   const SpriteArea other{SheetId::sprites, {7, 9, 2, 1}};
   const auto edit = paste_tiles(level, other, text);
   ASSERT_TRUE(edit) << edit.error();
   apply_edit(level, *edit);
-  EXPECT_EQ(picture_of(level, other), picture_of(level, kWide));
+  EXPECT_EQ(picture_of(level, other), picture_of(level, kClipWide));
   EXPECT_EQ(level.sheet(SheetId::sprites).flags[9 * 16 + 8], 0x5a);
 }
 
 TEST(SpriteClipboard, AnotherSizeIsAnErrorThatSaysBoth) {
-  const auto edit = paste_tiles(Level(), kFour, kTileText);
+  const auto edit = paste_tiles(Level(), kClipFour, kClipTileText);
   ASSERT_FALSE(edit);
   EXPECT_EQ(edit.error(), "The clipboard holds 1x1 tiles, and 2x2 are selected: select 1x1 to paste them.");
   const SpriteArea four_wide{SheetId::tiles, {0, 0, 4, 1}};
-  EXPECT_FALSE(paste_tiles(Level(), four_wide, tiles_to_text(Level(), kFour))) << "as many tiles";
+  EXPECT_FALSE(paste_tiles(Level(), four_wide, tiles_to_text(Level(), kClipFour))) << "as many tiles";
 }
 
 TEST(SpriteClipboard, OtherTextIsAnError) {
   const std::string error = "The clipboard holds no sprites: copy some here or in TIC-80 first.";
-  std::string no_digit = kTileText;
+  std::string no_digit = kClipTileText;
   no_digit[5] = 'g';
   const std::string three(3 * 66, '0');  // no square
   for (const std::string& text :
-       {std::string(), std::string("hello"), kTileText + "0", kTileText.substr(1), no_digit, three,
-        std::string("tiles 2x2\n") + kTileText, std::string("tiles 0x1\n"), "tiles 1x\n" + kTileText,
+       {std::string(), std::string("hello"), kClipTileText + "0", kClipTileText.substr(1), no_digit, three,
+        std::string("tiles 2x2\n") + kClipTileText, std::string("tiles 0x1\n"), "tiles 1x\n" + kClipTileText,
         std::string("pixels 9x1\n12")}) {
-    const auto edit = paste_tiles(Level(), kTile, text);
+    const auto edit = paste_tiles(Level(), kClipTile, text);
     ASSERT_FALSE(edit) << text;
     EXPECT_EQ(edit.error(), error) << text;
   }
@@ -147,7 +147,7 @@ TEST(SpriteClipboard, SixDigitsAreTheChosenColour) {
 
 TEST(SpriteClipboard, OtherTextIsNoPalette) {
   for (const std::string& text :
-       {std::string(), std::string("12345"), std::string("12345g"), std::string(95, '0'), kTileText}) {
+       {std::string(), std::string("12345"), std::string("12345g"), std::string(95, '0'), kClipTileText}) {
     const auto edit = paste_palette(Level(), 0, text);
     ASSERT_FALSE(edit) << text;
     EXPECT_EQ(

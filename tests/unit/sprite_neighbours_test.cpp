@@ -10,7 +10,7 @@ namespace {
 //  3 5 4 3 5 4
 //  0 2 0 0 2 0
 //  0 0 6 5 4 0
-TileMap joined_map() {
+TileMap map_of_joined_tiles() {
   const std::vector<std::vector<int>> rows = {
       {0, 1, 0, 0, 1, 0}, {3, 5, 4, 3, 5, 4}, {0, 2, 0, 0, 2, 0}, {0, 0, 6, 5, 4, 0}};
   TileMap map(6, 4);
@@ -22,7 +22,7 @@ TileMap joined_map() {
 }
 
 TEST(SpriteNeighbours, PlaceIsWhereAllTilesStand) {
-  const TileMap map = joined_map();
+  const TileMap map = map_of_joined_tiles();
   EXPECT_EQ(place_of_tiles(map, {5, 0, 1, 1}, {4, 1}), (Cell{4, 1}));
   EXPECT_FALSE(place_of_tiles(map, {5, 0, 1, 1}, {0, 0}));
   EXPECT_FALSE(place_of_tiles(map, {5, 0, 1, 1}, {9, 0})) << "off the map";
@@ -35,7 +35,7 @@ TEST(SpriteNeighbours, PlaceIsWhereAllTilesStand) {
 }
 
 TEST(SpriteNeighbours, AtAPlaceAndNoneBeyondTheEdge) {
-  const TileNeighbours n = neighbours_at(joined_map(), {5, 0, 1, 1}, {3, 3});
+  const TileNeighbours n = neighbours_at(map_of_joined_tiles(), {5, 0, 1, 1}, {3, 3});
   EXPECT_EQ(n.at(-1, 0), 6);
   EXPECT_EQ(n.at(1, 0), 4);
   EXPECT_EQ(n.at(1, -1), 2);
@@ -45,7 +45,7 @@ TEST(SpriteNeighbours, AtAPlaceAndNoneBeyondTheEdge) {
 }
 
 TEST(SpriteNeighbours, CommonestOnEachSide) {
-  const TileNeighbours n = commonest_neighbours(joined_map(), {5, 0, 1, 1});
+  const TileNeighbours n = commonest_neighbours(map_of_joined_tiles(), {5, 0, 1, 1});
   EXPECT_EQ(n.at(-1, 0), 3);
   EXPECT_EQ(n.at(1, 0), 4);
   EXPECT_EQ(n.at(0, -1), 1);
@@ -54,7 +54,7 @@ TEST(SpriteNeighbours, CommonestOnEachSide) {
 }
 
 TEST(SpriteNeighbours, OfSeveralTilesEachEdgeTileHasItsOwn) {
-  const TileNeighbours n = commonest_neighbours(joined_map(), {3, 0, 3, 1});  // 3 4 5
+  const TileNeighbours n = commonest_neighbours(map_of_joined_tiles(), {3, 0, 3, 1});  // 3 4 5
   EXPECT_EQ(n.w, 3);
   EXPECT_EQ(n.at(2, -1), 1) << "above 5";
   EXPECT_EQ(n.at(1, 1), 0) << "below 4";
@@ -63,7 +63,7 @@ TEST(SpriteNeighbours, OfSeveralTilesEachEdgeTileHasItsOwn) {
 }
 
 TEST(SpriteNeighbours, NothingIsKnownOfTilesThatAreNotThere) {
-  const TileNeighbours n = commonest_neighbours(joined_map(), {9, 9, 1, 1});
+  const TileNeighbours n = commonest_neighbours(map_of_joined_tiles(), {9, 9, 1, 1});
   for (const auto& tile : n.ring) EXPECT_FALSE(tile);
 }
 

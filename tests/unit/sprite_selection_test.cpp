@@ -9,8 +9,9 @@ namespace {
 
 namespace act = action;
 
-const SpriteArea kCanvas{SheetId::tiles, {0, 0, 1, 1}};
-const std::string kStart = "12......\n34......\n........\n....aaaa\n....aaaa\n........\n........\n........\n";
+const SpriteArea kSelectionCanvas{SheetId::tiles, {0, 0, 1, 1}};
+const std::string kSelectionStart =
+    "12......\n34......\n........\n....aaaa\n....aaaa\n........\n........\n........\n";
 
 // The right button's colour is 7.
 class SpriteSelection : public ::testing::Test {
@@ -25,7 +26,7 @@ class SpriteSelection : public ::testing::Test {
   void select(CellRect r) { session.apply(act::SelectPixels{r}); }
   void move(int x, int y) { session.apply(act::MovePixels{{x, y}}); }
 
-  Session session{with_picture(Level(), kCanvas, kStart)};
+  Session session{with_picture(Level(), kSelectionCanvas, kSelectionStart)};
 };
 
 TEST_F(SpriteSelection, IsClampedToTheCanvas) {
@@ -49,7 +50,7 @@ TEST_F(SpriteSelection, MovesOverWhatIsThereAndOnAgain) {
   EXPECT_EQ(undos(), 1u) << "all moves are one";
   EXPECT_EQ(session.history().edits()[0].label, "Move pixels");
   session.apply(act::Undo{});
-  EXPECT_EQ(picture(), kStart);
+  EXPECT_EQ(picture(), kSelectionStart);
   EXPECT_FALSE(rect()) << "what floated is gone";
   session.apply(act::Redo{});
   EXPECT_EQ(picture(), "77......\n77......\n........\n....aaaa\n....aaaa\n........\n.....12.\n.....34.\n");
@@ -59,7 +60,7 @@ TEST_F(SpriteSelection, BackWhereItWasIsNoChangeButTheHole) {
   select({0, 0, 2, 2});
   move(3, 0);
   move(-3, 0);
-  EXPECT_EQ(picture(), kStart);
+  EXPECT_EQ(picture(), kSelectionStart);
   EXPECT_EQ(undos(), 0u);
   move(0, 1);
   EXPECT_EQ(picture(), "77......\n12......\n34......\n....aaaa\n....aaaa\n........\n........\n........\n");
@@ -72,7 +73,8 @@ TEST_F(SpriteSelection, OverTheEdgeNothingIsLost) {
   EXPECT_EQ(picture().substr(0, 18), "27......\n47......\n");
   move(-5, 0);
   EXPECT_EQ(rect(), (CellRect{-1, 0, 2, 2})) << "a column stays inside";
-  EXPECT_EQ(session.choices().pixels.pixels(session.level(), kCanvas), (PixelBlock{2, 2, {1, 2, 3, 4}}));
+  EXPECT_EQ(session.choices().pixels.pixels(session.level(), kSelectionCanvas),
+            (PixelBlock{2, 2, {1, 2, 3, 4}}));
   move(3, 0);
   EXPECT_EQ(picture().substr(0, 18), "7712....\n7734....\n");
 }
@@ -80,7 +82,7 @@ TEST_F(SpriteSelection, OverTheEdgeNothingIsLost) {
 TEST_F(SpriteSelection, AnotherEditPutsItDown) {
   select({0, 0, 2, 2});
   move(5, 2);
-  session.apply(act::EditLevel{fill_pixels(session.level(), kCanvas, {4, 4}, 5)});
+  session.apply(act::EditLevel{fill_pixels(session.level(), kSelectionCanvas, {4, 4}, 5)});
   ASSERT_EQ(picture(), "77......\n77......\n.....12.\n....5345\n....5555\n........\n........\n........\n");
   move(-1, 0);
   EXPECT_EQ(picture(), "77......\n77......\n....127.\n....3475\n....5555\n........\n........\n........\n");
@@ -132,7 +134,7 @@ TEST_F(SpriteSelection, PastedPixelsFloat) {
   EXPECT_EQ(picture(), "98......\n34......\n........\n....aaaa\n....aaaa\n........\n........\n........\n");
   EXPECT_EQ(undos(), 1u) << "pasting and moving are one";
   session.apply(act::Undo{});
-  EXPECT_EQ(picture(), kStart);
+  EXPECT_EQ(picture(), kSelectionStart);
 }
 
 TEST_F(SpriteSelection, GoesWithAnotherToolCanvasOrLevel) {
@@ -140,7 +142,7 @@ TEST_F(SpriteSelection, GoesWithAnotherToolCanvasOrLevel) {
   session.apply(act::SetSpriteTool{SpriteTool::fill});
   EXPECT_FALSE(rect());
   select({0, 0, 2, 2});
-  session.apply(act::SelectTiles{kCanvas});
+  session.apply(act::SelectTiles{kSelectionCanvas});
   EXPECT_TRUE(rect()) << "the same canvas";
   session.apply(act::SelectTiles{{SheetId::sprites, {0, 0, 1, 1}}});
   EXPECT_FALSE(rect());

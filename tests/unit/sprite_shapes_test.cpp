@@ -8,13 +8,13 @@
 namespace talus {
 namespace {
 
-const SpriteArea kTile{SheetId::tiles, {5, 0, 1, 1}};
+const SpriteArea kShapeTile{SheetId::tiles, {5, 0, 1, 1}};
 
-std::string drawn(const Edit& edit) {
+std::string shape_drawn_by(const Edit& edit) {
   Level level;
   apply_edit(level, edit);
   EXPECT_TRUE(level.sheet(SheetId::tiles).images[4] == TileImage{}) << "beside the canvas";
-  return picture_of(level, kTile);
+  return picture_of(level, kShapeTile);
 }
 
 TEST(SpriteShapes, BrushLiesAboutThePixel) {
@@ -25,33 +25,34 @@ TEST(SpriteShapes, BrushLiesAboutThePixel) {
 }
 
 TEST(SpriteShapes, LineWithABrushIsAsThickAndCutAtTheEdge) {
-  EXPECT_EQ(drawn(draw_line(Level(), kTile, {-3, 0}, {4, 0}, {7, 2})),
+  EXPECT_EQ(shape_drawn_by(draw_line(Level(), kShapeTile, {-3, 0}, {4, 0}, {7, 2})),
             "777777..\n777777..\n........\n........\n........\n........\n........\n........\n");
-  const Edit edit = draw_line(Level(), kTile, {2, 2}, {5, 5}, {1, 4});
-  EXPECT_EQ(drawn(edit), "........\n.1111...\n.11111..\n.111111.\n.1111111\n..111111\n...11111\n....1111\n");
+  const Edit edit = draw_line(Level(), kShapeTile, {2, 2}, {5, 5}, {1, 4});
+  EXPECT_EQ(shape_drawn_by(edit),
+            "........\n.1111...\n.11111..\n.111111.\n.1111111\n..111111\n...11111\n....1111\n");
   EXPECT_EQ(edit.changes.size(), 37u) << "each pixel once";
 }
 
 TEST(SpriteShapes, RectangleIsAnOutlineOrFilled) {
-  EXPECT_EQ(drawn(draw_rectangle(Level(), kTile, {6, 5}, {1, 2}, {3, 1}, false)),
+  EXPECT_EQ(shape_drawn_by(draw_rectangle(Level(), kShapeTile, {6, 5}, {1, 2}, {3, 1}, false)),
             "........\n........\n.333333.\n.3....3.\n.3....3.\n.333333.\n........\n........\n");
-  EXPECT_EQ(drawn(draw_rectangle(Level(), kTile, {1, 2}, {6, 5}, {3, 1}, true)),
+  EXPECT_EQ(shape_drawn_by(draw_rectangle(Level(), kShapeTile, {1, 2}, {6, 5}, {3, 1}, true)),
             "........\n........\n.333333.\n.333333.\n.333333.\n.333333.\n........\n........\n");
-  EXPECT_EQ(drawn(draw_rectangle(Level(), kTile, {-4, -4}, {1, 20}, {3, 1}, false)),
+  EXPECT_EQ(shape_drawn_by(draw_rectangle(Level(), kShapeTile, {-4, -4}, {1, 20}, {3, 1}, false)),
             ".3......\n.3......\n.3......\n.3......\n.3......\n.3......\n.3......\n.3......\n");
 }
 
 TEST(SpriteShapes, EllipseTouchesTheSidesOfItsBox) {
-  EXPECT_EQ(drawn(draw_ellipse(Level(), kTile, {0, 0}, {7, 7}, {5, 1}, false)),
+  EXPECT_EQ(shape_drawn_by(draw_ellipse(Level(), kShapeTile, {0, 0}, {7, 7}, {5, 1}, false)),
             "..5555..\n.5....5.\n5......5\n5......5\n5......5\n5......5\n.5....5.\n..5555..\n");
-  EXPECT_EQ(drawn(draw_ellipse(Level(), kTile, {7, 5}, {0, 2}, {5, 1}, true)),
+  EXPECT_EQ(shape_drawn_by(draw_ellipse(Level(), kShapeTile, {7, 5}, {0, 2}, {5, 1}, true)),
             "........\n........\n.555555.\n55555555\n55555555\n.555555.\n........\n........\n");
-  EXPECT_EQ(drawn(draw_ellipse(Level(), kTile, {3, 3}, {3, 3}, {5, 1}, false)),
+  EXPECT_EQ(shape_drawn_by(draw_ellipse(Level(), kShapeTile, {3, 3}, {3, 3}, {5, 1}, false)),
             "........\n........\n........\n...5....\n........\n........\n........\n........\n");
 }
 
 TEST(SpriteShapes, OutlineTakesTheBrush) {
-  EXPECT_EQ(drawn(draw_rectangle(Level(), kTile, {1, 1}, {6, 6}, {2, 2}, false)),
+  EXPECT_EQ(shape_drawn_by(draw_rectangle(Level(), kShapeTile, {1, 1}, {6, 6}, {2, 2}, false)),
             "........\n.2222222\n.2222222\n.22...22\n.22...22\n.22...22\n.2222222\n.2222222\n");
 }
 
