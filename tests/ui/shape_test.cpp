@@ -46,6 +46,16 @@ TEST_F(UiShape, EndsOfASlopeAreDraggedToWholePixels) {
   EXPECT_TRUE(shape(9).one_way);
 }
 
+TEST_F(UiShape, FirstShapeOfItsOwnIsAsItsFlagsHadIt) {
+  click(on_sheet(3));
+  click("shape/kind");
+  click("shape/kind_slope");
+  EXPECT_EQ(shape(3), (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {0, 8}}));
+  click("shape/kind");
+  click("shape/kind_none");
+  EXPECT_EQ(shape(3), TileShape());
+}
+
 TEST_F(UiShape, ProfileIsDrawnOverItsColumns) {
   click(on_sheet(9));
   click("shape/kind");
