@@ -15,7 +15,13 @@ namespace {
 
 constexpr float kPicture = 264;          // px at scale 1, the most that a side of a picture takes
 constexpr float kSwatch = 10;            // px at scale 1, height of the strips of colours
+constexpr float kGap = 12;               // px at scale 1, between the pictures
 constexpr double kMostDistance = 441.7;  // from black to white in RGB
+
+// A whole zoom step.
+float side_of_picture(const Ui& ui) {
+  return std::max(1.0f, std::floor(ui.px(kPicture) / kSheetSide)) * kSheetSide;
+}
 
 SheetId sheet_of(PngPart part) { return part == PngPart::sprites ? SheetId::sprites : SheetId::tiles; }
 
@@ -106,8 +112,8 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
 
 PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const PngImport& import,
                                                    PngImportOptions options, Ui& ui) {
-  const float side = std::max(1.0f, std::floor(ui.px(kPicture) / kSheetSide)) * kSheetSide;
-  const float cell = side / kSheetColumns, gap = ui.px(12), header = ImGui::GetTextLineHeightWithSpacing();
+  const float side = side_of_picture(ui);
+  const float cell = side / kSheetColumns, gap = ui.px(kGap), header = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 pictures[2] = {{at.x, at.y + header}, {at.x + side + gap, at.y + header}};
@@ -134,7 +140,8 @@ PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const
 
 void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   ImGui::Spacing();
-  ImGui::PushTextWrapPos(0);
+  // Not at the window's edge, since the window takes its size from the text.
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kGap));
   if (!import.plan) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
     ImGui::TextUnformatted(import.plan.error().c_str());
