@@ -63,13 +63,15 @@ bool ExpressionField::draw(std::string_view name, std::string& text, bool condit
   const bool confirmed =
       ImGui::InputTextWithHint(id.c_str(), std::string(hint).c_str(), &text, kFlags, on_edit, this);
   const bool left = ImGui::IsItemDeactivatedAfterEdit();
+  const float edge = ImGui::GetItemRectMin().x;  // what is said of it is below it
   const bool active = ImGui::IsItemActive();
   ui.item(name,
           "An expression such as \"vy > 3 && grounded\". Tab completes a name, and goes on where "
           "there is none; Up and Down go to the other rows.");
   const auto error = text.empty() ? std::nullopt : error_of(text, condition);
   if (error) draw_error(text, *error, ui);
-  if (active || open_) draw_candidates(name, text, ui);
+  if (active || open_) draw_candidates(name, edge, text, ui);
+  if (error && confirmed) ui.view.wants_text = name;  // so that it can be mended
   open_ = active || (open_ && ImGui::IsMouseDown(0));
   return !error && (confirmed || (left && !text.empty()));
 }
@@ -83,16 +85,18 @@ void ExpressionField::draw_error(const std::string& text, const ExpressionError&
   const float end = std::max(x + ui.px(6), min.x + ImGui::GetStyle().FramePadding.x + width_to(text.size()));
   ImGui::GetWindowDrawList()->AddRectFilled({x, max.y - ui.px(2)}, {end, max.y}, theme::tone(theme::kError));
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
+  ImGui::SetCursorScreenPos({min.x, ImGui::GetCursorScreenPos().y});
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + max.x - min.x);
   ImGui::TextUnformatted(("at " + std::to_string(error.position + 1) + ": " + error.message).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
-void ExpressionField::draw_candidates(std::string_view name, std::string& text, Ui& ui) {
+void ExpressionField::draw_candidates(std::string_view name, float edge, std::string& text, Ui& ui) {
   const Completion completion = complete(text, cursor_);
   const std::size_t count = std::min(completion.candidates.size(), kMostCandidates);
   if (count == 0 || is_whole(completion)) return;
+  ImGui::SetCursorScreenPos({edge, ImGui::GetCursorScreenPos().y});
   for (std::size_t i = 0; i < count; ++i) {
     const Candidate& candidate = completion.candidates[i];
     if (i > 0) ui.same_line_if_fits(ImGui::CalcTextSize(candidate.label.c_str()).x + ui.px(8));

@@ -26,7 +26,7 @@ class ExpressionField {
  private:
   static int on_edit(ImGuiInputTextCallbackData* data);
   void draw_error(const std::string& text, const ExpressionError& error, Ui& ui) const;
-  void draw_candidates(std::string_view name, std::string& text, Ui& ui);
+  void draw_candidates(std::string_view name, float edge, std::string& text, Ui& ui);
 
   std::size_t cursor_ = 0;
   FieldWay way_ = FieldWay::none;

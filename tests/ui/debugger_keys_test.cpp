@@ -62,6 +62,8 @@ TEST_F(UiDebuggerKeys, MakeGoToAndDropBranches) {
   key(alt(kKeyUp));
   EXPECT_EQ(timeline().current().id, 1);
   key(alt(kKeyDelete));
+  frames(2);
+  click("question/drop");
   ASSERT_EQ(timeline().branches().size(), 1u);
   EXPECT_EQ(timeline().current().id, made);
 }
@@ -206,7 +208,7 @@ TEST_F(UiDebuggerKeys, CompareWithEachInTurn) {
 
 TEST_F(UiDebuggerKeys, TheCursorOfAFieldKeepsItsKeys) {
   play(20);
-  key(kKeyF8);
+  key(ctrl(kKeyF8));
   frames(3);
   type("vx vy");
   key(ctrl(kKeyLeft));
