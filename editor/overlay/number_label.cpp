@@ -1,28 +1,28 @@
 #include "number_label.h"
 
-#include <cstdio>
+#include <charconv>
 
 namespace talus {
 
 namespace {
 
-std::string formatted(const char* format, double value) {
+// As printf's %f and %g, and much quicker: crowds have thousands of labels.
+std::string formatted(std::chars_format format, int precision, double value) {
   char text[384];  // the largest double has 309 digits before the point
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  return {text, std::to_chars(text, text + sizeof text, value, format, precision).ptr};
 }
 
 }  // namespace
 
-std::string no_decimals(double value) { return formatted("%.0f", value); }
+std::string no_decimals(double value) { return formatted(std::chars_format::fixed, 0, value); }
 
 std::string two_decimals(double value) {
-  const std::string text = formatted("%.2f", value);
+  const std::string text = formatted(std::chars_format::fixed, 2, value);
   return text == "-0.00" ? "0.00" : text;
 }
 
 std::string one_decimal(double value) {
-  std::string text = formatted("%.1f", value);
+  std::string text = formatted(std::chars_format::fixed, 1, value);
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   if (text == "-0") return "0";
   if (text.starts_with("0.")) text.erase(0, 1);
@@ -32,6 +32,6 @@ std::string one_decimal(double value) {
 
 std::string time_label(double ti, bool overlaps) { return overlaps ? "inside" : "t " + two_decimals(ti); }
 
-std::string all_digits(double value) { return formatted("%.17g", value); }
+std::string all_digits(double value) { return formatted(std::chars_format::general, 17, value); }
 
 }  // namespace talus

@@ -56,7 +56,7 @@ void KeysPanel::take_pressed_key(Ui& ui) {
 }
 
 void KeysPanel::draw_table(Ui& ui) {
-  const float below = 2 * ui.px(theme::kButton) + ui.px(16);
+  const float below = ui.px(theme::kButton) + ImGui::GetTextLineHeightWithSpacing() + ui.px(8);
   if (!ImGui::BeginTable("commands", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY,
                          {0, ImGui::GetContentRegionAvail().y - below}))
     return;

@@ -13,7 +13,7 @@ constexpr float kLowZoom = 2;  // at scale 1; below, only the labels that come f
 constexpr float kPull = 12;    // px at scale 1: a label's point further from its body is drawn to it
 constexpr float kApart = 3;    // px at scale 1, between labels and what they keep clear of
 constexpr int kRanks = 4;
-constexpr float kCell = 48;  // px, side of the cells that taken boxes are found by: about a label
+constexpr int kWordBits = 64;
 
 }  // namespace
 
@@ -40,38 +40,40 @@ TakenBoxes::TakenBoxes(const ScreenBox& canvas, std::span<const ScreenBox> boxes
     : origin_(canvas.min),
       columns_(std::max(1, static_cast<int>(std::ceil((canvas.max.x - canvas.min.x) / kCell)))),
       rows_(std::max(1, static_cast<int>(std::ceil((canvas.max.y - canvas.min.y) / kCell)))),
-      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+      words_(static_cast<std::size_t>(columns_ + kWordBits - 1) / kWordBits),
+      bits_(words_ * static_cast<std::size_t>(rows_)) {
   for (const ScreenBox& box : boxes) add(box);
 }
 
-TakenBoxes::Span TakenBoxes::cells_of(const ScreenBox& box) const {
-  const auto cell = [](float at, float origin, int count) {
+template <class Visit>
+bool TakenBoxes::any_word(const ScreenBox& box, Visit visit) const {
+  const auto square = [](float at, float origin, int count) {
     return static_cast<int>(std::clamp(std::floor((at - origin) / kCell), -1.0f, static_cast<float>(count)));
   };
-  return {std::max(cell(box.min.x, origin_.x, columns_), 0), std::max(cell(box.min.y, origin_.y, rows_), 0),
-          std::min(cell(box.max.x, origin_.x, columns_), columns_ - 1),
-          std::min(cell(box.max.y, origin_.y, rows_), rows_ - 1)};
-}
-
-void TakenBoxes::add(const ScreenBox& box) {
-  const Span span = cells_of(box);
-  for (int y = span.y0; y <= span.y1; ++y)
-    for (int x = span.x0; x <= span.x1; ++x)
-      cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)]
-          .push_back(box);
-}
-
-bool TakenBoxes::meet(const ScreenBox& box) const {
-  const Span span = cells_of(box);
-  for (int y = span.y0; y <= span.y1; ++y) {
-    for (int x = span.x0; x <= span.x1; ++x) {
-      const auto& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                                static_cast<std::size_t>(x)];
-      if (std::any_of(cell.begin(), cell.end(), [&](const ScreenBox& other) { return box.meets(other); }))
-        return true;
+  const int x0 = std::max(square(box.min.x, origin_.x, columns_), 0);
+  const int x1 = std::min(square(box.max.x, origin_.x, columns_), columns_ - 1);
+  const int y0 = std::max(square(box.min.y, origin_.y, rows_), 0);
+  const int y1 = std::min(square(box.max.y, origin_.y, rows_), rows_ - 1);
+  for (int y = y0; y <= y1; ++y) {
+    for (int word = x0 / kWordBits; x0 <= x1 && word <= x1 / kWordBits; ++word) {
+      const int first = std::max(x0 - word * kWordBits, 0),
+                last = std::min(x1 - word * kWordBits, kWordBits - 1);
+      const std::uint64_t bits = (~std::uint64_t{0} << first) & (~std::uint64_t{0} >> (kWordBits - 1 - last));
+      if (visit(static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(word), bits)) return true;
     }
   }
   return false;
+}
+
+void TakenBoxes::add(const ScreenBox& box) {
+  any_word(box, [&](std::size_t word, std::uint64_t bits) {
+    bits_[word] |= bits;
+    return false;
+  });
+}
+
+bool TakenBoxes::meet(const ScreenBox& box) const {
+  return any_word(box, [&](std::size_t word, std::uint64_t bits) { return (bits_[word] & bits) != 0; });
 }
 
 std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels) {

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,22 +31,24 @@ struct PlacedLabel {
 
 inline constexpr float kLabelReach = 40;  // px at scale 1, of labels from their body: no room, no label
 
-// Boxes on a canvas, found by where they are: with many bodies there are thousands.
+// What is taken of a canvas, in squares of kCell px; with many bodies there are thousands of boxes.
 class TakenBoxes {
  public:
+  static constexpr float kCell = 2;
+
   TakenBoxes(const ScreenBox& canvas, std::span<const ScreenBox> boxes);
-  void add(const ScreenBox& box);  // what lies outside of the canvas meets nothing that is wholly inside
-  bool meet(const ScreenBox& box) const;
+  void add(const ScreenBox& box);         // takes each square that the box touches
+  bool meet(const ScreenBox& box) const;  // whether it touches a square that is taken
 
  private:
-  struct Span {
-    int x0, y0, x1, y1;  // cells, both ends included; empty when an end comes before its beginning
-  };
-  Span cells_of(const ScreenBox& box) const;
+  // Calls visit(word, bits) for the box's squares, row by row, until it returns true; then so does this.
+  template <class Visit>
+  bool any_word(const ScreenBox& box, Visit visit) const;
 
   ImVec2 origin_;
-  int columns_, rows_;
-  std::vector<std::vector<ScreenBox>> cells_;  // row by row
+  int columns_, rows_;               // of squares
+  std::size_t words_;                // of a row
+  std::vector<std::uint64_t> bits_;  // row by row, a bit for each square
 };
 
 class LabelPlacer {

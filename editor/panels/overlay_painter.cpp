@@ -180,6 +180,10 @@ void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<c
 }
 
 void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size, OverlayPalette palette) {
+  // The colours are made for dark ground.
+  if (theme::is_light())
+    list.AddRectFilled({at.x - 1, at.y - 1}, {at.x + size + 1, at.y + size + 1},
+                       theme::color(theme::kOutside));
   // The swatch is a canvas of 8 by 8 level pixels that holds one piece of the overlay.
   const CanvasView view{at, {at.x + size, at.y + size}, {at.x, at.y}, size / 8};
   OverlayDrawing sample;

@@ -58,7 +58,7 @@ std::vector<Command> settings_commands() {
       command("edit/keys", ctrl_shift('k'), "Change keys...", "Gives commands other keys.",
               [](S, A, U ui) { ui.view.program.keys_open = true; }),
       toggle(
-          "view/light_theme", ctrl_shift('d'), "Light theme",
+          "view/light_theme", ctrl_shift('h'), "Light theme",
           "Dark text on light panels; art stays on dark ground.",
           [](S, A, U ui) {
             ThemeKind& theme = ui.view.preferences.theme;
@@ -74,7 +74,7 @@ std::vector<Command> settings_commands() {
                 action::SetOverlayPalette{safe ? OverlayPalette::standard : OverlayPalette::colour_blind});
           },
           [](S s, const Ui&) { return s.choices().overlay_palette == OverlayPalette::colour_blind; }),
-      toggle("view/metrics", ctrl_shift('m'), "Times of the window",
+      toggle("view/metrics", ctrl_shift('u'), "Times of the window",
              "Shows what frames of the window and steps of the simulation cost.",
              toggle_window<&ProgramView::metrics_open>, has_window<&ProgramView::metrics_open>),
   };

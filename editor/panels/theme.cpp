@@ -28,8 +28,6 @@ constexpr std::array<Tone, 16> kTones = {{{kBackground, 0xdfe3ee},
                                           {kErrorNote, 0xfbdce2},
                                           {kStripe, 0x000000}}};
 
-bool is_light() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5f; }
-
 std::uint32_t in_theme(std::uint32_t rgb, bool light) {
   const auto tone = std::find_if(kTones.begin(), kTones.end(), [&](const Tone& t) { return t.dark == rgb; });
   return light && tone != kTones.end() ? tone->light : rgb;
@@ -67,6 +65,9 @@ void set_colors(ImVec4* c, bool light) {
 }
 
 }  // namespace
+
+// Dear ImGui keeps the style, and with it the theme.
+bool is_light() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5f; }
 
 ImU32 tone(std::uint32_t rgb, int alpha) { return color(in_theme(rgb, is_light()), alpha); }
 

@@ -17,6 +17,8 @@ constexpr ImU32 color(std::uint32_t rgb, int alpha = 255) {
 // Of a panel, where the theme in use may have another one for a colour of the list below. Canvases and art
 // are on dark ground in every theme and take color().
 ImU32 tone(std::uint32_t rgb, int alpha = 255);
+// Whether the light theme is in use.
+bool is_light();
 inline ImU32 color(Rgb c, int alpha = 255) { return IM_COL32(c.r, c.g, c.b, alpha); }
 
 inline constexpr std::uint32_t kBackground = 0x1a1c2c;

@@ -30,6 +30,11 @@ const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Bra
   kept.first = first;
   kept.last = last;
   if (known == last) return kept.points;
+  // The frame that is shown need not be made again.
+  if (known + 1 == last && branch.id == timeline.current().id && timeline.frame() == last) {
+    if (const Body* at = timeline.state().find(body)) kept.points.push_back({last, at->box});
+    return kept.points;
+  }
   timeline.walk(branch, known + 1, last, false, [&](const State& state, const StepRecord*) {
     if (const Body* at = state.find(body)) kept.points.push_back({state.frame, at->box});
     return true;

@@ -149,7 +149,6 @@ TEST_F(UiKeys, EachMeansOneThingWhereverItWorks) {
 TEST_F(UiKeys, EachReachesItsCommand) {
   start();
   for (const Command& command : commands()) {
-    ASSERT_TRUE(command.key) << command.id << " has no key";
     for (KeyChord chord : {command.key, command.other_key}) {
       if (!chord) continue;
       // What SDL would send for the key comes back as the same chord, and leads to this command alone.

@@ -46,7 +46,7 @@ TEST_F(UiSettings, TheLightThemeIsLightAndRemembered) {
   EXPECT_GT(brightness(), dark + 2);
   start_again();
   EXPECT_GT(brightness(), dark + 2);
-  key(ctrl_shift('d'));
+  key(ctrl_shift('h'));
   frames(2);
   EXPECT_EQ(brightness(), dark);
 }
@@ -265,7 +265,7 @@ TEST_F(UiSettings, WindowsAndDialogsAreWholeInTheSmallestWindow) {
 }
 
 TEST_F(UiSettings, TheTimesOfTheWindowAreShown) {
-  key(ctrl_shift('m'));
+  key(ctrl_shift('u'));
   frames(3);
   ASSERT_NE(find("metrics/window"), nullptr);
   const FrameMetrics& metrics = app().ui().view.program.metrics;
