@@ -1,0 +1,71 @@
+// Pictures opened in a session, and what becomes of them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "png_bytes.h"
+#include "session/session.h"
+
+namespace talus {
+namespace {
+
+namespace act = action;
+
+// Red, of this size.
+std::string red_png(const std::string& name, std::uint32_t width, std::size_t height) {
+  const std::string path = testing::TempDir() + "session_pictures_" + name;
+  std::ofstream(path, std::ios::binary) << rgb_png(width, std::vector<Rgb>(width * height, {255, 0, 0}));
+  return path;
+}
+
+TEST(SessionPictures, WaitForApplyOrCancel) {
+  Session session;
+  session.apply(act::SelectTiles{{SheetId::sprites, {2, 1, 1, 1}}});
+  const std::string path = red_png("good.png", 8, 16);
+  session.apply(act::OpenPng{path});
+  ASSERT_TRUE(session.png_import());
+  EXPECT_EQ(session.png_import()->path, path);
+  EXPECT_EQ(session.png_import()->options, (PngImportOptions{PngPart::sprites, 18, false}));
+  EXPECT_FALSE(session.modified());
+  session.apply(act::CancelPngImport{});
+  EXPECT_FALSE(session.png_import());
+  session.apply(act::ApplyPngImport{});
+  EXPECT_FALSE(session.modified()) << "there is none";
+  session.apply({act::OpenPng{path}, act::SetPngImport{{PngPart::tiles, 5, true}}, act::ApplyPngImport{}});
+  EXPECT_FALSE(session.png_import());
+  EXPECT_EQ(session.level().palette[0], (Rgb{255, 0, 0}));
+  EXPECT_EQ(session.history().edits().size(), 1u);
+  session.apply(act::Undo{});
+  EXPECT_EQ(session.level(), Level());
+}
+
+TEST(SessionPictures, GoWhereTheyFit) {
+  Session session;
+  session.apply(act::SelectTiles{{SheetId::tiles, {15, 0, 1, 1}}});
+  session.apply(act::OpenPng{red_png("wide.png", 16, 8)});
+  ASSERT_TRUE(session.png_import());
+  EXPECT_EQ(session.png_import()->options.tile, 0) << "beside tile 15 is no room";
+  session.apply(act::SetPngImport{{PngPart::tiles, 15, false}});
+  EXPECT_FALSE(session.png_import()->plan);
+  session.apply(act::ApplyPngImport{});
+  EXPECT_TRUE(session.png_import()) << "what is wrong can be changed";
+  EXPECT_FALSE(session.modified());
+}
+
+TEST(SessionPictures, BadOnesAreOneSentence) {
+  Session session;
+  const std::string odd = red_png("odd.png", 12, 8);
+  session.apply(act::OpenPng{odd});
+  EXPECT_FALSE(session.png_import());
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_EQ(session.message()->text,
+            odd + ": error: is 12x8 px, which is no whole number of tiles of 8x8 px");
+  session.apply(act::OpenPng{"/no/such.png"});
+  EXPECT_EQ(session.message()->text.find("/no/such.png: error: "), 0u);
+  session.apply(act::ExportPng{PngPart::tiles, "/no/such/folder/x.png"});
+  EXPECT_TRUE(session.message()->is_error);
+}
+
+}  // namespace
+}  // namespace talus
