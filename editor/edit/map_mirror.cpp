@@ -196,9 +196,8 @@ MirroredCells mirror_cells(const Level& level, CellRect cells, MirrorAxis axis) 
 std::string text_of_missing(const MirroredCells& mirrored) {
   std::string text;
   if (mirrored.without_partner > 0) {
-    text = counted(mirrored.without_partner, "piece of ground has", "pieces of ground have") +
-           " no mirror image on the sheet and " + (mirrored.without_partner == 1 ? "is" : "are") +
-           " as before";
+    text = counted(mirrored.without_partner, "piece of ground is", "pieces of ground are") +
+           " as before: the sheet has no mirror image, or the selection cuts through";
   }
   if (mirrored.unmirrored_art > 0) {
     text += (text.empty() ? "" : "; ") +

@@ -11,7 +11,7 @@ enum class MirrorAxis { horizontal, vertical };  // left and right, or up and do
 
 struct MirroredCells {
   Edit edit;
-  int without_partner = 0;  // tiles whose ground has no mirror image on the sheet
+  int without_partner = 0;  // whose ground has no mirror image on the sheet, or only partly lies here
   int unmirrored_art = 0;   // tiles that play their part, but are not drawn as the mirror image
 };
 

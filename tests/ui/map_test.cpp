@@ -258,7 +258,7 @@ TEST_F(UiMap, MirrorTurnsSlopesAround) {
   key('v');
   ASSERT_TRUE(session().message());
   EXPECT_EQ(session().message()->text,
-            "1 piece of ground has no mirror image on the sheet and is as before.");
+            "1 piece of ground is as before: the sheet has no mirror image, or the selection cuts through.");
 }
 
 TEST_F(UiMap, StatusBarTellsTileFlagsAndPlace) {

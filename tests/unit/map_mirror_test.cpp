@@ -76,8 +76,9 @@ TEST(MapMirror, SlopeWithoutAPartnerGoesAsAWholeAndIsCounted) {
   const MirroredCells mirrored = mirror_cells(level, {0, 0, 5, 1}, kLeftRight);
   EXPECT_EQ(rows_after(level, mirrored.edit), MapRows{"..bcf"});
   EXPECT_EQ(mirrored.without_partner, 2);
-  EXPECT_EQ(text_of_missing(mirrored),
-            "2 pieces of ground have no mirror image on the sheet and are as before.");
+  EXPECT_EQ(
+      text_of_missing(mirrored),
+      "2 pieces of ground are as before: the sheet has no mirror image, or the selection cuts through.");
 }
 
 TEST(MapMirror, SlopeThatTheSelectionCutsIsCounted) {
