@@ -99,10 +99,10 @@ void draw_part(GroundPart part, const Session& session, Actions& actions, Ui& ui
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (tile != 0) draw_tile_image(list, tile, at, {at.x + side, at.y + side}, ui);
   const bool hovered = ImGui::IsItemHovered();
-  const ImU32 frame = theme::color(hovered ? theme::kText : theme::kMuted, tile != 0 && !hovered ? 120 : 255);
+  const ImU32 frame = theme::tone(hovered ? theme::kText : theme::kMuted, tile != 0 && !hovered ? 120 : 255);
   list.AddRect(at, {at.x + side, at.y + side}, frame);
   if (tile == 0 && part == GroundPart::inside)
-    list.AddCircleFilled({at.x + side / 2, at.y + side / 2}, ui.px(3), theme::color(theme::kAccent));
+    list.AddCircleFilled({at.x + side / 2, at.y + side / 2}, ui.px(3), theme::tone(theme::kAccent));
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ void BrushesPanel::draw_brush(int index, const Session& session, Actions& action
   draw_picture(list, brush, at, side, ui);
   list.AddRect(
       {at.x - 1, at.y - 1}, {at.x + side + 1, at.y + side + 1},
-      theme::color(taken || ImGui::IsItemHovered() ? theme::kAccent : theme::kMuted, taken ? 255 : 160));
+      theme::tone(taken || ImGui::IsItemHovered() ? theme::kAccent : theme::kMuted, taken ? 255 : 160));
   const float text_x = at.x + side + gap;
   ImGui::SetCursorScreenPos({text_x, at.y});
   draw_name(index, at.x + width - text_x - button - gap, session, actions, ui);

@@ -123,7 +123,7 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_faces(session, actions, ui, curve);
   draw_numbers(session, actions, ui, curve);
   if (!problem_.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kError));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
     ImGui::TextWrapped("%s", problem_.c_str());
     ImGui::PopStyleColor();
     ui.item("inspector/curve_problem");

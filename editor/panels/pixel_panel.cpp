@@ -128,7 +128,7 @@ void PixelPanel::draw_brushes(const Session& session, Actions& actions, Ui& ui) 
     const float inset = std::floor((ui.px(theme::kButton) - side) / 2);
     const ImVec2 from{at.x + inset, at.y + inset};
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + side, from.y + side},
-                                              theme::color(theme::kText));
+                                              theme::tone(theme::kText));
   }
 }
 
