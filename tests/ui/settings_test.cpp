@@ -277,7 +277,8 @@ TEST_F(UiSettings, TheTimesOfTheWindowAreShown) {
   EXPECT_EQ(metrics.frames(), FrameMetrics::kFrames);
 }
 
-// 1,000 bodies and all overlays in 1920x1080 are to take less than 4 ms; a loaded machine gets some more.
+// 1,000 bodies and all overlays in 1920x1080 are to take less than 4 ms; slow machines and sanitizers get ten
+// times that, which is still less than anything quadratic takes.
 TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
   Level crowd = test_level();
   crowd.map = TileMap(240, 136);
@@ -296,8 +297,8 @@ TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
     session().apply(action::StepFrame{});
     frames(1);
   }
-  RecordProperty("median_us", static_cast<int>(app().ui().view.program.metrics.median_ms() * 1000));
   EXPECT_EQ(session().state().bodies.size(), 1000u);
+  EXPECT_LT(app().ui().view.program.metrics.median_ms(), 40);
 }
 
 }  // namespace
