@@ -13,20 +13,20 @@
 namespace talus {
 namespace {
 
-struct Match {
+struct PaletteMatch {
   const Command* command;
   int score;
 };
 
 // Every command that fits, the best first; without letters in the order of the table.
-std::vector<Match> matches(std::string_view typed) {
-  std::vector<Match> found;
+std::vector<PaletteMatch> palette_matches(std::string_view typed) {
+  std::vector<PaletteMatch> found;
   for (const Command& command : commands()) {
     if (const auto score = fuzzy_score(command.label, typed)) found.push_back({&command, *score});
   }
   if (!typed.empty())
     std::stable_sort(found.begin(), found.end(),
-                     [](const Match& a, const Match& b) { return a.score > b.score; });
+                     [](const PaletteMatch& a, const PaletteMatch& b) { return a.score > b.score; });
   return found;
 }
 
@@ -48,7 +48,7 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
 }
 
 void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
-  const std::vector<Match> found = matches(typed_);
+  const std::vector<PaletteMatch> found = palette_matches(typed_);
   const int last = static_cast<int>(found.size()) - 1, before = chosen_;
   if (key_pressed(ImGuiKey_DownArrow)) ++chosen_;
   if (key_pressed(ImGuiKey_UpArrow)) --chosen_;

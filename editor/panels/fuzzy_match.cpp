@@ -9,10 +9,10 @@
 namespace talus {
 namespace {
 
-constexpr int kLetter = 1, kInARow = 5, kWordStart = 8;
-constexpr int kNone = std::numeric_limits<int>::min() / 2;
+constexpr int kPlainLetter = 1, kInARow = 5, kWordStart = 8;
+constexpr int kNoMatch = std::numeric_limits<int>::min() / 2;
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+char lower_case(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
 }  // namespace
@@ -20,15 +20,15 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; 
 std::optional<int> fuzzy_score(std::string_view name, std::string_view typed) {
   const std::size_t n = name.size();
   // By place in the name: the best score with the last letter there, and with it there or before.
-  std::vector<int> there(n, kNone), until(n + 1, 0);
+  std::vector<int> there(n, kNoMatch), until(n + 1, 0);
   for (const char letter : typed) {
     if (letter == ' ') continue;
-    std::vector<int> next(n, kNone), next_until(n + 1, kNone);
+    std::vector<int> next(n, kNoMatch), next_until(n + 1, kNoMatch);
     for (std::size_t i = 0; i < n; ++i) {
-      if (lower(name[i]) == lower(letter)) {
+      if (lower_case(name[i]) == lower_case(letter)) {
         const bool starts = is_word(name[i]) && (i == 0 || !is_word(name[i - 1]));
-        const int before = std::max(until[i], i > 0 ? there[i - 1] + kInARow : kNone);
-        next[i] = before + kLetter + (starts ? kWordStart : 0);
+        const int before = std::max(until[i], i > 0 ? there[i - 1] + kInARow : kNoMatch);
+        next[i] = before + kPlainLetter + (starts ? kWordStart : 0);
       }
       next_until[i + 1] = std::max(next_until[i], next[i]);
     }

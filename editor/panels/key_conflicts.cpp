@@ -6,10 +6,10 @@
 namespace talus {
 namespace {
 
-bool meet(Scope a, Scope b) { return a == Scope::everywhere || b == Scope::everywhere || a == b; }
+bool scopes_meet(Scope a, Scope b) { return a == Scope::everywhere || b == Scope::everywhere || a == b; }
 
 // What is as it was from the first is not kept as a change.
-void store(const Command& command, CommandKeys keys, KeyBindings& bindings) {
+void store_keys(const Command& command, CommandKeys keys, KeyBindings& bindings) {
   if (keys == CommandKeys{command.key, command.other_key}) {
     if (const auto it = bindings.changed.find(command.id); it != bindings.changed.end())
       bindings.changed.erase(it);
@@ -22,7 +22,7 @@ void take_from_others(KeyChord chord, const Command& command, KeyBindings& bindi
   while (const Command* other = command_with_key(chord, command, bindings)) {
     CommandKeys keys = command_keys(*other, bindings);
     std::replace(keys.begin(), keys.end(), chord, KeyChord{});
-    store(*other, keys, bindings);
+    store_keys(*other, keys, bindings);
   }
 }
 
@@ -31,7 +31,7 @@ void take_from_others(KeyChord chord, const Command& command, KeyBindings& bindi
 const Command* command_with_key(KeyChord chord, const Command& command, const KeyBindings& bindings) {
   if (!chord) return nullptr;
   for (const Command& other : commands()) {
-    if (other.id == command.id || !meet(other.scope, command.scope)) continue;
+    if (other.id == command.id || !scopes_meet(other.scope, command.scope)) continue;
     const CommandKeys keys = command_keys(other, bindings);
     if (std::find(keys.begin(), keys.end(), chord) != keys.end()) return &other;
   }
@@ -43,12 +43,12 @@ void bind_key(const Command& command, std::size_t index, KeyChord chord, KeyBind
   CommandKeys keys = command_keys(command, bindings);
   if (chord) std::replace(keys.begin(), keys.end(), chord, KeyChord{});
   keys[index] = chord;
-  store(command, keys, bindings);
+  store_keys(command, keys, bindings);
 }
 
 void reset_keys(const Command& command, KeyBindings& bindings) {
   for (KeyChord chord : {command.key, command.other_key}) take_from_others(chord, command, bindings);
-  store(command, {command.key, command.other_key}, bindings);
+  store_keys(command, {command.key, command.other_key}, bindings);
 }
 
 }  // namespace talus

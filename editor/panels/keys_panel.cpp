@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr float kKeyWidth = 120;  // px at scale 1
+constexpr float kKeyButtonWidth = 120;  // px at scale 1
 
 bool is_captured(const std::optional<KeyCapture>& capture, const Command& command, std::size_t index) {
   return capture && capture->command == command.id && capture->index == index;
@@ -63,7 +63,7 @@ void KeysPanel::draw_table(Ui& ui) {
   ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthFixed, ui.px(140));
   for (const char* name : {"key", "second key"})
-    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, ui.px(kKeyWidth));
+    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, ui.px(kKeyButtonWidth));
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(theme::kButton));
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableHeadersRow();
@@ -100,7 +100,8 @@ void KeysPanel::draw_key(const Command& command, std::size_t index, Ui& ui) {
                             : waits                    ? to_string(capture->pressed) + "?"
                                                        : to_string(chord);
   const std::string widget = (index == 0 ? "keys/first/" : "keys/second/") + std::string(command.id);
-  if (ui.text_button(widget, label, waits, "Click, then press the new key.", {}, true, ui.px(kKeyWidth)))
+  if (ui.text_button(widget, label, waits, "Click, then press the new key.", {}, true,
+                     ui.px(kKeyButtonWidth)))
     capture = KeyCapture{std::string(command.id), index, {}};
 }
 

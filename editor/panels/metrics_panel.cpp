@@ -6,7 +6,7 @@
 namespace talus {
 namespace {
 
-void row(const char* name, const char* format, double value, const char* help, Ui& ui) {
+void metric_row(const char* name, const char* format, double value, const char* help, Ui& ui) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(name);
@@ -35,13 +35,13 @@ void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
       constexpr const char* kFrames =
           "Processor time for panels, canvases and overlays, without showing the picture; of the last 120 "
           "frames.";
-      row("frame, median   ms", "%.2f", metrics.median_ms(), kFrames, ui);
-      row("frame, longest   ms", "%.2f", metrics.max_ms(), kFrames, ui);
-      row("vertices", "%.0f", last.vertices, "That Dear ImGui drew in the last frame.", ui);
-      row("draw calls", "%.0f", last.draw_calls, "That they were drawn with.", ui);
+      metric_row("frame, median   ms", "%.2f", metrics.median_ms(), kFrames, ui);
+      metric_row("frame, longest   ms", "%.2f", metrics.max_ms(), kFrames, ui);
+      metric_row("vertices", "%.0f", last.vertices, "That Dear ImGui drew in the last frame.", ui);
+      metric_row("draw calls", "%.0f", last.draw_calls, "That they were drawn with.", ui);
       if (steps != nullptr && !steps->points().empty())
-        row("step   ns", "%.0f", steps->points().back().last,
-            "Of the last step of the simulation, all bodies.", ui);
+        metric_row("step   ns", "%.0f", steps->points().back().last,
+                   "Of the last step of the simulation, all bodies.", ui);
       ImGui::EndTable();
     }
     ui.place("metrics/window", ImGui::GetWindowPos(),

@@ -13,7 +13,7 @@ constexpr float kLowZoom = 2;  // at scale 1; below, only the labels that come f
 constexpr float kPull = 12;    // px at scale 1: a label's point further from its body is drawn to it
 constexpr float kApart = 3;    // px at scale 1, between labels and what they keep clear of
 constexpr int kRanks = 4;
-constexpr int kWordBits = 64;
+constexpr int kSquaresOfWord = 64;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ TakenBoxes::TakenBoxes(const ScreenBox& canvas, std::span<const ScreenBox> boxes
     : origin_(canvas.min),
       columns_(std::max(1, static_cast<int>(std::ceil((canvas.max.x - canvas.min.x) / kCell)))),
       rows_(std::max(1, static_cast<int>(std::ceil((canvas.max.y - canvas.min.y) / kCell)))),
-      words_(static_cast<std::size_t>(columns_ + kWordBits - 1) / kWordBits),
+      words_(static_cast<std::size_t>(columns_ + kSquaresOfWord - 1) / kSquaresOfWord),
       bits_(words_ * static_cast<std::size_t>(rows_)) {
   for (const ScreenBox& box : boxes) add(box);
 }
@@ -55,10 +55,11 @@ bool TakenBoxes::any_word(const ScreenBox& box, Visit visit) const {
   const int y0 = std::max(square(box.min.y, origin_.y, rows_), 0);
   const int y1 = std::min(square(box.max.y, origin_.y, rows_), rows_ - 1);
   for (int y = y0; y <= y1; ++y) {
-    for (int word = x0 / kWordBits; x0 <= x1 && word <= x1 / kWordBits; ++word) {
-      const int first = std::max(x0 - word * kWordBits, 0),
-                last = std::min(x1 - word * kWordBits, kWordBits - 1);
-      const std::uint64_t bits = (~std::uint64_t{0} << first) & (~std::uint64_t{0} >> (kWordBits - 1 - last));
+    for (int word = x0 / kSquaresOfWord; x0 <= x1 && word <= x1 / kSquaresOfWord; ++word) {
+      const int first = std::max(x0 - word * kSquaresOfWord, 0),
+                last = std::min(x1 - word * kSquaresOfWord, kSquaresOfWord - 1);
+      const std::uint64_t bits =
+          (~std::uint64_t{0} << first) & (~std::uint64_t{0} >> (kSquaresOfWord - 1 - last));
       if (visit(static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(word), bits)) return true;
     }
   }

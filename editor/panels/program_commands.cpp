@@ -17,16 +17,19 @@ struct ReadyLayout {
   std::string_view tab;  // id of the panel that comes to the front
 };
 
-constexpr Layout layout_of(double left, double right, double sheet) {
+constexpr Layout ready_sizes(double left, double right, double sheet) {
   Layout layout;
   layout.left = left;
   layout.right = right;
   layout.sheet = sheet;
   return layout;
 }
-constexpr ReadyLayout kDraw{layout_of(0.34, 0.22, 0.5), CanvasMode::map, Focus::sprites, false, "problems"};
-constexpr ReadyLayout kPlay{layout_of(0.215, 0.22, 0.49), CanvasMode::play, Focus::map, false, "tuning"};
-constexpr ReadyLayout kDebug{layout_of(0.215, 0.305, 0.49), CanvasMode::play, Focus::map, true, "inspector"};
+constexpr ReadyLayout kDrawLayout{ready_sizes(0.34, 0.22, 0.5), CanvasMode::map, Focus::sprites, false,
+                                  "problems"};
+constexpr ReadyLayout kPlayLayout{ready_sizes(0.215, 0.22, 0.49), CanvasMode::play, Focus::map, false,
+                                  "tuning"};
+constexpr ReadyLayout kDebugLayout{ready_sizes(0.215, 0.305, 0.49), CanvasMode::play, Focus::map, true,
+                                   "inspector"};
 
 template <const ReadyLayout& ready>
 void take_layout(S, A, U ui) {
@@ -83,15 +86,15 @@ std::vector<Command> settings_commands() {
 std::vector<Command> layout_commands() {
   return {
       command("view/layout_draw", ctrl_shift('1'), "Layout to draw",
-              "Much room for the sheet, the pixels and the map.", take_layout<kDraw>),
+              "Much room for the sheet, the pixels and the map.", take_layout<kDrawLayout>),
       command("view/layout_play", ctrl_shift('2'), "Layout to play",
-              "Much room for the play view, and the tuning.", take_layout<kPlay>),
+              "Much room for the play view, and the tuning.", take_layout<kPlayLayout>),
       command("view/layout_debug", ctrl_shift('3'), "Layout to debug",
-              "The play view with the inspector and the debugger's panels.", take_layout<kDebug>),
+              "The play view with the inspector and the debugger's panels.", take_layout<kDebugLayout>),
   };
 }
 
-std::vector<Command> file_commands() {
+std::vector<Command> file_guard_commands() {
   return {
       command("file/recover", ctrl_shift('y'), "Recover...",
               "Offers what was saved by itself before the program was killed.",
@@ -112,7 +115,7 @@ std::vector<Command> file_commands() {
 }  // namespace
 
 std::vector<Command> program_commands() {
-  return joined({file_commands(), settings_commands(), layout_commands()});
+  return joined({file_guard_commands(), settings_commands(), layout_commands()});
 }
 
 }  // namespace talus

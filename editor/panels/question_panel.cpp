@@ -9,41 +9,42 @@
 namespace talus {
 namespace {
 
-struct Choice {
+struct AnswerChoice {
   const char* widget;
   const char* label;
   const char* help;
   action::Answer answer;
   ImGuiKey key;  // ImGuiKey_COUNT: none
 };
-constexpr std::array<Choice, 3> kUnsaved = {
+constexpr std::array<AnswerChoice, 3> kUnsavedAnswers = {
     {{"question/save", "Save", "Saves, then goes on.", action::Answer::save, ImGuiKey_Enter},
      {"question/discard", "Discard", "Goes on without saving.", action::Answer::discard, ImGuiKey_COUNT},
      {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, ImGuiKey_Escape}}};
-constexpr std::array<Choice, 2> kChanged = {
+constexpr std::array<AnswerChoice, 2> kChangedAnswers = {
     {{"question/reload", "Read again", "Takes what the file has now; Undo brings your changes back.",
       action::Answer::reload, ImGuiKey_COUNT},
      {"question/keep", "Keep mine", "Leaves the level as it is here; the next save replaces the file.",
       action::Answer::keep, ImGuiKey_Escape}}};
 
-constexpr std::array<Choice, 2> kDrop = {
+constexpr std::array<AnswerChoice, 2> kDropAnswers = {
     {{"question/drop", "Drop it", "Forgets the run.", action::Answer::discard, ImGuiKey_Enter},
      {"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, ImGuiKey_Escape}}};
 
 // By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
 struct QuestionDialog {
   const char* title;
-  std::span<const Choice> choices;
+  std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 3> kDialogs = {
-    {{"Unsaved changes", kUnsaved}, {"Changed by another program", kChanged}, {"Drop a run", kDrop}}};
+constexpr std::array<QuestionDialog, 3> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
+                                                             {"Changed by another program", kChangedAnswers},
+                                                             {"Drop a run", kDropAnswers}}};
 
 const char* key_label(ImGuiKey key) {
   return key == ImGuiKey_Enter ? "Enter" : key == ImGuiKey_Escape ? "Esc" : "";
 }
 
-void draw_choices(std::span<const Choice> choices, Actions& actions, Ui& ui) {
-  for (const Choice& choice : choices) {
+void draw_answers(std::span<const AnswerChoice> choices, Actions& actions, Ui& ui) {
+  for (const AnswerChoice& choice : choices) {
     const bool is_first = &choice == choices.data();
     if (!is_first) ImGui::SameLine();
     if (ui.text_button(choice.widget, choice.label, is_first, choice.help, key_label(choice.key), true,
@@ -57,14 +58,14 @@ void draw_choices(std::span<const Choice> choices, Actions& actions, Ui& ui) {
 
 void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto& question = session.question();
-  for (const QuestionDialog& dialog : kDialogs) {
+  for (const QuestionDialog& dialog : kQuestionDialogs) {
     const bool asked = question && static_cast<std::size_t>(question->kind) ==
-                                       static_cast<std::size_t>(&dialog - kDialogs.data());
+                                       static_cast<std::size_t>(&dialog - kQuestionDialogs.data());
     if (!begin_dialog(dialog.title, asked, {0, 0}, ui)) continue;
     if (asked) {
       ImGui::TextUnformatted(question->text.c_str());
       ImGui::Spacing();
-      draw_choices(dialog.choices, actions, ui);
+      draw_answers(dialog.choices, actions, ui);
     }
     ImGui::EndPopup();
   }

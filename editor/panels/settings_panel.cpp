@@ -11,29 +11,29 @@
 namespace talus {
 namespace {
 
-constexpr float kNames = 150, kControls = 250, kFieldWidth = 300;  // px at scale 1
-constexpr std::array<double, 9> kScales = {0, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+constexpr float kSettingNames = 150, kSettingWidth = 250, kCommandLineWidth = 300;  // px at scale 1
+constexpr std::array<double, 9> kSettingScales = {0, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
 
 std::string scale_label(double scale) {
   return scale == 0 ? "by the window's height" : std::to_string(static_cast<int>(scale * 100)) + " %";
 }
 
-void row(std::string_view name, Ui& ui) {
+void setting_row(std::string_view name, Ui& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name.data(), name.data() + name.size());
-  ImGui::SameLine(ui.px(kNames));
+  ImGui::SameLine(ui.px(kSettingNames));
 }
 
-void draw_switch(const char* widget, std::string_view id, const char* label, const Session& session,
-                 Actions& actions, Ui& ui) {
+void draw_setting_switch(const char* widget, std::string_view id, const char* label, const Session& session,
+                         Actions& actions, Ui& ui) {
   const Command& command = find_command(id);
   if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
     command.run(session, actions, ui);
 }
 
-void draw_theme(const Session& session, Actions& actions, Ui& ui) {
+void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   Preferences& preferences = ui.view.preferences;
-  row("Theme", ui);
+  setting_row("Theme", ui);
   for (const auto& [kind, label, widget] : {std::tuple{ThemeKind::dark, "Dark", "settings/dark"},
                                             std::tuple{ThemeKind::light, "Light", "settings/light"}}) {
     if (ui.text_button(widget, label, preferences.theme == kind, "The colours of the panels.",
@@ -42,26 +42,26 @@ void draw_theme(const Session& session, Actions& actions, Ui& ui) {
     ImGui::SameLine();
   }
   ImGui::NewLine();
-  row("Size of everything", ui);
-  if (ui.begin_combo("settings/scale", scale_label(ui.view.ui_scale), ui.px(kControls),
+  setting_row("Size of everything", ui);
+  if (ui.begin_combo("settings/scale", scale_label(ui.view.ui_scale), ui.px(kSettingWidth),
                      "How large text and controls are, for screens with many pixels.")) {
-    for (double scale : kScales) {
+    for (double scale : kSettingScales) {
       if (ImGui::Selectable(scale_label(scale).c_str(), ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
       ui.item("settings/scale/" + std::to_string(static_cast<int>(scale * 100)));
     }
     ImGui::EndCombo();
   }
-  row("Size of text", ui);
+  setting_row("Size of text", ui);
   int size = static_cast<int>(preferences.font_size);
-  ImGui::SetNextItemWidth(ui.px(kControls));
+  ImGui::SetNextItemWidth(ui.px(kSettingWidth));
   if (ImGui::SliderInt("##font_size", &size, static_cast<int>(kMinFontSize), static_cast<int>(kMaxFontSize),
                        "%d px"))
     preferences.font_size = std::clamp<double>(size, kMinFontSize, kMaxFontSize);
   ui.item("settings/font_size", "The height of text, in controls of the same size.");
-  row("Overlays", ui);
-  draw_switch("settings/safe_colours", "view/safe_colours", "Colours for colour-blind eyes", session, actions,
-              ui);
-  ImGui::SetCursorPosX(ui.px(kNames));
+  setting_row("Overlays", ui);
+  draw_setting_switch("settings/safe_colours", "view/safe_colours", "Colours for colour-blind eyes", session,
+                      actions, ui);
+  ImGui::SetCursorPosX(ui.px(kSettingNames));
   const float swatch = ui.px(14);
   for (const OverlayInfo& info : overlay_infos()) {
     paint_overlay_swatch(*ImGui::GetWindowDrawList(), info.id, ImGui::GetCursorScreenPos(), swatch,
@@ -74,16 +74,16 @@ void draw_theme(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
-  row("Layout", ui);
-  draw_switch("settings/layout_draw", "view/layout_draw", "Draw", session, actions, ui);
+  setting_row("Layout", ui);
+  draw_setting_switch("settings/layout_draw", "view/layout_draw", "Draw", session, actions, ui);
   ImGui::SameLine();
-  draw_switch("settings/layout_play", "view/layout_play", "Play", session, actions, ui);
+  draw_setting_switch("settings/layout_play", "view/layout_play", "Play", session, actions, ui);
   ImGui::SameLine();
-  draw_switch("settings/layout_debug", "view/layout_debug", "Debug", session, actions, ui);
+  draw_setting_switch("settings/layout_debug", "view/layout_debug", "Debug", session, actions, ui);
   ImGui::SameLine();
-  draw_switch("settings/reset_layout", "view/reset_layout", "Reset", session, actions, ui);
-  row("Keys", ui);
-  draw_switch("settings/keys", "edit/keys", "Change keys...", session, actions, ui);
+  draw_setting_switch("settings/reset_layout", "view/reset_layout", "Reset", session, actions, ui);
+  setting_row("Keys", ui);
+  draw_setting_switch("settings/keys", "edit/keys", "Change keys...", session, actions, ui);
 }
 
 }  // namespace
@@ -94,8 +94,8 @@ void SettingsPanel::draw_programs(Ui& ui) {
   for (const ProgramInfo& info : program_infos()) {
     const auto index = static_cast<std::size_t>(info.id);
     const std::string widget = "settings/" + std::string(info.key);
-    row(info.label, ui);
-    ImGui::SetNextItemWidth(ui.px(kFieldWidth));
+    setting_row(info.label, ui);
+    ImGui::SetNextItemWidth(ui.px(kCommandLineWidth));
     ImGui::InputText(("##" + widget).c_str(), &typed_[index]);
     if (ImGui::IsItemDeactivatedAfterEdit()) preferences.programs[index] = typed_[index];
     if (!ImGui::IsItemActive()) typed_[index] = preferences.programs[index];
@@ -116,7 +116,7 @@ void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                        ImGuiWindowFlags_AlwaysAutoResize)) {
     ui.begin_row();
-    draw_theme(session, actions, ui);
+    draw_looks(session, actions, ui);
     ImGui::Separator();
     draw_layouts(session, actions, ui);
     ImGui::Separator();
