@@ -23,7 +23,7 @@ TEST(SplitCommand, MakesWords) {
 }
 
 TEST(SplitCommand, KeepsAFilesNameInOneWordWhateverIsInIt) {
-  const std::string file = "/tmp/a b/$(touch x); \"'{folder}'\" `y`.tic";
+  const std::string file = "/home/a b/$(touch x); \"'{folder}'\" `y`.tic";
   EXPECT_EQ(split_command("tic80 {file}", file), (Words{"tic80", file}));
 }
 
