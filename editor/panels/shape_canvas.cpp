@@ -132,25 +132,31 @@ void ShapeCanvas::draw_line(const Frame& frame, Ui& ui) const {
   const int count = static_cast<int>(points.size());
   list.AddPolyline(points.data(), count, theme::color(theme::kDark, 200), ImDrawFlags_None, ui.px(2) + 2);
   list.AddPolyline(points.data(), count, theme::color(frame.color), ImDrawFlags_None, ui.px(2));
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const bool hovered = ImGui::IsItemHovered();
+  draw_handles(frame, points, ui);
+}
+
+void ShapeCanvas::draw_handles(const Frame& frame, const std::vector<ImVec2>& points, Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const int pointed = ImGui::IsItemHovered() ? frame.nearest_by_x(ImGui::GetIO().MousePos.x) : -1;
+  const int lit = held_ >= 0 ? held_ : pointed, count = static_cast<int>(points.size());
   const float side = std::min(ui.px(kHandle), std::max(2.0f, frame.width() / static_cast<float>(3 * count)));
   for (int i = 0; i < count; ++i) {
     const ImVec2 p = points[static_cast<std::size_t>(i)];
-    const bool lit = i == held_ || (held_ < 0 && hovered && frame.nearest_by_x(mouse.x) == i);
     list.AddRectFilled({p.x - side - 1, p.y - side - 1}, {p.x + side + 1, p.y + side + 1},
                        theme::color(theme::kDark));
     list.AddRectFilled({p.x - side, p.y - side}, {p.x + side, p.y + side},
-                       theme::color(lit ? theme::kWarning : theme::kText));
+                       theme::color(i == lit ? theme::kWarning : theme::kText));
     ui.place("shape/handle" + std::to_string(i), {p.x - side, p.y - side}, {p.x + side, p.y + side});
-    if (!lit) continue;
-    const std::string text = exact_text(frame.shape.heights[static_cast<std::size_t>(i)]) + " px";
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 at{std::clamp(p.x - size.x / 2, frame.at.x, std::max(frame.at.x, end.x - size.x)),
-                    p.y - size.y - 2 * side < frame.at.y ? p.y + 2 * side : p.y - size.y - 2 * side};
-    list.AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, theme::color(theme::kDark, 205));
-    list.AddText(at, theme::color(theme::kText), text.c_str());
   }
+  if (lit < 0 || lit >= count) return;
+  const ImVec2 p = points[static_cast<std::size_t>(lit)];
+  const std::string text = exact_text(frame.shape.heights[static_cast<std::size_t>(lit)]) + " px";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float right = frame.at.x + frame.width();
+  const ImVec2 at{std::clamp(p.x - size.x / 2, frame.at.x, std::max(frame.at.x, right - size.x)),
+                  p.y - size.y - 2 * side < frame.at.y ? p.y + 2 * side : p.y - size.y - 2 * side};
+  list.AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, theme::color(theme::kDark, 205));
+  list.AddText(at, theme::color(theme::kText), text.c_str());
 }
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "session/session.h"
 #include "ui.h"
@@ -21,6 +22,7 @@ class ShapeCanvas {
   struct Frame;
   void drag(Frame& frame);
   void draw_line(const Frame& frame, Ui& ui) const;
+  void draw_handles(const Frame& frame, const std::vector<ImVec2>& points, Ui& ui) const;
 
   int stroke_ = 0;
   int held_ = -1;      // index of the height that is dragged; -1: none
