@@ -18,7 +18,7 @@ namespace talus {
 namespace {
 
 constexpr float kFarZoom = 0.25f;
-constexpr float kLeastScreen = 16;  // px of the screen: closer borders would be all that is seen
+constexpr float kLeastScreen = 16;          // px of the screen: closer borders would be all that is seen
 constexpr double kSamePlace = 0.005;        // px: closer bodies hide one another
 constexpr std::int64_t kTrailFrames = 120;  // two seconds
 constexpr std::size_t kMostTrails = 4;      // as many as the session keeps
@@ -52,7 +52,8 @@ bool is_one_color(const TileImage& image) {
   return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
 }
 
-// The cells from `from` to column `end` of a row. All at once, as there may be a hundred thousand on a screen.
+// The cells from `from` to column `end` of a row. All at once, as there may be a hundred thousand on a
+// screen.
 void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end,
               const std::array<bool, kTileCount>& hidden, const CanvasView& view) {
   int count = 0;
@@ -62,8 +63,8 @@ void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end,
   for (Cell cell = from; cell.x < end; ++cell.x) {
     if (hidden[map.at(cell)]) continue;
     const SheetUv uv = uv_of(map.at(cell));
-    list.PrimRectUV(cell_corner(view, cell.x, cell.y), cell_corner(view, cell.x + 1, cell.y + 1), uv.from, uv.to,
-                    IM_COL32_WHITE);
+    list.PrimRectUV(cell_corner(view, cell.x, cell.y), cell_corner(view, cell.x + 1, cell.y + 1), uv.from,
+                    uv.to, IM_COL32_WHITE);
   }
 }
 

@@ -13,8 +13,8 @@
 #include "map_gesture.h"
 #include "minimap.h"
 #include "select_gesture.h"
-#include "sheet_overlay.h"
 #include "session/session.h"
+#include "sheet_overlay.h"
 #include "spawn_gesture.h"
 #include "ui.h"
 
