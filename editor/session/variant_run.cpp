@@ -29,9 +29,10 @@ void VariantRun::follow(const Timeline& a, const Level& level, std::int64_t most
   if (!goes_on) begin(a, level);
   Timeline& b = *timeline_;
   if (b.behind()) return b.catch_up(most_steps);
-  b.seek(b.last_frame());
+  if (b.last_frame() >= branch.run_frame()) return;
+  if (b.in_past()) b.seek(b.last_frame());  // which is run again from a keyframe, wherever it is
   for (; most_steps > 0 && b.last_frame() < branch.run_frame(); --most_steps)
-    b.step(branch.input(b.last_frame() + 1));
+    b.step(branch.input(b.last_frame() + 1), false);
 }
 
 void VariantRun::begin(const Timeline& a, const Level& level) {

@@ -131,6 +131,25 @@ TEST_F(SessionDebug, AStopIsToldOfAndItsBodyChosenWhereNoneIs) {
   EXPECT_EQ(session.message()->text, "No breakpoint stops before this frame.");
 }
 
+TEST_F(SessionDebug, AComparisonRunsNothingAgainThatItHasRun) {
+  step(100);
+  session.apply(action::CompareVariant{Variant{SolverKind::article, false}});
+  settle();
+  const Timeline& other = *session.debugger().side_by_side().variant()->timeline();
+  ASSERT_EQ(other.current().run_frame(), 100);
+  const std::int64_t before = other.steps_again();
+  for (int i = 0; i < 10; ++i) {
+    session.advance(0);
+    session.apply(action::SelectBody{i % 2});
+  }
+  EXPECT_EQ(other.steps_again(), before);
+  step(1);
+  const std::int64_t to_its_end = other.steps_again();
+  step(5);
+  EXPECT_EQ(other.current().run_frame(), 106);
+  EXPECT_EQ(other.steps_again(), to_its_end);
+}
+
 TEST_F(SessionDebug, AWrongOrDisabledBreakpointStopsNothing) {
   add_breakpoint("no such name");
   session.apply(action::SetBreakpoint{{.condition = "vy < 0", .enabled = false}});
