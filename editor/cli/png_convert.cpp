@@ -26,7 +26,7 @@ void write_level(CommandContext& context, const Level& level, const std::string&
     context.err << output << ": warning: not stored in this format: " << what << '\n';
 }
 
-std::string report(const PngImportPlan& plan) {
+std::string changes_text(const PngImportPlan& plan) {
   std::string text = std::to_string(plan.pixels) + " pixels of " + std::to_string(plan.tiles) +
                      " tiles and " + std::to_string(plan.colors) +
                      " colours changed; largest colour distance ";
@@ -71,7 +71,7 @@ void import_png(CommandContext& context, const PngIntoLevel& import) {
   apply_edit(*level, plan->edit);
   write_level(context, *level, import.output);
   if (context.status == kExitGood && import.output != "-")
-    context.out << import.output << ": " << report(*plan) << '\n';
+    context.out << import.output << ": " << changes_text(*plan) << '\n';
 }
 
 }  // namespace talus

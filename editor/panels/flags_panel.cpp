@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-constexpr float kRow = 20;  // px at scale 1
+constexpr float kFlagRow = 20;  // px at scale 1
 
 void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lamp, int flag) {
   list.AddCircleFilled(centre, radius, theme::color(theme::kDark), 20);
@@ -59,7 +59,7 @@ std::vector<int> single_flags(const Level& level) {
 
 // A button of a row's height at its right, which opens a menu.
 bool draw_menu_button(const std::string& name, const std::string& help, float width, Ui& ui) {
-  const bool pressed = ImGui::Button(("...##" + name).c_str(), {width, ui.px(kRow)});
+  const bool pressed = ImGui::Button(("...##" + name).c_str(), {width, ui.px(kFlagRow)});
   ui.item(name, help);
   return pressed;
 }
@@ -135,7 +135,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
   const FlagLamp lamp = flag_lamp(level, session.choices().area, flag);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ui.px(kRow), menu = ui.px(kRow);
+  const float height = ui.px(kFlagRow), menu = ui.px(kFlagRow);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
   if (ImGui::Button(("##" + name).c_str(), {width - menu, height}))
     actions.push_back(action::EditLevel{toggle_flag(level, session.choices().area, flag)});
@@ -153,8 +153,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const bool has_physics = role != nullptr || shape.kind != TileShape::Kind::none;
   const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
   list.PushClipRect(at, {at.x + width - menu, at.y + height}, true);
-  list.AddText({at.x + ui.px(22), y}, theme::tone(has_physics ? theme::kText : theme::kMuted),
-               label.c_str());
+  list.AddText({at.x + ui.px(22), y}, theme::tone(has_physics ? theme::kText : theme::kMuted), label.c_str());
   list.PopClipRect();
 }
 
@@ -165,11 +164,12 @@ void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, co
   const auto now = common_flags(level, area, field.mask());
   const std::string preview =
       field_name(field) + ": " + (now ? value_name(field, field.value_of(*now)) : "differs");
-  const float menu = ui.px(kRow);
+  const float menu = ui.px(kFlagRow);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), (ui.px(kRow) - ImGui::GetFontSize()) / 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(ui.px(6), (ui.px(kFlagRow) - ImGui::GetFontSize()) / 2));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - menu);
-  const ImVec2 at = ImGui::GetCursorScreenPos(), to{at.x + ImGui::CalcItemWidth(), at.y + ui.px(kRow)};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), to{at.x + ImGui::CalcItemWidth(), at.y + ui.px(kFlagRow)};
   const bool open = ImGui::BeginCombo(("##field" + number).c_str(), preview.c_str());
   const std::string name = "flags/field" + number;
   if (open) {

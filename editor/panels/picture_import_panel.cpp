@@ -13,19 +13,19 @@
 namespace talus {
 namespace {
 
-constexpr float kPicture = 264;          // px at scale 1, the most that a side of a picture takes
-constexpr float kSwatch = 10;            // px at scale 1, height of the strips of colours
-constexpr float kGap = 12;               // px at scale 1, between the pictures
+constexpr float kPreview = 264;          // px at scale 1, the most that a side of a picture takes
+constexpr float kColorStrip = 10;        // px at scale 1, height of the strips of colours
+constexpr float kBetween = 12;           // px at scale 1, between the pictures
 constexpr double kMostDistance = 441.7;  // from black to white in RGB
 
 // A whole zoom step.
 float side_of_picture(const Ui& ui) {
-  return std::max(1.0f, std::floor(ui.px(kPicture) / kSheetSide)) * kSheetSide;
+  return std::max(1.0f, std::floor(ui.px(kPreview) / kSheetSide)) * kSheetSide;
 }
 
 SheetId sheet_of(PngPart part) { return part == PngPart::sprites ? SheetId::sprites : SheetId::tiles; }
 
-std::string counted_text(int count, const std::string& noun) {
+std::string count_of(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
@@ -34,7 +34,7 @@ void draw_palette(const Palette& palette, ImVec2 at, float side, Ui& ui) {
   const float width = side / kColorCount;
   for (int i = 0; i < kColorCount; ++i) {
     const float x = at.x + static_cast<float>(i) * width;
-    list.AddRectFilled({x, at.y}, {x + width, at.y + ui.px(kSwatch)},
+    list.AddRectFilled({x, at.y}, {x + width, at.y + ui.px(kColorStrip)},
                        theme::color(palette[static_cast<std::size_t>(i)]));
   }
 }
@@ -113,7 +113,8 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
 PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const PngImport& import,
                                                    PngImportOptions options, Ui& ui) {
   const float side = side_of_picture(ui);
-  const float cell = side / kSheetColumns, gap = ui.px(kGap), header = ImGui::GetTextLineHeightWithSpacing();
+  const float cell = side / kSheetColumns, gap = ui.px(kBetween),
+              header = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 pictures[2] = {{at.x, at.y + header}, {at.x + side + gap, at.y + header}};
@@ -127,7 +128,7 @@ PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const
     draw_target(import, from, cell);
     ImGui::SetCursorScreenPos(from);
     const char* name = i == 0 ? "import/before" : "import/after";
-    const bool pressed = ImGui::InvisibleButton(name, {side, side + ui.px(4 + kSwatch)});
+    const bool pressed = ImGui::InvisibleButton(name, {side, side + ui.px(4 + kColorStrip)});
     ui.item(name);
     if (!pressed || options.part == PngPart::palette) continue;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -141,7 +142,7 @@ PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const
 void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   ImGui::Spacing();
   // Not at the window's edge, since the window takes its size from the text.
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kGap));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kBetween));
   if (!import.plan) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
     ImGui::TextUnformatted(import.plan.error().c_str());
@@ -151,11 +152,10 @@ void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
     const PngImportPlan& plan = *import.plan;
     std::string text = plan.edit.empty() ? "Nothing changes: the level has all of this already.\n" : "";
     if (import.options.part != PngPart::palette)
-      text =
-          "Changes " + counted_text(plan.pixels, "pixel") + " of " + counted_text(plan.tiles, "tile") + ".\n";
+      text = "Changes " + count_of(plan.pixels, "pixel") + " of " + count_of(plan.tiles, "tile") + ".\n";
     if (import.options.part == PngPart::palette || import.options.take_palette)
-      text += "Changes " + counted_text(plan.colors, "colour") + ", and so the look of " +
-              counted_text(plan.tiles_recolored, "image") + " that are there.\n";
+      text += "Changes " + count_of(plan.colors, "colour") + ", and so the look of " +
+              count_of(plan.tiles_recolored, "image") + " that are there.\n";
     if (import.options.part != PngPart::palette) {
       char distance[96];
       std::snprintf(distance, sizeof distance, "Largest distance of a pixel from its colour: %.1f of %.1f",
