@@ -77,7 +77,7 @@ TEST_F(UiWorld, TheMinimapMovesTheView) {
   const ImVec2 at = centre("map/overview"), size = size_of("map/overview");
   EXPECT_NEAR(size.x / size.y, 1.5, 0.05);
   drag(at, {at.x + size.x / 3, at.y - size.y / 4});
-  expect_near(middle(), {500, 100}, 5);
+  expect_near(middle(), {500, 100}, 8);  // a pixel of the minimap is more than three cells
   EXPECT_EQ(zoom(), before);
   EXPECT_FALSE(session().modified()) << "nothing was painted";
   key('o');
