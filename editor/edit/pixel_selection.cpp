@@ -15,6 +15,13 @@ void lay_over(PixelBlock& canvas, const PixelBlock& block, Cell at) {
       canvas.colors[static_cast<std::size_t>(at.y + y) * canvas.w + at.x + x] = block.at(x, y);
 }
 
+CellRect clamped(const SpriteArea& area, CellRect rect) {
+  const int right = std::clamp(rect.x + rect.w, 1, area.width());
+  const int bottom = std::clamp(rect.y + rect.h, 1, area.height());
+  const int x = std::clamp(rect.x, 0, right - 1), y = std::clamp(rect.y, 0, bottom - 1);
+  return {x, y, right - x, bottom - y};
+}
+
 }  // namespace
 
 bool PixelSelection::floats(const Level& level, const SpriteArea& area) const {
@@ -24,15 +31,12 @@ bool PixelSelection::floats(const Level& level, const SpriteArea& area) const {
 
 PixelBlock PixelSelection::pixels(const Level& level, const SpriteArea& area) const {
   assert(rect_);
-  return floats(level, area) ? pixels_ : copy_pixels(level, area, *rect_);
+  return floats(level, area) ? pixels_ : copy_pixels(level, area, clamped(area, *rect_));
 }
 
 void PixelSelection::select(const SpriteArea& area, CellRect rect) {
-  const int right = std::clamp(rect.x + rect.w, 1, area.width());
-  const int bottom = std::clamp(rect.y + rect.h, 1, area.height());
-  const int x = std::clamp(rect.x, 0, right - 1), y = std::clamp(rect.y, 0, bottom - 1);
   drop();
-  rect_ = {x, y, right - x, bottom - y};
+  rect_ = clamped(area, rect);
 }
 
 void PixelSelection::drop() { *this = {}; }

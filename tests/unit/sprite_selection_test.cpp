@@ -79,6 +79,17 @@ TEST_F(SpriteSelection, OverTheEdgeNothingIsLost) {
   EXPECT_EQ(picture().substr(0, 18), "7712....\n7734....\n");
 }
 
+TEST_F(SpriteSelection, PutDownOverTheEdgeIsWhatTheCanvasHasOfIt) {
+  select({0, 0, 2, 2});
+  move(-1, 0);
+  session.apply(act::EditLevel{clear_pixels(session.level(), kSelectionCanvas, *rect(), 9)});
+  EXPECT_EQ(rect(), (CellRect{-1, 0, 2, 2}));
+  EXPECT_EQ(session.choices().pixels.pixels(session.level(), kSelectionCanvas), (PixelBlock{1, 2, {9, 9}}));
+  move(2, 1);
+  EXPECT_EQ(rect(), (CellRect{2, 1, 1, 2}));
+  EXPECT_EQ(picture().substr(0, 27), "77......\n779.....\n..9.....\n");
+}
+
 TEST_F(SpriteSelection, AnotherEditPutsItDown) {
   select({0, 0, 2, 2});
   move(5, 2);
