@@ -561,33 +561,13 @@ CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
   return trace;
 }
 
-void forget_first(CastTrace& trace) {
-  for (CastCandidate& candidate : trace.candidates) candidate.is_first = false;
-}
-
 }  // namespace
 
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast) {
   CastTrace trace = traced<kAllParts>(terrain, cast);
   if (cast.foot == Foot::centre) {
     const Rect middle{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h};
-    CastTrace of_middle = traced<kSlopes>(terrain, {middle, cast.motion, Foot::box});
-    forget_first(of_middle.contact.t < trace.contact.t ? trace : of_middle);
-    for (const Cell cell : of_middle.cells) {
-      if (std::find(trace.cells.begin(), trace.cells.end(), cell) == trace.cells.end())
-        trace.cells.push_back(cell);
-    }
-    for (const CastCandidate& candidate : of_middle.candidates) {
-      const auto same = std::find_if(trace.candidates.begin(), trace.candidates.end(), [&](const auto& c) {
-        return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
-      });
-      if (same == trace.candidates.end()) {
-        trace.candidates.push_back(candidate);
-      } else {
-        same->t = std::min(same->t, candidate.t);
-        same->is_first = same->is_first || candidate.is_first;
-      }
-    }
+    add_trace(trace, traced<kSlopes>(terrain, {middle, cast.motion, Foot::box}));
   }
   trace.contact = cast_box(terrain, cast);
   return trace;

@@ -67,4 +67,26 @@ class TraceLog {
   std::size_t at_ = 0;  // of the candidate that is tested
 };
 
+// Adds a second cast of the same body; the first contact is that of the cast which met something earlier.
+inline void add_trace(CastTrace& trace, CastTrace added) {
+  CastTrace& later = added.contact.t < trace.contact.t ? trace : added;
+  for (CastCandidate& candidate : later.candidates) candidate.is_first = false;
+  for (const Cell cell : added.cells) {
+    if (std::find(trace.cells.begin(), trace.cells.end(), cell) == trace.cells.end())
+      trace.cells.push_back(cell);
+  }
+  for (const CastCandidate& candidate : added.candidates) {
+    const auto same =
+        std::find_if(trace.candidates.begin(), trace.candidates.end(), [&](const CastCandidate& c) {
+          return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
+        });
+    if (same == trace.candidates.end()) {
+      trace.candidates.push_back(candidate);
+    } else {
+      same->t = std::min(same->t, candidate.t);
+      same->is_first = same->is_first || candidate.is_first;
+    }
+  }
+}
+
 }  // namespace talus

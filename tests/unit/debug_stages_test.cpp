@@ -121,8 +121,8 @@ TEST(Stages, OfAStepInPartsTellWhatIsLeftOfEach) {
   ASSERT_NE(met, stages.end());
   EXPECT_THAT(met->sentence, testing::HasSubstr(" of a part of the step; of "));
   EXPECT_THAT(met->sentence, testing::HasSubstr(" px slid to the right"));
-  const auto on = std::find_if(met, stages.end(),
-                               [](const Stage& stage) { return stage.kind == StageKind::went_on; });
+  const auto on =
+      std::find_if(met, stages.end(), [](const Stage& stage) { return stage.kind == StageKind::went_on; });
   ASSERT_NE(on, stages.end());
   EXPECT_EQ(on->motion, *contact.after);
 }
