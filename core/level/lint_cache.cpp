@@ -1,3 +1,4 @@
+// Which parts of a level are looked at again, and the list that comes of it.
 #include "lint_cache.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The words of the lint.
 #include "lint_text.h"
 
 namespace talus {

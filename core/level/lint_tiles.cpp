@@ -1,3 +1,4 @@
+// What is known of the tiles, and the rules about a tile by itself.
 #include "lint_tiles.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Cuts a window out of the map, and compiles that.
 #include "local_ground.h"
 
 #include <algorithm>

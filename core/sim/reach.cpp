@@ -1,3 +1,4 @@
+// The search: states in the order in which they were found, each followed with every choice of keys.
 #include "reach.h"
 
 #include <algorithm>

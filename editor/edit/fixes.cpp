@@ -1,3 +1,4 @@
+// Finds the fixes of a problem, and tries those of many one after the other.
 #include "fixes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Reached cells as few boxes.
 #include "reach_drawing.h"
 
 #include <algorithm>

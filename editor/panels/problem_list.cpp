@@ -1,3 +1,4 @@
+// Filtering, going to, and fixing what is listed.
 #include "problem_list.h"
 
 #include <algorithm>

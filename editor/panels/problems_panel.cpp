@@ -1,6 +1,8 @@
+// The list of problems.
 #include "problems_panel.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "commands.h"
 #include "edit/fixes.h"

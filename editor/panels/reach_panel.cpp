@@ -1,3 +1,4 @@
+// The panel of the reach.
 #include "reach_panel.h"
 
 #include <string>

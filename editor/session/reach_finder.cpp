@@ -1,3 +1,4 @@
+// Starts, continues and ends the search.
 #include "reach_finder.h"
 
 #include <algorithm>

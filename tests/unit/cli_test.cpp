@@ -228,7 +228,7 @@ TEST(CliCheck, ErrorsGiveOneAndNameTheirCell) {
 TEST(CliShot, TheReachNeedsAPlayer) {
   const Answer answer = run({"shot", kSix, "--overlay", "reach", "-o", testing::TempDir() + "reach.png"});
   EXPECT_EQ(answer.status, kExitBad);
-  EXPECT_THAT(answer.err, HasSubstr(": error: Only the exact solver has players"));
+  EXPECT_THAT(answer.err, HasSubstr(": error: No player to follow"));
 }
 
 }  // namespace
