@@ -195,9 +195,9 @@ bool App::follow_work() {
 
 bool App::wait() {
   const bool busy = session_->playback().running || session_->timeline().behind() ||
-                    session_->debugger().is_busy() || session_->compile_progress().has_value() || session_->is_linting() ||
-                    session_->reach().running() || ui_.wants_frames() || has_waiting_events() ||
-                    last_time_ - last_event_ < kLivelyAfterEvent;
+                    session_->debugger().is_busy() || session_->compile_progress().has_value() ||
+                    session_->is_linting() || session_->reach().running() || ui_.wants_frames() ||
+                    has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent;
   const double now = options_.clock();
   if (busy) {
     const double spent = (now - last_time_) * 1000;
@@ -255,7 +255,7 @@ void App::hold_presses_while_dialogs_change() {
   const std::array<bool, 8> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
                                       session_->question().has_value(),    ui_.view.command_palette_open,
                                       ui_.view.program.keys_open,          ui_.view.program.recovery_open,
-                                      session_->png_import().has_value(),   ui_.view.resize_open};
+                                      session_->png_import().has_value(),  ui_.view.resize_open};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
@@ -336,8 +336,9 @@ bool App::keys_are_taken(KeyChord chord) const {
   if (ImGui::GetTopMostPopupModal() != nullptr) return true;
   const bool types = ImGui::GetIO().WantTextInput;
   const bool moves_cursor = chord.key >= kKeyTab;
-  const bool edits_text = !chord.ctrl || moves_cursor ||
-                          std::string_view("acvxyz").find(static_cast<char>(chord.key)) != std::string_view::npos;
+  const bool edits_text =
+      !chord.ctrl || moves_cursor ||
+      std::string_view("acvxyz").find(static_cast<char>(chord.key)) != std::string_view::npos;
   return types && chord.key < kKeyF1 && edits_text;
 }
 

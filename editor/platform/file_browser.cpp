@@ -77,8 +77,7 @@ void FileBrowser::enter(const std::string& folder) {
     std::error_code ignored;
     Entry entry{it->path().filename().string(), it->is_directory(ignored)};
     const bool hidden = entry.name.starts_with('.');
-    if (!hidden && (entry.is_folder || lists(entry.name)))
-      entries.push_back(std::move(entry));
+    if (!hidden && (entry.is_folder || lists(entry.name))) entries.push_back(std::move(entry));
     if (error) break;
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {

@@ -55,8 +55,7 @@ void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
   ui.balls = id(2);
   if (revision_ == revision) return;
   revision_ = revision;
-  for (std::size_t i = 0; i < 3; ++i)
-    upload(names_[i], to_rgba(level.sheets[i % 2], level.palette, i == 2));
+  for (std::size_t i = 0; i < 3; ++i) upload(names_[i], to_rgba(level.sheets[i % 2], level.palette, i == 2));
 }
 
 void SheetTextures::show_preview(const Sheet& sheet, const Palette& palette, Ui& ui) {
