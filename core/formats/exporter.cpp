@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "atomic_file.h"
+#include "cart_content.h"
 #include "lua_level.h"
 #include "png_sheet.h"
 
@@ -51,6 +52,25 @@ constexpr std::array<Exporter, 2> kExporters = {{
 }};
 
 }  // namespace
+
+FormatResult<Level> playable_cart(const Level& level, const ReadAsset& read_asset) {
+  if (!map_fits_cart(level)) {
+    return tl::unexpected(FormatError{"", "the map has " + std::to_string(level.map.width()) + "x" +
+                                              std::to_string(level.map.height()) +
+                                              " cells, and a cart has 240x136: change its size first"});
+  }
+  FormatResult<std::string> runtime = runtime_of(level, read_asset, true);
+  if (!runtime) return tl::unexpected(runtime.error());
+  const FormatResult<std::string> game = read_asset("templates/tic80/main.lua");
+  if (!game) return tl::unexpected(game.error());
+  CartOrigin cart{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = ""};
+  cart.bytes = "-- title:  level\n-- author: made with Talus\n-- script: lua\ntalus=(function()\n" +
+               *runtime + "end)()\nlevel=(function()\n" + lua_level(level, false) + "end)()\n" +
+               join_lua_parts({*game});
+  Level playable = level;
+  playable.cart = std::make_shared<const CartOrigin>(std::move(cart));
+  return playable;
+}
 
 std::span<const Exporter> exporters() { return kExporters; }
 

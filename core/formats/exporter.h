@@ -35,6 +35,11 @@ struct Exporter {
 std::span<const Exporter> exporters();
 const Exporter* find_exporter(std::string_view id);  // null when there is none
 
+// The level as a cart whose code plays it: the runtime, the level's shapes, curves and bodies, and what draws
+// them; the map, the sheets and the palette are the cart's own. An error where the map does not fit a cart.
+// Its own code, if it was a cart, is not kept.
+FormatResult<Level> playable_cart(const Level& level, const ReadAsset& read_asset);
+
 // Writes all files into a folder, which is made where it is missing; each as write_file_atomic does.
 FormatResult<void> write_exported(const Exported& exported, const std::string& folder);
 

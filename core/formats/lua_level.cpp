@@ -1,6 +1,7 @@
 #include "lua_level.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -148,20 +149,42 @@ bool is_ball(const Level& level, int tile) {
          role_of(level.tile_flags(number), level.roles) == TileRole::ball;
 }
 
+// A line of Lua without the spaces that separate nothing. Two hyphens would begin a comment.
+std::string without_spaces(const std::string& line) {
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::string kept;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"') is_quoted = !is_quoted;
+    if (c != ' ' || is_quoted) {
+      kept += c;
+      continue;
+    }
+    const std::size_t next = line.find_first_not_of(' ', i);
+    if (kept.empty() || next == std::string::npos) continue;
+    const bool joins_words = is_word(kept.back()) && is_word(line[next]);
+    const bool joins_hyphens = kept.back() == '-' && line[next] == '-';
+    if (joins_words || joins_hyphens) kept += ' ';
+    i = next - 1;
+  }
+  return kept;
+}
+
 bool is_stretch(const Curve& curve) {
   return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
 }
 
 }  // namespace
 
-std::string lua_level(const Level& level) {
+std::string lua_level(const Level& level, bool with_tiles) {
   const TerrainSource ground = ground_of(level);
   std::string text = "return ";
   {
     LuaTable table(text);
     table.number("width", ground.width);
     table.number("height", ground.height);
-    table.numbers("tiles", ground.cells);
+    if (with_tiles) table.numbers("tiles", ground.cells);
     {
       LuaTable shapes(table.member("shapes"));
       for (int tile = 0; tile < kTileCount; ++tile) {
@@ -221,19 +244,14 @@ std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse) 
 
 std::string join_lua_parts(const std::vector<std::string>& texts) {
   std::string joined;
+  bool is_head = true;  // the first comment of all says what the module is
   for (const std::string& text : texts) {
     std::istringstream lines(text);
-    bool is_head = joined.empty();  // the first lines of all say what the module is
     for (std::string line; std::getline(lines, line);) {
-      const auto first = line.find_first_not_of(' ');
-      if (first == std::string::npos) continue;
-      const bool is_comment = line.compare(first, 2, "--") == 0;
+      const bool is_comment = line.compare(0, 2, "--") == 0;
       is_head = is_head && is_comment;
-      if (is_comment && !is_head) continue;
-      // No string of the runtime holds two hyphens.
-      const auto comment = is_head ? std::string::npos : line.find(" --");
-      const auto last = line.find_last_not_of(' ', comment == std::string::npos ? line.size() : comment);
-      joined.append(line, first, last - first + 1) += '\n';
+      const std::string kept = is_head ? line : without_spaces(line.substr(0, line.find("--")));
+      if (!kept.empty()) joined += kept + '\n';
     }
   }
   return joined;

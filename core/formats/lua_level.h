@@ -20,14 +20,15 @@
 namespace talus {
 
 // "return {...}", numbers as the shortest decimals that read back as the same doubles. What cannot be used
-// (see lint) is left out, as the solver leaves it out.
-std::string lua_level(const Level& level);
+// (see lint) is left out, as the solver leaves it out. with_tiles: false where the game has the map itself.
+std::string lua_level(const Level& level, bool with_tiles = true);
 
 // The names of the runtime's parts, in the order in which they are joined, for the exact solver with what the
 // level uses: slopes, curves, players, bodies that block one another. The mouse is for debugging and tests.
 std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse);
 
-// Joins parts into one module, without their comments and indentation. texts: in the order of the parts.
+// Joins parts into one module, without their comments and what spaces Lua does not need, but for the comment at
+// the head. texts: in the order of the parts; no string in them has a quote, or two hyphens after a space.
 std::string join_lua_parts(const std::vector<std::string>& texts);
 
 }  // namespace talus

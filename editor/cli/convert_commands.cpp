@@ -14,7 +14,10 @@ namespace {
 
 struct Conversion {
   std::string input, output, format;
+  bool playable = false;  // a cart with code that plays the level
 };
+
+FormatResult<std::string> read_asset(const std::string& name) { return read_file(asset_path(name)); }
 
 // A file named as another format's would be taken for that. An error's message, or nothing.
 std::string wrong_name(const std::string& output, const Format& format) {
@@ -25,8 +28,13 @@ std::string wrong_name(const std::string& output, const Format& format) {
 }
 
 void convert(CommandContext& context, const Conversion& conversion) {
-  const std::optional<Level> level = load_or_fail(context, conversion.input);
+  std::optional<Level> level = load_or_fail(context, conversion.input);
   if (!level) return;
+  if (conversion.playable) {
+    FormatResult<Level> cart = playable_cart(*level, read_asset);
+    if (!cart) return fail(context, conversion.input, cart.error().place, cart.error().message);
+    level = std::move(*cart);
+  }
   const Format& format = *find_format(conversion.format);
   if (const std::string wrong = wrong_name(conversion.output, format); !wrong.empty())
     return fail(context, conversion.output, "", wrong);
@@ -54,7 +62,6 @@ void export_folder(CommandContext& context, const std::string& input, const Expo
   if (output == "-")
     return fail(context, output, "",
                 "is one file, but a " + std::string(exporter.label) + " is a folder: name one");
-  const auto read_asset = [](const std::string& name) { return read_file(asset_path(name)); };
   FormatResult<Exported> exported = exporter.write(*level, read_asset);
   if (!exported) return fail(context, input, exported.error().place, exported.error().message);
   if (auto written = write_exported(*exported, output); !written)
@@ -117,7 +124,12 @@ void add_export_command(CLI::App& program, CommandContext& context) {
       ->add_option("-o,--output", conversion->output,
                    "File to write, - for standard output; of lua and love a folder")
       ->required();
+  command->add_flag("--playable", conversion->playable,
+                    "With tic and tic-text: put code into the cart that plays the level at once");
   command->callback([&context, conversion] {
+    const bool is_cart = conversion->format == "tic" || conversion->format == "tic-text";
+    if (conversion->playable && !is_cart)
+      throw CLI::ValidationError("--playable", "goes with --to tic and --to tic-text alone");
     if (const auto part = png_part_of(conversion->format))
       export_png(context, conversion->input, *part, conversion->output);
     else if (const Exporter* exporter = find_exporter(conversion->format))

@@ -48,9 +48,10 @@ TEST(LuaParts, WhatALevelUsesIsAdded) {
   EXPECT_EQ(joined(lua_runtime_parts(level, false)).find("pairs"), std::string::npos);
 }
 
-TEST(LuaParts, CommentsAndIndentationAreLeftOut) {
-  EXPECT_EQ(join_lua_parts({"-- Head.\nlocal a = 1  -- px\n", "\n-- More.\nif a then\n  a = '-'\nend\n"}),
-            "-- Head.\nlocal a = 1\nif a then\na = '-'\nend\n");
+TEST(LuaParts, WhatLuaDoesNotNeedIsLeftOut) {
+  EXPECT_EQ(join_lua_parts(
+                {"-- Head.\nlocal a = 1  -- px\n", "\n-- More.\nif a then\n  a = 2 - -a * \"b  c\"\nend\n"}),
+            "-- Head.\nlocal a=1\nif a then\na=2- -a*\"b  c\"\nend\n");
 }
 
 TEST(LuaLevel, HoldsWhatTheSolverNeeds) {

@@ -1,0 +1,41 @@
+-- A stand-in for the part of TIC-80's API that a playable cart uses: runs its TIC() and prints, after each
+-- frame, every body of its world: frame id x y vx vy. What is drawn must be within what TIC-80 takes.
+--   lua5.3 tic80_play.lua CART.lua FRAMES
+local cells, in_map = {}, false
+for line in io.lines(arg[1]) do
+  if line:match("^%-%- <") then in_map = line == "-- <MAP>" end
+  local row, digits = line:match("^%-%- (%d%d%d):(%x+)$")
+  if in_map and row then
+    for i = 1, #digits, 2 do  -- the low half of a byte comes first
+      cells[tonumber(row) * 240 + i // 2] = tonumber(digits:sub(i + 1, i + 1) .. digits:sub(i, i), 16)
+    end
+  end
+end
+
+local drawn = 0
+function mget(x, y) return cells[y * 240 + x] or 0 end
+function mouse() return 0, 0, false, false, false end
+function btn() return false end
+function btnp() return false end
+function cls(color) assert(color >= 0 and color < 16) end
+function map(x, y, w, h, sx, sy, colorkey, scale, remap)
+  for _, number in ipairs {x, y, w, h, sx, sy} do assert(math.type(number) == "integer") end
+  assert(scale == 1 and colorkey == -1 and math.type(remap(mget(x, y))) == "integer")
+end
+function spr(id, x, y, colorkey)
+  assert(id >= 0 and id < 512 and x == x and y == y and colorkey == 0)
+  drawn = drawn + 1
+end
+function rect(x, y, w, h, color)
+  assert(x == x and y == y and w > 0 and h > 0 and color >= 0 and color < 16)
+  drawn = drawn + 1
+end
+
+dofile(arg[1])
+for frame = 1, tonumber(arg[2]) do
+  TIC()
+  for _, b in ipairs(world.bodies) do
+    print(string.format("%d %d %.17g %.17g %.17g %.17g", frame, b.id, b.x, b.y, b.vx, b.vy))
+  end
+end
+assert(drawn == #world.bodies * tonumber(arg[2]), "not every body is drawn in every frame")
