@@ -102,7 +102,7 @@ TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   click("problems/choice_kind");
   EXPECT_EQ(app().ui().view.problems.kind, "seam");
   EXPECT_EQ(find("problems/row0"), nullptr);
-  ASSERT_NE(find("problems/row4"), nullptr);
+  ASSERT_NE(find("problems/row5"), nullptr);
   click("problems/seam");  // jumps of up to 3 px are meant from now on
   key(ctrl('a'));
   type("3");
