@@ -1,8 +1,8 @@
 // Plans of what a picture changes in a level.
 #include <gtest/gtest.h>
 
-#include "session/png_import.h"
 #include "png_bytes.h"
+#include "session/png_import.h"
 
 namespace talus {
 namespace {
