@@ -159,6 +159,7 @@ TEST_F(UiKeys, EachReachesItsCommand) {
                                                       : Focus::map;
       Session probe(test_level());
       Ui view;
+      view.problems = &probe.problems();  // as every frame has them
       view.view.focus = ui.view.focus;
       view.view.hover.cell = Cell{5, 10};
       probe.apply(action::EditLevel{erase_cells(probe.level(), {5, 10, 1, 1})});
