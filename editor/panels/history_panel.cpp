@@ -19,7 +19,7 @@ void HistoryPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   for (std::size_t i = 0; i <= edits.size(); ++i) {
     const std::string label = i == 0 ? "as opened" : describe(edits[i - 1]);
     const bool undone = i > history.position();
-    if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::color(theme::kMuted));
+    if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
     if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), i == history.position())) wanted = i;
     if (undone) ImGui::PopStyleColor();
     ui.item("history/entry" + std::to_string(i), "Undoes or redoes up to here.");

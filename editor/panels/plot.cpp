@@ -30,7 +30,7 @@ void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, Im
   list.AddRectFilled(min, max, theme::color(theme::kDark), ui.px(2));
   const Range range = range_of(series);
   const float cursor = std::round(axis.x_of(static_cast<double>(at)));
-  list.AddRectFilled({cursor, min.y}, {cursor + ui.px(1), max.y}, theme::color(theme::kText, 140));
+  list.AddRectFilled({cursor, min.y}, {cursor + ui.px(1), max.y}, theme::tone(theme::kText, 140));
   if (range.empty()) return;
   const double span = range.greatest - range.least;
   const float top = min.y + ui.px(2), height = max.y - min.y - 2 * ui.px(2);
@@ -39,7 +39,7 @@ void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, Im
     return top + height * static_cast<float>(1 - share);
   };
   if (range.least < 0 && range.greatest > 0)
-    list.AddRectFilled({min.x, y_of(0)}, {max.x, y_of(0) + 1}, theme::color(theme::kLine));
+    list.AddRectFilled({min.x, y_of(0)}, {max.x, y_of(0) + 1}, theme::tone(theme::kLine));
   ImVec2 before;
   bool has_before = false;
   for (std::size_t i = 0; i < series.points().size(); ++i) {
@@ -56,7 +56,7 @@ void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, Im
     }
     has_before = is_number;
   }
-  const ImU32 muted = theme::color(theme::kMuted);
+  const ImU32 muted = theme::tone(theme::kMuted);
   list.AddText({min.x + ui.px(3), min.y}, muted, two_decimals(range.greatest).c_str());
   const float text = ImGui::GetTextLineHeight();
   if (max.y - min.y > 2 * text && span > 0)

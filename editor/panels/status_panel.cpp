@@ -84,9 +84,9 @@ void draw_compiling(double progress, float x, Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark));
   list.AddRectFilled(at, {at.x + size.x * static_cast<float>(progress), at.y + size.y},
-                     theme::color(theme::kAccent, 110));
+                     theme::tone(theme::kAccent, 110));
   const std::string text = "ground " + std::to_string(static_cast<int>(progress * 100)) + " %";
-  list.AddText({at.x + ui.px(4), at.y}, theme::color(theme::kText), text.c_str());
+  list.AddText({at.x + ui.px(4), at.y}, theme::tone(theme::kText), text.c_str());
   ImGui::Dummy(size);
   ui.item("status/compiling",
           "The ground of a large level is being compiled; until it is, bodies move on it as it "

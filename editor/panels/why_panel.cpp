@@ -50,7 +50,7 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint("No step yet: F10 makes one, and what happened in it is told here.");
     return;
   }
-  wrapped(explain_step(session.frame_view(), body), theme::color(theme::kText));
+  wrapped(explain_step(session.frame_view(), body), theme::tone(theme::kText));
   ImGui::Spacing();
   command_button("why/before", "why/before", Icon::step_back, session, actions, ui);
   ImGui::SameLine();
@@ -85,10 +85,10 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     ImGui::SetCursorScreenPos(at);
     ui.heading(title_of(stage.kind));
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
-    wrapped(stage.sentence, theme::color(theme::kText));
+    wrapped(stage.sentence, theme::tone(theme::kText));
     if (!stage.numbers.empty()) {
       ImGui::SetCursorScreenPos({at.x + indent, at.y + height_of(stage.sentence)});
-      wrapped(stage.numbers, theme::color(theme::kMuted));
+      wrapped(stage.numbers, theme::tone(theme::kMuted));
     }
     ImGui::SetCursorScreenPos(next);
     ImGui::Dummy({0, 0});
