@@ -97,7 +97,8 @@ void ProblemsPanel::draw_kinds(Ui& ui) {
 }
 
 void ProblemsPanel::draw_seam(const Session& session, Actions& actions, Ui& ui) {
-  ui.label("Jumps of up to");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Jumps of up to");
   ImGui::SameLine();
   double seam = session.lint_options().seam;
   ImGui::SetNextItemWidth(ui.px(56));
