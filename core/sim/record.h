@@ -41,7 +41,7 @@ struct ContactRecord {
   Vec2 touch;             // px, the body's top-left corner at the contact
   std::optional<SlopeProbe> slope;  // when the contact led to a look for the slope's floor
   bool handled = false;             // false: found, but the solver did nothing more with it
-  std::optional<Vec2> after;        // px, the motion that it went on with, of exact alone
+  std::optional<Vec2> after = {};   // px, the motion that it went on with, of exact alone
 };
 
 // A candidate of the broad phase whose box was tested against the body's way. Only the solvers on World,
