@@ -164,12 +164,14 @@ TEST_F(UiPlay, WheelZoomsAtTheMouse) {
   EXPECT_NEAR(app().ui().view.hover.pixel->x - after.x, 8, 1e-4);  // 2x became 4x
 }
 
-TEST_F(UiPlay, MiddleAndRightDragMoveTheView) {
-  for (int button : {kMiddle, kRight}) {
-    const ImVec2 from = on_map({8, 8}), to{from.x + 40, from.y + 24};
+// On the map the middle button picks tiles.
+TEST_F(UiPlay, RightAndInPlayMiddleDragMoveTheView) {
+  const std::pair<const char*, int> drags[] = {{"map", kRight}, {"play", kRight}, {"play", kMiddle}};
+  for (const auto& [canvas, button] : drags) {
+    const ImVec2 from = on_canvas(canvas, {68, 68}), to{from.x + 40, from.y + 24};
     drag(from, to, button);
     move(to);
-    EXPECT_EQ(app().ui().view.hover.cell, (Cell{8, 8}));
+    EXPECT_EQ(app().ui().view.hover.cell, (Cell{8, 8})) << canvas;
   }
   EXPECT_FALSE(session().modified());
 }
