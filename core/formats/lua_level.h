@@ -27,8 +27,8 @@ std::string lua_level(const Level& level, bool with_tiles = true);
 // level uses: slopes, curves, players, bodies that block one another. The mouse is for debugging and tests.
 std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse);
 
-// Joins parts into one module, without their comments and what spaces Lua does not need, but for the comment at
-// the head. texts: in the order of the parts; no string in them has a quote, or two hyphens after a space.
+// Joins parts into one module, without their comments and what spaces Lua does not need, but for the comment
+// at the head. texts: in the order of the parts; no string in them has a quote, or two hyphens after a space.
 std::string join_lua_parts(const std::vector<std::string>& texts);
 
 }  // namespace talus

@@ -3,7 +3,8 @@
 //   "talus"        version of the file, 1. A newer version is refused. The only key that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: none.
-//   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6; "bits",
+//   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
+//   "bits",
 //                  2..8; "values", up to 2^bits names of the values from 0, "" for none (none). No two share
 //                  a flag. Default: none.
 //   "roles"        which flag, 0..7 or null for none, is "solid" (0), "up_slope" (2), "down_slope" (3),
@@ -19,7 +20,8 @@
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
 //                  struct of that name in collision/shape.h, points as [x, y], all needed but "upper" (true).
 //                  Ends lie on the map.
-//   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell takes a
+//   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell takes
+//   a
 //                  tile of it at random (false); "rows", 1..256 of one length, 1..256 cells as in the map's.
 //   "auto_tiles"   which tile, 1..255, plays which part of painted ground, by the parts' names in
 //                  level/auto_tiles.h ("inside", "slope_up", ...). Default: none.

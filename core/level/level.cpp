@@ -64,10 +64,10 @@ Ends ends_of(const Sine& s) {
 
 bool operator==(const Level& a, const Level& b) {
   const bool same_cart = a.cart == b.cart || (a.cart && b.cart && *a.cart == *b.cart);
-  return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names && a.flag_fields == b.flag_fields &&
-         a.roles == b.roles && a.tile_shapes == b.tile_shapes && a.flag_shapes == b.flag_shapes &&
-         a.map == b.map && a.curves == b.curves && a.tuning == b.tuning && a.spawns == b.spawns &&
-         a.brushes == b.brushes && a.auto_tiles == b.auto_tiles && a.extra == b.extra;
+  return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
+         a.flag_fields == b.flag_fields && a.roles == b.roles && a.tile_shapes == b.tile_shapes &&
+         a.flag_shapes == b.flag_shapes && a.map == b.map && a.curves == b.curves && a.tuning == b.tuning &&
+         a.spawns == b.spawns && a.brushes == b.brushes && a.auto_tiles == b.auto_tiles && a.extra == b.extra;
 }
 
 TileShape shape_of_tile(const Level& level, std::uint8_t tile) {

@@ -109,7 +109,8 @@ void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   const std::string window = "--window";
   command.add_option("--panel", shot.panels, "Open the debugger with these tabs")
       ->delimiter(',')
-      ->check(CLI::IsMember({"inspector", "why", "tuning", "input_roll", "watch", "stops", "compare", "reach", "problems"}))
+      ->check(CLI::IsMember(
+          {"inspector", "why", "tuning", "input_roll", "watch", "stops", "compare", "reach", "problems"}))
       ->needs(window);
   command.add_option("--break", shot.stops, "Condition of a breakpoint, such as 'penetration > 1'")
       ->needs(window);

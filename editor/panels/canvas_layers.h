@@ -10,7 +10,8 @@ namespace talus {
 // The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as play does.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
 // The same from afar, in blocks of one colour; nothing without MapTextures.
-void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui, const MapLook& look);
+void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
+                    const MapLook& look);
 // Whether a canvas shows the map from afar: a cell has a few pixels of the screen, or less than one.
 bool is_far(const CanvasView& view);
 // The level's curves; muted where the solver takes no notice of them.

@@ -10,7 +10,7 @@ namespace talus {
 
 std::vector<Command> general_commands();     // work everywhere
 std::vector<Command> debug_commands();       // work everywhere, too
-std::vector<Command> program_commands();  // work everywhere, too
+std::vector<Command> program_commands();     // work everywhere, too
 std::vector<Command> tool_commands();        // work in the sprites
 std::vector<Command> map_commands();         // work in the map: its tools and its selection
 std::vector<Command> brush_commands();       // work in the map: brushes, ground, minimap

@@ -9,8 +9,9 @@
 namespace talus {
 std::span<const Command> commands() {
   static const std::vector<Command> all =
-      joined({general_commands(), program_commands(), debug_commands(), input_roll_commands(), tool_commands(), map_commands(), brush_commands(),
-              curve_commands(), shape_commands(), flag_commands(), picture_commands(), problem_commands()});
+      joined({general_commands(), program_commands(), debug_commands(), input_roll_commands(),
+              tool_commands(), map_commands(), brush_commands(), curve_commands(), shape_commands(),
+              flag_commands(), picture_commands(), problem_commands()});
   return all;
 }
 

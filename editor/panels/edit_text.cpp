@@ -60,9 +60,8 @@ std::string describe(const Edit& edit) {
   const Change& first = edit.changes.front();
   if (std::holds_alternative<CellChange>(first)) return describe_cells(edit);
   if (const auto* pixel = std::get_if<PixelChange>(&first)) {
-    const auto count = std::count_if(edit.changes.begin(), edit.changes.end(), [](const Change& c) {
-      return std::holds_alternative<PixelChange>(c);
-    });
+    const auto count = std::count_if(edit.changes.begin(), edit.changes.end(),
+                                     [](const Change& c) { return std::holds_alternative<PixelChange>(c); });
     return with_count(edit.label, static_cast<std::size_t>(count), "pixel") +
            number_of(pixel->sheet, pixel->tile);
   }

@@ -115,8 +115,9 @@ std::vector<Command> canvas_commands() {
              show_canvas<CanvasMode::play>, shows_canvas<CanvasMode::play>),
       toggle("canvas/both", ctrl('3'), "Show map and play view", "Shows the map above the play view.",
              show_canvas<CanvasMode::both>, shows_canvas<CanvasMode::both>),
-      toggle("canvas/two_maps", ctrl('4'), "Show two maps", "Shows two places of the map, each with its own zoom.",
-             show_canvas<CanvasMode::two_maps>, shows_canvas<CanvasMode::two_maps>),
+      toggle("canvas/two_maps", ctrl('4'), "Show two maps",
+             "Shows two places of the map, each with its own zoom.", show_canvas<CanvasMode::two_maps>,
+             shows_canvas<CanvasMode::two_maps>),
       toggle(
           "canvas/grid", KeyChord{'`'}, "Grid", "Shows the borders of the cells.",
           [](S s, A actions, U) { actions.push_back(action::SetGrid{!s.choices().grid}); },
@@ -139,13 +140,15 @@ std::vector<Command> canvas_commands() {
 
 // In the map alone: in the sprites these keys choose the brush.
 std::vector<Command> zoom_commands() {
-  return in_scope(Scope::map, {
-      repeating(also_on(shift('='), command("canvas/zoom_in", KeyChord{'='}, "Zoom in",
-                                            "Zooms in; the wheel does it at the mouse.",
-                                            [](S, A, U ui) { ++ui.view.zoom_by; }))),
-      repeating(command("canvas/zoom_out", KeyChord{'-'}, "Zoom out",
-                        "Zooms out; the wheel does it at the mouse.", [](S, A, U ui) { --ui.view.zoom_by; })),
-  });
+  return in_scope(Scope::map,
+                  {
+                      repeating(also_on(shift('='), command("canvas/zoom_in", KeyChord{'='}, "Zoom in",
+                                                            "Zooms in; the wheel does it at the mouse.",
+                                                            [](S, A, U ui) { ++ui.view.zoom_by; }))),
+                      repeating(command("canvas/zoom_out", KeyChord{'-'}, "Zoom out",
+                                        "Zooms out; the wheel does it at the mouse.",
+                                        [](S, A, U ui) { --ui.view.zoom_by; })),
+                  });
 }
 
 std::vector<Command> play_commands() {
@@ -203,7 +206,8 @@ std::vector<Command> overlay_commands() {
 }  // namespace
 
 std::vector<Command> general_commands() {
-  return joined({file_commands(), view_commands(), canvas_commands(), zoom_commands(), play_commands(), overlay_commands()});
+  return joined({file_commands(), view_commands(), canvas_commands(), zoom_commands(), play_commands(),
+                 overlay_commands()});
 }
 
 }  // namespace talus

@@ -82,13 +82,14 @@ struct View {
   std::vector<std::string> tabs;          // ids of the panels that are shown where several share a region
   int palette_color = 12;                 // 0..15, which the sliders edit
   PixelView pixels;
-  std::array<std::optional<Cell>, kTileCount> tile_places;  // where on the map the mouse was on each tile last
+  std::array<std::optional<Cell>, kTileCount>
+      tile_places;  // where on the map the mouse was on each tile last
 
   int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: none
   int input_row = 0;                        // of the input roll, that its keys change
   std::optional<std::int64_t> input_range;  // where the range of its keys began; it ends at the shown frame
   bool shows_times = false;                 // the time of each step is plotted
-  double parting = 0.01;                       // px, by more than which the sides of a comparison have parted
+  double parting = 0.01;                    // px, by more than which the sides of a comparison have parted
   std::string wants_tab;                    // id of a panel that is to come to the front of its region
   std::string wants_text;                   // name of a text field that is to get the keys
   bool split_compared = false;              // the other side of a comparison has a view of its own

@@ -32,8 +32,8 @@ bool changes_scene(const Level& level, const Change& change) {
           return c.sheet == SheetId::tiles && !same_physics(level, c.before, c.after);
         } else {
           return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
-                   std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> || std::is_same_v<T, BrushesChange> ||
-                   std::is_same_v<T, AutoTilesChange>);
+                   std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> ||
+                   std::is_same_v<T, BrushesChange> || std::is_same_v<T, AutoTilesChange>);
         }
       },
       change);

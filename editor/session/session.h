@@ -28,20 +28,20 @@ inline constexpr double kStepsPerSecond = 60;  // at speed 1; TIC-80's rate
 struct Choices {
   MapTool map_tool = MapTool::stamp;
   SpriteTool sprite_tool = SpriteTool::pencil;
-  SpriteArea area;                            // shown in the canvas and the flags panel
-  int brush = 1;            // px, of the sprite tools, 1..kMaxBrush
-  PixelSelection pixels;    // in the canvas, with the select tool
-  Stamp stamp;                                // painted on the map
-  bool random_stamp = false;                  // each cell takes a tile of the stamp at random
-  std::uint32_t random_seed = 1;              // see random_tile()
-  std::optional<CellRect> selection;          // on the map, wholly inside it
-  std::optional<Stamp> pasted;                // hangs at the mouse
-  int color = 12;                             // left button, 0..15
-  int secondary_color = 0;                    // right button, 0..15
-  int body = 0;                               // id of the chosen body; 0: none
-  int curve = -1;                             // index of the chosen curve; of none: no curve
-  CurveKind curve_kind = CurveKind::arc;      // that the curve tool draws
-  OverlaySet overlays;                        // shown in the play view
+  SpriteArea area;                        // shown in the canvas and the flags panel
+  int brush = 1;                          // px, of the sprite tools, 1..kMaxBrush
+  PixelSelection pixels;                  // in the canvas, with the select tool
+  Stamp stamp;                            // painted on the map
+  bool random_stamp = false;              // each cell takes a tile of the stamp at random
+  std::uint32_t random_seed = 1;          // see random_tile()
+  std::optional<CellRect> selection;      // on the map, wholly inside it
+  std::optional<Stamp> pasted;            // hangs at the mouse
+  int color = 12;                         // left button, 0..15
+  int secondary_color = 0;                // right button, 0..15
+  int body = 0;                           // id of the chosen body; 0: none
+  int curve = -1;                         // index of the chosen curve; of none: no curve
+  CurveKind curve_kind = CurveKind::arc;  // that the curve tool draws
+  OverlaySet overlays;                    // shown in the play view
   OverlayPalette overlay_palette = OverlayPalette::standard;
   std::optional<FlagPattern> flag_overlay;  // tinted, painted and looked for
   bool grid = true;
@@ -102,10 +102,10 @@ class Session {
   const Level& level() const;
   std::uint64_t revision() const;  // grows with every change of the level, undo and opening included
   const UndoStack& history() const;
-  const std::string& path() const;                   // empty when it has none
-  std::string file_name() const;                     // for titles: "demo.talus.json"
-  bool modified() const;                             // differs from the file
-  const std::vector<Problem>& problems() const;      // lint of the level as it is
+  const std::string& path() const;               // empty when it has none
+  std::string file_name() const;                 // for titles: "demo.talus.json"
+  bool modified() const;                         // differs from the file
+  const std::vector<Problem>& problems() const;  // lint of the level as it is
   // The same as far as advance() has come since the last change, and what was known before of the rest: for
   // those who must not wait.
   const std::vector<Problem>& listed_problems() const;

@@ -185,7 +185,7 @@ struct Session::Impl {
   std::optional<Question> question;
   std::optional<PngImport> png_import;
   std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
-  int branch_to_drop = 0;           // id, waits for the question's answer
+  int branch_to_drop = 0;         // id, waits for the question's answer
   bool wants_save_as = false;
   bool wants_quit = false;
   int pixel_stroke = 0;  // of the selected pixels' moves, while they float

@@ -11,8 +11,7 @@
 
 #include "cli/cli.h"
 
-namespace talus {
-namespace {
+namespace talus::article_test {
 
 using Json = nlohmann::json;
 
@@ -64,5 +63,4 @@ TEST_P(ArticleGolden, EveryFrameHasTheReferencesBits) {
 INSTANTIATE_TEST_SUITE_P(Carts, ArticleGolden, testing::Values("one", "six", "s4", "s26", "s60", "drag"),
                          [](const auto& cart) { return std::string(cart.param); });
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::article_test

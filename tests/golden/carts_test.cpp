@@ -4,8 +4,7 @@
 #include "formats/atomic_file.h"
 #include "formats/format.h"
 
-namespace talus {
-namespace {
+namespace talus::carts_test {
 
 class CartsTest : public testing::TestWithParam<const char*> {
  protected:
@@ -62,5 +61,4 @@ TEST_P(CartsTest, BothFormsShowTheSameLevel) {
 
 INSTANTIATE_TEST_SUITE_P(All, CartsTest, testing::Values("car", "quest", "tetris"));
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::carts_test

@@ -13,8 +13,7 @@
 #include "sim/hard_case_run.h"
 #include "sim/solver.h"
 
-namespace talus {
-namespace {
+namespace talus::hard_cases_test {
 
 struct CaseFile {
   std::string name;  // without folder and extension
@@ -233,5 +232,4 @@ TEST(HardCaseFiles, RestForALongTime) {
   EXPECT_EQ(state_hash(state), state_hash(rest));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::hard_cases_test

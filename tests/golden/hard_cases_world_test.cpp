@@ -9,8 +9,7 @@
 
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::hard_cases_world_test {
 
 using testing::IsEmpty;
 
@@ -146,5 +145,4 @@ TEST(HardCasesOfWorld, BendAPathThroughASensorIfFaithful) {
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::hard_cases_world_test

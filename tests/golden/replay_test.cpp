@@ -10,8 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace talus {
-namespace {
+namespace talus::golden_replay_test {
 
 using Json = nlohmann::json;
 
@@ -72,5 +71,4 @@ INSTANTIATE_TEST_SUITE_P(, ReplayGolden,
                            return name;
                          });
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::golden_replay_test

@@ -12,8 +12,7 @@
 #include "collision/cast.h"
 #include "random_ground.h"
 
-namespace talus {
-namespace {
+namespace talus::exact_property_test {
 
 using reference::Exact;
 using reference::ExactBox;
@@ -355,5 +354,4 @@ RC_GTEST_PROP(ExactProperty, ABoxAtRestStays, (std::uint64_t seed)) {
   });
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::exact_property_test

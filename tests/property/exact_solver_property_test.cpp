@@ -11,8 +11,7 @@
 #include "random_ground.h"
 #include "sim/solver.h"
 
-namespace talus {
-namespace {
+namespace talus::exact_solver_property_test {
 
 using reference::Exact;
 using reference::ExactBox;
@@ -305,5 +304,4 @@ TEST(ExactSolverProperty, BodiesThatPassEachOtherDoNotDependOnTheirOrder) {
   });
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::exact_solver_property_test

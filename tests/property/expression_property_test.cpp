@@ -7,8 +7,7 @@
 #include "debug/completion.h"
 #include "debug/expression.h"
 
-namespace talus {
-namespace {
+namespace talus::expression_property_test {
 
 // A text with its value, and how tightly its outermost operator binds (7: it needs no parentheses).
 struct Built {
@@ -106,5 +105,4 @@ RC_GTEST_PROP(ExpressionProperty, NoTextBreaksTheParser, ()) {
   RC_ASSERT(completion.to <= text.size());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::expression_property_test

@@ -9,8 +9,7 @@
 #include "formats/tic_cart.h"
 #include "formats/tic_text.h"
 
-namespace talus {
-namespace {
+namespace talus::formats_test {
 
 std::string random_bytes(std::size_t size) {
   auto bytes = *rc::gen::container<std::string>(size, rc::gen::arbitrary<char>());
@@ -316,5 +315,4 @@ TEST(FormatProperties, TheTwoFormsOfACartHoldTheSame) {
   });
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::formats_test

@@ -9,8 +9,7 @@
 
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_groups_test {
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -95,5 +94,4 @@ RC_GTEST_PROP(WorldGroups, ABoxThatIsNoItemMovesAsAnItemAmongTheSameOthers, (std
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_groups_test

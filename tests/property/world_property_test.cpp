@@ -10,8 +10,7 @@
 #include "collision/sweep.h"
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_property_test {
 
 constexpr auto kSlide = [](ItemId, ItemId) { return Response::slide; };
 
@@ -297,5 +296,4 @@ RC_GTEST_PROP(WorldProperty, HistoryLeavesNoTrace, (std::uint64_t seed)) {
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_property_test

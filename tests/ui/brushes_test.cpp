@@ -2,8 +2,7 @@
 #include "edit/brushes.h"
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::brushes_test {
 
 class UiBrushes : public UiTest {
  protected:
@@ -119,5 +118,4 @@ TEST_F(UiBrushes, APartIsChosenFromTheSheetAndCleared) {
   EXPECT_EQ(level().auto_tiles.of(GroundPart::slope_up_left), 3);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::brushes_test

@@ -1,8 +1,7 @@
 // Bursts of events, as slow frames get them.
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::burst_test {
 
 using UiBurst = UiTest;
 
@@ -64,5 +63,4 @@ TEST_F(UiBurst, ShortClicksAndStrokesAreAllSeen) {
   EXPECT_EQ(session().state().frame, 3);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::burst_test

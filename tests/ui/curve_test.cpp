@@ -1,8 +1,7 @@
 // Segments and curves on the map: drawn, bent by their handles, named, copied and removed.
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::curve_test {
 
 class UiCurve : public UiTest {
  protected:
@@ -147,5 +146,4 @@ TEST_F(UiCurve, CopiedAndRemovedByKeys) {
   EXPECT_TRUE(level().curves.empty());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::curve_test

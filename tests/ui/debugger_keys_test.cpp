@@ -6,8 +6,7 @@
 #include "panels/commands.h"
 #include "panels/compare_choice.h"
 
-namespace talus {
-namespace {
+namespace talus::debugger_keys_test {
 
 class UiDebuggerKeys : public UiTest {
  protected:
@@ -237,5 +236,4 @@ TEST_F(UiDebuggerKeys, ACaseTellsThatItsOwnInputPlays) {
   EXPECT_EQ(case_note(session()), "The case holds Right, you the opposite: together they go nowhere");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debugger_keys_test

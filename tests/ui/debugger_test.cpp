@@ -4,8 +4,7 @@
 
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::debugger_test {
 
 class UiDebugger : public UiTest {
  protected:
@@ -308,5 +307,4 @@ TEST_F(UiDebugger, StagesAreWalkedThroughByKey) {
   EXPECT_EQ(app().ui().view.stage, 0);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debugger_test

@@ -3,8 +3,7 @@
 #include "panels/edit_text.h"
 #include "panels/tile_number.h"
 
-namespace talus {
-namespace {
+namespace talus::edit_test {
 
 class UiEdit : public UiTest {
  protected:
@@ -374,5 +373,4 @@ TEST_F(UiEdit, SegmentToolAddsACurveBetweenTwoPoints) {
   EXPECT_TRUE(level().curves.empty());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::edit_test

@@ -3,8 +3,7 @@
 
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::file_test {
 
 class UiFile : public UiTest {
  protected:
@@ -282,5 +281,4 @@ TEST_F(UiFile, DamagedSettingsAreIgnoredWithAMessage) {
   EXPECT_EQ(tile_at({5, 10}), 2) << "the level is open all the same";
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::file_test

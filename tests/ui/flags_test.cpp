@@ -1,8 +1,7 @@
 // Flags: bytes, fields, the brush, and finding where a flag is.
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::flags_test {
 
 class UiFlags : public UiTest {
  protected:
@@ -168,5 +167,4 @@ TEST_F(UiFlags, TheListGoesFromCellToCell) {
   EXPECT_EQ(app().ui().view.marked_cell, (Cell{0, 16}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::flags_test

@@ -18,8 +18,7 @@
 #include <stb_image.h>
 #pragma GCC diagnostic pop
 
-namespace talus {
-namespace {
+namespace talus::golden_test {
 
 namespace fs = std::filesystem;
 
@@ -208,5 +207,4 @@ TEST_F(UiGolden, StagesOfAStep) {
   expect_as_before("stages", first->min, last->max);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::golden_test

@@ -2,8 +2,7 @@
 #include "harness.h"
 #include "panels/overlay_labels.h"
 
-namespace talus {
-namespace {
+namespace talus::label_test {
 
 // Labels on a canvas of 400 by 300 px, for the sizes of the editor's font.
 class UiLabels : public UiTest {
@@ -78,5 +77,4 @@ TEST_F(UiLabels, SlowArrowsHaveNoneUnlessPointedAt) {
   EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::label_test

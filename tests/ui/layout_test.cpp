@@ -11,8 +11,7 @@
 #include "platform/picture.h"
 #include "platform/sdl_keys.h"
 
-namespace talus {
-namespace {
+namespace talus::layout_test {
 
 struct WindowSize {
   int width, height;
@@ -271,5 +270,4 @@ TEST_F(UiKeys, TooltipTellsTheKey) {
   EXPECT_FALSE(app().ui().wants_frames());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::layout_test

@@ -4,8 +4,7 @@
 #include "harness.h"
 #include "panels/edit_text.h"
 
-namespace talus {
-namespace {
+namespace talus::map_test {
 
 class UiMap : public UiTest {
  protected:
@@ -372,5 +371,4 @@ TEST_F(UiMap, NextTileByItsKeyIsTheChosenOne) {
   EXPECT_EQ(session().message()->text, "The map has no tile 7.");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_test

@@ -8,8 +8,7 @@
 #include "harness.h"
 #include "panels/commands.h"
 
-namespace talus {
-namespace {
+namespace talus::monkey_test {
 
 constexpr int kEvents = 1500;  // as many as a build with sanitizers makes in less than a minute
 
@@ -107,5 +106,4 @@ TEST_F(UiMonkey, BreaksNothingAndAllIsUndone) {
   EXPECT_TRUE(level() == first_);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::monkey_test

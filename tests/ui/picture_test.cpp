@@ -4,8 +4,7 @@
 #include "formats/png_sheet.h"
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::picture_test {
 
 class UiPicture : public UiTest {
  protected:
@@ -147,5 +146,4 @@ TEST_F(UiPicture, APaletteComesBack) {
   EXPECT_EQ(level().palette[15], (Rgb{9, 8, 7}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::picture_test

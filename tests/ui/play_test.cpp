@@ -1,8 +1,7 @@
 // Running, stepping, painting while it runs, holding balls, and the overlays.
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::play_test {
 
 class UiPlay : public UiTest {
  protected:
@@ -189,5 +188,4 @@ TEST_F(UiPlay, ArrowsScrollAndTabShowsTheWholeMap) {
   EXPECT_EQ(on_map({8, 8}).x, before.x);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::play_test

@@ -2,8 +2,7 @@
 #include "formats/format.h"
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::player_test {
 
 class UiPlayer : public UiTest {
  protected:
@@ -173,5 +172,4 @@ TEST_F(UiPlayer, InspectorChoosesKindAndFoot) {
   EXPECT_EQ(session().choices().body, 0);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::player_test

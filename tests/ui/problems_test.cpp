@@ -3,8 +3,7 @@
 #include "harness.h"
 #include "level/lint.h"
 
-namespace talus {
-namespace {
+namespace talus::problems_test {
 
 class UiProblems : public UiTest {
  protected:
@@ -160,5 +159,4 @@ TEST_F(UiProblems, WhereThePlayerGetsTo) {
   EXPECT_NE(find("reach/stale"), nullptr);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::problems_test

@@ -4,8 +4,7 @@
 #include "harness.h"
 #include "platform/autosave.h"
 
-namespace talus {
-namespace {
+namespace talus::recovery_test {
 
 constexpr KeyChord kEscapeKey{kKeyEscape};
 constexpr int kFiveSeconds = 5 * 60;  // frames
@@ -199,5 +198,4 @@ TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
   EXPECT_GT((*app)->drawn_frames(), before) << "the changed file is told";
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::recovery_test

@@ -5,8 +5,7 @@
 #include "panels/commands.h"
 #include "platform/picture.h"
 
-namespace talus {
-namespace {
+namespace talus::settings_test {
 
 constexpr KeyChord kEnterKey{'\r'}, kEscKey{kKeyEscape};
 
@@ -301,5 +300,4 @@ TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
   EXPECT_LT(app().ui().view.program.metrics.median_ms(), 40);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::settings_test

@@ -1,8 +1,7 @@
 // The shape of a tile: dragged over its pixels, suggested, copied and given to many tiles.
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::shape_test {
 
 class UiShape : public UiTest {
  protected:
@@ -127,5 +126,4 @@ TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
   EXPECT_TRUE(session().choices().overlays.has(OverlayId::shapes));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::shape_test

@@ -1,8 +1,7 @@
 // Bodies placed by hand: set down, moved, thrown by an arrow, named, copied and removed.
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::spawn_test {
 
 class UiSpawn : public UiTest {
  protected:
@@ -66,5 +65,4 @@ TEST_F(UiSpawn, StartIsTypedAsNumbers) {
   EXPECT_EQ(spawn().velocity, (Vec2{0, -1.25}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::spawn_test

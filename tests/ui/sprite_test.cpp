@@ -4,8 +4,7 @@
 #include "harness.h"
 #include "platform/picture.h"
 
-namespace talus {
-namespace {
+namespace talus::sprite_test {
 
 class UiSprite : public UiTest {
  protected:
@@ -363,5 +362,4 @@ TEST_F(UiFocus, OtherPartsOfTheWindowTakeNothing) {
   EXPECT_EQ(app().ui().view.focus, Focus::map);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::sprite_test

@@ -4,8 +4,7 @@
 #include "formats/format.h"
 #include "harness.h"
 
-namespace talus {
-namespace {
+namespace talus::world_test {
 
 class UiWorld : public UiTest {
  protected:
@@ -141,5 +140,4 @@ TEST_F(UiWorld, TheGroundOfALargeLevelIsCompiledWhileTheEditorGoesOn) {
   EXPECT_NE(&session().scene(), before);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_test

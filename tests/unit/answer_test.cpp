@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::answer_test {
 
 TEST(AnswerOverlay, DrawsTheStartTheGhostAndTheFloor) {
   Level level;
@@ -61,5 +60,4 @@ TEST(AnswerOverlay, AWayWithoutAFloorIsStraight) {
   EXPECT_TRUE(drawing.lines[2].arrow);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::answer_test

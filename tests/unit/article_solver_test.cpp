@@ -10,8 +10,7 @@
 #include "level_text.h"
 #include "sim/solver.h"
 
-namespace talus {
-namespace {
+namespace talus::article_solver_test {
 
 std::shared_ptr<const Scene> scene_of(const Level& level) {
   return std::make_shared<const Scene>(compile_scene(level));
@@ -190,5 +189,4 @@ TEST_F(SixBalls, ASolverIsAFunctionOfItsArguments) {
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::article_solver_test

@@ -14,8 +14,7 @@
 
 #include "formats/atomic_file.h"
 
-namespace talus {
-namespace {
+namespace talus::atomic_test {
 
 namespace fs = std::filesystem;
 
@@ -173,5 +172,4 @@ TEST_F(AtomicFileTest, AKillAtAnyMomentLeavesOldOrNewWhole) {
   EXPECT_GT(changed, 0);  // else the kills came before the first save ended
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::atomic_test

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <string>
 
-namespace talus {
-namespace {
+namespace talus::auto_tile_test {
 
 using GroundRows = std::vector<std::string>;
 
@@ -375,5 +374,4 @@ TEST(AutoTileProposal, ChoosesAmongTheTilesGivenAlone) {
   EXPECT_TRUE(proposed_auto_tiles(level, std::vector<std::uint8_t>{0, 50}).empty());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::auto_tile_test

@@ -13,8 +13,7 @@
 
 #include "edit/map_tools.h"
 
-namespace talus {
-namespace {
+namespace talus::autosave_test {
 
 namespace fs = std::filesystem;
 
@@ -223,5 +222,4 @@ TEST(Recovery, WorksWithoutAFile) {
   EXPECT_TRUE(session.modified());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::autosave_test

@@ -8,8 +8,7 @@
 #include "edit/auto_tile.h"
 #include "formats/native.h"
 
-namespace talus {
-namespace {
+namespace talus::brushes_test {
 
 const Stamp kFour{2, 2, {7, 8, 9, 10}};
 
@@ -186,5 +185,4 @@ TEST(NativeBrushes, WhatIsWrongIsSaidWithItsPlace) {
                      "must be a tile number from 1 to 255");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::brushes_test

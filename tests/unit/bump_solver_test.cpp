@@ -9,8 +9,7 @@
 #include "formats/format.h"
 #include "level_text.h"
 
-namespace talus {
-namespace {
+namespace talus::bump_solver_test {
 
 // Rolls at a constant speed, and neither bounces nor is slowed.
 Level walking(Level level, double speed) {
@@ -227,5 +226,4 @@ TEST(BumpSolver, EndsWithThePinnedHash) {
   EXPECT_EQ(state_hash(state), 11587194158170007023u);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::bump_solver_test

@@ -5,8 +5,7 @@
 
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::case_input_test {
 
 namespace act = action;
 
@@ -71,5 +70,4 @@ TEST(SessionHardCase, AnotherLevelHasNoneOfIt) {
   EXPECT_EQ(session.state().bodies[0].box.x, 40);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::case_input_test

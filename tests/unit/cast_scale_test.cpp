@@ -11,8 +11,7 @@
 #include "sim/solver.h"
 #include "test_map.h"
 
-namespace talus {
-namespace {
+namespace talus::cast_scale_test {
 
 using Others = std::span<const BasicRect<double>>;
 
@@ -147,5 +146,4 @@ TEST(CastScale, TheSnapIsComparedExactly) {
   EXPECT_FALSE(is_pulled_down(std::nextafter(8.0, 7.0)));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cast_scale_test

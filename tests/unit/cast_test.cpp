@@ -7,8 +7,7 @@
 
 #include "test_map.h"
 
-namespace talus {
-namespace {
+namespace talus::cast_test {
 
 constexpr double kRoot2 = 0.70710678118654752440;  // half of the root of 2
 
@@ -394,5 +393,4 @@ TEST(Cast, SinglePrecisionToo) {
   EXPECT_EQ(c.position, (BasicVec2<float>{6, 18}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cast_test

@@ -8,8 +8,7 @@
 #include "formats/exporter.h"
 #include "formats/lua_level.h"
 
-namespace talus {
-namespace {
+namespace talus::cli_export_test {
 
 namespace fs = std::filesystem;
 
@@ -114,5 +113,4 @@ TEST_F(CliExport, AFolderUnderAFileIsRefused) {
   EXPECT_NE(errors_.find("cannot be made"), std::string::npos) << errors_;
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cli_export_test

@@ -10,8 +10,7 @@
 #include "formats/png_picture.h"
 #include "png_bytes.h"
 
-namespace talus {
-namespace {
+namespace talus::cli_png_test {
 
 struct PngAnswer {
   int status;
@@ -83,5 +82,4 @@ TEST(CliPng, ABadPictureLeavesTheLevelAlone) {
   EXPECT_EQ(run_png({"import", png, "--tile", "3", "-o", out}).status, kExitUsage) << "into what?";
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cli_png_test

@@ -11,8 +11,7 @@
 #include "level_text.h"
 #include "sim/timeline.h"
 
-namespace talus {
-namespace {
+namespace talus::cli_recording_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -107,5 +106,4 @@ TEST(CliRecording, RefusesOtherInputAndBadFiles) {
   EXPECT_EQ(sim({testing::TempDir() + "no_such.talusrec"}).status, kExitBad);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cli_recording_test

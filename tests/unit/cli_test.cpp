@@ -10,8 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace talus {
-namespace {
+namespace talus::cli_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -231,5 +230,4 @@ TEST(CliShot, TheReachNeedsAPlayer) {
   EXPECT_THAT(answer.err, HasSubstr(": error: No player to follow"));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cli_test

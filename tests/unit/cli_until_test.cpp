@@ -11,8 +11,7 @@
 #include "level_text.h"
 #include "sim/timeline.h"
 
-namespace talus {
-namespace {
+namespace talus::cli_until_test {
 
 using testing::HasSubstr;
 
@@ -79,5 +78,4 @@ TEST(CliUntil, AWrongConditionIsWrongUsage) {
   EXPECT_EQ(sim("vy").status, kExitUsage);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cli_until_test

@@ -8,8 +8,7 @@
 
 #include "cli/cli.h"
 
-namespace talus {
-namespace {
+namespace talus::cli_verify_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -61,5 +60,4 @@ TEST(CliSim, PlaysAHardCaseWithItsInput) {
   EXPECT_NEAR(frame["bodies"][0]["x"].get<double>(), 88, 1e-9);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::cli_verify_test

@@ -5,8 +5,7 @@
 
 #include "edit/snap.h"
 
-namespace talus {
-namespace {
+namespace talus::curve_tools_test {
 
 using Faces = Curve::Faces;
 
@@ -196,5 +195,4 @@ TEST(Snapping, ToTheEndsOfSlopedTiles) {
   EXPECT_EQ(snap(level, {32.3, 30.5}, {.zoom = 4}), (SnappedPoint{{32, 30}, To::end}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::curve_tools_test

@@ -12,8 +12,7 @@
 #include "sim/case_input.h"
 #include "sim/timeline.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_branch_test {
 
 // A ball that bounces on a floor, which from frame 60 on has a hole.
 class BranchFramesTest : public testing::Test {
@@ -134,5 +133,4 @@ TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
   EXPECT_EQ(never.found(), std::nullopt);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_branch_test

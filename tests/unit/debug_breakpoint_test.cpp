@@ -5,8 +5,7 @@
 
 #include "recorded_run.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_breakpoint_test {
 
 // Body 1 is at the xs, frame by frame; body 2 beside it at 1000 - x.
 MadeFrames frames_of(const std::vector<double>& xs) {
@@ -151,5 +150,4 @@ TEST(StopKinds, MakeConditionsThatCanBeArmed) {
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_breakpoint_test

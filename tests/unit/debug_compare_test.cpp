@@ -11,8 +11,7 @@
 #include "level_text.h"
 #include "recorded_run.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_compare_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -139,5 +138,4 @@ TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
   EXPECT_EQ(steps, (std::vector<double>{3, 5, 7, 9, 0}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_compare_test

@@ -6,8 +6,7 @@
 #include "level_text.h"
 #include "recorded_run.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_explain_test {
 
 // A step of body 1 of 8x8 px, by the exact solver, made by hand.
 class Sentences : public testing::Test {
@@ -231,5 +230,4 @@ TEST_F(Steps, OfLimitsAndTheMouse) {
             "allowed.");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_explain_test

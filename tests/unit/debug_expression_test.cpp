@@ -11,8 +11,7 @@
 #include "debug/expression_names.h"
 #include "recorded_run.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_expression_test {
 
 using testing::ElementsAre;
 
@@ -294,5 +293,4 @@ TEST(ExpressionNames, AreUniqueAndHaveHelp) {
     EXPECT_EQ(static_cast<std::size_t>(metric_infos()[i].metric), i);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_expression_test

@@ -9,8 +9,7 @@
 #include "level_text.h"
 #include "recorded_run.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_metrics_test {
 
 Level exact_level(std::initializer_list<std::string_view> rows) {
   Level level = level_of(rows);
@@ -165,5 +164,4 @@ TEST(Metrics, TheArticleSinksIntoSlopes) {
   EXPECT_LT(deepest(SolverKind::bump), 1e-9);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_metrics_test

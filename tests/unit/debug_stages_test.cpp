@@ -8,8 +8,7 @@
 
 #include "sim/solver.h"
 
-namespace talus {
-namespace {
+namespace talus::debug_stages_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -181,5 +180,4 @@ TEST(Stages, ThereAreNoneAtFrameZeroAndOfNoBody) {
   EXPECT_TRUE(stages_of(frame_after(level, 1), 7).empty());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::debug_stages_test

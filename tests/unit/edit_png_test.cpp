@@ -4,8 +4,7 @@
 #include "png_bytes.h"
 #include "session/png_import.h"
 
-namespace talus {
-namespace {
+namespace talus::edit_png_test {
 
 constexpr Rgb kPureRed{255, 0, 0};
 
@@ -86,5 +85,4 @@ TEST(PngImport, SaysWhatDoesNotFit) {
             "The picture is 16x16 px, and a palette is 1 to 16 px side by side.");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::edit_png_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::edit_test {
 
 Edit cells(std::vector<CellChange> changes) {
   Edit edit{"Paint tiles", {}};
@@ -155,5 +154,4 @@ TEST(Edit, RebaseFitsAnEditToAnotherLevel) {
   EXPECT_EQ(cell_change(edit, 0).after, 4);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::edit_test

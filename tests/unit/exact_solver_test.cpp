@@ -11,8 +11,7 @@
 #include "level_text.h"
 #include "sim/exact_mover.h"
 
-namespace talus {
-namespace {
+namespace talus::exact_solver_test {
 
 Level exact_level(std::initializer_list<std::string_view> rows) {
   Level level = level_of(rows);
@@ -408,5 +407,4 @@ TEST(ExactSolver, EndsWithThePinnedHash) {
   EXPECT_EQ(state_hash(state), 11773478746611004933u);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::exact_solver_test

@@ -9,8 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace talus {
-namespace {
+namespace talus::external_program_test {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
@@ -124,5 +123,4 @@ TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {
   EXPECT_TRUE(session.modified());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::external_program_test

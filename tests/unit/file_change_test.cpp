@@ -12,8 +12,7 @@
 #include "session/file_stamp.h"
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::file_change_test {
 
 namespace fs = std::filesystem;
 
@@ -192,5 +191,4 @@ TEST(FileStamp, TellsContentFromTime) {
   EXPECT_FALSE(stamp_of_file(path.string()));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::file_change_test

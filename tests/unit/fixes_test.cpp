@@ -6,8 +6,7 @@
 
 #include "slope_level.h"
 
-namespace talus {
-namespace {
+namespace talus::fixes_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -191,5 +190,4 @@ TEST(Fixes, WhatIsGoneIsNotFixed) {
   EXPECT_THAT(fixes_for(level, {}, problem), IsEmpty());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::fixes_test

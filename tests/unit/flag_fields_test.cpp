@@ -8,8 +8,7 @@
 #include "level/flag_search.h"
 #include "level_text.h"
 
-namespace talus {
-namespace {
+namespace talus::flag_fields_test {
 
 FlagField slope_kind() { return {"slope kind", 2, 2, {"none", "up", "down"}, ""}; }
 
@@ -148,5 +147,4 @@ TEST(FlagSearch, GoesFromCellToCellAndAround) {
   EXPECT_EQ(find_flagged_cell(level, solid, {}, true, 2), std::nullopt) << "tile 2 is no solid one";
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::flag_fields_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::flag_tools_test {
 
 constexpr std::uint8_t kAllFlags = 0xff;
 
@@ -78,5 +77,4 @@ TEST(FlagTools, MakeChangeAndTakeFieldsApart) {
   EXPECT_EQ(level.flag_fields[0].name, "late");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::flag_tools_test

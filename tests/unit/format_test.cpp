@@ -7,8 +7,7 @@
 #include "formats/atomic_file.h"
 #include "formats/format.h"
 
-namespace talus {
-namespace {
+namespace talus::format_test {
 
 TEST(Formats, ErrorsNameTheFileAndThePlace) {
   EXPECT_EQ(to_string({"line 3", "is bad"}, "a.lua"), "a.lua:line 3: error: is bad");
@@ -72,5 +71,4 @@ TEST(Formats, AFailedSaveWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::format_test

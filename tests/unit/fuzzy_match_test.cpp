@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::fuzzy_match_test {
 
 TEST(FuzzyScore, LettersMustComeInOrder) {
   EXPECT_TRUE(fuzzy_score("Screen borders", "scb"));
@@ -33,5 +32,4 @@ TEST(FuzzyScore, TakesTheBestOfSeveralWays) {
   EXPECT_GT(fuzzy_score("aab ab", "ab"), fuzzy_score("xab", "ab"));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::fuzzy_match_test

@@ -9,8 +9,7 @@
 #include "reference/exact_ground.h"
 #include "test_map.h"
 
-namespace talus {
-namespace {
+namespace talus::ground_queries_test {
 
 // Tile 2 rises from (8, 24) to (16, 16); the floor is at y = 24, a tile hangs above it.
 class GroundQueries : public testing::Test {
@@ -114,5 +113,4 @@ TEST(GroundQueriesOfThinShapes, NoHeightIsNoGround) {
   EXPECT_FALSE(overlaps_ground(map.compile(), {9, 14, 4, 4}, Foot::box));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::ground_queries_test

@@ -10,8 +10,7 @@
 #include "level_text.h"
 #include "sim/hard_case_run.h"
 
-namespace talus {
-namespace {
+namespace talus::hard_case_test {
 
 Level level_with(const std::string& hard_case) {
   Level level = level_of({"o..", "...", "###"});
@@ -150,5 +149,4 @@ TEST(HardCaseRun, WhatIsNotThereFails) {
   EXPECT_EQ(measured(check_of(CaseCheck::Measure::reaches)), std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::hard_case_test

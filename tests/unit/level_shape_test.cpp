@@ -4,8 +4,7 @@
 #include "level/ground.h"
 #include "level/level.h"
 
-namespace talus {
-namespace {
+namespace talus::level_shape_test {
 
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
@@ -118,5 +117,4 @@ TEST(LevelCurve, OffTheMapItIsNoGround) {
   EXPECT_EQ(ground_of(level).curves.size(), 2);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::level_shape_test

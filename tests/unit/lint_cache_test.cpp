@@ -8,8 +8,7 @@
 #include "level/lint_cache.h"
 #include "slope_level.h"
 
-namespace talus {
-namespace {
+namespace talus::lint_cache_test {
 
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
@@ -99,5 +98,4 @@ TEST(LintCache, AnotherMapIsAnotherLevel) {
   EXPECT_EQ(cache.problems(), lint(other));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::lint_cache_test

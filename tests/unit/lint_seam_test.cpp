@@ -7,8 +7,7 @@
 #include "formats/format.h"
 #include "slope_level.h"
 
-namespace talus {
-namespace {
+namespace talus::lint_seam_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -184,5 +183,4 @@ TEST(LintSeams, HardCasesHaveFewProblems) {
                                  "stand on"));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::lint_seam_test

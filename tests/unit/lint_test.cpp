@@ -6,8 +6,7 @@
 #include "formats/format.h"
 #include "level/lint.h"
 
-namespace talus {
-namespace {
+namespace talus::lint_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -272,5 +271,4 @@ TEST(Lint, ForeignCartsGetFewProblems) {
   EXPECT_EQ(count("quest"), 3u);  // and its tile 0 has every flag, and no picture
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::lint_test

@@ -15,8 +15,7 @@
 #include "sim/case_input.h"
 #include "sim/solver.h"
 
-namespace talus {
-namespace {
+namespace talus::lua_runtime_test {
 
 namespace fs = std::filesystem;
 
@@ -220,5 +219,4 @@ TEST_F(LuaRuntime, GivesTheBitsOfRandomLevels) {
   expect_same_bits();
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::lua_runtime_test

@@ -5,8 +5,7 @@
 
 #include "map_text.h"
 
-namespace talus {
-namespace {
+namespace talus::map_mirror_test {
 
 using Kind = TileShape::Kind;
 
@@ -115,5 +114,4 @@ TEST(MapMirror, OneWayPlatformHasNoMirrorImageUpsideDown) {
   EXPECT_EQ(mirror_cells(level, {0, 0, 1, 2}, kLeftRight).without_partner, 0);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_mirror_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::map_picture_test {
 
 constexpr Rgb kBlack{0, 0, 0}, kRed{200, 0, 0}, kBlue{0, 0, 100};
 
@@ -76,5 +75,4 @@ TEST(MapPicture, AHugeBlockIsSampled) {
       << "every fourth cell of every fourth row";
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_picture_test

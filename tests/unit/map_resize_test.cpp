@@ -6,8 +6,7 @@
 #include "map_text.h"
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::map_resize_test {
 
 Spawn spawn_at_px(Vec2 position) {
   Spawn spawn;
@@ -100,5 +99,4 @@ TEST(MapResize, NothingToChangeIsEmpty) {
   EXPECT_EQ(resize_map(level, {2, 1, {1, 0}, false}, {}).label, "Shift map");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_resize_test

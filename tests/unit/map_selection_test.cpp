@@ -7,8 +7,7 @@
 #include "session/map_clipboard.h"
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::map_selection_test {
 
 using Tiles = SelectionChange::Tiles;
 
@@ -170,5 +169,4 @@ TEST(MapClipboard, TellsWhatIsNoMap) {
     EXPECT_EQ(cells_of_text(text).error(), "the clipboard holds no tiles of a map") << text;
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_selection_test

@@ -5,8 +5,7 @@
 #include "edit/raster.h"
 #include "map_text.h"
 
-namespace talus {
-namespace {
+namespace talus::map_shapes_test {
 
 const Stamp kShapeA{1, 1, {1}};
 const Stamp kShapeAb{2, 1, {1, 2}};
@@ -79,5 +78,4 @@ TEST(MapShapes, ReplaceChangesTheTileEverywhereWithThePattern) {
             (MapRows{"c.c..", ".aac."}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_shapes_test

@@ -5,8 +5,7 @@
 
 #include "map_text.h"
 
-namespace talus {
-namespace {
+namespace talus::map_tools_test {
 
 using Rows = MapRows;
 const Stamp kA{1, 1, {1}};
@@ -122,5 +121,4 @@ TEST(MapTools, FloodFillsAMillionCells) {
   EXPECT_TRUE(level.map == expected);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::map_tools_test

@@ -7,8 +7,7 @@
 #include "formats/format.h"
 #include "formats/native.h"
 
-namespace talus {
-namespace {
+namespace talus::native_shapes_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -198,5 +197,4 @@ TEST(NativeShapes, WhatCouldNotBeReadIsNotWritten) {
   EXPECT_EQ(error_of(level).place, "key tuning.exact.max_passes");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::native_shapes_test

@@ -9,8 +9,7 @@
 #include "formats/tic_cart.h"
 #include "formats/tic_text.h"
 
-namespace talus {
-namespace {
+namespace talus::native_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -241,7 +240,8 @@ TEST(Native, WhatCouldNotBeReadIsNotWritten) {
   level.spawns.push_back({"", {std::numeric_limits<double>::quiet_NaN(), 0}, {}, ""});
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
-  EXPECT_EQ(write_native(level, {}).error().message, "a name of a flag, spawn, curve or brush is not valid UTF-8");
+  EXPECT_EQ(write_native(level, {}).error().message,
+            "a name of a flag, spawn, curve or brush is not valid UTF-8");
   level.spawns.clear();
   level.tuning.article.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");
@@ -329,5 +329,4 @@ TEST(Native, CartErrorsSayWhere) {
          "names a section that the level has not, or a map too large for a cart");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::native_test

@@ -9,8 +9,7 @@
 #include "level/ground.h"
 #include "overlay/removed_edges.h"
 
-namespace talus {
-namespace {
+namespace talus::outline_test {
 
 using ::testing::UnorderedElementsAre;
 
@@ -185,5 +184,4 @@ TEST(CurveLines, HaveVerticalSegmentsAndLeaveOutWhatCannotBeUsed) {
   EXPECT_TRUE(curve_lines(level, {40, 0, 8, 8}).empty());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::outline_test

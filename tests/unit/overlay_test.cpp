@@ -10,8 +10,7 @@
 #include "overlay/motion.h"
 #include "overlay/number_label.h"
 
-namespace talus {
-namespace {
+namespace talus::overlay_test {
 
 constexpr Rect kEverything{-1000, -1000, 4000, 4000};
 
@@ -378,5 +377,4 @@ TEST(NumberLabel, PartsOfNormalsAreShort) {
   EXPECT_EQ(one_decimal(0.96), "1");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::overlay_test

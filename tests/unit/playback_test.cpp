@@ -8,8 +8,7 @@
 #include "edit/spawn_tools.h"
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::playback_test {
 
 namespace act = action;
 
@@ -362,5 +361,4 @@ TEST(Playback, TheChosenBodyStaysChosenAtFrameZero) {
   EXPECT_EQ(session.state().find(2)->box.x, 120);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::playback_test

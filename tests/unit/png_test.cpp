@@ -4,8 +4,7 @@
 #include "formats/png_sheet.h"
 #include "png_bytes.h"
 
-namespace talus {
-namespace {
+namespace talus::png_test {
 
 using namespace std::string_literals;
 
@@ -190,5 +189,4 @@ TEST(PngColours, OfAPaletteStandSideBySide) {
   EXPECT_EQ(refused.error().message, "is 1x2 px, and a palette is 1 to 16 px side by side");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::png_test

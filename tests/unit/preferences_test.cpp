@@ -11,8 +11,7 @@
 #include "panels/key_conflicts.h"
 #include "platform/preferences_json.h"
 
-namespace talus {
-namespace {
+namespace talus::preferences_test {
 
 TEST(KeyText, IsReadAsItIsWritten) {
   for (const Command& command : commands()) {
@@ -134,5 +133,4 @@ TEST(OverlayPalette, StaysApartForColourBlindEyes) {
   EXPECT_LT(least_difference(OverlayPalette::standard, kDeutan), 7) << "else one palette would be enough";
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::preferences_test

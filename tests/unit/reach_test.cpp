@@ -7,8 +7,7 @@
 #include "session/session.h"
 #include "slope_level.h"
 
-namespace talus {
-namespace {
+namespace talus::reach_test {
 
 // A player at the left of a wall; what is behind it is a room of its own.
 Level walled_level(int wall) {
@@ -155,5 +154,4 @@ TEST(Reach, WithoutAPlayerThereIsNothingToFind) {
             "Only the exact solver has players: choose it in Tuning to see where one gets to.");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::reach_test

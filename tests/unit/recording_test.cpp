@@ -12,8 +12,7 @@
 #include "level_text.h"
 #include "sim/timeline.h"
 
-namespace talus {
-namespace {
+namespace talus::recording_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -200,5 +199,4 @@ TEST(RecordingFile, IsSavedAndLoaded) {
   std::filesystem::remove(path);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::recording_test

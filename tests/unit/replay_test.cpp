@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::replay_test {
 
 using testing::ElementsAre;
 
@@ -96,5 +95,4 @@ TEST(Replay, TellsWhereAScenarioIsMalformed) {
   EXPECT_EQ(error(R"({"ops":[]})"), "none");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::replay_test

@@ -12,8 +12,7 @@
 #include "cli/report/reference.h"
 #include "cli/report/table.h"
 
-namespace talus {
-namespace {
+namespace talus::report_cli_test {
 
 TEST(ReportMetrics, PercentileIsTheLeastValueThatEnoughOthersDoNotExceed) {
   EXPECT_EQ(percentile({5}, 0.999), 5);
@@ -119,5 +118,4 @@ TEST(ReportCommand, SaysWhenItCannotWrite) {
   EXPECT_THAT(err.str(), testing::HasSubstr("/dev/null/there: error: cannot be made a folder"));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::report_cli_test

@@ -6,8 +6,7 @@
 
 #include "level_text.h"
 
-namespace talus {
-namespace {
+namespace talus::scene_test {
 
 std::string picture_of(const Scene& scene) {
   std::string text;
@@ -86,5 +85,4 @@ TEST(FlagRoles, SolidWinsOverSlopesAndSlopesOverBall) {
   EXPECT_EQ(role_of(0b11110000, roles), TileRole::none);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::scene_test

@@ -10,8 +10,7 @@
 #include "formats/format.h"
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::session_compile_test {
 
 constexpr int kLargeSide = 400;  // cells
 
@@ -118,5 +117,4 @@ TEST(SessionCompile, AnotherLevelGivesUpTheOneThatIsCompiled) {
   expect_scene_of_level(session);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_compile_test

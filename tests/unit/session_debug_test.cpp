@@ -5,8 +5,7 @@
 
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::session_debug_test {
 
 // A ball that bounces on a floor in row 16 of 30x17 cells, and one that lies on it.
 Level bouncing_level() {
@@ -272,5 +271,4 @@ TEST_F(SessionDebug, StepTimesHaveANumberForEachStepMade) {
   EXPECT_GT(session.step_times().series()->points()[5].last, 0);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_debug_test

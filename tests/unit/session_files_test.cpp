@@ -7,8 +7,7 @@
 
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::session_files_test {
 
 namespace act = action;
 namespace fs = std::filesystem;
@@ -264,5 +263,4 @@ TEST_F(SessionFiles, AnAnswerWithoutAQuestionDoesNothing) {
   EXPECT_TRUE(session_.modified());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_files_test

@@ -6,8 +6,7 @@
 #include "session/session.h"
 #include "slope_level.h"
 
-namespace talus {
-namespace {
+namespace talus::session_lint_test {
 
 TEST(SessionLint, AdvanceListsThem) {
   Session session(slope_level({"o....", ".a##.", "#####"}));
@@ -64,5 +63,4 @@ TEST(SessionLint, AnotherLevelHasItsOwn) {
   EXPECT_EQ(session.listed_problems()[0].code, "no-balls");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_lint_test

@@ -6,8 +6,7 @@
 #include "png_bytes.h"
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::session_pictures_test {
 
 namespace act = action;
 
@@ -67,5 +66,4 @@ TEST(SessionPictures, BadOnesAreOneSentence) {
   EXPECT_TRUE(session.message()->is_error);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_pictures_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::session_test {
 
 namespace act = action;
 
@@ -141,5 +140,4 @@ TEST(Session, AMessageStaysUntilReplacedOrDismissed) {
   EXPECT_FALSE(session.message());
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_test

@@ -7,8 +7,7 @@
 
 #include "session/session.h"
 
-namespace talus {
-namespace {
+namespace talus::session_timeline_test {
 
 namespace act = action;
 namespace fs = std::filesystem;
@@ -326,5 +325,4 @@ TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutAndABadFileChangesNothing) {
   fs::remove(path);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::session_timeline_test

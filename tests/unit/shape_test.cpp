@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace talus {
-namespace {
+namespace talus::shape_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -119,5 +118,4 @@ TEST(Curve, NothingReachesTooFar) {
   EXPECT_EQ(problem(Polyline{0, 8, {1, -kFar - 1}}), why);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::shape_test

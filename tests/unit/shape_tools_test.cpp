@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::shape_tools_test {
 
 // Tile 1 is solid; 3 and 4 are the two halves of the article's up-slope.
 Level level_with_slopes() {
@@ -49,5 +48,4 @@ TEST(ShapeTools, SlopeThatCannotBeLaidSaysWhy) {
             "there are too few blank tiles to draw the slope with");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::shape_tools_test

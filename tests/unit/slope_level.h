@@ -9,9 +9,9 @@
 
 namespace talus {
 
-// '.' empty, '#' solid, 'a' and 'b' the halves of a slope up with shapes of their own, 'c' and 'd' those of one
-// down, 'e' 5 px high, '^' hangs down by 3 px at its right, 'o' a ball, '/' the left half of a flagged slope up
-// and '-' its right half. The number of a tile is its place here.
+// '.' empty, '#' solid, 'a' and 'b' the halves of a slope up with shapes of their own, 'c' and 'd' those of
+// one down, 'e' 5 px high, '^' hangs down by 3 px at its right, 'o' a ball, '/' the left half of a flagged
+// slope up and '-' its right half. The number of a tile is its place here.
 inline constexpr std::string_view kSlopeSigns = ".#abcde^o/-";
 inline constexpr std::uint8_t kSolidSign = 1, kSlopeA = 2, kSlopeB = 3, kBlockE = 6, kHangingSign = 7,
                               kBallSign = 8, kFlaggedSlope = 9, kFlaggedHalf = 10;

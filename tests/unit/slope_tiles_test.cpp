@@ -7,8 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace talus {
-namespace {
+namespace talus::slope_tiles_test {
 
 using testing::ElementsAre;
 
@@ -175,5 +174,4 @@ TEST(SlopeTiles, ASetMustBeAbleToFollow) {
   EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kPicture}), "no tile of the set is a floor");
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::slope_tiles_test

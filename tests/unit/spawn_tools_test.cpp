@@ -5,8 +5,7 @@
 
 #include "level/followed_spawn.h"
 
-namespace talus {
-namespace {
+namespace talus::spawn_tools_test {
 
 Spawn spawn_at_x(double x) {
   Spawn spawn;
@@ -91,5 +90,4 @@ TEST(SpawnTools, SpawnsAreFollowedAcrossAnEdit) {
   EXPECT_EQ(followed({a, b}, {}), (Now{std::nullopt, std::nullopt}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::spawn_tools_test

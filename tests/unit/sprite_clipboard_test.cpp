@@ -5,8 +5,7 @@
 
 #include "sprite_picture.h"
 
-namespace talus {
-namespace {
+namespace talus::sprite_clipboard_test {
 
 const SpriteArea kClipTile{SheetId::tiles, {3, 0, 1, 1}};
 const SpriteArea kClipFour{SheetId::sprites, {0, 0, 2, 2}};
@@ -156,5 +155,4 @@ TEST(SpriteClipboard, OtherTextIsNoPalette) {
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::sprite_clipboard_test

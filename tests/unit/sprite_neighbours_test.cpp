@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
-namespace {
+namespace talus::sprite_neighbours_test {
 
 //  0 1 0 0 1 0
 //  3 5 4 3 5 4
@@ -67,5 +66,4 @@ TEST(SpriteNeighbours, NothingIsKnownOfTilesThatAreNotThere) {
   for (const auto& tile : n.ring) EXPECT_FALSE(tile);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::sprite_neighbours_test

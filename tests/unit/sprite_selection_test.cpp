@@ -4,8 +4,7 @@
 #include "session/session.h"
 #include "sprite_picture.h"
 
-namespace talus {
-namespace {
+namespace talus::sprite_selection_test {
 
 namespace act = action;
 
@@ -171,5 +170,4 @@ TEST_F(SpriteSelection, BrushIsClamped) {
   EXPECT_EQ(session.choices().brush, 1);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::sprite_selection_test

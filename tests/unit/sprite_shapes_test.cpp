@@ -5,8 +5,7 @@
 
 #include "sprite_picture.h"
 
-namespace talus {
-namespace {
+namespace talus::sprite_shapes_test {
 
 const SpriteArea kShapeTile{SheetId::tiles, {5, 0, 1, 1}};
 
@@ -64,5 +63,4 @@ TEST(SpriteShapes, StraightIsLevelUprightOrDiagonal) {
   EXPECT_EQ(squared({2, 2}, {1, -4}), (Cell{-4, -4}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::sprite_shapes_test

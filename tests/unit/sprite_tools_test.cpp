@@ -5,8 +5,7 @@
 
 #include "edit/sprite_shapes.h"
 
-namespace talus {
-namespace {
+namespace talus::sprite_tools_test {
 
 const SpriteArea kOne{SheetId::tiles, {1, 0, 1, 1}};     // tile 1
 const SpriteArea kFour{SheetId::sprites, {2, 1, 2, 2}};  // sprites 18, 19, 34 and 35
@@ -203,5 +202,4 @@ TEST(SpriteTools, SettersSet) {
   EXPECT_EQ(with(level, edit).spawns.size(), 1u);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::sprite_tools_test

@@ -8,8 +8,7 @@
 
 #include "level_text.h"
 
-namespace talus {
-namespace {
+namespace talus::state_test {
 
 TEST(State, BodiesAreNumberedInSceneOrder) {
   const State state = initial_state(compile_scene(level_of({".o",  //
@@ -84,5 +83,4 @@ TEST(StateHash, IsFnv1aOverTheNumbersLowByteFirst) {
   EXPECT_EQ(state_hash(state), expected);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::state_test

@@ -10,8 +10,7 @@
 
 #include "test_map.h"
 
-namespace talus {
-namespace {
+namespace talus::terrain_test {
 
 // A piece as text: its facing, its ends, "(" or ")" where an end is convex, "|" where nothing goes on.
 std::string text_of(const Piece<double>& p) {
@@ -362,5 +361,4 @@ TEST(TerrainEdit, CopiesAreValues) {
   EXPECT_TRUE(after == before);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::terrain_test

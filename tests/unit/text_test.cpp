@@ -5,8 +5,7 @@
 #include "formats/tic_cart.h"
 #include "formats/tic_text.h"
 
-namespace talus {
-namespace {
+namespace talus::text_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -229,5 +228,4 @@ TEST(Text, AnEditThatTheCodeWouldHideIsNotWritten) {
   EXPECT_FALSE(write_text(level, {"lua"}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::text_test

@@ -5,8 +5,7 @@
 
 #include "formats/tic_cart.h"
 
-namespace talus {
-namespace {
+namespace talus::tic_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -227,5 +226,4 @@ TEST(Tic, ASmallerMapIsPadded) {
   EXPECT_EQ(again.map.at({3, 0}), 0);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::tic_test

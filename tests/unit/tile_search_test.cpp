@@ -5,8 +5,7 @@
 
 #include "map_text.h"
 
-namespace talus {
-namespace {
+namespace talus::tile_search_test {
 
 constexpr auto kNext = FindDirection::next, kPrevious = FindDirection::previous;
 
@@ -42,5 +41,4 @@ TEST(TileSearch, StaysInTheSelection) {
   EXPECT_EQ(find_tile(map, 1, Cell{2, 0}, kNext, CellRect{1, 0, 2, 1}), (Cell{1, 0}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::tile_search_test

@@ -5,8 +5,7 @@
 
 #include <string_view>
 
-namespace talus {
-namespace {
+namespace talus::tile_shapes_test {
 
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
@@ -180,5 +179,4 @@ TEST(TileShapes, FreeTargetHasRoomForAllTiles) {
   EXPECT_EQ(free_target(level, 3, ShapeTurn::mirrored), std::nullopt);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::tile_shapes_test

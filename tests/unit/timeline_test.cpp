@@ -7,8 +7,7 @@
 #include "level_text.h"
 #include "sim/frame_hash.h"
 
-namespace talus {
-namespace {
+namespace talus::timeline_test {
 
 // A room with slopes, two balls and a player, for any solver.
 Level room(SolverKind solver) {
@@ -519,5 +518,4 @@ TEST(Timeline, ATamperedHashIsNamedByItsFrame) {
   EXPECT_EQ(again.unexpected_frame(again.current()), 61);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::timeline_test

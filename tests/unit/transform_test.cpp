@@ -9,8 +9,7 @@
 #include "level_text.h"
 #include "sim/scene.h"
 
-namespace talus {
-namespace {
+namespace talus::transform_test {
 
 // The boxes of a level, reflected about the middle of a map of this width.
 std::vector<Rect> boxes_of(const Level& level, bool reflected) {
@@ -87,5 +86,4 @@ TEST(Transform, MovingTakesEverythingAlong) {
   EXPECT_EQ(image.spawns[0].position, (Vec2{27, 18}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::transform_test

@@ -5,8 +5,7 @@
 
 #include <set>
 
-namespace talus {
-namespace {
+namespace talus::tuning_test {
 
 TEST(Tuning, EveryNumberHasOneField) {
   constexpr std::size_t kNumbers =
@@ -56,5 +55,4 @@ TEST(Tuning, SolversAreKnownByName) {
 
 TEST(Tuning, NewLevelsHaveTheExactSolver) { EXPECT_EQ(Tuning().solver, SolverKind::exact); }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::tuning_test

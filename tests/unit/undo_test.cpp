@@ -6,8 +6,7 @@
 #include "edit/sprite_shapes.h"
 #include "edit/undo_stack.h"
 
-namespace talus {
-namespace {
+namespace talus::undo_test {
 
 Edit paint(const Level& level, int x, std::uint8_t tile) {
   return paint_stamp(level, {x, 0}, {1, 1, {tile}});
@@ -210,5 +209,4 @@ RC_GTEST_PROP(UndoStackProperty, GivesEveryStateBackBitForBit, ()) {
   }
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::undo_test

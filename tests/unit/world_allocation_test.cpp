@@ -23,8 +23,7 @@ thread_local std::size_t allocations = 0;
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace talus {
-namespace {
+namespace talus::world_allocation_test {
 
 constexpr auto kCross = [](ItemId, ItemId) { return Response::cross; };
 
@@ -88,5 +87,4 @@ TEST_P(WorldAllocation, IsNoneOnceWarm) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, WorldAllocation, testing::Values(World::Mode::faithful, World::Mode::robust));
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_allocation_test

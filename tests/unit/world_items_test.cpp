@@ -7,8 +7,7 @@
 
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_items_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -235,5 +234,4 @@ TEST(WorldNumbers, LongMovesMeetWhatShortOnesMeet) {
   EXPECT_EQ(hits[0].touch.x, 999'999);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_items_test

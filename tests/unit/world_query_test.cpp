@@ -4,8 +4,7 @@
 
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_query_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -135,5 +134,4 @@ TEST(WorldQueriesFar, SegmentOfMillionsOfCellsIsAnswered) {
   EXPECT_EQ(hits[0].item, goal);
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_query_test

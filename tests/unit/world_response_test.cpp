@@ -4,8 +4,7 @@
 
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_response_test {
 
 using testing::ElementsAre;
 
@@ -299,5 +298,4 @@ TEST(Filters, ThatThrowLeaveTheWorldUsable) {
   EXPECT_THAT(others(hits), ElementsAre(near));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_response_test

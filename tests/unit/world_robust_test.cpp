@@ -9,8 +9,7 @@
 
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_robust_test {
 
 constexpr double kDistances[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 
@@ -298,5 +297,4 @@ TEST(WorldRobust, RejectsCoordinatesThatAreNotFinite) {
   EXPECT_EQ(world.rect(box), (Rect{0, 0, 8, 8}));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_robust_test

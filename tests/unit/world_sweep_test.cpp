@@ -7,8 +7,7 @@
 #include "collision/sweep.h"
 #include "collision/world.h"
 
-namespace talus {
-namespace {
+namespace talus::world_sweep_test {
 
 using testing::ElementsAre;
 
@@ -210,5 +209,4 @@ TEST(WorldSweep, RejectsEarlyOnlyWhatCannotHit) {
   EXPECT_FALSE(misses_axis(1, 2, NAN));
 }
 
-}  // namespace
-}  // namespace talus
+}  // namespace talus::world_sweep_test
