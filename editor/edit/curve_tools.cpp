@@ -78,14 +78,14 @@ double height_of(const Polyline& p, double x) {
   return std::lerp(p.ys[left], p.ys[left + 1], at - static_cast<double>(left));
 }
 
-struct Span {
+struct Extent {
   double x0, x1;
 };
-Span span_of(const Segment& s) { return {s.from.x, s.to.x}; }
-Span span_of(const Parabola& p) { return {p.from.x, p.to.x}; }
-Span span_of(const Cubic& c) { return {c.from.x, c.to.x}; }
+Extent extent_of(const Segment& s) { return {s.from.x, s.to.x}; }
+Extent extent_of(const Parabola& p) { return {p.from.x, p.to.x}; }
+Extent extent_of(const Cubic& c) { return {c.from.x, c.to.x}; }
 template <class Form>
-Span span_of(const Form& form) {
+Extent extent_of(const Form& form) {
   return {form.x0, form.x1};
 }
 
@@ -198,7 +198,7 @@ double distance_to(const Curve& curve, Vec2 p, double reach) {
   return std::visit(
       [&](const auto& form) {
         constexpr int kParts = 16;
-        const Span whole = span_of(form);
+        const Extent whole = extent_of(form);
         const double x0 = std::max(whole.x0, p.x - reach), x1 = std::min(whole.x1, p.x + reach);
         double least = std::numeric_limits<double>::infinity();
         if (x0 > x1) return least;
@@ -350,7 +350,7 @@ std::pair<Vec2, Vec2> ends_of_curve(const Curve& curve) {
   if (const auto* segment = std::get_if<Segment>(&curve.form)) return {segment->from, segment->to};
   return std::visit(
       [](const auto& form) {
-        const Span span = span_of(form);
+        const Extent span = extent_of(form);
         return std::pair(Vec2{span.x0, height_of(form, span.x0)}, Vec2{span.x1, height_of(form, span.x1)});
       },
       curve.form);

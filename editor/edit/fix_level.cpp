@@ -10,8 +10,6 @@
 namespace talus {
 namespace {
 
-std::string tile_text(int tile) { return "tile " + std::to_string(tile); }
-
 // Whether the middle of a pixel of the tile's own cell is inside of the ground; of a ball, inside of it.
 bool is_inside(const TileShape& shape, int x, int y) {
   const double at = x + 0.5, down = y + 0.5;

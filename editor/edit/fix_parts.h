@@ -1,6 +1,7 @@
 // The parts of the fixes, by what they are about; for fixes.cpp alone. Each appends edits, the best first.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fixes.h"
@@ -18,6 +19,9 @@ void fix_tile(const Level& level, const LintTiles& tiles, const Problem& problem
 void fix_level(const Level& level, const Problem& problem, std::vector<Edit>& out);
 // Of spawns and balls.
 void fix_start(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out);
+
+// "tile 12", in labels.
+inline std::string tile_text(int tile) { return "tile " + std::to_string(tile); }
 
 // An edit of one cell that has another tile.
 Edit put_tile(const Level& level, Cell cell, std::uint8_t tile, std::string label);

@@ -17,8 +17,6 @@ std::optional<std::uint8_t> beside(int tile, int by) {
   return static_cast<std::uint8_t>(tile + by);
 }
 
-std::string tile_text(int tile) { return "tile " + std::to_string(tile); }
-
 void fix_missing_half(const Level& level, const LintTiles& tiles, const Problem& problem,
                       std::vector<Edit>& out) {
   const Cell cell = *problem.cell;

@@ -124,7 +124,7 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
 // Where the mouse was in the step to the shown frame, or in those of the range, which all get what is typed.
 void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, Ui& ui) {
   const FrameRange chosen = chosen_frames(session, ui.view);
-  if (chosen.last < 1) return;
+  if (session.state().frame < 1) return;  // a range may have begun at a later one
   const Vec2 now = session.timeline().current().input(session.state().frame).mouse;
   ui.begin_row();
   ImGui::TextUnformatted(chosen.first == chosen.last

@@ -96,6 +96,18 @@ TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
   EXPECT_EQ(frame(), 6) << "the map has the keys again";
 }
 
+// Frame 0 has no input: the mouse's place of a range is not shown there.
+TEST_F(UiDebuggerKeys, GoToTheFirstFrameWithARangeOfTheInputRoll) {
+  play(6);
+  key(kKeyF6);
+  frames(2);
+  for (int i = 0; i < 3; ++i) key(shift(kKeyLeft));
+  session().apply(action::SeekFrame{0});
+  frames(2);
+  EXPECT_EQ(frame(), 0);
+  EXPECT_EQ(timeline().last_frame(), 6);
+}
+
 TEST_F(UiDebuggerKeys, TypeTheMousesPlace) {
   play(6);
   key(kKeyF6);
