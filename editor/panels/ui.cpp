@@ -93,13 +93,13 @@ bool Ui::text_button(std::string_view name, std::string_view label, bool lit, st
   return pressed;
 }
 
-bool Ui::begin_combo(std::string_view name, const std::string& preview, float width, std::string_view help,
+bool Ui::begin_combo(std::string_view name, const std::string& shown, float width, std::string_view help,
                      std::string_view key) {
   const float height = px(theme::kButton), padding = (height - ImGui::GetFontSize()) / 2;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), padding));
-  const bool open = ImGui::BeginCombo(hidden(name).c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo(hidden(name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleVar();
   if (open)  // the last item is the list's now
     place(name, at, {at.x + width, at.y + height});

@@ -55,7 +55,7 @@ class Ui {
   bool text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
                    std::string_view key = {}, bool enabled = true, float width = 0);
   // A choice as high as a button; ImGui::EndCombo() must follow when it returns true.
-  bool begin_combo(std::string_view name, const std::string& preview, float width, std::string_view help,
+  bool begin_combo(std::string_view name, const std::string& shown, float width, std::string_view help,
                    std::string_view key = {});
   // Between these, fields are as high as buttons, and plain text is in line with both.
   void begin_row();
