@@ -100,10 +100,6 @@ class FormFields {
   bool changed_ = false;
 };
 
-const LevelCurve& curve_of(const Session& session, int curve) {
-  return session.level().curves[static_cast<std::size_t>(curve)];
-}
-
 }  // namespace
 
 void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -117,7 +113,7 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
                 : "No curve chosen: click one on the map, or drag to draw another.");
     return;
   }
-  const CurveKind kind = kind_of(curve_of(session, curve).curve);
+  const CurveKind kind = kind_of(session.level().curves.at(static_cast<std::size_t>(curve)).curve);
   ui.heading("Curve " + std::to_string(curve) + ", " + with_article(kind));
   draw_name(session, actions, ui, curve);
   draw_faces(session, actions, ui, curve);
@@ -161,7 +157,7 @@ void CurveInspector::draw_kind(const Session& session, Actions& actions, Ui& ui)
 }
 
 void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui, int curve) {
-  LevelCurve named = curve_of(session, curve);
+  LevelCurve named = session.level().curves.at(static_cast<std::size_t>(curve));
   if (curve != shown_) name_ = named.name;
   ImGui::SetNextItemWidth(ui.px(220));
   ImGui::InputTextWithHint("##curve name", "name", &name_);
@@ -176,7 +172,7 @@ void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui,
 
 void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui, int curve) {
   constexpr std::array<std::string_view, 3> kFaces = {"up", "down", "both ways"};
-  LevelCurve changed = curve_of(session, curve);
+  LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
   const auto now = static_cast<std::size_t>(changed.curve.faces);
   ui.begin_row();
   ui.label("faces");
@@ -197,7 +193,7 @@ void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui
 }
 
 void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& ui, int curve) {
-  LevelCurve changed = curve_of(session, curve);
+  LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
   FormFields fields(session, number_, ui);
   std::visit([&](auto& form) { fields.draw(form); }, changed.curve.form);
   if (fields.changed())

@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
-constexpr float kLowZoom = 2;  // at scale 1; below, all is thinner, as bodies are hardly larger than marks
+constexpr float kThinZoom = 2;  // at scale 1; below, all is thinner, as bodies are hardly larger than marks
 constexpr float kPiece = 16;   // px at scale 1: lines are kept clear in pieces of this length
 constexpr int kMostPieces = 64;
 
@@ -32,7 +32,7 @@ class Painter {
         palette_(palette),
         scale_(scale),
         pointed_at_(pointed_at),
-        is_low_(view.zoom < kLowZoom * scale),
+        is_low_(view.zoom < kThinZoom * scale),
         width_(std::max(1.0f, std::round(scale * (is_low_ ? 1.0f : 1.5f)))) {}
 
   void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
