@@ -17,7 +17,7 @@ namespace {
 using S = ReportScene;
 
 // What is drawn as one line.
-struct Series {
+struct PlotLine {
   std::string title;
   std::function<bool(const Setup&)> has;
 };
@@ -38,10 +38,10 @@ constexpr std::string_view kStyle =
     "set key outside right top\nset format '%g'\n";
 
 std::string chart(std::span<const Row> rows, const std::string& title, const Axes& axes,
-                  std::span<const Series> series) {
+                  std::span<const PlotLine> series) {
   std::string data, plot;
   int count = 0;
-  for (const Series& one : series) {
+  for (const PlotLine& one : series) {
     std::string points;
     for (const Row& row : rows) {
       if (!one.has(row.setup)) continue;
@@ -68,8 +68,8 @@ bool is(const Setup& s, std::optional<SolverKind> solver, bool single) {
   return s.solver == solver && s.single == single;
 }
 
-std::vector<Series> by_solver(S scene) {
-  std::vector<Series> series;
+std::vector<PlotLine> by_solver(S scene) {
+  std::vector<PlotLine> series;
   const auto add = [&](const std::string& title, SolverKind solver, bool single) {
     series.push_back({title, [=](const Setup& s) {
                         return s.scene == scene && is(s, solver, single) && s.substeps == 1 &&
@@ -87,7 +87,7 @@ const Axes kOverScale = {"coordinates, px", "largest error, px", [](const Row& r
                          [](const Row& r) { return shown(r.geometry->max); }};
 
 std::string curve_script(std::span<const Row> rows) {
-  std::vector<Series> series;
+  std::vector<PlotLine> series;
   for (const bool polyline : {true, false}) {
     for (const bool single : {false, true}) {
       const std::string precision = single ? "float" : "double";
@@ -120,7 +120,7 @@ std::string wall_script(std::span<const Row> rows) {
 }
 
 std::string bounce_script(std::span<const Row> rows) {
-  std::vector<Series> series;
+  std::vector<PlotLine> series;
   for (const S scene : {S::bounce_fall, S::bounce_gravity, S::bounce_rebound}) {
     const std::string name(info_of(scene).name.substr(8));
     series.push_back({"exact, " + name, [=](const Setup& s) {
