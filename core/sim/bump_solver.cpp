@@ -77,7 +77,7 @@ void BumpSolver::note_surface(std::size_t i) {
   if (contact == nullptr) return;
   contact->handled = true;
   const Collision& hit = hits_[i];
-  if (hit.response != moving()[kSlopes]) return;
+  if (hit.response != moving()[kSlopeGroup]) return;
   const SlopeContact on =
       meet_slope(entry(hit.other).slope, hit.item_rect, hit.item_rect.position() + hit.move);
   contact->slope = {.slope = contact->other,

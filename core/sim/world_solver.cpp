@@ -21,7 +21,7 @@ WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunc
 // place among the tiles.
 void WorldSolver::rebuild(const State& state) {
   world_ = World(tuning().cell_size);
-  if (slope_response_) moving_[kSlopes] = world_.add_response("slope", slope_response_);
+  if (slope_response_) moving_[kSlopeGroup] = world_.add_response("slope", slope_response_);
   entries_.assign(1, {});
   placed_.clear();
   std::vector<const Body*> by_start(state.bodies.size());
@@ -36,8 +36,9 @@ void WorldSolver::rebuild(const State& state) {
   for (const SceneItem& item : scene_->items) {
     if (item.role != TileRole::ball) {
       const double direction = slope_direction(item.role);
-      add(item.box,
-          {{item.role, item.cell, 0, item.box}, {item.box, direction}, direction != 0 ? kSlopes : kSolids});
+      add(item.box, {{item.role, item.cell, 0, item.box},
+                     {item.box, direction},
+                     direction != 0 ? kSlopeGroup : kSolidGroup});
       continue;
     }
     const auto body =
@@ -45,7 +46,8 @@ void WorldSolver::rebuild(const State& state) {
                          [&](const Body* b, const BodyOrigin& o) { return less(b->origin, o); });
     if (body == by_start.end() || (*body)->origin != item.origin()) continue;
     Placed placed{(*body)->id, {}, (*body)->box};
-    if (balls_block_) placed.item = add(placed.box, {{TileRole::ball, item.cell, placed.id, {}}, {}, kBalls});
+    if (balls_block_)
+      placed.item = add(placed.box, {{TileRole::ball, item.cell, placed.id, {}}, {}, kBallGroup});
     placed_.push_back(placed);
   }
   std::sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) { return a.id < b.id; });
@@ -95,7 +97,7 @@ int WorldSolver::body_at(const State& state, Vec2 point) {
     return found == state.bodies.end() ? 0 : found->id;
   }
   world_.query_point(
-      point, [&](ItemId item) { return entries_[item.index].group == kBalls; }, under_mouse_);
+      point, [&](ItemId item) { return entries_[item.index].group == kBallGroup; }, under_mouse_);
   return under_mouse_.empty() ? 0 : entries_[under_mouse_.front().index].what.body;
 }
 

@@ -17,14 +17,14 @@ class WorldSolver : public Solver {
 
  protected:
   // Groups of items in the world.
-  enum Group { kSolids, kSlopes, kBalls };
+  enum Group { kSolidGroup, kSlopeGroup, kBallGroup };
 
   // An item of the world: what it is, and, of a ball, which body.
   struct Entry {
     Obstacle what;
     Slope slope;  // of a slope
-    Group group = kSolids;
-    bool is_slope() const { return group == kSlopes; }
+    Group group = kSolidGroup;
+    bool is_slope() const { return group == kSlopeGroup; }
   };
   // Where the world believes that a body is. Balls that pass through each other are no items of the world,
   // and then `item` is null: nobody can meet them.
