@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
 constexpr float kThinZoom = 2;  // at scale 1; below, all is thinner, as bodies are hardly larger than marks
-constexpr float kPiece = 16;   // px at scale 1: lines are kept clear in pieces of this length
+constexpr float kPiece = 16;    // px at scale 1: lines are kept clear in pieces of this length
 constexpr int kMostPieces = 64;
 
 // What is thin and without a rim, so that it does not hide what it is about.
