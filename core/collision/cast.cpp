@@ -519,6 +519,21 @@ class Caster {
   bool is_other_ = false;
 };
 
+// The same motion of the box's upright middle line.
+template <class Real>
+Cast<Real> middle_of(const Cast<Real>& cast) {
+  return {{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h}, cast.motion, Foot::box};
+}
+
+template <unsigned Parts>
+CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
+  CastTrace trace;
+  Caster<double, Parts, TraceLog> caster(terrain, cast, nullptr, TraceLog(terrain, trace));
+  caster.against_terrain();
+  trace.contact = caster.contact();
+  return trace;
+}
+
 }  // namespace
 
 template <class Real, unsigned Parts>
@@ -534,10 +549,10 @@ Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast
     if (cast.foot == Foot::box) return contact;
     // Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so
     // its middle.
-    const BasicRect<Real> middle{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h};
-    Contact<Real> hit = cast_box<Real, kSlopes>(terrain, {middle, cast.motion, Foot::box}, {}, ignored);
+    const Cast<Real> middle = middle_of(cast);
+    Contact<Real> hit = cast_box<Real, kSlopes>(terrain, middle, {}, ignored);
     if (hit.t < contact.t) {
-      hit.position.x = moved_x(cast.box, hit.position.x - middle.x);
+      hit.position.x = moved_x(cast.box, hit.position.x - middle.box.x);
       return hit;
     }
   }
@@ -550,25 +565,9 @@ Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast) {
   return cast_box<double, kTiles>(terrain, cast);
 }
 
-namespace {
-
-template <unsigned Parts>
-CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
-  CastTrace trace;
-  Caster<double, Parts, TraceLog> caster(terrain, cast, nullptr, TraceLog(terrain, trace));
-  caster.against_terrain();
-  trace.contact = caster.contact();
-  return trace;
-}
-
-}  // namespace
-
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast) {
   CastTrace trace = traced<kAllParts>(terrain, cast);
-  if (cast.foot == Foot::centre) {
-    const Rect middle{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h};
-    add_trace(trace, traced<kSlopes>(terrain, {middle, cast.motion, Foot::box}));
-  }
+  if (cast.foot == Foot::centre) add_trace(trace, traced<kSlopes>(terrain, middle_of(cast)));
   trace.contact = cast_box(terrain, cast);
   return trace;
 }

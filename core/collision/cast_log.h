@@ -19,6 +19,18 @@ struct NoLog {
   void is_first() {}                       // it is the first so far
 };
 
+// Where a trace has a candidate, which is added if it is new: a long piece is in several cells, but one
+// candidate.
+inline std::size_t place_of(CastTrace& trace, const CastCandidate& candidate) {
+  auto& all = trace.candidates;
+  const auto same = std::find_if(all.begin(), all.end(), [&](const CastCandidate& c) {
+    return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
+  });
+  const auto place = static_cast<std::size_t>(same - all.begin());
+  if (same == all.end()) all.push_back(candidate);
+  return place;
+}
+
 // Keeps a trace.
 class TraceLog {
  public:
@@ -52,15 +64,7 @@ class TraceLog {
   }
 
  private:
-  // A long piece is in several cells, but one candidate.
-  void add(const CastCandidate& candidate) {
-    auto& all = trace_.candidates;
-    const auto same = std::find_if(all.begin(), all.end(), [&](const CastCandidate& c) {
-      return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
-    });
-    at_ = static_cast<std::size_t>(same - all.begin());
-    if (same == all.end()) all.push_back(candidate);
-  }
+  void add(const CastCandidate& candidate) { at_ = place_of(trace_, candidate); }
 
   const Terrain& terrain_;
   CastTrace& trace_;
@@ -76,16 +80,9 @@ inline void add_trace(CastTrace& trace, CastTrace added) {
       trace.cells.push_back(cell);
   }
   for (const CastCandidate& candidate : added.candidates) {
-    const auto same =
-        std::find_if(trace.candidates.begin(), trace.candidates.end(), [&](const CastCandidate& c) {
-          return c.facing == candidate.facing && c.from == candidate.from && c.to == candidate.to;
-        });
-    if (same == trace.candidates.end()) {
-      trace.candidates.push_back(candidate);
-    } else {
-      same->t = std::min(same->t, candidate.t);
-      same->is_first = same->is_first || candidate.is_first;
-    }
+    CastCandidate& same = trace.candidates[place_of(trace, candidate)];
+    same.t = std::min(same.t, candidate.t);
+    same.is_first = same.is_first || candidate.is_first;
   }
 }
 

@@ -119,9 +119,10 @@ FormatResult<Header> read_header(std::string_view bytes) {
       indexed = chunk->content[kColorType] == kIndexed;
     }
     if (chunk->type == "IDAT") packed += chunk->content.size();
+    const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();  // stb copies it to no memory
     if (chunk->type == "PLTE" && indexed)
       add_palette(chunk->content, header);
-    else if (first || chunk->type == "IDAT" || chunk->type == "tRNS" || chunk->type == "IEND")
+    else if (first || (chunk->type == "IDAT" && !empty_data) || chunk->type == "tRNS" || chunk->type == "IEND")
       header.needed += chunk->whole;
     if (chunk->type == "IEND") break;
     at += chunk->whole.size();

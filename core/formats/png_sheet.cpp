@@ -62,15 +62,6 @@ Palette with_colors(const std::vector<Rgb>& colors, Palette palette) {
 
 }  // namespace
 
-const std::array<PngPartInfo, 3>& png_part_infos() {
-  static constexpr std::array<PngPartInfo, 3> kInfos = {{
-      {PngPart::tiles, "tiles-png", "the tiles"},
-      {PngPart::sprites, "sprites-png", "the sprites"},
-      {PngPart::palette, "palette-png", "the palette"},
-  }};
-  return kInfos;
-}
-
 std::string write_png_part(const Level& level, PngPart part) {
   if (part == PngPart::palette) {
     std::vector<std::uint8_t> bytes;

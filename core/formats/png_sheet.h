@@ -1,21 +1,12 @@
 // Sheets and palettes as pictures: what a level's look like, and how a picture's colours become the level's.
 #pragma once
 
-#include <array>
-
 #include "png_picture.h"
 
 namespace talus {
 
 // What of a level a picture shows.
 enum class PngPart { tiles, sprites, palette };
-
-struct PngPartInfo {
-  PngPart part;
-  std::string_view id;     // "tiles-png", as in `talus export --to tiles-png`
-  std::string_view label;  // "the tiles"
-};
-const std::array<PngPartInfo, 3>& png_part_infos();
 
 // Opaque RGB: a sheet of 128x128 px, or the palette, 16x1 px.
 std::string write_png_part(const Level& level, PngPart part);

@@ -38,26 +38,6 @@ std::string changes_text(const PngImportPlan& plan) {
 
 std::vector<std::string> png_part_names() { return {"tiles", "sprites", "palette"}; }
 
-std::optional<PngPart> png_part_of(const std::string& id) {
-  for (const PngPartInfo& info : png_part_infos())
-    if (info.id == id) return info.part;
-  return {};
-}
-
-void export_png(CommandContext& context, const std::string& input, PngPart part, const std::string& output) {
-  const std::optional<Level> level = load_or_fail(context, input);
-  if (!level) return;
-  if (output == "-") {
-    context.out << write_png_part(*level, part);
-    return;
-  }
-  if (context_for_file(output).extension != "png")
-    return fail(context, output, "",
-                "is no name of a PNG picture, which would be written: it must end with .png");
-  if (const auto written = write_file_atomic(output, write_png_part(*level, part)); !written)
-    fail(context, output, written.error().place, written.error().message);
-}
-
 void import_png(CommandContext& context, const PngIntoLevel& import) {
   std::optional<Level> level = load_or_fail(context, import.level);
   if (!level) return;

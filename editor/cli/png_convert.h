@@ -1,4 +1,4 @@
-// Sheets and palettes as PNG, for `talus export` and `talus import`.
+// A picture into a level, for `talus import`.
 #pragma once
 
 #include "command.h"
@@ -17,10 +17,7 @@ struct PngIntoLevel {
 
 // The names of PngPart, in order.
 std::vector<std::string> png_part_names();
-// "tiles-png"; nothing for the id of a format.
-std::optional<PngPart> png_part_of(const std::string& id);
 
-void export_png(CommandContext& context, const std::string& input, PngPart part, const std::string& output);
 // Says what has changed, unless the level goes to standard output.
 void import_png(CommandContext& context, const PngIntoLevel& import);
 

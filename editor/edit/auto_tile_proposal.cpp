@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "auto_tile.h"
+#include "collision/tile_outlines.h"
 
 namespace talus {
 namespace {
@@ -54,8 +55,6 @@ constexpr EdgedPart kEdgedParts[] = {{GroundPart::top, {true, false, false, fals
                                      {GroundPart::bottom_left, {false, true, false, true}},
                                      {GroundPart::bottom_right, {false, false, true, true}}};
 
-bool is_solid(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
-
 // A floor between two heights, as wide as `tiles`.
 bool is_slope(const TileShape& shape, int tiles, double from, double to) {
   return shape.kind == TileShape::Kind::slope && shape.side == TileShape::Side::floor && !shape.one_way &&
@@ -103,7 +102,7 @@ class Proposal {
   }
 
   void choose_full_tiles() {
-    const auto solid = [&](std::uint8_t tile) { return is_solid(shape_of_tile(level_, tile)); };
+    const auto solid = [&](std::uint8_t tile) { return is_full(shape_of_tile(level_, tile)); };
     std::uint8_t& inside = set_.of(GroundPart::inside);
     inside = best([&](std::uint8_t tile) { return solid(tile) && edges_of(image(tile)) == Edges{}; });
     if (inside == 0) inside = best(solid);

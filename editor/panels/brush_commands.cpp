@@ -19,9 +19,8 @@ void save_brush(S session, A actions, U ui) {
   const Level& level = session.level();
   const Choices& choices = session.choices();
   const Stamp stamp = choices.selection ? stamp_of_map(level, *choices.selection) : choices.stamp;
-  Edit edit = add_brush(level, brush_of_stamp(stamp, free_brush_name(level), choices.random_stamp));
   ui.view.wants_tab = "brushes";
-  if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
+  emit_edit(actions, add_brush(level, brush_of_stamp(stamp, free_brush_name(level), choices.random_stamp)));
 }
 
 void toggle_random(S session, A actions, U) {
@@ -50,8 +49,7 @@ void propose_ground(S session, A actions, U ui) {
         true});
     return;
   }
-  Edit edit = set_auto_tiles(session.level(), tiles);
-  if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
+  emit_edit(actions, set_auto_tiles(session.level(), tiles));
 }
 
 void clear_ground(S session, A actions, U) {
@@ -68,8 +66,7 @@ std::vector<Command> brush_commands() {
               "map/ground", KeyChord{'g'}, "Ground",
               "Paints ground: each cell gets the tile that fits its neighbours. With Ctrl it is taken away, "
               "with Shift a rectangle is filled. Its tiles are chosen under Brushes.",
-              [](S, A actions, U) { actions.push_back(action::SetMapTool{MapTool::ground}); },
-              [](S session, const Ui&) { return session.choices().map_tool == MapTool::ground; }),
+              choose_map_tool<MapTool::ground>, is_map_tool<MapTool::ground>),
           toggle("map/random", KeyChord{'d'}, "Tiles at random",
                  "The stamp and the rectangle put one tile of the stamp, taken at random, into each cell.",
                  toggle_random, [](S session, const Ui&) { return session.choices().random_stamp; }),

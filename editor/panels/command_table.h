@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "commands.h"
@@ -25,6 +26,21 @@ std::vector<Command> input_roll_commands();  // work in the input roll, and give
 template <class T>
 void emit(const Session&, Actions& actions, Ui&) {
   actions.push_back(T{});
+}
+
+// What the map's canvas does with the mouse.
+template <MapTool tool>
+void choose_map_tool(const Session&, Actions& actions, Ui&) {
+  actions.push_back(action::SetMapTool{tool});
+}
+template <MapTool tool>
+bool is_map_tool(const Session& session, const Ui&) {
+  return session.choices().map_tool == tool;
+}
+
+// An edit that changes nothing is none.
+inline void emit_edit(Actions& actions, Edit edit) {
+  if (!edit.empty() || edit.selection) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
 inline Command command(std::string_view id, KeyChord key, std::string_view label, std::string_view help,

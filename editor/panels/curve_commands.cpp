@@ -69,7 +69,7 @@ std::vector<Command> curve_commands() {
               "Drag from end to end: an arc, a parabola and so on; press the key again for the next kind. "
               "Drag a line to move it, a chosen one's handles to bend it; with Shift, a drag always draws. "
               "Ends snap; Ctrl: to half pixels, Alt: not at all.",
-              choose_curve_tool, [](S s, const Ui&) { return s.choices().map_tool == MapTool::curve; }),
+              choose_curve_tool, is_map_tool<MapTool::curve>),
           curve_kind<CurveKind::arc>("map/curve_arc", "Draw an arc", "A part of a circle between two ends."),
           curve_kind<CurveKind::parabola>("map/curve_parabola", "Draw a parabola",
                                           "A hill or a bowl whose control point is half way."),

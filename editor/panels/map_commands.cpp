@@ -19,22 +19,8 @@ using A = Actions&;
 using U = Ui&;
 
 template <MapTool tool>
-void choose_map_tool(S, A actions, U) {
-  actions.push_back(action::SetMapTool{tool});
-}
-
-template <MapTool tool>
-bool is_map_tool(S session, const Ui&) {
-  return session.choices().map_tool == tool;
-}
-
-template <MapTool tool>
 Command map_tool(std::string_view id, KeyChord key, std::string_view label, std::string_view help) {
   return toggle(id, key, label, help, choose_map_tool<tool>, is_map_tool<tool>);
-}
-
-void emit_edit(A actions, Edit edit) {
-  if (!edit.empty() || edit.selection) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
 bool has_selection(S session, const Ui&) { return session.choices().selection.has_value(); }

@@ -35,8 +35,7 @@ void suggest(const Session& session, Actions& actions, Ui& ui) {
 void give(const Session& session, Actions& actions, Ui&) {
   const SpriteArea& area = session.choices().area;
   const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(area.tile_at(0, 0)));
-  Edit edit = give_shape(session.level(), area, shape);
-  if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
+  emit_edit(actions, give_shape(session.level(), area, shape));
 }
 
 }  // namespace

@@ -1,24 +1,15 @@
 // The debugger without a mouse: branches, the input roll, breakpoints, watches and comparison by keys alone.
 #include <algorithm>
 
-#include "harness.h"
+#include "debugger_harness.h"
 #include "panels/case_note.h"
 #include "panels/commands.h"
 #include "panels/compare_choice.h"
 
 namespace talus::debugger_keys_test {
 
-class UiDebuggerKeys : public UiTest {
+class UiDebuggerKeys : public DebuggerTest {
  protected:
-  void SetUp() override {
-    UiTest::SetUp();
-    start();
-  }
-  void play(int steps) {
-    for (int i = 0; i < steps; ++i) key(kKeyF10);
-  }
-  std::int64_t frame() { return session().state().frame; }
-  const Timeline& timeline() { return session().timeline(); }
   const auto& stops() { return session().debugger().stops().breakpoints(); }
   const auto& watches() { return session().debugger().watches().all(); }
   static constexpr KeyChord kEnter{SDLK_RETURN};

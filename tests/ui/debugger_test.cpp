@@ -2,21 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness.h"
+#include "debugger_harness.h"
 
 namespace talus::debugger_test {
 
-class UiDebugger : public UiTest {
+class UiDebugger : public DebuggerTest {
  protected:
-  void SetUp() override {
-    UiTest::SetUp();
-    start();
-  }
-  void play(int steps) {
-    for (int i = 0; i < steps; ++i) key(kKeyF10);
-  }
-  std::int64_t frame() { return session().state().frame; }
-  const Timeline& timeline() { return session().timeline(); }
   ImVec2 on_track(std::int64_t at) {
     const Widget* track = find("timeline/track");
     if (track == nullptr) {

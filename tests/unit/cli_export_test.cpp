@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "cli/cli.h"
-#include "formats/exporter.h"
-#include "formats/lua_level.h"
+#include "export/exporter.h"
+#include "export/lua_level.h"
 
 namespace talus::cli_export_test {
 
@@ -67,10 +67,10 @@ TEST(LuaLevel, HoldsWhatTheSolverNeeds) {
 }
 
 TEST(Exporters, AMissingPartIsAnErrorAndWritesNothing) {
-  const auto nothing = [](const std::string& name) -> FormatResult<std::string> {
+  const ReadAsset nothing = [](const std::string& name) -> FormatResult<std::string> {
     return tl::unexpected(FormatError{name, "is missing"});
   };
-  const auto exported = find_exporter("lua")->write(flat_level(), nothing);
+  const auto exported = find_exporter("lua")->write({flat_level(), "game", nothing});
   ASSERT_FALSE(exported);
   EXPECT_EQ(exported.error().place, "runtime/base.lua");
 }

@@ -157,13 +157,15 @@ TEST(CliConvert, RefusesTheNameOfAnotherFormat) {
     const std::string path = testing::TempDir() + name;
     const Answer answer = run({"import", kOne, "-o", path});
     EXPECT_EQ(answer.status, kExitBad);
-    EXPECT_THAT(answer.err, StartsWith(path + ": error: has the name of a TIC-80 "));
+    EXPECT_EQ(
+        answer.err,
+        path +
+            ": error: is no name of a Talus level, which would be written: it must end with .talus.json\n");
     EXPECT_FALSE(std::filesystem::exists(path));
   }
   const std::string json = testing::TempDir() + "named.talus.json";
   EXPECT_THAT(run({"export", kOne, "--to", "tic", "-o", json}).err,
-              HasSubstr("has the name of a Talus level, but a TIC-80 cartridge would be written: use talus "
-                        "export --to native, or another name"));
+              HasSubstr("is no name of a TIC-80 cartridge, which would be written: it must end with .tic"));
   EXPECT_FALSE(std::filesystem::exists(json));
 }
 

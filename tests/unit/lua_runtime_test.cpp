@@ -10,7 +10,7 @@
 
 #include "formats/format.h"
 #include "formats/hard_case.h"
-#include "formats/lua_level.h"
+#include "export/lua_level.h"
 #include "property/random_ground.h"
 #include "sim/case_input.h"
 #include "sim/solver.h"

@@ -59,6 +59,8 @@ TEST(Png, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(png_error("\x89PNG\r\n\x1a\n"s + png_chunk("IEND", "")),
             "byte 8: must be the picture's one header, and is not");
   EXPECT_EQ(png_error(png_header(8, 8, 2) + png_chunk("IEND", "")), "is a damaged PNG picture: no IDAT");
+  EXPECT_EQ(png_error(png_header(8, 8, 2) + png_chunk("IDAT", "") + png_chunk("IEND", "")),
+            "is a damaged PNG picture: no IDAT");
   EXPECT_EQ(png_error(png_of(1, 3, {"\x02"s}, {kBlue, kRed})), "has a pixel of a colour beyond its palette");
   EXPECT_EQ(png_error(png_header(8, 8, 2) + png_chunk("IDAT", std::string(200'001, '\0'))),
             "has more data than a picture of its size can have");

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "../formats/number_text.h"
 #include "../level/ground.h"
-#include "number_text.h"
 
 namespace talus {
 namespace {
@@ -215,10 +215,8 @@ std::string lua_level(const Level& level, bool with_tiles) {
 std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse) {
   const TerrainSource ground = ground_of(level);
   const std::set<std::uint8_t> used(ground.cells.begin(), ground.cells.end());
-  const bool sloped = std::any_of(used.begin(), used.end(), [&](std::uint8_t tile) {
-    const TileShape& shape = ground.shapes[tile];
-    return shape.kind != TileShape::Kind::none && (shape.kind != TileShape::Kind::solid || shape.one_way);
-  });
+  const bool sloped = std::any_of(used.begin(), used.end(),
+                                  [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); });
   const bool free = !ground.curves.empty();
   const bool curved = std::any_of(ground.curves.begin(), ground.curves.end(), is_stretch);
   const bool slopes = sloped || free;

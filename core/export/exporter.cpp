@@ -1,0 +1,77 @@
+// The list of exporters, and writing what they make.
+#include "exporter.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "../formats/atomic_file.h"
+#include "export_targets.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <std::size_t N>
+using Extensions = std::array<std::string_view, N>;
+
+constexpr Extensions<1> kPng = {"png"};
+
+}  // namespace
+
+std::string ExportRequest::stem() const {
+  const std::string first = name.substr(0, name.find('.'));
+  return first.empty() || first == "-" ? "level" : first;
+}
+
+std::span<const Exporter> exporters() {
+  static const std::vector<Exporter> list = {
+      {"native", "Talus level", find_format("native")->extensions, export_native},
+      {"tic", "TIC-80 cartridge", find_format("tic")->extensions, export_tic},
+      {"tic-text", "TIC-80 text project", find_format("tic-text")->extensions, export_tic_text},
+      {"tic-playable", "TIC-80 cartridge that plays the level", find_format("tic")->extensions,
+       export_tic_playable},
+      {"tic-text-playable", "TIC-80 text project that plays the level", find_format("tic-text")->extensions,
+       export_tic_text_playable},
+      {"love", "game for LÖVE 11", {}, export_love},
+      {"lua", "Lua runtime and level", {}, export_lua},
+      {"tiles-png", "PNG picture of the tiles", kPng, export_tiles_png},
+      {"sprites-png", "PNG picture of the sprites", kPng, export_sprites_png},
+      {"palette-png", "PNG picture of the palette", kPng, export_palette_png},
+  };
+  return list;
+}
+
+const Exporter* find_exporter(std::string_view id) {
+  const auto all = exporters();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Exporter& e) { return e.id == id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string name_problem(const Exporter& exporter, const std::string& output) {
+  const std::string label(exporter.label);
+  if (exporter.is_folder())
+    return output == "-" ? "is one file, but a " + label + " is a folder: name one" : "";
+  const auto ends = [&](std::string_view extension) {
+    return output.ends_with(std::string(1, '.').append(extension));
+  };
+  if (output == "-" || std::any_of(exporter.extensions.begin(), exporter.extensions.end(), ends)) return "";
+  return "is no name of a " + label + ", which would be written: it must end with ." +
+         std::string(exporter.extensions.front());
+}
+
+FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
+                                  const std::string& output) {
+  const fs::path folder = exporter.is_folder() ? fs::path(output) : fs::path(output).parent_path();
+  for (const ExportedFile& file : exported.files) {
+    const fs::path path = file.name.empty() ? fs::path(output) : folder / file.name;
+    std::error_code failure;
+    if (!file.name.empty()) fs::create_directories(path.parent_path(), failure);
+    if (failure) return tl::unexpected(FormatError{"", "the folder cannot be made: " + failure.message()});
+    if (auto written = write_file_atomic(path.string(), file.bytes); !written) return written;
+  }
+  return {};
+}
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+// What Talus reads back too: levels, carts, sheets and palettes.
+#include "../formats/png_sheet.h"
+#include "export_targets.h"
+
+namespace talus {
+namespace {
+
+FormatResult<Exported> export_format(const ExportRequest& request, std::string_view id) {
+  FormatResult<WrittenLevel> written = find_format(id)->write(request.level, context_for_file(request.name));
+  if (!written) return tl::unexpected(written.error());
+  return Exported{{{"", std::move(written->bytes)}}, std::move(written->dropped)};
+}
+
+FormatResult<Exported> export_part(const ExportRequest& request, PngPart part) {
+  return Exported{{{"", write_png_part(request.level, part)}}, {}};
+}
+
+}  // namespace
+
+FormatResult<Exported> export_native(const ExportRequest& request) {
+  return export_format(request, "native");
+}
+FormatResult<Exported> export_tic(const ExportRequest& request) { return export_format(request, "tic"); }
+FormatResult<Exported> export_tic_text(const ExportRequest& request) {
+  return export_format(request, "tic-text");
+}
+FormatResult<Exported> export_tiles_png(const ExportRequest& request) {
+  return export_part(request, PngPart::tiles);
+}
+FormatResult<Exported> export_sprites_png(const ExportRequest& request) {
+  return export_part(request, PngPart::sprites);
+}
+FormatResult<Exported> export_palette_png(const ExportRequest& request) {
+  return export_part(request, PngPart::palette);
+}
+
+}  // namespace talus

@@ -1,0 +1,50 @@
+// talus import FILE -o LEVEL.talus.json, talus import PNG --into LEVEL -o LEVEL
+
+#include <ostream>
+
+#include "export_command.h"
+#include "png_convert.h"
+
+namespace talus {
+namespace {
+
+// Any readable file as a native level.
+void import_level(CommandContext& context, const std::string& input, const std::string& output) {
+  const std::optional<Level> level = load_or_fail(context, input);
+  if (!level) return;
+  write_export(context, *find_exporter("native"), *level, input, output);
+}
+
+}  // namespace
+
+void add_import_command(CLI::App& program, CommandContext& context) {
+  CLI::App* command = program.add_subcommand(
+      "import", "Turn any readable file into a native level, or take a PNG into a level");
+  auto input = std::make_shared<std::string>();
+  auto into = std::make_shared<PngIntoLevel>();
+  command->add_option("FILE", *input, "Level or cart; with --into, a PNG of up to 128x128 px")->required();
+  command
+      ->add_option("-o,--output", into->output,
+                   "Native level to write, with --into in the format of its name; - for standard output")
+      ->required();
+  CLI::Option* level = command->add_option("--into", into->level, "The level that the PNG is taken into");
+  command->add_option("--part", into->part, "What the PNG becomes: images of a sheet, or the palette")
+      ->check(CLI::IsMember(png_part_names()))
+      ->needs(level);
+  command->add_option("--tile", into->tile, "The image, 0 to 255, where its top left corner goes")
+      ->check(CLI::Range(0, kTileCount - 1))
+      ->needs(level);
+  command
+      ->add_flag(
+          "--take-palette", into->take_palette,
+          "Take over its palette of up to 16 colours; without, each pixel takes the level's colour with "
+          "the smallest squared distance in RGB")
+      ->needs(level);
+  command->callback([&context, input, into, level] {
+    if (level->empty()) return import_level(context, *input, into->output);
+    into->picture = *input;
+    import_png(context, *into);
+  });
+}
+
+}  // namespace talus
