@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cctype>
 
 #include "atomic_file.h"
@@ -21,10 +22,11 @@ std::string lower_case(std::string_view text) {
 }
 
 // The format with the longest extension that the name ends with: "a.talus.json" is no ".json" of another's.
-const Format* format_of_name(std::string_view lower_name) {
+const Format* format_of_name(std::string_view lower_name, bool must_write) {
   const Format* best = nullptr;
   std::size_t length = 0;
   for (const Format& format : formats()) {
+    if (must_write && !format.write) continue;
     for (const std::string_view extension : format.extensions) {
       if (extension.size() > length && lower_name.ends_with(std::string(1, '.').append(extension))) {
         best = &format;
@@ -65,7 +67,7 @@ const Format* find_format(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-const Format* format_for_file(const std::string& path) { return format_of_name(lower_case(path)); }
+const Format* format_for_file(const std::string& path) { return format_of_name(lower_case(path), true); }
 
 FormatContext context_for_file(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
@@ -76,7 +78,8 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   const auto all = formats();
   const auto accepting = std::find_if(all.begin(), all.end(),
                                       [&](const Format& format) { return format.accepts(bytes, context); });
-  const Format* format = accepting != all.end() ? &*accepting : format_of_name("." + context.extension);
+  const Format* format =
+      accepting != all.end() ? &*accepting : format_of_name("." + context.extension, false);
   if (!format) {
     return tl::unexpected(FormatError{"", "is no Talus level, TIC-80 cartridge or TIC-80 text project"});
   }
@@ -93,6 +96,7 @@ FormatResult<LoadedLevel> load_level(const std::string& path) {
 
 FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
                                                   const std::string& path) {
+  assert(format.write && "the format is read alone");
   auto written = format.write(level, context_for_file(path));
   if (!written) return tl::unexpected(written.error());
   if (const auto saved = write_file_atomic(path, written->bytes); !saved)

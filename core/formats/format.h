@@ -43,13 +43,14 @@ struct Format {
   std::span<const std::string_view> extensions;  // without the dot; the first is the usual one
   bool (*accepts)(std::string_view bytes, const FormatContext&);  // could this be such a file?
   FormatResult<Level> (*read)(std::string_view bytes, const FormatContext&);
+  // Null: the format is read alone. What is opened from it has no file yet, so that saving asks for one.
   FormatResult<WrittenLevel> (*write)(const Level&, const FormatContext&);
 };
 
 // Every format, in the order in which content is tried. To add one, add its row here.
 std::span<const Format> formats();
 const Format* find_format(std::string_view id);  // null when there is none
-// The format that a file of this name is written in; null when the extension is nobody's.
+// The format that a file of this name is written in; null when none is written under its extension.
 const Format* format_for_file(const std::string& path);
 FormatContext context_for_file(const std::string& path);
 
@@ -61,7 +62,7 @@ struct LoadedLevel {
 // Reads bytes or a file in whichever format accepts them, told by content, then by extension.
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
 FormatResult<LoadedLevel> load_level(const std::string& path);
-// Writes atomically (see atomic_file.h); returns what the format dropped.
+// Writes atomically (see atomic_file.h); returns what the format dropped. The format must have a writer.
 FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
                                                   const std::string& path);
 

@@ -70,7 +70,7 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, co
   const Format* wanted = info.format.empty() ? own : find_format(info.format);
   if (info.format.empty() && own == nullptr)
     return fail("Save the level into the folder of its game first, for " + label + ".");
-  if (wanted == nullptr) return fail("Levels cannot be written for " + label + ".");
+  if (wanted == nullptr || !wanted->write) return fail("Levels cannot be written for " + label + ".");
   if (own == wanted) {
     if (!session.modified()) return FileToOpen{session.path(), ""};
     session.apply(action::SaveFile{});

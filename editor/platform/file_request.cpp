@@ -11,10 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> level_endings() {
+std::vector<std::string> level_endings(bool to_save) {
   std::vector<std::string> endings;
-  for (const Format& format : formats())
-    endings.insert(endings.end(), format.extensions.begin(), format.extensions.end());
+  for (const Format& format : formats()) {
+    if (format.write || !to_save)
+      endings.insert(endings.end(), format.extensions.begin(), format.extensions.end());
+  }
   return endings;
 }
 
@@ -33,7 +35,7 @@ FileRequest save_picture(const Session& session, FileDialog dialog, const std::s
 FileRequest open_level(const Session& session, const View& view) {
   const bool has_path = !session.path().empty();
   const std::string near = has_path ? session.path() : view.recent_files.empty() ? "" : view.recent_files[0];
-  std::vector<std::string> endings = level_endings();
+  std::vector<std::string> endings = level_endings(false);
   endings.emplace_back(kRecordingExtension);
   return {FileDialog::open, false, "Open a level, cart or recording", near, endings, ""};
 }
@@ -49,7 +51,8 @@ std::optional<FileRequest> wanted_file(const Session& session, const View& view)
     case FileDialog::open:
       return open_level(session, view);
     case FileDialog::save_as:
-      return FileRequest{dialog, true, "Save the level as", session.path(), level_endings(), ".talus.json"};
+      return FileRequest{dialog,       true, "Save the level as", session.path(), level_endings(true),
+                         ".talus.json"};
     case FileDialog::save_recording:
       return FileRequest{
           dialog,   true, "Save the recording as", named_like(session, recording), {recording.substr(1)},

@@ -24,8 +24,9 @@ std::string joined(const Strings& strings, std::string_view before_each) {
 
 std::string known_extensions() {
   std::vector<std::string_view> all;
-  for (const Format& format : formats())
-    all.insert(all.end(), format.extensions.begin(), format.extensions.end());
+  for (const Format& format : formats()) {
+    if (format.write) all.insert(all.end(), format.extensions.begin(), format.extensions.end());
+  }
   return joined(all, ".");
 }
 
@@ -113,7 +114,7 @@ void Session::Impl::open(const action::OpenFile& file) {
     name = file_name.substr(0, file_name.find('.')) + " (copy)";
   } else {
     replace_level(std::move(loaded->level), file.path, loaded->format);
-    stamp = before;
+    if (stamp) stamp = before;
   }
 }
 
@@ -208,6 +209,11 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   level = std::move(opened);
   path = std::move(opened_path);
   format = opened_format;
+  if (format && !format->write) {  // without a file of its own, it cannot be written over what was read
+    name = name_of(path);
+    path.clear();
+    format = nullptr;
+  }
   note_file();
   read_hard_case();
   history.clear();
