@@ -20,7 +20,7 @@ FormatResult<Exported> export_tic_playable(const ExportRequest& request);
 FormatResult<Exported> export_tic_text_playable(const ExportRequest& request);
 
 // Folders: the Lua runtime with the level, and a game for LÖVE that plays it.
-FormatResult<Exported> export_lua(const ExportRequest& request);
+FormatResult<Exported> export_lua_runtime(const ExportRequest& request);
 FormatResult<Exported> export_love(const ExportRequest& request);
 
 }  // namespace talus

@@ -35,7 +35,7 @@ std::span<const Exporter> exporters() {
       {"tic-text-playable", "TIC-80 text project that plays the level", find_format("tic-text")->extensions,
        export_tic_text_playable},
       {"love", "game for LÖVE 11", {}, export_love},
-      {"lua", "Lua runtime and level", {}, export_lua},
+      {"lua-runtime", "Lua runtime and level", {}, export_lua_runtime},
       {"tiles-png", "PNG picture of the tiles", kPng, export_tiles_png},
       {"sprites-png", "PNG picture of the sprites", kPng, export_sprites_png},
       {"palette-png", "PNG picture of the palette", kPng, export_palette_png},
@@ -61,15 +61,36 @@ std::string name_problem(const Exporter& exporter, const std::string& output) {
          std::string(exporter.extensions.front());
 }
 
-FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
+std::vector<std::string> paths_of(const Exporter& exporter, const Exported& exported,
                                   const std::string& output) {
   const fs::path folder = exporter.is_folder() ? fs::path(output) : fs::path(output).parent_path();
-  for (const ExportedFile& file : exported.files) {
-    const fs::path path = file.name.empty() ? fs::path(output) : folder / file.name;
+  std::vector<std::string> paths;
+  for (const ExportedFile& file : exported.files)
+    paths.push_back(file.name.empty() ? output : (folder / file.name).string());
+  return paths;
+}
+
+FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
+                                  const std::string& output, const WriteProgress& progress) {
+  const std::vector<std::string> paths = paths_of(exporter, exported, output);
+  std::vector<StagedFile> staged;
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const ExportedFile& file = exported.files[i];
+    if (progress && !progress(i, bytes)) return tl::unexpected(FormatError{"", "was cancelled"});
     std::error_code failure;
-    if (!file.name.empty()) fs::create_directories(path.parent_path(), failure);
-    if (failure) return tl::unexpected(FormatError{"", "the folder cannot be made: " + failure.message()});
-    if (auto written = write_file_atomic(path.string(), file.bytes); !written) return written;
+    if (!file.name.empty()) fs::create_directories(fs::path(paths[i]).parent_path(), failure);
+    if (failure)
+      return tl::unexpected(FormatError{file.name, "the folder cannot be made: " + failure.message()});
+    auto written = StagedFile::write(paths[i], file.bytes);
+    if (!written) return tl::unexpected(FormatError{file.name, written.error().message});
+    staged.push_back(*std::move(written));
+    bytes += file.bytes.size();
+  }
+  if (progress && !progress(paths.size(), bytes)) return tl::unexpected(FormatError{"", "was cancelled"});
+  for (std::size_t i = 0; i < staged.size(); ++i) {
+    if (const auto put = staged[i].put(); !put)
+      return tl::unexpected(FormatError{exported.files[i].name, put.error().message});
   }
   return {};
 }

@@ -6,7 +6,7 @@
 
 namespace talus {
 
-FormatResult<Exported> export_lua(const ExportRequest& request) {
+FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, false);
   if (!runtime) return tl::unexpected(runtime.error());
   return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", lua_level(request.level)}}, {}};

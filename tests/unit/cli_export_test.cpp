@@ -70,7 +70,7 @@ TEST(Exporters, AMissingPartIsAnErrorAndWritesNothing) {
   const ReadAsset nothing = [](const std::string& name) -> FormatResult<std::string> {
     return tl::unexpected(FormatError{name, "is missing"});
   };
-  const auto exported = find_exporter("lua")->write({flat_level(), "game", nothing});
+  const auto exported = find_exporter("lua-runtime")->write({flat_level(), "game", nothing});
   ASSERT_FALSE(exported);
   EXPECT_EQ(exported.error().place, "runtime/base.lua");
 }
@@ -109,7 +109,7 @@ TEST_F(CliExport, AFolderIsNoStandardOutput) {
 
 TEST_F(CliExport, AFolderUnderAFileIsRefused) {
   const std::string file = TALUS_SOURCE_DIR "/README.md/game";
-  EXPECT_EQ(run({"lua", "-o", file}), 1);
+  EXPECT_EQ(run({"lua-runtime", "-o", file}), 1);
   EXPECT_NE(errors_.find("cannot be made"), std::string::npos) << errors_;
 }
 
