@@ -9,6 +9,7 @@
 #include "atomic_file.h"
 #include "native.h"
 #include "tic_cart.h"
+#include "tic_png.h"
 #include "tic_text.h"
 
 namespace talus {
@@ -52,9 +53,11 @@ std::string to_string(const FormatError& error, std::string_view file) {
 std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 2> kNativeExtensions = {"talus.json", "json"};
   static constexpr std::array<std::string_view, 1> kTicExtensions = {"tic"};
-  static const std::array<Format, 3> list = {{
+  static constexpr std::array<std::string_view, 1> kPngExtensions = {"png"};
+  static const std::array<Format, 4> list = {{
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
       {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic},
+      {"tic-png", "TIC-80 PNG cartridge", kPngExtensions, accepts_tic_png, read_tic_png, nullptr},
       {"tic-text", "TIC-80 text project", text_extensions(), accepts_text, read_text, write_text},
   }};
   return list;
@@ -70,8 +73,11 @@ const Format* find_format(std::string_view id) {
 const Format* format_for_file(const std::string& path) { return format_of_name(lower_case(path), true); }
 
 FormatContext context_for_file(const std::string& path) {
-  const std::size_t dot = path.find_last_of("./");
-  return {dot == std::string::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot + 1))};
+  const std::size_t dot = path.find_last_of("./"), slash = path.rfind('/');
+  FormatContext context;
+  if (dot != std::string::npos && path[dot] != '/') context.extension = lower_case(path.substr(dot + 1));
+  context.folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  return context;
 }
 
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context) {
@@ -83,15 +89,21 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   if (!format) {
     return tl::unexpected(FormatError{"", "is no Talus level, TIC-80 cartridge or TIC-80 text project"});
   }
-  auto level = format->read(bytes, context);
+  LoadedLevel loaded{Level(), format};
+  FormatContext noting = context;
+  noting.dropped = &loaded.dropped;
+  auto level = format->read(bytes, noting);
   if (!level) return tl::unexpected(level.error());
-  return LoadedLevel{*std::move(level), format};
+  loaded.level = *std::move(level);
+  return loaded;
 }
 
-FormatResult<LoadedLevel> load_level(const std::string& path) {
+FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  return read_level(*bytes, context_for_file(path));
+  FormatContext context = context_for_file(path);
+  context.choices = choices;
+  return read_level(*bytes, context);
 }
 
 FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,

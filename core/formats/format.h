@@ -32,9 +32,18 @@ struct WrittenLevel {
   std::vector<std::string> dropped;  // one phrase each: "2 spawns"; empty when nothing was lost
 };
 
+// What to take of a file of another program that holds more than a level can.
+struct ImportChoices {
+  std::string layer;        // of several layers of tiles, the name of the one; empty: there must be only one
+  bool used_tiles = false;  // only the tiles that the map shows, numbered anew, also of several tilesets
+};
+
 // What a reader or writer may need to know besides the content.
 struct FormatContext {
-  std::string extension;  // of the file's name, lower case, without the dot; may be empty
+  std::string extension;       // of the file's name, lower case, without the dot; may be empty
+  std::string folder = {};     // where files lie that the content names; empty: they are not looked for
+  ImportChoices choices = {};  // for readers of formats that are read alone
+  std::vector<std::string>* dropped = nullptr;  // gets a phrase for each thing that a reader could not keep
 };
 
 struct Format {
@@ -56,12 +65,13 @@ FormatContext context_for_file(const std::string& path);
 
 struct LoadedLevel {
   Level level;
-  const Format* format = nullptr;  // never null
+  const Format* format = nullptr;         // never null
+  std::vector<std::string> dropped = {};  // what a level cannot hold of what was read, one phrase each
 };
 
 // Reads bytes or a file in whichever format accepts them, told by content, then by extension.
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
-FormatResult<LoadedLevel> load_level(const std::string& path);
+FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {});
 // Writes atomically (see atomic_file.h); returns what the format dropped. The format must have a writer.
 FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
                                                   const std::string& path);
