@@ -1,5 +1,5 @@
-// PNG by stb. Its reader keeps nothing of a palette, so the chunks are looked through first, which also
-// bounds what is unpacked.
+// PNG by stb. Its reader keeps nothing of a palette and unpacks whatever there is, so the chunks are looked
+// through first.
 #include "png_picture.h"
 
 #include <zlib.h>
@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "atomic_file.h"
+#include "unpack.h"
 
 namespace {
 // In stb's place, whose own compression gives files twice as large. Its caller frees the result.
@@ -43,8 +44,6 @@ namespace talus {
 namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-// Stored without compression, the largest picture of 16 bits a channel takes 132,000 bytes.
-constexpr std::size_t kMaxPacked = 200'000;
 constexpr int kHalfOpaque = 128;
 
 std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
@@ -62,6 +61,7 @@ struct Header {
   std::uint32_t width = 0, height = 0;
   std::vector<Rgb> palette;
   std::string needed;  // the file again, with the chunks alone that make its pixels
+  std::string packed;  // the zlib stream of its rows, from all chunks
 };
 
 std::vector<Rgb> palette_of(std::string_view chunk) {
@@ -105,7 +105,6 @@ FormatResult<Header> read_header(std::string_view bytes) {
   constexpr char kIndexed = 3;
   Header header;
   header.needed = kSignature;
-  std::size_t packed = 0;
   bool indexed = false;
   for (std::size_t at = kSignature.size(); at < bytes.size();) {
     const auto chunk = chunk_at(bytes, at);
@@ -118,23 +117,38 @@ FormatResult<Header> read_header(std::string_view bytes) {
       header.height = u32_at(chunk->content, 4);
       indexed = chunk->content[kColorType] == kIndexed;
     }
-    if (chunk->type == "IDAT") packed += chunk->content.size();
+    if (chunk->type == "IDAT") header.packed += chunk->content;
     const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();  // stb copies it to no memory
     if (chunk->type == "PLTE" && indexed)
       add_palette(chunk->content, header);
-    else if (first || (chunk->type == "IDAT" && !empty_data) || chunk->type == "tRNS" || chunk->type == "IEND")
+    else if (first || (chunk->type == "IDAT" && !empty_data) || chunk->type == "tRNS" ||
+             chunk->type == "IEND")
       header.needed += chunk->whole;
     if (chunk->type == "IEND") break;
     at += chunk->whole.size();
   }
   if (header.width == 0 || header.height == 0) return tl::unexpected(FormatError{"", "is an empty picture"});
-  if (header.width > kMaxPngSide || header.height > kMaxPngSide) {
-    return tl::unexpected(
-        FormatError{"", "is " + size_text(header.width, header.height) + " px, and a sheet is 128x128 px"});
-  }
-  if (packed > kMaxPacked)
-    return tl::unexpected(FormatError{"", "has more data than a picture of its size can have"});
   return header;
+}
+
+FormatResult<RgbaPicture> decode(const Header& header) {
+  // Eight bytes a pixel at most, and one before each row: interlaced, rows come in up to twice as many parts.
+  const std::size_t largest = (std::size_t{8} * header.width + 2) * header.height + 64;
+  const auto rows = unpack_zlib(header.packed, largest);
+  if (header.packed.size() > 2 * largest || (!rows && rows.error() == UnpackError::too_large))
+    return tl::unexpected(FormatError{"", "has more data than a picture of its size can have"});
+  if (!rows && !header.packed.empty())
+    return tl::unexpected(FormatError{"", "is a damaged PNG picture: its pixels cannot be unpacked"});
+  constexpr int kChannels = 4;
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> rgba(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(header.needed.data()),
+                            static_cast<int>(header.needed.size()), &width, &height, &channels, kChannels),
+      stbi_image_free);
+  if (!rgba)
+    return tl::unexpected(FormatError{"", std::string("is a damaged PNG picture: ") + stbi_failure_reason()});
+  const std::size_t count = std::size_t{kChannels} * header.width * header.height;
+  return RgbaPicture{width, height, {reinterpret_cast<const char*>(rgba.get()), count}};
 }
 
 // In pictures without a palette every colour may be.
@@ -151,22 +165,43 @@ void append_bytes(void* text, void* data, int size) {
 
 bool is_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
 
+FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type) {
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  for (std::size_t at = kSignature.size(); at < bytes.size();) {
+    const auto chunk = chunk_at(bytes, at);
+    if (!chunk) return tl::unexpected(chunk.error());
+    if (chunk->type == type) return chunk->content;
+    if (chunk->type == "IEND") break;
+    at += chunk->whole.size();
+  }
+  return std::string_view();
+}
+
+FormatResult<RgbaPicture> read_rgba(std::string_view bytes) {
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  const auto header = read_header(bytes);
+  if (!header) return tl::unexpected(header.error());
+  if (header->width > kMaxRgbaSide || header->height > kMaxRgbaSide) {
+    return tl::unexpected(
+        FormatError{"", "is " + size_text(header->width, header->height) +
+                            " px, and pictures with a cartridge in them have up to 1024x1024 px"});
+  }
+  return decode(*header);
+}
+
 FormatResult<PngPicture> read_png(std::string_view bytes) {
   if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
   auto header = read_header(bytes);
   if (!header) return tl::unexpected(header.error());
-  constexpr int kChannels = 4;
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> rgba(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(header->needed.data()),
-                            static_cast<int>(header->needed.size()), &width, &height, &channels, kChannels),
-      stbi_image_free);
-  if (!rgba)
-    return tl::unexpected(FormatError{"", std::string("is a damaged PNG picture: ") + stbi_failure_reason()});
-  PngPicture picture{width, height, {}, {}, std::move(header->palette)};
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  for (std::size_t i = 0; i < count; ++i) {
-    const stbi_uc* c = rgba.get() + kChannels * i;
+  if (header->width > kMaxPngSide || header->height > kMaxPngSide) {
+    return tl::unexpected(
+        FormatError{"", "is " + size_text(header->width, header->height) + " px, and a sheet is 128x128 px"});
+  }
+  const auto rgba = decode(*header);
+  if (!rgba) return tl::unexpected(rgba.error());
+  PngPicture picture{rgba->width, rgba->height, {}, {}, std::move(header->palette)};
+  for (std::size_t i = 0; i < rgba->bytes.size(); i += 4) {
+    const auto* c = reinterpret_cast<const std::uint8_t*>(rgba->bytes.data()) + i;
     const bool transparent = c[3] < kHalfOpaque;
     picture.transparent.push_back(transparent);
     picture.pixels.push_back(transparent ? Rgb{} : Rgb{c[0], c[1], c[2]});

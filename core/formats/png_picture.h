@@ -26,7 +26,18 @@ struct PngPicture {
 
 inline constexpr int kMaxPngSide = kSheetSide;  // px; larger pictures are refused unread
 
+inline constexpr int kMaxRgbaSide = 1024;  // px; as long a side as read_rgba takes
+
+// A picture as it is, opacity and all.
+struct RgbaPicture {
+  int width = 0, height = 0;  // px
+  std::string bytes;          // four a pixel: red, green, blue, opacity; row by row from the top left
+};
+
 bool is_png(std::string_view bytes);
+// The content of the first chunk of this type, four letters; empty when there is none.
+FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type);
+FormatResult<RgbaPicture> read_rgba(std::string_view bytes);
 FormatResult<PngPicture> read_png(std::string_view bytes);
 FormatResult<PngPicture> load_png(const std::string& path);
 

@@ -2,13 +2,12 @@
 // chunk wins over a DEFAULT chunk wherever it stands.
 #include "tic_cart.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cassert>
 #include <optional>
 
 #include "tic_text.h"
+#include "unpack.h"
 
 namespace talus {
 namespace {
@@ -41,20 +40,10 @@ void overlay(std::string& section, std::string_view data) {
   trim_zeros(section);
 }
 
-FormatResult<std::string> inflate_code(const TicChunk& chunk) {
-  std::string code(kCodeLimit, '\0');
-  z_stream stream = {};
-  if (inflateInit(&stream) != Z_OK) return error_at(chunk.offset, "there is no memory to unpack the code");
-  stream.next_in =
-      reinterpret_cast<Bytef*>(const_cast<char*>(chunk.data.data()));  // zlib does not write to it
-  stream.avail_in = static_cast<uInt>(chunk.data.size());
-  stream.next_out = reinterpret_cast<Bytef*>(code.data());
-  stream.avail_out = static_cast<uInt>(code.size());
-  const int status = inflate(&stream, Z_FINISH);
-  code.resize(stream.total_out);
-  inflateEnd(&stream);
-  if (status == Z_STREAM_END) return code;
-  if (stream.avail_out == 0)
+FormatResult<std::string> unpack_code(const TicChunk& chunk) {
+  auto code = unpack_zlib(chunk.data, kCodeLimit);
+  if (code) return *std::move(code);
+  if (code.error() == UnpackError::too_large)
     return error_at(chunk.offset, "the compressed code unpacks to more than 524287 bytes");
   return error_at(chunk.offset, "the compressed code is damaged");
 }
@@ -236,7 +225,7 @@ FormatResult<CartContent> tic_content(std::string_view bytes) {
     if (info && info->id != Section::palette) overlay(at(cart.banks[chunk.bank], info->id), chunk.data);
     if (chunk.type == kTicLang && !chunk.data.empty()) cart.lang = static_cast<std::uint8_t>(chunk.data[0]);
     if (chunk.type == kTicCodeZip) {
-      auto code = inflate_code(chunk);
+      auto code = unpack_code(chunk);
       if (!code) return tl::unexpected(code.error());
       unpacked = *std::move(code);
     }
@@ -275,9 +264,6 @@ bool accepts_tic(std::string_view bytes, const FormatContext&) {
 }
 
 FormatResult<Level> read_tic(std::string_view bytes, const FormatContext&) {
-  if (bytes.starts_with("\x89PNG")) {
-    return tl::unexpected(FormatError{"byte 0", "this is a PNG cart; save it as .tic in TIC-80 first"});
-  }
   auto cart = tic_content(bytes);
   if (!cart) return tl::unexpected(cart.error());
   Level level = level_of_bank(cart->banks[0]);

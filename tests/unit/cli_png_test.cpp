@@ -82,4 +82,23 @@ TEST(CliPng, ABadPictureLeavesTheLevelAlone) {
   EXPECT_EQ(run_png({"import", png, "--tile", "3", "-o", out}).status, kExitUsage) << "into what?";
 }
 
+TEST(CliPng, ImportsACartInAPicture) {
+  const std::string png = png_path("cart.png"), out = png_path("cart.talus.json");
+  const std::string picture = rgb_png(1, {{1, 2, 3}});
+  const std::string cart("\x04\x03\0\0\0\0\7", 7);  // tile 7 at (2, 0)
+  std::ofstream(png, std::ios::binary) << picture.substr(0, picture.size() - 12)
+                                       << png_chunk("caRt", png_packed(cart)) << png_chunk("IEND", "");
+  const PngAnswer answer = run_png({"import", png, "-o", out});
+  EXPECT_EQ(answer.status, kExitGood) << answer.err;
+  const auto loaded = load_level(out);
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->level.map.at({2, 0}), 7);
+  std::ofstream(png, std::ios::binary) << picture;
+  const PngAnswer none = run_png({"import", png, "-o", out});
+  EXPECT_EQ(none.status, kExitBad);
+  EXPECT_EQ(none.err, png +
+                          ": error: is a picture without a TIC-80 cartridge in it; File > Import a picture "
+                          "and talus import --into take its pixels\n");
+}
+
 }  // namespace talus::cli_png_test

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "png_bytes.h"
 #include "session/session.h"
 
 namespace talus::session_files_test {
@@ -156,6 +157,29 @@ TEST_F(SessionFiles, SaveKeepsTheFormatThatTheContentWasIn) {
   session_.apply(act::SaveFile{});
   EXPECT_EQ(message(), "Saved cart.bin.");
   EXPECT_EQ(load_level(path)->level.map.at({1, 1}), 8);
+}
+
+// Only read: saving must not put a cart into the picture's place.
+TEST_F(SessionFiles, APngCartBecomesALevelWithoutAFile) {
+  other_file("a.tic", 7);
+  const std::string picture = rgb_png(1, {{1, 2, 3}});
+  const std::string png = picture.substr(0, picture.size() - 12) +
+                          png_chunk("caRt", png_packed(bytes_of(file("a.tic")))) + png_chunk("IEND", "");
+  std::ofstream(file("cart.png"), std::ios::binary) << png;
+  session_.apply(act::OpenFile{file("cart.png")});
+  EXPECT_EQ(painted(), 7);
+  EXPECT_EQ(session_.file_name(), "cart.png");
+  EXPECT_EQ(session_.path(), "");
+  EXPECT_FALSE(session_.modified());
+  session_.apply(act::SaveFile{});
+  EXPECT_TRUE(session_.wants_save_as());
+  session_.apply(act::SaveFileAs{file("cart.png")});
+  EXPECT_EQ(message().substr(0, 58), "Cannot save cart.png: its extension is none of .talus.json");
+  EXPECT_EQ(bytes_of(file("cart.png")), png);
+  session_.apply(act::SaveFileAs{file("b.tic")});
+  EXPECT_EQ(bytes_of(file("b.tic")), bytes_of(file("a.tic")));
+  session_.apply(act::CheckFile{});
+  EXPECT_EQ(message(), "Saved b.tic.");
 }
 
 TEST_F(SessionFiles, AFileThatCannotBeReadLeavesTheLevelAlone) {

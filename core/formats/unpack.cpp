@@ -1,0 +1,32 @@
+// Unpacking zlib's streams.
+#include "unpack.h"
+
+#include <zlib.h>
+
+#include <array>
+#include <new>
+
+namespace talus {
+
+tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit) {
+  z_stream stream = {};
+  constexpr int kEitherHeader = 32;
+  if (inflateInit2(&stream, MAX_WBITS + kEitherHeader) != Z_OK) throw std::bad_alloc();  // its only reason
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib does not write to it
+  stream.avail_in = static_cast<uInt>(packed.size());
+  std::string content;
+  std::array<char, 32'768> piece;
+  int status = Z_OK;
+  while (status == Z_OK && content.size() <= limit) {
+    stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+    stream.avail_out = static_cast<uInt>(piece.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    content.append(piece.data(), piece.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  if (content.size() > limit) return tl::unexpected(UnpackError::too_large);
+  if (status != Z_STREAM_END) return tl::unexpected(UnpackError::damaged);
+  return content;
+}
+
+}  // namespace talus
