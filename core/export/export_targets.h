@@ -19,8 +19,30 @@ FormatResult<Exported> export_palette_png(const ExportRequest& request);
 FormatResult<Exported> export_tic_playable(const ExportRequest& request);
 FormatResult<Exported> export_tic_text_playable(const ExportRequest& request);
 
-// Folders: the Lua runtime with the level, and a game for LÖVE that plays it.
+// Folders: the Lua runtime with the level, and games for LÖVE and in C++ that play it.
 FormatResult<Exported> export_lua_runtime(const ExportRequest& request);
 FormatResult<Exported> export_love(const ExportRequest& request);
+FormatResult<Exported> export_cpp(const ExportRequest& request);
+
+// Plain data (see plain_text.h): one file of Lua or JSON, and a folder of tables.
+FormatResult<Exported> export_lua(const ExportRequest& request);
+FormatResult<Exported> export_json(const ExportRequest& request);
+FormatResult<Exported> export_csv(const ExportRequest& request);
+
+// A C99 header with the map, the flags, the floors and what finds the floor below a point. Curves are
+// dropped.
+FormatResult<Exported> export_c(const ExportRequest& request);
+
+// A project of LDtk with the level as an IntGrid, tiles and entities, and the sheet beside it. Curves are
+// dropped.
+FormatResult<Exported> export_ldtk(const ExportRequest& request);
+
+// The map as a picture, one pixel a px; and with its outline, its normals and its bodies.
+FormatResult<Exported> export_png(const ExportRequest& request);
+FormatResult<Exported> export_svg(const ExportRequest& request);
+
+// A folder for games with bump.lua: slopes as one of its responses, the level, and an example for LÖVE. Curves
+// are dropped.
+FormatResult<Exported> export_bump(const ExportRequest& request);
 
 }  // namespace talus

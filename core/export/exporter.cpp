@@ -17,6 +17,11 @@ template <std::size_t N>
 using Extensions = std::array<std::string_view, N>;
 
 constexpr Extensions<1> kPng = {"png"};
+constexpr Extensions<1> kLdtk = {"ldtk"};
+constexpr Extensions<1> kSvg = {"svg"};
+constexpr Extensions<1> kLua = {"lua"};
+constexpr Extensions<1> kJson = {"json"};
+constexpr Extensions<1> kHeader = {"h"};
 
 }  // namespace
 
@@ -36,6 +41,16 @@ std::span<const Exporter> exporters() {
        export_tic_text_playable},
       {"love", "game for LÖVE 11", {}, export_love},
       {"lua-runtime", "Lua runtime and level", {}, export_lua_runtime},
+      {"bump", "game for LÖVE with bump.lua", {}, export_bump,
+       "Slopes as a response for bump.lua, the level, and an example that uses them."},
+      {"cpp", "game in C++", {}, export_cpp},
+      {"ldtk", "LDtk project", kLdtk, export_ldtk},
+      {"lua", "Lua table of plain data", kLua, export_lua},
+      {"json", "JSON file of plain data", kJson, export_json},
+      {"csv", "folder of CSV tables", {}, export_csv},
+      {"c", "C99 header", kHeader, export_c},
+      {"png", "PNG picture of the map", kPng, export_png},
+      {"svg", "SVG drawing of the map and its outline", kSvg, export_svg},
       {"tiles-png", "PNG picture of the tiles", kPng, export_tiles_png},
       {"sprites-png", "PNG picture of the sprites", kPng, export_sprites_png},
       {"palette-png", "PNG picture of the palette", kPng, export_palette_png},

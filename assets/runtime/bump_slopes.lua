@@ -1,0 +1,320 @@
+-- Slopes for bump.lua (https://github.com/kikito/bump.lua), as one more response. Made by Talus; one file,
+-- for Lua 5.1 to 5.4 and LuaJIT. Pixels, y down, velocities in px a step.
+--
+--   local bump, slopes, level = require "bump", require "bump_slopes", require "level"
+--   local world = bump.newWorld(level.tuning.cell_size)
+--   slopes.install(world)                    -- adds the response "slope"
+--   slopes.add_level(world, level)           -- adds the ground of an exported level
+--
+--   local hits, count                        -- each step of a body that is in the world: one move()
+--   body.x, body.y, hits, count = world:move(body, body.x + body.vx, body.y + body.vy, slopes.filter)
+--   body.vx, body.vy = slopes.bounce(body.vx, body.vy, hits, count, level.tuning)
+--   if slopes.grounded(world, body) then body.vy = -3 end
+--
+-- Any item of the world is a slope that has a field `slope`: {h0 = 0, h1 = 8} is ground within its box, whose
+-- surface is 0 px above the box's bottom at the left side and 8 px at the right one. So are the tiles with the
+-- properties slope, h0 and h1 that STI's plugin for bump puts into the world. Optional:
+--   ceiling = true    ground hangs from the box's top, and the heights are measured down from there
+--   one_way = true    stops only what comes from the open side
+-- What moves stands on the higher of its two lower corners. In a hit of type "slope", normal is the slope's own
+-- and touch lies on it; a slope that was passed by in the air is a hit of type "cross" without a normal.
+local slopes = {}
+
+local SLACK = 1e-6        -- px under the floor that still count as on it: more than rounding, less than a pixel
+local REACH = 1 / 64      -- px below a body where it looks for ground
+local TILE = 8            -- px
+
+local function min(a, b) if b < a then return b end return a end
+local function max(a, b) if a < b then return b end return a end
+local function clamp(v, least, most)
+  if v < least then return least end
+  if most < v then return most end
+  return v
+end
+
+-- What an item says of itself as a slope, or nil.
+local function slope_of(item)
+  if type(item) ~= "table" then return nil end
+  if item.slope then return item.slope end
+  local properties = item.properties
+  if type(properties) == "table" and properties.h0 and properties.h1 then return properties end
+  return nil
+end
+
+-- The way of a box from where it is to a goal, over the slope h0..h1 in `box`. t is the share of the way.
+local Passage = {}
+Passage.__index = Passage
+
+local function new_passage(h0, h1, box, mover, goal_x, goal_y)
+  return setmetatable({
+    low = box.y + box.h - min(h0, h1), rise = max(h0, h1) - min(h0, h1), rises_right = h1 > h0,
+    left = box.x, right = box.x + box.w, width = box.w, bottom = box.y + box.h,
+    x = mover.x, y = mover.y, w = mover.w, h = mover.h, dx = goal_x - mover.x, dy = goal_y - mover.y,
+  }, Passage)
+end
+
+-- The part of the way on which the box is above, in or under the slope; nothing when the first is not less.
+function Passage:times()
+  if self.dx == 0 then
+    local is_beside = self.x + self.w <= self.left or self.x >= self.right
+    return is_beside and 1 or 0, 1
+  end
+  local to_left, to_right = (self.left - (self.x + self.w)) / self.dx, (self.right - self.x) / self.dx
+  return clamp(min(to_left, to_right), 0, 1), clamp(max(to_left, to_right), 0, 1)
+end
+
+-- The x of the corner that stands on the slope.
+function Passage:corner(x) return self.rises_right and x + self.w or x end
+function Passage:high_end() return self.rises_right and self.right or self.left end
+
+function Passage:line(x)
+  local run = self.rises_right and x - self.left or self.right - x
+  return self.low - self.rise * run / self.width
+end
+
+function Passage:floor_at(x) return self:line(clamp(self:corner(x), self.left, self.right)) end
+function Passage:depth(t) return self.y + self.h + t * self.dy - self:floor_at(self.x + t * self.dx) end
+
+function Passage:is_on_high_end(t)
+  local past = self:corner(self.x + t * self.dx) - self:high_end()
+  if self.rises_right then return past >= 0 end
+  return past <= 0
+end
+
+-- Whether a corner under the floor is lifted onto it: when that is the shortest way out, as it is for what
+-- rounding, or a moving slope, has sunk a little.
+function Passage:lifts()
+  local side = self.rises_right and self.right - self.x or self.x + self.w - self.left
+  return self.y + self.h <= self.bottom + SLACK and self:depth(0) <= side
+end
+
+function Passage:normal()
+  local length = math.sqrt(self.width * self.width + self.rise * self.rise)
+  return (self.rises_right and -self.rise or self.rise) / length, -self.width / length
+end
+
+-- The contact at t: where the box is then, the normal, and where the rest of the way leads.
+function Passage:surface(t, is_on_high_end)
+  local x = self.x + t * self.dx
+  local y = self:floor_at(x) - self.h
+  local nx, ny = 0, -1
+  if not is_on_high_end then nx, ny = self:normal() end
+  local rest_x, rest_y = self.dx * (1 - t), self.dy * (1 - t)
+  local into = rest_x * nx + rest_y * ny
+  local goal_x, goal_y = x + rest_x, y + rest_y
+  if into < 0 then
+    local along_x, along_y = -ny, nx
+    local along = rest_x * along_x + rest_y * along_y
+    goal_x, goal_y = x + along_x * along, y + along_y * along
+    -- Along the slope the height comes from the slope, not from the sum.
+    if not is_on_high_end then goal_y = self:line(self:corner(goal_x)) - self.h end
+  end
+  return {t = t, x = x, y = y, nx = nx, ny = ny, goal_x = goal_x, goal_y = goal_y}
+end
+
+-- nil: the box passes above the floor, or beside the slope. "solid": it comes from below or from a side, and
+-- meets the slope's box. Else a contact with the surface.
+function Passage:meet(one_way)
+  local enter, leave = self:times()
+  if enter >= leave then return nil end
+  if self:depth(enter) > SLACK then
+    if one_way then return nil end
+    if enter == 0 and self:lifts() then return self:surface(0, self:is_on_high_end(0)) end
+    return "solid"
+  end
+  -- The depth is linear on both sides of the bend, where the corner passes the slope's high end.
+  local bend = self.dx == 0 and 0 or (self:high_end() - self:corner(self.x)) / self.dx
+  local from = enter
+  for _, to in ipairs {clamp(bend, enter, leave), leave} do
+    local before, after = self:depth(from), self:depth(to)
+    if from < to and after > SLACK then
+      local t = from
+      if before < 0 then t = from + (to - from) * (-before / (after - before)) end
+      return self:surface(t, self:is_on_high_end((from + to) / 2))
+    end
+    from = to
+  end
+  return nil
+end
+
+-- A ceiling is a floor seen in a mirror that lies on y = 0.
+local function mirrored(box) return {x = box.x, y = -(box.y + box.h), w = box.w, h = box.h} end
+
+local function meet(slope, box, mover, goal_x, goal_y)
+  local h0, h1 = slope.h0, slope.h1
+  if not slope.ceiling then
+    return new_passage(h0, h1, box, mover, goal_x, goal_y):meet(slope.one_way)
+  end
+  local passage = new_passage(h0, h1, mirrored(box), mirrored(mover), goal_x, -(goal_y + mover.h))
+  local found = passage:meet(slope.one_way)
+  if type(found) == "table" then
+    found.y, found.ny, found.goal_y = -(found.y + mover.h), -found.ny, -(found.goal_y + mover.h)
+  end
+  return found
+end
+
+-- The response. The way goes on from where this leg of it began, not from where the whole move did: an earlier
+-- hit may have turned it.
+function slopes.response(world, hit, x, y, w, h, goal_x, goal_y, filter)
+  goal_x, goal_y = goal_x or x, goal_y or y
+  local from = hit.itemRect
+  local found = meet(slope_of(hit.other), hit.otherRect, from, goal_x, goal_y)
+  if not found then
+    hit.type, hit.normal = "cross", {x = 0, y = 0}
+    return goal_x, goal_y, world:project(hit.item, from.x, from.y, w, h, goal_x, goal_y, filter)
+  end
+  if found == "solid" then
+    hit.type = "slide"
+    if hit.move.x ~= 0 or hit.move.y ~= 0 then
+      if hit.normal.x ~= 0 then goal_x = hit.touch.x else goal_y = hit.touch.y end
+    end
+  else
+    goal_x, goal_y = found.goal_x, found.goal_y
+    hit.overlaps, hit.ti = false, found.t
+    hit.normal, hit.touch = {x = found.nx, y = found.ny}, {x = found.x, y = found.y}
+  end
+  hit[hit.type] = {x = goal_x, y = goal_y}
+  return goal_x, goal_y, world:project(hit.item, hit.touch.x, hit.touch.y, w, h, goal_x, goal_y, filter)
+end
+
+-- Adds the response "slope" to a world.
+function slopes.install(world) world:addResponse("slope", slopes.response) end
+
+-- A filter for world:move() and world:check(): slopes are slopes, and all else is slid along. Yours can ask it:
+--   function(item, other) if other.is_coin then return "cross" end return slopes.filter(item, other) end
+function slopes.filter(_, other) return slope_of(other) and "slope" or "slide" end
+
+-- The floor at most `reach` px below an item of the world, by one check(): the y at which it would stand there,
+-- and the floor's normal; nil: none. filter: as of its moves.
+function slopes.floor(world, item, reach, filter)
+  local x, y = world:getRect(item)
+  local _, _, hits, count = world:check(item, x, y + reach, filter or slopes.filter)
+  for i = 1, count do
+    local hit = hits[i]
+    if hit.type ~= "cross" and hit.normal.y < 0 then return hit.touch.y, hit.normal.x, hit.normal.y end
+  end
+  return nil
+end
+
+-- Whether an item stands on something, and the normal of that.
+function slopes.grounded(world, item, filter)
+  local y, nx, ny = slopes.floor(world, item, REACH, filter)
+  return y ~= nil, nx, ny
+end
+
+-- The velocity of a ball after the hits of a move(). On level floors and at walls it keeps the shares
+-- floor_bounce, floor_grip and wall_bounce of the tuning; on a slope what goes along it, and slope_bounce of
+-- what goes into it. For a player: {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}.
+function slopes.bounce(vx, vy, hits, count, tuning)
+  for i = 1, count do
+    local n = hits[i].normal
+    local out = vx * n.x + vy * n.y
+    if hits[i].type ~= "cross" and out < 0 then
+      if n.x == 0 then
+        vx, vy = vx * tuning.floor_grip, -(vy * tuning.floor_bounce)
+      elseif n.y == 0 then
+        vx = -(vx * tuning.wall_bounce)
+      else
+        local turned = (1 + tuning.slope_bounce) * out
+        vx, vy = vx - n.x * turned, vy - n.y * turned
+      end
+    end
+  end
+  return vx, vy
+end
+
+local function add_box(world, x, y, w, h, slope)
+  if w > 0 and h > 0 then world:add({x = x, y = y, w = w, h = h, slope = slope}, x, y, w, h) end
+end
+
+-- The box between two heights over y, which go up from there, or down for a ceiling; `heights` are h0 and h1 of
+-- a slope in it. The sums are in the program's order, for the same doubles.
+local function add_layer(world, x, y, w, from, to, kind, heights)
+  local slope = heights and {h0 = heights[1] - from, h1 = heights[2] - from, ceiling = kind.ceiling,
+                             one_way = kind.one_way}
+  add_box(world, x, kind.ceiling and y + from or (TILE - to) + (y - TILE), w, to - from, slope)
+end
+
+-- One straight part of a line of ground. A slope of a longer line is one box down to y, which has no seam that
+-- rounding could make a step of; one alone is a slope on a full box, as in the program.
+local function add_part(world, x, y, w, h0, h1, kind, is_alone)
+  local low, high = min(h0, h1), max(h0, h1)
+  if kind.one_way then
+    add_layer(world, x, y, w, low - 1, high, kind, {h0, h1})  -- where the line is level, the box needs a height
+  elseif is_alone then
+    add_layer(world, x, y, w, low, high, kind, {h0, h1})
+    add_layer(world, x, y, w, 0, low, kind)
+  else
+    add_layer(world, x, y, w, 0, high, kind, {h0, h1})
+  end
+end
+
+-- Adds ground below a line of two or more heights at equal distances. x: of its left end; y: from where heights
+-- are measured, upwards; w: of all of it. kind, optional: {ceiling = true}, above the line and measured
+-- downwards, and {one_way = true}, the line alone.
+function slopes.add_ground(world, x, y, w, heights, kind)
+  local count = #heights - 1
+  local from = 1
+  for i = 2, count + 1 do
+    local goes_on = i <= count and heights[i + 1] - heights[i] == heights[i] - heights[i - 1]
+    if not goes_on then
+      add_part(world, x + w * (from - 1) / count, y, w * (i - from) / count, heights[from], heights[i],
+               kind or {}, count == 1)
+      from = i
+    end
+  end
+end
+
+-- Full tiles as few boxes: columns of them, as wide as the next columns have the same.
+local function add_merged(world, is_full, width, height)
+  local open = {}  -- by top and bottom, the x where boxes that may still grow began
+  for x = 0, width do
+    local runs = {}
+    local y = 0
+    while x < width and y < height do
+      local top = y
+      while y < height and is_full(x, y) do y = y + 1 end
+      if y > top then runs[top * (height + 1) + y] = {x = x, top = top, bottom = y} end
+      y = max(y, top + 1)
+    end
+    local ended = {}
+    for key, run in pairs(open) do
+      if runs[key] then runs[key].x = run.x else ended[#ended + 1] = run end
+    end
+    table.sort(ended, function(a, b) return a.top < b.top end)
+    for _, run in ipairs(ended) do
+      add_box(world, run.x * TILE, run.top * TILE, (x - run.x) * TILE, (run.bottom - run.top) * TILE)
+    end
+    open = runs
+  end
+end
+
+-- Adds the tiles of an exported level, and no bodies. options, all optional:
+--   merge      true: full tiles become as few boxes as they can, so that less snags at seams. Without, bodies
+--              move to the last bit as in Talus with the solver "bump"
+--   on_ball    function(x, y, tile), called where a tile is a ball, in the order in which tiles are added
+-- Curves are no ground here: Talus's own runtime (--to lua-runtime) has them.
+function slopes.add_level(world, level, options)
+  options = options or {}
+  local function tile_at(x, y) return level.tiles[y * level.width + x + 1] end
+  local function is_full(x, y)
+    local shape = level.shapes[tile_at(x, y)]
+    return shape ~= nil and shape.kind == "solid" and not shape.one_way
+  end
+  if options.merge then add_merged(world, is_full, level.width, level.height) end
+  for x = 0, level.width - 1 do
+    for y = 0, level.height - 1 do
+      local tile = tile_at(x, y)
+      local shape = level.shapes[tile]
+      if shape and not (options.merge and is_full(x, y)) then
+        local is_ceiling = shape.side == "ceiling"
+        slopes.add_ground(world, x * TILE, (is_ceiling and y or y + 1) * TILE, (shape.tiles or 1) * TILE,
+                          shape.heights or {TILE, TILE}, {ceiling = is_ceiling, one_way = shape.one_way})
+      elseif level.balls[tile] and options.on_ball then
+        options.on_ball(x * TILE, y * TILE, tile)
+      end
+    end
+  end
+end
+
+return slopes

@@ -1,0 +1,113 @@
+-- A level made with Talus, moved by bump.lua, in LÖVE 11. bump.lua is one file, under the MIT license, and is
+-- not in this folder: get it from https://github.com/kikito/bump.lua and put it here. Then run: love .
+local is_found, bump = pcall(require, "bump")
+local slopes, level = require "bump_slopes", require "level"
+local _, camera = require "camera"(level)
+local tuning = level.tuning
+
+local TILE, STEP = 8, 1 / 60  -- px, s
+local SOFT = {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}  -- a player's, in bounce()
+local SNAP = 3                -- px below a player who walks where it still finds ground
+local HELP = "arrows: run, jump     R: start again     Esc: end"
+local world, bodies, sheet, due
+
+local function add_body(body)
+  bodies[#bodies + 1] = body
+  world:add(body, body.x, body.y, body.w, body.h)
+end
+
+local function start()
+  world, bodies, due = bump.newWorld(tuning.cell_size), {}, 0
+  slopes.install(world)
+  slopes.add_level(world, level, {merge = true, on_ball = function(x, y, tile)
+    add_body {kind = "ball", tile = tile, x = x, y = y, w = TILE, h = TILE, vx = 0, vy = 0}
+  end})
+  for _, spawn in ipairs(level.spawns) do
+    local body = {}
+    for key, value in pairs(spawn) do body[key] = value end
+    add_body(body)
+  end
+end
+
+-- All that a body needs of slopes: one move(), and its hits for the velocity.
+local function move(body, bounces)
+  local hits, count
+  body.x, body.y, hits, count = world:move(body, body.x + body.vx, body.y + body.vy, slopes.filter)
+  body.vx, body.vy = slopes.bounce(body.vx, body.vy, hits, count, bounces)
+end
+
+local function fall(body)
+  body.vx = body.vx * (1 - tuning.drift_blend)
+  body.vy = body.vy + (tuning.fall_speed - body.vy) * tuning.fall_blend
+  move(body, tuning)
+end
+
+local function run(body)
+  local is_down = love.keyboard.isDown
+  local direction = (is_down("right", "d") and 1 or 0) - (is_down("left", "a") and 1 or 0)
+  local jumps = is_down("up", "w", "space") and slopes.grounded(world, body)
+  local walks = not jumps and slopes.grounded(world, body)
+  local gain = direction * tuning.run_speed - body.vx
+  body.vx = body.vx + math.max(-tuning.run_gain, math.min(gain, tuning.run_gain))
+  body.vy = jumps and -tuning.jump_speed or math.min(body.vy + tuning.player_gravity, tuning.fall_limit)
+  if walks then body.vy = 0 end  -- it neither hops downhill nor slips off a slope
+  move(body, SOFT)
+  local floor = walks and slopes.floor(world, body, SNAP)
+  if floor then
+    body.y = floor
+    world:update(body, body.x, body.y)
+  end
+end
+
+function love.load()
+  love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
+  sheet = love.graphics.newImage("sheet.png")
+  sheet:setFilter("nearest", "nearest")
+  if is_found then start() end
+end
+
+function love.update(seconds)
+  if not is_found then return end
+  due = math.min(due + seconds, 4 * STEP)
+  while due >= STEP do
+    for _, body in ipairs(bodies) do
+      if body.kind == "player" then run(body) else fall(body) end
+    end
+    due = due - STEP
+  end
+end
+
+local function draw_tile(tile, x, y)
+  local quad = love.graphics.newQuad(tile % 16 * TILE, math.floor(tile / 16) * TILE, TILE, TILE, 128, 128)
+  love.graphics.draw(sheet, quad, x, y)
+end
+
+function love.draw()
+  if not is_found then return love.graphics.print("Put bump.lua here: https://github.com/kikito/bump.lua", 20, 20) end
+  local width, height = love.graphics.getDimensions()
+  local zoom = math.max(1, math.floor(height / 180))
+  local left, top = camera(bodies, width / zoom, height / zoom)
+  love.graphics.push()
+  love.graphics.scale(zoom)
+  love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
+  for y = 0, level.height - 1 do
+    for x = 0, level.width - 1 do
+      local tile = level.tiles[y * level.width + x + 1]
+      if tile ~= 0 and not level.balls[tile] then draw_tile(tile, x * TILE, y * TILE) end
+    end
+  end
+  for _, body in ipairs(bodies) do
+    if body.tile then
+      draw_tile(body.tile, body.x, body.y)
+    else
+      love.graphics.rectangle("fill", body.x, body.y, body.w, body.h)
+    end
+  end
+  love.graphics.pop()
+  love.graphics.print(HELP, 8, height - 22)
+end
+
+function love.keypressed(key)
+  if key == "r" and is_found then start() end
+  if key == "escape" then love.event.quit() end
+end
