@@ -1,6 +1,19 @@
 -- Talus: boxes on slopes, swept exactly. Made by Talus from a level's needs; what the level has no use for is
 -- left out. Lua 5.3, 5.4 and LuaJIT give the same bits as the program: every sum is made in the same order.
--- Pixels, y down. See talus.new at the end.
+-- Pixels, y down; velocities in px a step.
+--
+--   local talus, level = require "talus", require "level"
+--   local world = talus.new(level)
+--   world:step {left = false, right = true, jump = false}   -- one frame further; all keys may be missing
+--   for _, body in ipairs(world.bodies) do draw(body.x, body.y, body.w, body.h) end
+--
+-- A body has kind ("ball" or "player"), x, y, w, h, vx, vy, grounded, and tile, where a tile of the map is one.
+-- Between steps you may change vx and vy, or x and y, and then set clear to false, which frees it from walls.
+-- world:add {kind = "ball", x = 40, y = 8} adds one. In games for LÖVE and TIC-80 step() also takes mouse_x,
+-- mouse_y and mouse_down, and drags bodies. Of the ground one can ask, for any box:
+--   world:floor(x, y, w, h, 16)      -- the floor's y, at most 16 px below, and its normal nx, ny; or nil
+--   world:cast(x, y, w, h, dx, dy)   -- its first contact on that way: t (0..1), x, y, nx, ny; or nil
+--   world:overlaps(x, y, w, h)       -- whether it is in the ground
 local floor, ceil, abs, sqrt, huge = math.floor, math.ceil, math.abs, math.sqrt, math.huge
 local TILE = 8.0                  -- px, side of a cell
 local ROUNDING = 8 * 2.0 ^ -52    -- what a few roundings make of a number, of its size

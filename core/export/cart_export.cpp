@@ -16,12 +16,18 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
   }
   FormatResult<std::string> runtime = lua_runtime(request, true);
   if (!runtime) return tl::unexpected(runtime.error());
-  const FormatResult<std::string> game = request.read_asset("templates/tic80/main.lua");
-  if (!game) return tl::unexpected(game.error());
+  std::vector<std::string> game;
+  for (const std::string name : {"camera", "curve_points", "tic80/main"}) {
+    const FormatResult<std::string> text = request.read_asset("templates/" + name + ".lua");
+    if (!text) return tl::unexpected(text.error());
+    const bool is_module = name != "tic80/main";
+    game.push_back(is_module ? name + "=(function()\n" + *text + "end)()\n" : *text);
+  }
   CartOrigin cart{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = ""};
-  cart.bytes = "-- title:  level\n-- author: made with Talus\n-- script: lua\ntalus=(function()\n" +
-               *runtime + "end)()\nlevel=(function()\n" + lua_level(level, false) + "end)()\n" +
-               join_lua_parts({*game});
+  cart.bytes =
+      "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
+      "drags, B starts again\n-- script: lua\ntalus=(function()\n" +
+      *runtime + "end)()\nlevel=(function()\n" + lua_level(level, false) + "end)()\n" + join_lua_parts(game);
   Level playable = level;
   playable.cart = std::make_shared<const CartOrigin>(std::move(cart));
   return playable;
@@ -31,7 +37,9 @@ FormatResult<Exported> export_playable(const ExportRequest& request,
                                        FormatResult<Exported> (*write)(const ExportRequest&)) {
   const FormatResult<Level> cart = playable_cart(request);
   if (!cart) return tl::unexpected(cart.error());
-  return write({*cart, request.name, request.read_asset});
+  FormatResult<Exported> written = write({*cart, request.name, request.read_asset});
+  if (written) written->code_bytes = cart->cart->bytes.size();  // a text without sections: code alone
+  return written;
 }
 
 }  // namespace

@@ -9,7 +9,9 @@ namespace talus {
 FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, false);
   if (!runtime) return tl::unexpected(runtime.error());
-  return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", lua_level(request.level)}}, {}};
+  std::string level = lua_level(request.level);
+  const std::size_t code = runtime->size() + level.size();
+  return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}}, {}, code};
 }
 
 FormatResult<Exported> export_love(const ExportRequest& request) {
@@ -19,10 +21,10 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
                 {"level.lua", lua_level(request.level)},
                 {"sheet.png", write_png_part(request.level, PngPart::tiles)}},
                {}};
-  for (const std::string name : {"main.lua", "conf.lua"}) {
-    FormatResult<std::string> text = request.read_asset("templates/love/" + name);
+  for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua"}) {
+    FormatResult<std::string> text = request.read_asset("templates/" + name);
     if (!text) return tl::unexpected(text.error());
-    out.files.push_back({name, std::move(*text)});
+    out.files.push_back({name.substr(name.find('/') + 1), std::move(*text)});
   }
   return out;
 }

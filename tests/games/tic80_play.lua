@@ -26,6 +26,7 @@ function spr(id, x, y, colorkey)
   assert(id >= 0 and id < 512 and x == x and y == y and colorkey == 0)
   drawn = drawn + 1
 end
+function line(x0, y0, x1, y1, color) assert(x0 == x0 and y0 == y0 and x1 == x1 and y1 == y1 and color < 16) end
 function rect(x, y, w, h, color)
   assert(x == x and y == y and w > 0 and h > 0 and color >= 0 and color < 16)
   drawn = drawn + 1

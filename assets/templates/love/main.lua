@@ -1,12 +1,15 @@
--- A level made with Talus. Arrows or A and D run, up, W or space jumps; the mouse drags bodies; R starts anew.
---   love . --trace FRAMES   prints frame, id, x, y, vx and vy of every body in every frame, and ends
-local talus = require "talus"
-local level = require "level"
+-- A level made with Talus, in LÖVE 11: `love .` runs it. It is yours to change; talus.lua tells what a world
+-- can do. `love . --trace FRAMES` prints frame, id, x, y, vx and vy of every body in every frame, and ends.
+local talus, level = require "talus", require "level"
+local area, camera = require "camera"(level)
+local curve_points = require "curve_points"
 
+local HELP = "arrows: run, jump     mouse: drag     R: start again     Esc: end"
+local HELP_TIME = 10      -- s; H shows it again
 local TILE = 8            -- px
 local STEP = 1 / 60       -- s
 local MOST_STEPS = 4      -- after a longer pause the rest is dropped
-local world, sheet, tiles, zoom, left, top, due
+local world, sheet, tiles, curves, zoom, left, top, due, help_left
 
 local function start()
   world, due = talus.new(level), 0
@@ -22,8 +25,8 @@ local function trace(frames)
   love.event.quit()
 end
 
--- The map never changes: it is drawn once into a batch. Balls are bodies, and tile 0 is the background.
-local function load_tiles()
+-- The ground never changes: its tiles are drawn once, into a batch. Balls are bodies, and tile 0 is the background.
+local function load_ground()
   local picture = love.image.newImageData("sheet.png")
   love.graphics.setBackgroundColor(picture:getPixel(0, 0))
   sheet = love.graphics.newImage(picture)
@@ -38,12 +41,15 @@ local function load_tiles()
       end
     end
   end
+  curves = {}
+  for i, curve in ipairs(level.curves) do curves[i] = curve_points(curve) end
 end
 
 function love.load(arguments)
   start()
+  help_left = HELP_TIME
   if arguments[1] == "--trace" then return trace(tonumber(arguments[2])) end
-  load_tiles()
+  load_ground()
 end
 
 local function is_down(...) return love.keyboard.isDown(...) end
@@ -54,55 +60,61 @@ local function input()
           mouse_x = left + x / zoom, mouse_y = top + y / zoom, mouse_down = love.mouse.isDown(1)}
 end
 
--- The first player is followed, or the first body.
-local function place_camera()
+-- Pixels are squares of whole pixels of the screen: 180 of them from top to bottom, or fewer for a small level.
+local function place_view()
   local width, height = love.graphics.getDimensions()
-  zoom = math.max(1, math.floor(height / 180))
-  local seen = world.bodies[1] or {x = 0, y = 0, w = 0, h = 0}
-  for _, body in ipairs(world.bodies) do
-    if body.kind == "player" then
-      seen = body
-      break
-    end
-  end
-  local function within(at, shown, whole) return math.max(0, math.min(at - shown / 2, whole - shown)) end
-  left = within(seen.x + seen.w / 2, width / zoom, level.width * TILE)
-  top = within(seen.y + seen.h / 2, height / zoom, level.height * TILE)
+  local whole = math.min(width / (area.right - area.left), height / (area.bottom - area.top))
+  zoom = math.max(1, math.floor(math.max(height / 180, whole)))
+  left, top = camera(world.bodies, width / zoom, height / zoom)
 end
 
 function love.update(seconds)
-  place_camera()
+  place_view()
   due = math.min(due + seconds, MOST_STEPS * STEP)
   while due >= STEP do
     world:step(input())
     due = due - STEP
   end
+  help_left = help_left - seconds
+end
+
+local function draw_body(body)
+  if body.tile then
+    local quad = love.graphics.newQuad(body.tile % 16 * TILE, math.floor(body.tile / 16) * TILE, TILE, TILE,
+                                       sheet:getDimensions())
+    love.graphics.setColor(1, 1, 1)
+    love.graphics.draw(sheet, quad, body.x, body.y)
+  else
+    if body.kind == "player" then
+      love.graphics.setColor(0.25, 0.65, 0.96)
+    else
+      love.graphics.setColor(0.94, 0.49, 0.34)
+    end
+    love.graphics.rectangle("fill", body.x, body.y, body.w, body.h)
+  end
 end
 
 function love.draw()
-  place_camera()
+  place_view()
+  love.graphics.push()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
   love.graphics.setColor(1, 1, 1)
   love.graphics.draw(tiles)
-  for _, body in ipairs(world.bodies) do
-    if body.tile then
-      local quad = love.graphics.newQuad(body.tile % 16 * TILE, math.floor(body.tile / 16) * TILE, TILE, TILE,
-                                         sheet:getDimensions())
-      love.graphics.setColor(1, 1, 1)
-      love.graphics.draw(sheet, quad, body.x, body.y)
-    else
-      if body.kind == "player" then
-        love.graphics.setColor(0.25, 0.65, 0.96)
-      else
-        love.graphics.setColor(0.94, 0.49, 0.34)
-      end
-      love.graphics.rectangle("fill", body.x, body.y, body.w, body.h)
-    end
+  for _, points in ipairs(curves) do love.graphics.line(points) end
+  for _, body in ipairs(world.bodies) do draw_body(body) end
+  love.graphics.pop()
+  if help_left > 0 then
+    local height = love.graphics.getHeight()
+    love.graphics.setColor(0, 0, 0, 0.6)
+    love.graphics.rectangle("fill", 0, height - 26, love.graphics.getFont():getWidth(HELP) + 16, 26)
+    love.graphics.setColor(1, 1, 1)
+    love.graphics.print(HELP, 8, height - 21)
   end
 end
 
 function love.keypressed(key)
   if key == "r" then start() end
+  if key == "h" then help_left = HELP_TIME end
   if key == "escape" then love.event.quit() end
 end

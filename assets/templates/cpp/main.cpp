@@ -1,0 +1,87 @@
+// A game in the terminal: plays a level made with Talus, to the same doubles as the editor.
+//   game [FILE [FRAMES [KEYS]]]
+// FILE: a level or a TIC-80 cart; by default level.talus.json beside this file. Without FRAMES it plays at 60
+// frames a second until Ctrl+C; with FRAMES it makes so many steps, shows the last one and prints its hash,
+// which is that of `talus sim FILE --frames FRAMES --hash`. KEYS are what a player does, a letter for 10
+// frames: l left, r right, j jump, L and R with a jump, others nothing; after the last one nothing is held.
+#include <formats/format.h>
+#include <sim/solver.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+namespace {
+
+constexpr int kColumns = 78, kRows = 20;  // of the view, in tiles
+constexpr std::size_t kFramesOfKey = 10;
+
+// What the player holds in the step that leads to a frame, from 1.
+talus::Input keys_at(const std::string& keys, std::int64_t frame) {
+  const auto at = static_cast<std::size_t>(frame - 1) / kFramesOfKey;
+  const char key = at < keys.size() ? keys[at] : '.';
+  talus::Input input;
+  input.left = key == 'l' || key == 'L';
+  input.right = key == 'r' || key == 'R';
+  input.jump = key == 'j' || key == 'L' || key == 'R';
+  return input;
+}
+
+char letter_of(const talus::TileShape& shape) {
+  if (shape.kind == talus::TileShape::Kind::none) return ' ';
+  if (shape.one_way) return '-';
+  if (shape.kind == talus::TileShape::Kind::solid) return '#';
+  return shape.heights.front() < shape.heights.back() ? '/' : '\\';
+}
+
+// The part of the level around its first body, a character a tile.
+std::string view_of(const talus::Level& level, const talus::State& state) {
+  talus::Cell corner{0, 0};
+  if (!state.bodies.empty()) {
+    const talus::Rect& box = state.bodies.front().box;
+    corner = {talus::cell_of(box.x) - kColumns / 2, talus::cell_of(box.y) - kRows / 2};
+  }
+  std::string view;
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      const talus::Cell cell{corner.x + column, corner.y + row};
+      view += level.map.contains(cell) ? letter_of(shape_of_tile(level, level.map.at(cell))) : ' ';
+    }
+    view += '\n';
+  }
+  for (const talus::Body& body : state.bodies) {
+    const int column = talus::cell_of(body.box.x + body.box.w / 2) - corner.x;
+    const int row = talus::cell_of(body.box.y + body.box.h / 2) - corner.y;
+    if (column < 0 || column >= kColumns || row < 0 || row >= kRows) continue;
+    const auto at = static_cast<std::size_t>(row) * (kColumns + 1) + static_cast<std::size_t>(column);
+    view[at] = body.kind == talus::BodyKind::player ? '@' : 'o';
+  }
+  return view;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string file = argc > 1 ? argv[1] : LEVEL_FILE, keys = argc > 3 ? argv[3] : "";
+  const auto loaded = talus::load_level(file);
+  if (!loaded) {
+    std::cerr << talus::to_string(loaded.error(), file) << '\n';
+    return 1;
+  }
+  const auto scene = std::make_shared<const talus::Scene>(talus::compile_scene(loaded->level));
+  const auto solver = talus::make_solver(scene);
+  talus::State state = talus::initial_state(*scene);
+
+  if (argc > 2) {
+    for (const int frames = std::atoi(argv[2]); state.frame < frames;)
+      solver->step(state, keys_at(keys, state.frame + 1));
+    std::cout << view_of(loaded->level, state) << std::hex << talus::state_hash(state) << '\n';
+    return 0;
+  }
+  for (auto due = std::chrono::steady_clock::now();; due += std::chrono::microseconds(16'667)) {
+    std::this_thread::sleep_until(due);
+    solver->step(state, keys_at(keys, state.frame + 1));
+    std::cout << "\x1b[H\x1b[2J" << view_of(loaded->level, state) << std::flush;
+  }
+}
