@@ -2,6 +2,7 @@
 // them out. Tests and the command palette speak the same language.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,7 +71,7 @@ struct Redo {};
 
 // --- files. What would lose unsaved changes is asked about first: see Session::question().
 struct NewLevel {};
-struct OpenFile {  // a level, or a recording with its level
+struct OpenFile {  // a level, or a recording with its level; a PNG without a cart in it as OpenPng
   std::string path;
   bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
 };
@@ -85,6 +86,16 @@ struct ExportPng {
   PngPart part = PngPart::tiles;
   std::string path;
 };
+// Looks at what a preset of the level would write: see Session::exporting(). Of none: nothing happens.
+struct PreviewExport {
+  std::size_t preset = 0;  // index
+};
+// Exports presets of the level as it is now, in the background; a message tells what came of it. While that
+// goes on, nothing happens. Files that no export wrote are asked about first: see Session::question().
+struct RunExports {
+  std::optional<std::size_t> preset = {};  // index; nothing: all
+};
+struct CancelExport {};
 struct OpenPng {  // to be taken into the level: see Session::png_import()
   std::string path;
 };
@@ -95,8 +106,9 @@ struct ApplyPngImport {};  // while its plan is an error, nothing happens
 struct CancelPngImport {};
 struct Quit {};
 // To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep. To "drop this
-// run": discard or cancel.
-enum class Answer { save, discard, cancel, reload, keep };
+// run": discard or cancel. To "replace these files": replace or cancel. To "keep
+// the recording": save, discard or cancel.
+enum class Answer { save, discard, cancel, reload, keep, replace };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;
 };
@@ -104,9 +116,10 @@ struct CancelSaveAs {};
 // A level that was saved by itself before the program was killed: its file is opened, if it has one, and the
 // level comes as a change of it that can be undone. Asks as OpenFile does.
 struct RecoverLevel {
-  std::shared_ptr<const Level> level;  // never null
-  std::string path;                    // empty: none
-  std::string name;                    // for titles, without a path
+  std::shared_ptr<const Level> level;               // never null
+  std::string path;                                 // empty: none
+  std::string name;                                 // for titles, without a path
+  std::shared_ptr<const Recording> recording = {};  // of a run that was saved with it; null: none
 };
 // Looks whether another program has changed the level's file; see Session::question().
 struct CheckFile {};
@@ -298,22 +311,45 @@ struct SetScreenBorders {
 
 using Action = std::variant<
     action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile, action::SaveRecording,
-    action::SaveFile, action::SaveFileAs, action::ExportPng, action::OpenPng, action::SetPngImport,
-    action::ApplyPngImport, action::CancelPngImport, action::Quit, action::AnswerQuestion,
-    action::CancelSaveAs, action::RecoverLevel, action::CheckFile, action::ShowMessage,
-    action::DismissMessage, action::Play, action::Pause, action::TogglePlay, action::StepFrame,
-    action::ResetPlay, action::SetSpeed, action::HoldMouse, action::HoldKeys, action::StepBack,
-    action::SeekStart, action::SeekEnd, action::SeekFrame, action::SetMark, action::RemoveMark,
-    action::JumpToMark, action::TakeOver, action::SwitchBranch, action::DropBranch, action::CompareBranch,
-    action::SetInput, action::SetMouse, action::SetEditRule, action::Rerun, action::CancelRerun,
-    action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop, action::FindParting,
-    action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant, action::SelectBody,
-    action::SelectSpawn, action::SelectCurve, action::SetCurveKind, action::SelectTiles, action::SetStamp,
-    action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool, action::SetSpriteTool,
-    action::SetBrush, action::SelectPixels, action::MovePixels, action::TurnPixels, action::PastePixels,
-    action::SetColor, action::SetOverlay, action::SetFlagOverlay, action::SetOverlayPalette,
-    action::FindReach, action::CancelReach, action::ShowWay, action::SetLintOptions, action::SetGrid,
-    action::SetScreenBorders>;
-using Actions = std::vector<Action>;
+    action::SaveFile, action::SaveFileAs, action::ExportPng, action::PreviewExport, action::RunExports,
+    action::CancelExport, action::OpenPng, action::SetPngImport, action::ApplyPngImport,
+    action::CancelPngImport, action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel,
+    action::CheckFile, action::ShowMessage, action::DismissMessage, action::Play, action::Pause,
+    action::TogglePlay, action::StepFrame, action::ResetPlay, action::SetSpeed, action::HoldMouse,
+    action::HoldKeys, action::StepBack, action::SeekStart, action::SeekEnd, action::SeekFrame,
+    action::SetMark, action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch,
+    action::DropBranch, action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule,
+    action::Rerun, action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
+    action::FindParting, action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant,
+    action::SelectBody, action::SelectSpawn, action::SelectCurve, action::SetCurveKind, action::SelectTiles,
+    action::SetStamp, action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool,
+    action::SetSpriteTool, action::SetBrush, action::SelectPixels, action::MovePixels, action::TurnPixels,
+    action::PastePixels, action::SetColor, action::SetOverlay, action::SetFlagOverlay,
+    action::SetOverlayPalette, action::FindReach, action::CancelReach, action::ShowWay,
+    action::SetLintOptions, action::SetGrid, action::SetScreenBorders>;
+
+// What was done since it was last looked at, in order.
+class Actions {
+ public:
+  Actions();
+  Actions(std::initializer_list<Action> actions);
+  Actions(const Actions& other);
+  Actions(Actions&& other) noexcept;
+  Actions& operator=(const Actions& other);
+  Actions& operator=(Actions&& other) noexcept;
+  ~Actions();
+
+  // A: one of the alternatives of Action. Compiled in actions.cpp for each of them, as are the members above:
+  // in every panel they would be most of the time that it takes to compile.
+  template <class A>
+  void push_back(A action);
+
+  bool empty() const { return begin() == end(); }
+  const Action* begin() const;
+  const Action* end() const;
+
+ private:
+  std::vector<Action> list_;
+};
 
 }  // namespace talus

@@ -33,7 +33,8 @@ bool changes_scene(const Level& level, const Change& change) {
         } else {
           return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
                    std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> ||
-                   std::is_same_v<T, BrushesChange> || std::is_same_v<T, AutoTilesChange>);
+                   std::is_same_v<T, BrushesChange> || std::is_same_v<T, AutoTilesChange> ||
+                   std::is_same_v<T, ExportsChange>);
         }
       },
       change);
@@ -41,12 +42,13 @@ bool changes_scene(const Level& level, const Change& change) {
 
 }  // namespace
 
-Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_name)
+Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_name, ExportTools tools)
     : level(std::move(opened)),
       name(std::move(unsaved_name)),
       path(std::move(opened_path)),
       format(path.empty() ? nullptr : format_for_file(path)),
-      player(level) {
+      player(level),
+      exporting(std::move(tools)) {
   note_file();
   read_hard_case();
 }
@@ -187,13 +189,11 @@ void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
   }
 }
 
-Session::Session(Level level, std::string path, std::string name)
-    : impl_(std::make_unique<Impl>(std::move(level), std::move(path), std::move(name))) {
+Session::Session(Level level, std::string path, std::string name, ExportTools tools)
+    : impl_(std::make_unique<Impl>(std::move(level), std::move(path), std::move(name), std::move(tools))) {
   impl_->debugger.follow(timeline(), this->level());
 }
 Session::~Session() = default;
-
-void Session::apply(const Action& action) { apply(Actions{action}); }
 
 void Session::apply(const Actions& actions) {
   for (const Action& action : actions) std::visit([this](const auto& a) { impl_->carry_out(a); }, action);
@@ -231,11 +231,18 @@ const State* Session::other_state() const { return impl_->debugger.other_state(t
 const StepTimes& Session::step_times() const { return impl_->player.step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }
+const Exporting& Session::exporting() const { return impl_->exporting; }
 std::optional<double> Session::compile_progress() const {
   return impl_->compiler.is_busy() ? std::optional(impl_->compiler.progress()) : std::nullopt;
 }
 const std::optional<PngImport>& Session::png_import() const { return impl_->png_import; }
+const Branch* Session::unsaved_run() const {
+  const auto run = impl_->handmade_runs.latest();
+  return run ? timeline().find(*run) : nullptr;
+}
+std::uint64_t Session::runs_revision() const { return impl_->handmade_runs.revision(); }
 bool Session::wants_save_as() const { return impl_->wants_save_as; }
+bool Session::wants_save_recording() const { return impl_->wants_save_recording; }
 bool Session::wants_quit() const { return impl_->wants_quit; }
 int Session::next_stroke() const { return impl_->last_stroke + 1; }
 

@@ -2,6 +2,7 @@
 // to change it is apply(); panels see it const.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "actions.h"
 #include "debugger.h"
 #include "edit/undo_stack.h"
+#include "exporting.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
 #include "level/lint.h"
@@ -66,7 +68,7 @@ struct Message {
 
 // Something that would lose unsaved changes waits for an answer.
 struct Question {
-  enum class Kind { unsaved_changes, changed_outside, drop_branch };
+  enum class Kind { unsaved_changes, changed_outside, drop_branch, replace_files, unsaved_run };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;
 };
@@ -83,8 +85,9 @@ struct Question {
 class Session {
  public:
   // path: the file that the level was read from, in the format of its extension; empty: none. name: for
-  // titles, while there is no file.
-  explicit Session(Level level = Level(), std::string path = {}, std::string name = kUnnamed);
+  // titles, while there is no file. tools: for exports.
+  explicit Session(Level level = Level(), std::string path = {}, std::string name = kUnnamed,
+                   ExportTools tools = {});
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -92,8 +95,13 @@ class Session {
   // Carries actions out, in order. An edit is fitted to the level as it is by then (see rebase_edit). What
   // the simulation sees of an edit is in the next step: bodies go on from where they are, except that at
   // frame 0 they start anew from the edited level. With a recording, edit_rule() may say otherwise.
-  void apply(const Action& action);
   void apply(const Actions& actions);
+  template <class A>  // one of Action's alternatives, or an Action
+  requires(!std::same_as<A, Actions>) void apply(A action) {
+    Actions one;
+    one.push_back(std::move(action));
+    apply(one);
+  }
   // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a
   // longer pause the rest is dropped.
   void advance(double seconds);
@@ -124,6 +132,10 @@ class Session {
   const std::vector<TrailPoint>& trail(const Branch& branch, int body, std::int64_t first,
                                        std::int64_t last) const;
   const Choices& choices() const;
+  // The run with marks or inputs of the user's that was worked on last, and that no file has; null: none.
+  // What loses it asks first; it is saved by SaveRecording.
+  const Branch* unsaved_run() const;
+  std::uint64_t runs_revision() const;  // grows when the answer may be another one
 
   // What stops, is watched and is compared; brought up to what is shown by apply() and advance().
   const Debugger& debugger() const;
@@ -131,7 +143,8 @@ class Session {
   const std::vector<Stage>& stages() const;  // of the chosen body's step to the shown frame
   const State* other_state() const;          // of the other side of a comparison; null: none, or not yet run
   const StepTimes& step_times() const;
-  const ReachFinder& reach() const;  // where a player of the level gets to
+  const ReachFinder& reach() const;    // where a player of the level gets to
+  const Exporting& exporting() const;  // what exports do, and the last preview of one
   // How far a large level is compiled that was edited or opened, 0..1; until it is, the simulation goes on as
   // it was before. Nothing: it sees the level as it is.
   std::optional<double> compile_progress() const;
@@ -140,6 +153,7 @@ class Session {
   const std::optional<Question>& question() const;     // waits for AnswerQuestion
   const std::optional<PngImport>& png_import() const;  // waits for ApplyPngImport or CancelPngImport
   bool wants_save_as() const;                          // waits for SaveFileAs or CancelSaveAs
+  bool wants_save_recording() const;                   // waits for SaveRecording or CancelSaveAs
   bool wants_quit() const;                             // the program should end
 
   // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and

@@ -213,7 +213,7 @@ TEST_F(SessionFiles, UnsavedChangesAreAskedAbout) {
   session_.apply(act::SaveFileAs{file("a.tic")});
   const std::string path = other_file("b.tic", 9);
   paint(6);
-  for (const Action& losing : Actions{act::OpenFile{path}, act::NewLevel{}, act::Quit{}}) {
+  for (const Action& losing : std::vector<Action>{act::OpenFile{path}, act::NewLevel{}, act::Quit{}}) {
     session_.apply(losing);
     ASSERT_TRUE(session_.question());
     EXPECT_EQ(session_.question()->text, "Save the changes to a.tic?");
