@@ -224,6 +224,9 @@ FormatResult<std::vector<std::string>> dropped_by_carts(const Level& level) {
   }
   if (level.palette == Palette{})
     dropped.emplace_back("the palette (TIC-80 takes an all-black one for none)");
+  if (!level.brushes.empty()) dropped.emplace_back("the brushes");
+  if (!level.auto_tiles.empty()) dropped.emplace_back("the tiles of painted ground");
+  if (!level.exports.empty()) dropped.push_back(counted(level.exports.size(), "export preset"));
   if (!level.extra.empty()) dropped.emplace_back("keys that this version does not know");
   return dropped;
 }

@@ -13,6 +13,7 @@
 #include "json_text.h"
 #include "native_brushes.h"
 #include "native_cart.h"
+#include "native_exports.h"
 #include "native_flags.h"
 #include "native_objects.h"
 
@@ -38,6 +39,7 @@ class Reader {
     take(document, "brushes", [this](Json& v) { keep(take_brushes(v), level_.brushes); });
     take_object(document, "auto_tiles", "auto_tiles",
                 [this](Json& v) { keep(take_auto_tiles(v), level_.auto_tiles); });
+    take(document, "exports", [this](Json& v) { keep(take_exports(v), level_.exports); });
     take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
       read_shapes(v, "flag_shapes", "is no flag from 0 to 7", level_.flag_shapes);
     });
@@ -422,6 +424,8 @@ FormatResult<Json> document_of(const Level& level) {
   if (const auto good = put_list(json_of(level.brushes), "brushes", document); !good)
     return tl::unexpected(good.error());
   if (!level.auto_tiles.empty()) put_auto_tiles(level.auto_tiles, object_in(document, "auto_tiles"));
+  if (const auto good = put_list(json_of(level.exports), "exports", document); !good)
+    return tl::unexpected(good.error());
   for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
   put_map(level.map, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
@@ -434,14 +438,15 @@ std::vector<std::string_view> key_order() {
       "talus",      "palette", "flag_names", "flag_fields", "name",        "first",  "bits",
       "values",     "kind",    "side",       "faces",       "roles",       "solid",  "up_slope",
       "down_slope", "ball",    "one_way",    "ceiling",     "flag_shapes", "tuning", "spawns",
-      "curves",     "brushes", "auto_tiles", "tile_shapes", "tiles",       "random", "heights",
-      "sprites",    "map",     "cart",       "solver"};
+      "curves",     "brushes", "auto_tiles", "exports",     "tile_shapes", "tiles",  "random",
+      "heights",    "sprites", "map",        "cart",        "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(order.end(), {"x",      "y",          "vx",        "vy",         "size",    "foot",   "from",
-                             "to",     "from_slope", "to_slope",  "center",     "radius",  "x0",     "x1",
-                             "upper",  "middle",     "amplitude", "wavelength", "origin",  "ys",     "flags",
-                             "pixels", "width",      "height",    "rows",       "comment", "chunks", "lines",
-                             "chunk",  "bank",       "reserved",  "code",       "data"});
+  order.insert(
+      order.end(),
+      {"x",        "y",      "vx",     "vy",       "size",  "foot",   "from",   "to",        "from_slope",
+       "to_slope", "center", "radius", "x0",       "x1",    "upper",  "middle", "amplitude", "wavelength",
+       "origin",   "ys",     "flags",  "pixels",   "width", "height", "rows",   "comment",   "chunks",
+       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "on_save"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());
@@ -468,7 +473,8 @@ FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&
   try {
     return WrittenLevel{print_json(*document, key_order()), {}};
   } catch (const Json::exception&) {
-    return tl::unexpected(FormatError{"", "a name of a flag, spawn, curve or brush is not valid UTF-8"});
+    return tl::unexpected(
+        FormatError{"", "a name of a flag, spawn, curve, brush or export is not valid UTF-8"});
   }
 }
 

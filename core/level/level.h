@@ -10,6 +10,7 @@
 #include "../collision/shape.h"
 #include "auto_tiles.h"
 #include "brushes.h"
+#include "exports.h"
 #include "flag_fields.h"
 #include "flag_roles.h"
 #include "tile_map.h"
@@ -68,6 +69,7 @@ struct Level {
   std::vector<Spawn> spawns;
   std::vector<Brush> brushes;  // at most kMaxBrushes
   AutoTiles auto_tiles;
+  std::vector<ExportPreset> exports;       // at most kMaxExports
   std::shared_ptr<const CartOrigin> cart;  // null for a level that never was a cart
   std::string extra;                       // JSON object of keys that this version does not know, or empty
 

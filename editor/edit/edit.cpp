@@ -67,6 +67,10 @@ auto& place(L& level, const AutoTilesChange&) {
   return level.auto_tiles;
 }
 template <class L>
+auto& place(L& level, const ExportsChange&) {
+  return level.exports;
+}
+template <class L>
 auto& place(L& level, const LevelChange&) {
   return level;
 }

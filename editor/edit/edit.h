@@ -69,6 +69,9 @@ struct BrushesChange {
 struct AutoTilesChange {
   AutoTiles before, after;
 };
+struct ExportsChange {
+  std::vector<ExportPreset> before, after;
+};
 // A whole level that stands in for its value in a change, so that other changes stay small.
 class LevelCopy {
  public:
@@ -89,7 +92,7 @@ struct MapChange {  // the whole map: its size, or too many cells to list
 using Change =
     std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, FlagFieldsChange,
                  RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange,
-                 BrushesChange, AutoTilesChange, LevelChange, MapChange>;
+                 BrushesChange, AutoTilesChange, ExportsChange, LevelChange, MapChange>;
 
 // What an edit does to the selection of cells on the map, so that undo takes that back too.
 struct SelectionChange {

@@ -241,7 +241,7 @@ TEST(Native, WhatCouldNotBeReadIsNotWritten) {
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
   EXPECT_EQ(write_native(level, {}).error().message,
-            "a name of a flag, spawn, curve or brush is not valid UTF-8");
+            "a name of a flag, spawn, curve, brush or export is not valid UTF-8");
   level.spawns.clear();
   level.tuning.article.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");

@@ -1,0 +1,22 @@
+// What a level is exported to: presets that are kept with it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace talus {
+
+inline constexpr std::size_t kMaxExports = 100;      // of a level
+inline constexpr std::size_t kMaxExportText = 4096;  // bytes of each text of a preset
+
+// A target and where it is written.
+struct ExportPreset {
+  std::string name;      // for people and for `talus export --preset`; may be empty or repeated
+  std::string exporter;  // id in export/exporter.h, "love"; one that this version does not know is kept
+  std::string path;      // of the file or folder, with '/': from the folder of the level's file, or absolute
+  bool on_save = false;  // the editor exports it whenever it saves the level
+  std::string extra;     // JSON object of keys that this version does not know, or empty
+  friend bool operator==(const ExportPreset&, const ExportPreset&) = default;
+};
+
+}  // namespace talus
