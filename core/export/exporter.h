@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,7 +23,11 @@ struct ExportedFile {
 struct Exported {
   std::vector<ExportedFile> files;   // at least one
   std::vector<std::string> dropped;  // what could not be held, one phrase each as in WrittenLevel::dropped
+  // Of code that TIC-80 is to run: how much of its kMostTicCode bytes the exporter's part of it takes.
+  std::optional<std::size_t> code_bytes = {};
 };
+
+inline constexpr std::size_t kMostTicCode = 65'536;  // bytes of code that TIC-80's free version holds
 
 // The text of one of the files that come with the program, such as "runtime/base.lua".
 using ReadAsset = std::function<FormatResult<std::string>(const std::string& name)>;
@@ -42,6 +47,7 @@ struct Exporter {
   // That the file's name may have, without the dot; the first is the usual one. Empty: a folder is named.
   std::span<const std::string_view> extensions;
   FormatResult<Exported> (*write)(const ExportRequest& request);
+  std::string_view purpose = {};  // one sentence on what it is for and what is in it; may be empty
 
   bool is_folder() const { return extensions.empty(); }
 };
@@ -52,9 +58,17 @@ const Exporter* find_exporter(std::string_view id);  // null when there is none
 // One sentence on why `output` is no name for what the exporter writes; empty when it is one.
 std::string name_problem(const Exporter& exporter, const std::string& output);
 
-// Writes the file `output` and those beside it, or all files of the folder `output`, which is made where it
-// is missing; each as write_file_atomic does.
-FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
+// Where each of the files goes, in their order: the file `output` and those beside it, or in the folder.
+std::vector<std::string> paths_of(const Exporter& exporter, const Exported& exported,
                                   const std::string& output);
+
+// Told before each file how many have been written, of how many bytes; false: go no further.
+using WriteProgress = std::function<bool(std::size_t files, std::size_t bytes)>;
+
+// Writes them there, and makes the folders that are missing. All are written beside their places first and
+// then put there together, as StagedFile does: after an error, or when `progress` ends it, all old files are
+// as they were. The error's place is the name of the file, where it has one.
+FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
+                                  const std::string& output, const WriteProgress& progress = nullptr);
 
 }  // namespace talus

@@ -114,29 +114,47 @@ FormatResult<std::string> read_file(const std::string& path) {
 }
 
 FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes) {
+  auto staged = StagedFile::write(path, bytes);
+  if (!staged) return tl::unexpected(staged.error());
+  return staged->put();
+}
+
+FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes) {
   const fs::path target = follow_links(path);
   struct stat old = {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
   if (!exists && errno != ENOENT)
     return failure("cannot be written", errno);  // a loop of links, a forbidden path
   if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return write_in_place(target, bytes);
+  if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", bytes);
   // rename() would replace a write-protected file: its directory's permissions alone decide.
   if (exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
 
   std::string temporary;
   File file(create_temporary(target, temporary));
   if (!file.is_open()) return failure("cannot be written", errno);
+  StagedFile staged(target.string(), std::move(temporary), bytes);
   const bool done = (!exists || ::fchmod(file.get(), old.st_mode & 07777) == 0) &&
-                    write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close() &&
-                    ::rename(temporary.c_str(), target.c_str()) == 0;
-  if (!done) {
-    const int error_number = errno;
-    ::unlink(temporary.c_str());
-    return failure("cannot be written", error_number);
-  }
-  sync_directory(target);
+                    write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close();
+  if (!done) return failure("cannot be written", errno);
+  return staged;
+}
+
+FormatResult<void> StagedFile::put() {
+  if (temporary_.empty()) return write_in_place(target_, bytes_);
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failure("cannot be written", errno);
+  temporary_.clear();
+  sync_directory(target_);
   return {};
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      bytes_(other.bytes_) {}
+
+StagedFile::~StagedFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 }  // namespace talus

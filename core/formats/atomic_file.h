@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "format.h"
 
@@ -20,5 +21,24 @@ FormatResult<std::string> read_file(const std::string& path);
 // a device or pipe is written in place. After an error the old file is untouched and no temporary remains;
 // only a process killed between two system calls can leave its temporary, ".NAME.PID-N.tmp", beside the file.
 FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes);
+
+// The same in two steps, for files that belong together: all are written, then all are put in place.
+class StagedFile {
+ public:
+  // Writes the temporary file. bytes: must live until put(), which writes devices and pipes.
+  static FormatResult<StagedFile> write(const std::string& path, std::string_view bytes);
+  StagedFile(StagedFile&& other) noexcept;
+  StagedFile& operator=(StagedFile&&) = delete;
+  ~StagedFile();             // without put(), the old file stays and the temporary goes
+  FormatResult<void> put();  // once
+
+ private:
+  StagedFile(std::string target, std::string temporary, std::string_view bytes)
+      : target_(std::move(target)), temporary_(std::move(temporary)), bytes_(bytes) {}
+
+  std::string target_;
+  std::string temporary_;  // empty: it is written in place, or has been put
+  std::string_view bytes_;
+};
 
 }  // namespace talus

@@ -1,0 +1,152 @@
+// Making an export without writing it, and the paths of presets.
+#include "export_plan.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "../formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+using Field = ExportProblem::Field;
+
+tl::unexpected<ExportProblem> problem_at(Field field, std::string message, std::string place = {}) {
+  return tl::unexpected(ExportProblem{field, {std::move(place), std::move(message)}});
+}
+
+// Why a file cannot be written there, as far as can be told without doing it; empty: nothing is known.
+std::string place_problem(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return path.string() + " is a folder, where a file is to be written";
+  const auto denied = [](const fs::path& what) {
+    return what.string() + " cannot be written: " + std::generic_category().message(errno);
+  };
+  if (fs::exists(path, error)) return ::access(path.c_str(), W_OK) == 0 ? "" : denied(path);
+  fs::path folder = path.parent_path();
+  while (!folder.empty() && folder != folder.root_path() && !fs::exists(folder, error))
+    folder = folder.parent_path();
+  if (folder.empty()) folder = ".";
+  if (!fs::is_directory(folder, error)) return folder.string() + " is a file, where a folder is needed";
+  return ::access(folder.c_str(), W_OK) == 0 ? "" : denied(folder);
+}
+
+PlannedFile plan_file(const std::string& path, const ExportedFile& file) {
+  PlannedFile planned{.path = path,
+                      .name = file.name.empty() ? fs::path(path).filename().string() : file.name,
+                      .size = file.bytes.size(),
+                      .old = {}};
+  std::error_code error;
+  if (path.empty() || !fs::exists(path, error)) return planned;
+  planned.place = PlannedFile::Place::other;
+  planned.old_size = fs::file_size(path, error);
+  if (error) planned.old_size = 0;
+  const auto bytes = read_file(path);
+  if (!bytes) return planned;
+  planned.old = content_hash(*bytes);
+  if (*bytes == file.bytes) planned.place = PlannedFile::Place::same;
+  return planned;
+}
+
+std::string with_commas(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+}  // namespace
+
+std::uint64_t content_hash(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view id,
+                                                    const std::string& output, const ReadAsset& read_asset) {
+  const Exporter* exporter = find_exporter(id);
+  if (exporter == nullptr)
+    return problem_at(Field::target, id.empty() ? "no target is chosen"
+                                                : "\"" + std::string(id) + "\" is no target of this version");
+  if (const std::string problem = name_problem(*exporter, output); !output.empty() && !problem.empty())
+    return problem_at(Field::path, fs::path(output).filename().string() + " " + problem);
+  auto exported = exporter->write({level, fs::path(output).filename().string(), read_asset});
+  if (!exported) return problem_at(Field::level, exported.error().message, exported.error().place);
+  ExportPlan plan{exporter, output, *std::move(exported), {}};
+  const auto paths = output.empty() ? std::vector<std::string>(plan.content.files.size())
+                                    : paths_of(*exporter, plan.content, output);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (const std::string problem = paths[i].empty() ? "" : place_problem(paths[i]); !problem.empty())
+      return problem_at(Field::path, problem);
+    plan.files.push_back(plan_file(paths[i], plan.content.files[i]));
+  }
+  return plan;
+}
+
+tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress) {
+  const auto written = write_exported(*plan.exporter, plan.content, plan.output, progress);
+  if (!written) return tl::unexpected(ExportProblem{Field::path, written.error()});
+  return {};
+}
+
+std::string summary_of(const ExportPlan& plan) {
+  std::size_t bytes = 0;
+  for (const PlannedFile& file : plan.files) bytes += file.size;
+  const std::size_t count = plan.files.size();
+  return plan.output + ": " + std::to_string(count) + (count == 1 ? " file, " : " files, ") +
+         with_commas(bytes) + " bytes";
+}
+
+tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,
+                                                   const std::string& level_file) {
+  const fs::path path(preset.path), file(level_file);
+  if (path.empty()) return problem_at(Field::path, "no file or folder is named");
+  if (path.is_relative() && level_file.empty()) {
+    return problem_at(Field::path,
+                      "this level has no file yet, which the path is counted from: save it first, or give a "
+                      "whole path, from /");
+  }
+  const fs::path output = (file.parent_path() / path).lexically_normal();
+  if (output == file.lexically_normal())
+    return problem_at(Field::path, "this is the level's own file, which saving writes: name another one");
+  return output.string();
+}
+
+std::string path_for(const std::string& output, const std::string& level_file) {
+  const fs::path to = fs::path(output).lexically_normal();
+  const fs::path from = fs::path(level_file).parent_path().lexically_normal();
+  if (level_file.empty() || to.is_relative() != from.is_relative()) return to.generic_string();
+  // Paths that share nothing but the root stay absolute: both ends are not moved together.
+  const auto first = [](const fs::path& path) {
+    const fs::path below = path.relative_path();
+    return below.empty() ? fs::path() : *below.begin();
+  };
+  if (to.is_absolute() && first(to) != first(from)) return to.generic_string();
+  return to.lexically_relative(from).generic_string();
+}
+
+std::string usual_path(const Exporter& exporter, const std::string& level_name) {
+  if (exporter.is_folder()) return "export/" + std::string(exporter.id);
+  const std::string stem = level_name.substr(0, level_name.find('.'));
+  return "export/" + (stem.empty() ? "level" : stem) + "." + std::string(exporter.extensions.front());
+}
+
+std::string path_for_other(const std::string& path, const Exporter& before, const Exporter& after,
+                           const std::string& level_name) {
+  if (path.empty() || path == usual_path(before, level_name)) return usual_path(after, level_name);
+  std::string stem = path;
+  for (const std::string_view extension : before.extensions) {
+    const std::string ending = "." + std::string(extension);
+    if (!stem.ends_with(ending)) continue;
+    stem.resize(stem.size() - ending.size());
+    break;
+  }
+  return after.is_folder() ? stem : stem + "." + std::string(after.extensions.front());
+}
+
+}  // namespace talus

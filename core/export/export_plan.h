@@ -1,0 +1,58 @@
+// What an export would write, and what is there now; and where the paths of a level's presets lead.
+#pragma once
+
+#include <optional>
+
+#include "exporter.h"
+
+namespace talus {
+
+struct PlannedFile {
+  // What is at its place now; "other" is anything but a file with the same bytes.
+  enum class Place { empty, same, other };
+  std::string path;
+  std::string name;      // of the file, for people: within the output folder, or without folders
+  std::size_t size = 0;  // bytes
+  Place place = Place::empty;
+  std::uintmax_t old_size = 0;       // bytes, of a file that is there
+  std::optional<std::uint64_t> old;  // content_hash of a file that is there; none: it cannot be read
+};
+
+// Of the bytes of a file, equal on every machine: FNV-1a.
+std::uint64_t content_hash(std::string_view bytes);
+
+struct ExportPlan {
+  const Exporter* exporter = nullptr;  // never null
+  std::string output;
+  Exported content;
+  std::vector<PlannedFile> files;  // in the order of content.files
+};
+
+struct ExportProblem {
+  // Which of a preset's fields is to blame, or the level.
+  enum class Field { target, path, level };
+  Field field = Field::level;
+  FormatError error;
+};
+
+// Makes the files of an export, and looks at what is at their places. `output`: a file or folder; empty: not
+// known yet, and all places are taken for empty.
+tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view exporter,
+                                                    const std::string& output, const ReadAsset& read_asset);
+// Writes what was planned, as write_exported does.
+tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress = nullptr);
+
+// "game: 3 files, 45,210 bytes"
+std::string summary_of(const ExportPlan& plan);
+
+// Where a preset's path leads, for a level's file; empty: it has none. The error is of the path.
+tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset, const std::string& level_file);
+// The path of a preset that leads there: relative when the level has a file and is on the same branch.
+std::string path_for(const std::string& output, const std::string& level_file);
+// Where a new preset of a level writes to: "export/cave.tmj", "export/love".
+std::string usual_path(const Exporter& exporter, const std::string& level_name);
+// What a preset's path becomes when its target does.
+std::string path_for_other(const std::string& path, const Exporter& before, const Exporter& after,
+                           const std::string& level_name);
+
+}  // namespace talus
