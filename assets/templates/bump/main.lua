@@ -83,7 +83,9 @@ local function draw_tile(tile, x, y)
 end
 
 function love.draw()
-  if not is_found then return love.graphics.print("Put bump.lua here: https://github.com/kikito/bump.lua", 20, 20) end
+  if not is_found then
+    return love.graphics.print("bump.lua is missing: get it from https://github.com/kikito/bump.lua", 20, 20)
+  end
   local width, height = love.graphics.getDimensions()
   local zoom = math.max(1, math.floor(height / 180))
   local left, top = camera(bodies, width / zoom, height / zoom)
@@ -108,6 +110,6 @@ function love.draw()
 end
 
 function love.keypressed(key)
-  if key == "r" and is_found then start() end
+  if key == "r" then love.event.quit("restart") end  -- with the files as they are now
   if key == "escape" then love.event.quit() end
 end

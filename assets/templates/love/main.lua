@@ -11,10 +11,6 @@ local STEP = 1 / 60       -- s
 local MOST_STEPS = 4      -- after a longer pause the rest is dropped
 local world, sheet, tiles, curves, zoom, left, top, due, help_left
 
-local function start()
-  world, due = talus.new(level), 0
-end
-
 local function trace(frames)
   for _ = 1, frames do
     world:step()
@@ -25,7 +21,7 @@ local function trace(frames)
   love.event.quit()
 end
 
--- The ground never changes: its tiles are drawn once, into a batch. Balls are bodies, and tile 0 is the background.
+-- The ground never changes: its tiles go into one batch. Balls are bodies, and tile 0 is the background.
 local function load_ground()
   local picture = love.image.newImageData("sheet.png")
   love.graphics.setBackgroundColor(picture:getPixel(0, 0))
@@ -46,8 +42,7 @@ local function load_ground()
 end
 
 function love.load(arguments)
-  start()
-  help_left = HELP_TIME
+  world, due, help_left = talus.new(level), 0, HELP_TIME
   if arguments[1] == "--trace" then return trace(tonumber(arguments[2])) end
   load_ground()
 end
@@ -114,7 +109,7 @@ function love.draw()
 end
 
 function love.keypressed(key)
-  if key == "r" then start() end
+  if key == "r" then love.event.quit("restart") end  -- with the files as they are now
   if key == "h" then help_left = HELP_TIME end
   if key == "escape" then love.event.quit() end
 end
