@@ -42,14 +42,16 @@ struct TestMap {
       for (const char c : row) cells.push_back(static_cast<std::uint8_t>(c == '.' ? 0 : c - '0'));
     }
   }
-  Terrain compile() const {
+  // Refers to the map, which must stay.
+  TerrainSource source() const {
     TerrainSource source;
     source.width = width, source.height = height;
     source.cells = cells;
     source.shapes = test_shapes();
     source.curves = curves;
-    return Terrain(source);
+    return source;
   }
+  Terrain compile() const { return Terrain(source()); }
 };
 
 }  // namespace talus

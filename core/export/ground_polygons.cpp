@@ -1,0 +1,335 @@
+// Each column of cells is cut into slabs in which no two lines cross. In a slab the ground is a list of
+// trapezoids; at a slab's sides, ground that has none beside it gets a wall. The walls come from the very
+// heights at which the trapezoids end, so that the rings are closed whatever was rounded.
+#include "ground_polygons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace talus {
+namespace {
+
+constexpr double kTouching = 1e-9;  // px; what is nearer touches, and so do lines that cross there
+
+// Rounds to 1/256 px. Just above a half, so that two computations of one point give the same.
+double snapped(double at) { return std::floor(at * 256 + 0.5 + 1e-6) / 256; }
+
+// The line that an edge is cut from, to know again what belongs to one; of a wall, no line.
+struct LineKey {
+  double base_x = 0, base_y = 0, slope = 0, slope_rest = 0;
+  bool is_wall = false;
+  friend bool operator==(const LineKey&, const LineKey&) = default;
+};
+
+struct Edge {
+  Vec2 from, to;
+  LineKey line;
+};
+
+// Ground between two lines, in one column of cells; px on the map.
+struct Body {
+  std::vector<OutlineLine> top, bottom;
+  std::vector<double> joints;  // x inside of the column
+  double highest, lowest;
+};
+
+// A side of a slab.
+struct Side {
+  double x;
+  bool crossed;  // lines cross here, so that its points are rounded
+  Vec2 point(const OutlineLine& line) const {
+    const double y = line.at(x), near = snapped(y);
+    const bool rounded = crossed || std::abs(y - near) < 1e-6;
+    return {crossed ? snapped(x) : x, rounded ? near : y};
+  }
+};
+
+const OutlineLine& line_at(const std::vector<OutlineLine>& lines, double x) {
+  const auto ends_after = [x](const OutlineLine& line) { return x < line.x1; };
+  const auto found = std::find_if(lines.begin(), lines.end(), ends_after);
+  return found == lines.end() ? lines.back() : *found;
+}
+
+class Merger {
+ public:
+  explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes) {
+    for (const std::uint8_t tile : ground.cells)
+      if (outlines_[tile].line) widest_ = std::max(widest_, static_cast<int>(outlines_[tile].columns.size()));
+  }
+
+  std::vector<Edge> merge() {
+    for (int column = 0; column < ground_.width + widest_; ++column) merge_column(column);
+    return std::move(edges_);
+  }
+
+ private:
+  // Where ground begins (+1) or ends (-1) along a side, of the slab on its left; -1 and +1 of that on its
+  // right.
+  struct Turn {
+    double y;
+    int change;
+  };
+  struct Trapezoid {
+    const OutlineLine *top, *bottom;
+    double highest, lowest;  // in the middle of the slab
+  };
+
+  const TileOutline& outline(int x, int y) const {
+    return outlines_[ground_.cells[static_cast<std::size_t>(y) * ground_.width + x]];
+  }
+
+  void merge_column(int column) {
+    std::vector<Body> bodies = bodies_of(column);
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [](const Body& a, const Body& b) { return a.highest < b.highest; });
+    const double x0 = static_cast<double>(column) * kTileSide;
+    std::vector<Turn> left = std::exchange(right_side_, {});
+    for (std::size_t begin = 0; begin < bodies.size();) {
+      double lowest = bodies[begin].lowest;
+      std::size_t end = begin + 1;
+      for (; end < bodies.size() && bodies[end].highest <= lowest; ++end)
+        lowest = std::max(lowest, bodies[end].lowest);
+      merge_group({bodies.data() + begin, end - begin}, x0, left);
+      begin = end;
+    }
+    put_walls({x0, false}, left);
+  }
+
+  // The runs of full tiles in a column, and the lines of slopes and profiles.
+  std::vector<Body> bodies_of(int column) const {
+    std::vector<Body> bodies;
+    const double x0 = static_cast<double>(column) * kTileSide, x1 = x0 + kTileSide;
+    const auto flat = [&](int row) {
+      const double y = static_cast<double>(row) * kTileSide;
+      return OutlineLine{x0, y, x1, y, x0, y, 0, 0};
+    };
+    for (int y = 0, run = 0; y <= ground_.height && column < ground_.width; ++y) {
+      if (y < ground_.height && outline(column, y).full) continue;
+      if (run < y) bodies.push_back({{flat(run)}, {flat(y)}, {}, flat(run).y0, flat(y).y0});
+      run = y + 1;
+    }
+    for (int y = 0; y < ground_.height; ++y) {
+      for (int x = std::max(0, column - widest_ + 1); x <= std::min(column, ground_.width - 1); ++x) {
+        const TileOutline& shape = outline(x, y);
+        if (!shape.line || shape.one_way || column - x >= static_cast<int>(shape.columns.size())) continue;
+        put_body(shape.columns[static_cast<std::size_t>(column - x)],
+                 {static_cast<double>(x) * kTileSide, static_cast<double>(y) * kTileSide}, bodies);
+      }
+    }
+    return bodies;
+  }
+
+  static void put_body(const TileColumn& column, Vec2 corner, std::vector<Body>& bodies) {
+    if (column.highest == column.lowest) return;  // a flat line, under which is nothing
+    Body& body = bodies.emplace_back();
+    for (const OutlineLine& line : column.top) body.top.push_back(line.moved(corner));
+    for (const OutlineLine& line : column.bottom) body.bottom.push_back(line.moved(corner));
+    for (const double joint : column.joints) body.joints.push_back(corner.x + joint);
+    body.highest = corner.y + column.highest;
+    body.lowest = corner.y + column.lowest;
+  }
+
+  void merge_group(std::span<const Body> bodies, double x0, std::vector<Turn>& left) {
+    const std::vector<Side> sides = sides_of(bodies, x0);
+    std::vector<Turn> before, after;
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+      merge_slab(bodies, sides[i], sides[i + 1], before, after);
+      if (i == 0)
+        left.insert(left.end(), before.begin(), before.end());
+      else
+        put_walls(sides[i], before);
+      before = std::exchange(after, {});
+    }
+    right_side_.insert(right_side_.end(), before.begin(), before.end());
+  }
+
+  // Where a line begins, or two cross; with the column's own sides.
+  static std::vector<Side> sides_of(std::span<const Body> bodies, double x0) {
+    std::vector<double> ends = {x0, x0 + kTileSide};
+    for (const Body& body : bodies) ends.insert(ends.end(), body.joints.begin(), body.joints.end());
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      sides.push_back({ends[i], false});
+      std::vector<double> crossings = crossings_between(bodies, ends[i], ends[i + 1]);
+      std::sort(crossings.begin(), crossings.end());
+      for (const double x : crossings)
+        if (x - sides.back().x > kTouching) sides.push_back({x, true});
+    }
+    sides.push_back({ends.back(), false});
+    return sides;
+  }
+
+  // Where lines of two bodies cross, all being straight from x0 to x1.
+  static std::vector<double> crossings_between(std::span<const Body> bodies, double x0, double x1) {
+    struct Line {
+      double y0, y1;
+      std::size_t body;
+    };
+    std::vector<Line> lines;
+    std::vector<double> crossings;
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      for (const auto* side : {&bodies[body].top, &bodies[body].bottom}) {
+        const OutlineLine& line = line_at(*side, (x0 + x1) / 2);
+        const Line here{line.at(x0), line.at(x1), body};
+        for (const Line& other : lines) {
+          const double before = here.y0 - other.y0, after = here.y1 - other.y1;
+          if (other.body == body || !(before * after < 0)) continue;
+          const double x = x0 + (x1 - x0) * (before / (before - after));
+          if (x - x0 > kTouching && x1 - x > kTouching) crossings.push_back(x);
+        }
+        lines.push_back(here);
+      }
+    }
+    return crossings;
+  }
+
+  // Puts the floors and ceilings of the ground between two sides, and what it has at these.
+  void merge_slab(std::span<const Body> bodies, const Side& from, const Side& to, std::vector<Turn>& left,
+                  std::vector<Turn>& right) {
+    const double middle = (from.x + to.x) / 2;
+    std::vector<Trapezoid> parts;
+    for (const Body& body : bodies) {
+      const OutlineLine &top = line_at(body.top, middle), &bottom = line_at(body.bottom, middle);
+      const Trapezoid part{&top, &bottom, top.at(middle), bottom.at(middle)};
+      if (part.lowest - part.highest > kTouching) parts.push_back(part);
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Trapezoid& a, const Trapezoid& b) { return a.highest < b.highest; });
+    for (std::size_t i = 0; i < parts.size();) {
+      Trapezoid part = parts[i++];
+      for (; i < parts.size() && parts[i].highest <= part.lowest + kTouching; ++i)
+        if (parts[i].lowest > part.lowest) part.lowest = parts[i].lowest, part.bottom = parts[i].bottom;
+      const Vec2 top0 = from.point(*part.top), top1 = to.point(*part.top);
+      const Vec2 bottom0 = from.point(*part.bottom), bottom1 = to.point(*part.bottom);
+      put_edge(top0, top1, key_of(*part.top));
+      put_edge(bottom1, bottom0, key_of(*part.bottom));
+      left.insert(left.end(), {{top0.y, -1}, {bottom0.y, 1}});
+      right.insert(right.end(), {{top1.y, 1}, {bottom1.y, -1}});
+    }
+  }
+
+  // Ground on the left of a side alone has a wall there that goes down; ground on the right, one that goes
+  // up.
+  void put_walls(const Side& side, std::vector<Turn>& turns) {
+    std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.y < b.y; });
+    const double x = side.crossed ? snapped(side.x) : side.x;
+    int depth = 0;
+    double from = 0;
+    for (std::size_t i = 0; i < turns.size();) {
+      const double y = turns[i].y;
+      int change = 0;
+      for (; i < turns.size() && turns[i].y == y; ++i) change += turns[i].change;
+      if (change == 0) continue;
+      for (int n = 0; n < depth; ++n) put_edge({x, from}, {x, y}, kWall);
+      for (int n = 0; n < -depth; ++n) put_edge({x, y}, {x, from}, kWall);
+      depth += change;
+      from = y;
+    }
+  }
+
+  static constexpr LineKey kWall{.is_wall = true};
+  static LineKey key_of(const OutlineLine& line) {
+    return {line.base_x, line.base_y, line.slope, line.slope_rest, false};
+  }
+  void put_edge(Vec2 from, Vec2 to, const LineKey& line) {
+    if (from != to) edges_.push_back({from, to, line});
+  }
+
+  const TerrainSource& ground_;
+  TileOutlines outlines_;
+  int widest_ = 1;  // tiles
+  std::vector<Turn> right_side_;
+  std::vector<Edge> edges_;
+};
+
+// Chains edges, of which as many begin as end at each point.
+class RingLinker {
+ public:
+  explicit RingLinker(std::vector<Edge> edges) : edges_(std::move(edges)), used_(edges_.size()) {
+    std::stable_sort(edges_.begin(), edges_.end(),
+                     [](const Edge& a, const Edge& b) { return is_before(a.from, b.from); });
+  }
+
+  std::vector<GroundPolygon> link() {
+    std::vector<GroundPolygon> polygons;
+    for (std::size_t first = 0; first < edges_.size(); ++first) {
+      if (used_[first]) continue;
+      GroundPolygon polygon = polygon_of(ring_from(first));
+      const double area = doubled_area(polygon.points);
+      polygon.is_hole = area < 0;
+      if (area != 0) polygons.push_back(std::move(polygon));
+    }
+    return polygons;
+  }
+
+ private:
+  static bool is_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+  std::vector<std::size_t> ring_from(std::size_t first) {
+    std::vector<std::size_t> ring;
+    std::size_t at = first;
+    do {
+      used_[at] = true;
+      ring.push_back(at);
+      at = next_of(at, first);
+    } while (at != first);
+    return ring;
+  }
+
+  // Where several begin, that to the right, so that ground which touches in a corner stays apart.
+  std::size_t next_of(std::size_t at, std::size_t first) const {
+    const Edge& edge = edges_[at];
+    auto next = std::lower_bound(edges_.begin(), edges_.end(), edge.to,
+                                 [](const Edge& e, Vec2 point) { return is_before(e.from, point); });
+    std::size_t best = first;
+    double most = -10;  // below any angle
+    for (; next != edges_.end() && next->from == edge.to; ++next) {
+      const auto index = static_cast<std::size_t>(next - edges_.begin());
+      if (used_[index] && index != first) continue;
+      const Vec2 in = edge.to - edge.from, out = next->to - next->from;
+      const double angle = std::atan2(in.x * out.y - in.y * out.x, dot(in, out));
+      if (angle > most) most = angle, best = index;
+    }
+    return best;
+  }
+
+  GroundPolygon polygon_of(const std::vector<std::size_t>& ring) const {
+    GroundPolygon polygon;
+    const Edge* before = &edges_[ring.back()];
+    for (const std::size_t index : ring) {
+      const Edge& edge = edges_[index];
+      const bool same_line = edge.line == before->line && !edge.line.is_wall;
+      if (!same_line && !is_straight(before->from, edge.from, edge.to)) polygon.points.push_back(edge.from);
+      before = &edge;
+    }
+    return polygon;
+  }
+
+  static double doubled_area(const std::vector<Vec2>& points) {
+    double area = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
+      area += a.x * b.y - a.y * b.x;
+    }
+    return area;
+  }
+
+  std::vector<Edge> edges_;  // by the points where they begin
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
+  const Vec2 in = b - a, out = c - b;
+  return in.x * out.y == in.y * out.x && dot(in, out) > 0;
+}
+
+std::vector<GroundPolygon> ground_polygons(const TerrainSource& ground) {
+  return RingLinker(Merger(ground).merge()).link();
+}
+
+}  // namespace talus
