@@ -8,6 +8,8 @@
 
 #include "../formats/number_text.h"
 #include "../level/ground.h"
+#include "lua_text.h"
+#include "plain_data.h"
 
 namespace talus {
 namespace {
@@ -40,30 +42,12 @@ class LuaTable {
   const char* separator_ = "";
 };
 
-// A name as a string of Lua: quotes, and bytes that are not printable ASCII, as \ddd.
-std::string escaped(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 32 && byte < 127 && c != '"' && c != '\\') {
-      text += c;
-    } else {
-      const std::string digits = std::to_string(byte);
-      text.append("\\").append(3 - digits.size(), '0').append(digits);
-    }
-  }
-  return text;
-}
-
-std::string_view foot_word(Foot foot) { return foot == Foot::centre ? "centre" : "box"; }
-
 void write_shape(std::string& text, const TileShape& shape) {
   LuaTable table(text);
-  const bool solid = shape.kind == TileShape::Kind::solid;
-  table.word("kind", solid ? "solid" : shape.kind == TileShape::Kind::slope ? "slope" : "profile");
+  table.word("kind", kind_word(shape.kind));
   if (shape.side == TileShape::Side::ceiling) table.word("side", "ceiling");
   if (shape.one_way) table.truth("one_way");
-  if (solid) return;
+  if (shape.kind == TileShape::Kind::solid) return;
   if (shape.tiles != 1) table.number("tiles", shape.tiles);
   table.numbers("heights", shape.heights);
 }
@@ -127,8 +111,8 @@ void write_curve(std::string& text, const Curve& curve) {
 
 void write_spawn(std::string& text, const Spawn& spawn) {
   LuaTable table(text);
-  table.word("kind", spawn.kind == BodyKind::player ? "player" : "ball");
-  if (!spawn.name.empty()) table.word("name", escaped(spawn.name));
+  table.word("kind", body_word(spawn.kind));
+  if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
   table.number("y", spawn.position.y);
   table.number("w", spawn.size.x);
@@ -141,12 +125,6 @@ void write_spawn(std::string& text, const Spawn& spawn) {
 // The player's gravity has the name of the balls'.
 std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
-}
-
-bool is_ball(const Level& level, int tile) {
-  const auto number = static_cast<std::uint8_t>(tile);
-  return level.tile_shapes[tile].kind == TileShape::Kind::none &&
-         role_of(level.tile_flags(number), level.roles) == TileRole::ball;
 }
 
 // A line of Lua without the spaces that separate nothing. Two hyphens would begin a comment.
@@ -195,7 +173,8 @@ std::string lua_level(const Level& level, bool with_tiles) {
     {
       LuaTable balls(table.member("balls"));
       for (int tile = 0; tile < kTileCount; ++tile) {
-        if (is_ball(level, tile)) balls.truth("[" + std::to_string(tile) + "]");
+        if (is_ball_tile(level, static_cast<std::uint8_t>(tile)))
+          balls.truth("[" + std::to_string(tile) + "]");
       }
     }
     {
@@ -222,8 +201,9 @@ std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse) 
   const bool slopes = sloped || free;
   const auto is_player = [](const Spawn& spawn) { return spawn.kind == BodyKind::player; };
   const bool players = std::any_of(level.spawns.begin(), level.spawns.end(), is_player);
-  const auto balls = std::count_if(ground.cells.begin(), ground.cells.end(),
-                                   [&](std::uint8_t tile) { return is_ball(level, tile); });
+  const auto balls = std::count_if(ground.cells.begin(), ground.cells.end(), [&](std::uint8_t tile) {
+    return is_ball_tile(level, static_cast<std::uint8_t>(tile));
+  });
   const auto bodies = static_cast<std::size_t>(balls) + level.spawns.size();
   const bool pairs = level.tuning.article.balls_block != 0 && bodies > 1;
 

@@ -14,6 +14,7 @@
 #include "property/random_ground.h"
 #include "sim/case_input.h"
 #include "sim/solver.h"
+#include "unit/program_output.h"
 
 namespace talus::lua_runtime_test {
 
@@ -22,20 +23,6 @@ namespace fs = std::filesystem;
 std::string bytes_at(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void put_file(const fs::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
-std::string output_of(const std::string& command) {
-  std::string out;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return "cannot run " + command;
-  char part[65536];
-  while (const std::size_t count = std::fread(part, 1, sizeof part, pipe)) out.append(part, count);
-  pclose(pipe);
-  return out;
 }
 
 // Levels that the solver and both Luas run.

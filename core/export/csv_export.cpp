@@ -1,0 +1,136 @@
+// A folder of tables: plain data for spreadsheets and scripts. See plain_text.h for what the numbers mean.
+#include "../formats/number_text.h"
+#include "../level/ground.h"
+#include "export_targets.h"
+#include "ground_polygons.h"
+#include "plain_data.h"
+
+namespace talus {
+namespace {
+
+// Rows of fields; texts are quoted where they have to be.
+class CsvTable {
+ public:
+  explicit CsvTable(std::string_view header) : text_(header) { text_ += '\n'; }
+  CsvTable() = default;
+
+  template <class Number>
+  CsvTable& number(Number value) {
+    append_number(field(), value);
+    return *this;
+  }
+  CsvTable& truth(bool value) { return number(value ? 1 : 0); }
+  CsvTable& word(std::string_view value) {
+    const bool is_plain = value.find_first_of(",\"\r\n") == std::string_view::npos;
+    field() += is_plain ? "" : "\"";
+    for (const char c : value) text_.append(c == '"' ? "\"" : "").append(1, c);
+    text_ += is_plain ? "" : "\"";
+    return *this;
+  }
+  void end_row() {
+    text_ += '\n';
+    is_first_ = true;
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string& field() {
+    if (!is_first_) text_ += ',';
+    is_first_ = false;
+    return text_;
+  }
+
+  std::string text_;
+  bool is_first_ = true;  // in its row
+};
+
+std::string map_table(const TileMap& map) {
+  CsvTable table;
+  for (Cell c; c.y < map.height(); ++c.y) {
+    for (c.x = 0; c.x < map.width(); ++c.x) table.number(map.at(c));
+    table.end_row();
+  }
+  return table.take();
+}
+
+// A row a tile, and of a wide shape one for each further column of cells.
+std::string tile_table(const Level& level) {
+  CsvTable table("tile,flags,kind,side,one_way,tiles,column,y0,y1,y2,y3,y4,y5,y6,y7");
+  const std::vector<PlainShape> shapes = plain_shapes(ground_of(level));
+  auto shape = shapes.begin();
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const int flags = level.tile_flags(static_cast<std::uint8_t>(tile));
+    if (shape == shapes.end() || shape->tile != tile) {
+      table.number(tile).number(flags).word("none");
+      for (int empty = 0; empty < 12; ++empty) table.word("");
+      table.end_row();
+      continue;
+    }
+    for (int column = 0; column < shape->tiles; ++column) {
+      table.number(tile).number(flags).word(kind_word(shape->kind));
+      table.word(shape->is_ceiling ? "ceiling" : "floor").truth(shape->one_way);
+      table.number(shape->tiles).number(column);
+      for (int x = 0; x < kTileSide; ++x) table.number(shape->columns[column * kTileSide + x]);
+      table.end_row();
+    }
+    ++shape;
+  }
+  return table.take();
+}
+
+std::string sprite_table(const Level& level) {
+  CsvTable table("sprite,flags");
+  for (int sprite = 0; sprite < kTileCount; ++sprite) {
+    table.number(sprite).number(level.sheet(SheetId::sprites).flags[sprite]);
+    table.end_row();
+  }
+  return table.take();
+}
+
+std::string polygon_table(const std::vector<GroundPolygon>& polygons) {
+  CsvTable table("polygon,hole,point,x,y");
+  for (std::size_t n = 0; n < polygons.size(); ++n) {
+    for (std::size_t i = 0; i < polygons[n].points.size(); ++i) {
+      const Vec2 point = polygons[n].points[i];
+      table.number(n).truth(polygons[n].is_hole).number(i).number(point.x).number(point.y).end_row();
+    }
+  }
+  return table.take();
+}
+
+std::string line_table(const std::vector<PlainLine>& lines) {
+  CsvTable table("line,kind,name,both_sides,point,x,y");
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    for (std::size_t i = 0; i < lines[n].points.size(); ++i) {
+      const Vec2 point = lines[n].points[i];
+      table.number(n).word(lines[n].is_curve ? "curve" : "one_way").word(lines[n].name);
+      table.truth(lines[n].both_sides).number(i).number(point.x).number(point.y).end_row();
+    }
+  }
+  return table.take();
+}
+
+std::string spawn_table(const std::vector<Spawn>& spawns) {
+  CsvTable table("name,kind,x,y,w,h,vx,vy,foot");
+  for (const Spawn& spawn : spawns) {
+    table.word(spawn.name).word(body_word(spawn.kind)).number(spawn.position.x).number(spawn.position.y);
+    table.number(spawn.size.x).number(spawn.size.y).number(spawn.velocity.x).number(spawn.velocity.y);
+    table.word(foot_word(spawn.used_foot())).end_row();
+  }
+  return table.take();
+}
+
+}  // namespace
+
+FormatResult<Exported> export_csv(const ExportRequest& request) {
+  const Level& level = request.level;
+  return Exported{{{"map.csv", map_table(level.map)},
+                   {"flags.csv", tile_table(level)},
+                   {"sprite_flags.csv", sprite_table(level)},
+                   {"polygons.csv", polygon_table(ground_polygons(ground_of(level)))},
+                   {"lines.csv", line_table(plain_lines(level))},
+                   {"spawns.csv", spawn_table(level.spawns)}},
+                  {}};
+}
+
+}  // namespace talus

@@ -1,0 +1,179 @@
+#include "plain_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "../level/ground.h"
+#include "ground_polygons.h"
+
+namespace talus {
+namespace {
+
+PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outline) {
+  PlainShape plain{tile, shape.kind, outline.line && !outline.is_floor, shape.one_way, 1, {}, {}};
+  plain.tiles = static_cast<int>(outline.columns.size());
+  std::vector<double> heights = shape.heights;
+  if (shape.kind == TileShape::Kind::solid) heights = {kTileSide, kTileSide};
+  for (const double height : heights)
+    plain.ys.push_back(plain.is_ceiling ? weld(height) : kTileSide - weld(height));
+  for (int column = 0; column < plain.tiles * kTileSide; ++column) {
+    const TileColumn& cell = outline.columns[static_cast<std::size_t>(column / kTileSide)];
+    const auto& lines = plain.is_ceiling ? cell.bottom : cell.top;
+    const double x = column + 0.5;
+    const auto line = std::find_if(lines.begin(), lines.end(), [x](const auto& l) { return x <= l.x1; });
+    plain.columns.push_back(line->at(x));
+  }
+  return plain;
+}
+
+// ---- One-way tiles ----
+
+using OneWay = Piece<double>;
+
+bool is_before(const OneWay& a, const OneWay& b) {
+  return std::tie(a.facing, a.x0, a.y0, a.x1, a.y1) < std::tie(b.facing, b.x0, b.y0, b.x1, b.y1);
+}
+
+// What is in several cells, or in two tiles, once.
+std::vector<OneWay> one_way_pieces(const Terrain& ground) {
+  std::vector<OneWay> pieces;
+  for (Cell c; c.y < ground.height() && ground.features().pieces; ++c.y) {
+    for (c.x = 0; c.x < ground.width(); ++c.x) {
+      for (const Piece<double>& piece : ground.pieces_in(c))
+        if (piece.one_way && piece.origin >= 0) pieces.push_back(piece);
+    }
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), is_before);
+  const auto same = [](const OneWay& a, const OneWay& b) { return !is_before(a, b) && !is_before(b, a); };
+  pieces.erase(std::unique(pieces.begin(), pieces.end(), same), pieces.end());
+  return pieces;
+}
+
+bool is_same_line(const OneWay& a, const OneWay& b) {
+  return a.base_x == b.base_x && a.base_y == b.base_y && a.slope == b.slope && a.slope_rest == b.slope_rest;
+}
+
+void add_one_way_lines(const Terrain& ground, std::vector<PlainLine>& lines) {
+  const std::vector<OneWay> pieces = one_way_pieces(ground);
+  std::vector<bool> used(pieces.size());
+  // The first piece that begins where another ends.
+  const auto next_of = [&](const OneWay& piece) {
+    OneWay key = piece;
+    key.x0 = piece.x1, key.y0 = piece.y1;
+    auto next = std::lower_bound(pieces.begin(), pieces.end(), key, [](const OneWay& a, const OneWay& b) {
+      return std::tie(a.facing, a.x0, a.y0) < std::tie(b.facing, b.x0, b.y0);
+    });
+    for (; next != pieces.end() && next->facing == key.facing; ++next) {
+      const auto index = static_cast<std::size_t>(next - pieces.begin());
+      if (next->x0 != key.x0 || next->y0 != key.y0) break;
+      if (!used[index]) return index;
+    }
+    return pieces.size();
+  };
+  for (std::size_t first = 0; first < pieces.size(); ++first) {
+    if (used[first]) continue;
+    std::vector<Vec2> points = {{pieces[first].x0, pieces[first].y0}};
+    for (std::size_t at = first; at < pieces.size();) {
+      used[at] = true;
+      const OneWay& piece = pieces[at];
+      const Vec2 end{piece.x1, piece.y1};
+      const std::size_t next = next_of(piece);
+      const bool goes_straight_on =
+          next < pieces.size() && (is_same_line(piece, pieces[next]) ||
+                                   is_straight(points.back(), end, {pieces[next].x1, pieces[next].y1}));
+      if (!goes_straight_on) points.push_back(end);
+      at = next;
+    }
+    if (pieces[first].facing == Facing::down) std::reverse(points.begin(), points.end());
+    lines.push_back({false, false, "", std::move(points)});
+  }
+}
+
+// ---- Curves ----
+
+// Adds points after `from`, up to `to`, so that the lines between them stay near the curve.
+template <class Height>
+void add_curve_points(Vec2 from, Vec2 to, const Height& height, std::vector<Vec2>& points) {
+  double error = 0;
+  for (const double part : {0.25, 0.5, 0.75}) {
+    const double y = from.y + (to.y - from.y) * part;
+    error = std::max(error, std::abs(height(from.x + (to.x - from.x) * part) - y));
+  }
+  const double middle = (from.x + to.x) / 2;
+  if (error <= kPlainLineError || !(middle > from.x && middle < to.x)) return points.push_back(to);
+  const Vec2 between{middle, height(middle)};
+  add_curve_points(from, between, height, points);
+  add_curve_points(between, to, height, points);
+}
+
+std::vector<Vec2> points_of(Curve curve) {
+  const bool faces_down = curve.faces == Curve::Faces::down;
+  curve.faces = Curve::Faces::up;  // each piece once, with its upper side
+  const CurveOutline outline = cut_curves({&curve, 1});
+  std::vector<Vec2> points;
+  for (const Piece<double>& piece : outline.pieces) {
+    Vec2 from{piece.x0, piece.y0}, to{piece.x1, piece.y1};
+    if (piece.facing == Facing::left) std::swap(from, to);
+    if (points.empty()) points.push_back(from);
+    if (piece.stretch == 0)
+      points.push_back(to);
+    else
+      add_curve_points(
+          from, to, [&](double x) { return piece.y_at(x, outline.stretches); }, points);
+  }
+  if (faces_down) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace
+
+bool PlainShape::has_floor_at(double y) const {
+  if (is_ceiling) return !one_way && y > 0;
+  return one_way || y < kTileSide;
+}
+
+std::vector<PlainShape> plain_shapes(const TerrainSource& ground) {
+  const TileOutlines outlines(ground.shapes);
+  std::vector<PlainShape> shapes;
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const TileShape& shape = ground.shapes[static_cast<std::size_t>(tile)];
+    if (shape.kind != TileShape::Kind::none)
+      shapes.push_back(plain_shape(tile, shape, outlines[static_cast<std::size_t>(tile)]));
+  }
+  return shapes;
+}
+
+bool is_ball_tile(const Level& level, std::uint8_t tile) {
+  return level.tile_shapes[tile].kind == TileShape::Kind::none &&
+         role_of(level.tile_flags(tile), level.roles) == TileRole::ball;
+}
+
+std::vector<std::string> dropped_curves(const Level& level) {
+  const std::size_t curves = ground_of(level).curves.size();
+  if (curves == 0) return {};
+  return {std::to_string(curves) + (curves == 1 ? " curve" : " curves")};
+}
+
+std::string_view kind_word(TileShape::Kind kind) {
+  constexpr std::array<std::string_view, 4> kWords = {"none", "solid", "slope", "profile"};
+  return kWords[static_cast<std::size_t>(kind)];
+}
+
+std::string_view body_word(BodyKind kind) { return kind == BodyKind::player ? "player" : "ball"; }
+
+std::string_view foot_word(Foot foot) { return foot == Foot::centre ? "centre" : "box"; }
+
+std::vector<PlainLine> plain_lines(const Level& level) {
+  std::vector<PlainLine> lines;
+  const TerrainSource ground = ground_of(level);
+  add_one_way_lines(Terrain(ground), lines);
+  for (const LevelCurve& c : level.curves) {
+    if (problem_of(c.curve, level.map)) continue;
+    lines.push_back({true, c.curve.faces == Curve::Faces::both, c.name, points_of(c.curve)});
+  }
+  return lines;
+}
+
+}  // namespace talus

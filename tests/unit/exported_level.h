@@ -1,0 +1,37 @@
+// Small levels, exported in memory, for tests of exporters that need none of the program's files.
+#pragma once
+
+#include <string>
+
+#include "export/exporter.h"
+#include "unit/test_map.h"
+
+namespace talus {
+
+// A map of the test shapes' tiles; see TestMap.
+inline Level level_of_shapes(const std::vector<std::string>& rows) {
+  const TestMap map(rows);
+  Level level;
+  level.map = TileMap(map.width, map.height);
+  level.map.cells() = map.cells;
+  level.tile_shapes = test_shapes();
+  return level;
+}
+
+inline FormatResult<Exported> exported(const char* id, const Level& level, const std::string& name) {
+  const ReadAsset nothing = [](const std::string& asset) -> FormatResult<std::string> {
+    return tl::unexpected(FormatError{asset, "is missing"});
+  };
+  return find_exporter(id)->write({level, name, nothing});
+}
+
+// The bytes of the file of that name; of the one that was named, with "".
+inline std::string exported_file(const char* id, const Level& level, const std::string& file = "") {
+  const FormatResult<Exported> files = exported(id, level, "cave");
+  if (!files) return files.error().message;
+  for (const ExportedFile& f : files->files)
+    if (f.name == file) return f.bytes;
+  return "no file " + file;
+}
+
+}  // namespace talus
