@@ -1,0 +1,303 @@
+// A C99 header: the level as tables, lengths in 24.8 fixed point.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "../formats/number_text.h"
+#include "../level/ground.h"
+#include "export_targets.h"
+#include "plain_data.h"
+
+namespace talus {
+namespace {
+
+constexpr int kMaxCells = (1 << 23) / kTileSide - 1;  // px that 24.8 holds, with a cell to spare
+
+// What names begin with: the file's, made a word of C.
+std::string c_name(const std::string& stem) {
+  std::string name;
+  for (const char c : stem) {
+    const auto byte = static_cast<unsigned char>(c);
+    name += byte < 128 && std::isalnum(byte) != 0 ? static_cast<char>(std::tolower(byte)) : '_';
+  }
+  return name.front() >= 'a' && name.front() <= 'z' ? name : "level_" + name;
+}
+
+std::string upper(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+std::int64_t fixed(double px) { return static_cast<std::int64_t>(std::round(px * 256)); }
+
+// A string of C; bytes that are not printable ASCII as \ooo, and ? so that none is part of a trigraph.
+std::string c_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte >= 32 && byte < 127 && c != '"' && c != '\\' && c != '?';
+    if (is_plain) {
+      quoted += c;
+    } else {
+      for (const int shift : {6, 3, 0})
+        quoted.append(shift == 6 ? "\\" : "").append(1, char('0' + (byte >> shift & 7)));
+    }
+  }
+  return quoted + '"';
+}
+
+// "{1,2,3}" over lines of some numbers each.
+template <class Range>
+std::string c_list(const Range& values) {
+  std::string text = "{";
+  std::size_t line = 0;
+  const char* separator = "";
+  for (const auto value : values) {
+    text += separator;
+    separator = ",";
+    if (text.size() - line > 96) {
+      text += '\n';
+      line = text.size();
+    }
+    append_number(text, +value);
+  }
+  return text + '}';
+}
+
+// The floors of a tile, or of further columns of its shape: 24.8, or NO_FLOOR.
+std::string floor_row(const PlainShape* shape, int column, const std::string& none) {
+  std::string text = "{";
+  for (int x = 0; x < kTileSide; ++x) {
+    if (x > 0) text += ',';
+    const double y = shape == nullptr ? 0 : shape->columns[static_cast<std::size_t>(column * kTileSide + x)];
+    if (shape == nullptr || !shape->has_floor_at(y))
+      text += none;
+    else
+      append_number(text, fixed(shape->is_ceiling ? 0 : y));
+  }
+  return text + '}';
+}
+
+class CHeader {
+ public:
+  CHeader(const Level& level, std::string name)
+      : level_(level), name_(std::move(name)), macro_(upper(name_)), shapes_(plain_shapes(ground_of(level))) {
+    for (const PlainShape& shape : shapes_) by_tile_[static_cast<std::size_t>(shape.tile)] = &shape;
+  }
+
+  std::string take() {
+    put_head();
+    put_map();
+    put_shapes();
+    put_floors();
+    put_spawns();
+    put_functions();
+    line("#endif");
+    return std::move(text_);
+  }
+
+ private:
+  // Adds a line; @ stands for the name, and ^ for it in capitals.
+  void line(std::string_view text) {
+    for (const char c : text) {
+      if (c == '@')
+        text_ += name_;
+      else if (c == '^')
+        text_ += macro_;
+      else
+        text_ += c;
+    }
+    text_ += '\n';
+  }
+  void define(std::string_view name, std::int64_t value) {
+    line("#define ^_" + std::string(name) + " " + std::to_string(value));
+  }
+
+  void put_head();
+  void put_map();
+  void put_shapes();
+  void put_floors();
+  void put_spawns();
+  void put_functions();
+
+  const Level& level_;
+  std::string name_, macro_;
+  std::vector<PlainShape> shapes_;
+  std::array<const PlainShape*, kTileCount> by_tile_{};  // null: none
+  std::string text_;
+};
+
+void CHeader::put_head() {
+  line(
+      "/* A level exported by Talus, in C99. Lengths are px in 24.8 fixed point (256 is 1 px), x to the "
+      "right,");
+  line("   y down. The floor of a tile is measured from the tile's top. */");
+  line("#ifndef ^_INCLUDED");
+  line("#define ^_INCLUDED");
+  line("");
+  line("#include <stdint.h>");
+  line("");
+  define("WIDTH", level_.map.width());
+  define("HEIGHT", level_.map.height());
+  define("TILE_SIZE", kTileSide);
+  define("SPAWNS", static_cast<std::int64_t>(level_.spawns.size()));
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const int flag = level_.roles.*info.flag;
+    if (flag != FlagRoles::kUnused) define("FLAG_" + upper(std::string(info.key)), flag);
+  }
+  int widest = 1;
+  double highest = kTileSide;
+  for (const PlainShape& shape : shapes_) {
+    widest = std::max(widest, shape.tiles);
+    for (const double y : shape.ys) highest = std::max(highest, kTileSide - y);
+  }
+  define("WIDEST", widest);                                                      // tiles
+  define("HIGHEST", static_cast<std::int64_t>(std::ceil(highest / kTileSide)));  // tiles
+  line("#define ^_NO_FLOOR INT32_MAX");
+  line("");
+}
+
+void CHeader::put_map() {
+  line("/* Tile numbers, and flags by tile and by sprite: bit n is flag n, of ^_FLAG_SOLID and the like. */");
+  line("static const uint8_t @_map[^_HEIGHT][^_WIDTH] = {");
+  const std::vector<std::uint8_t>& cells = level_.map.cells();
+  for (auto row = cells.begin(); row != cells.end(); row += level_.map.width())
+    text_ += c_list(std::vector<std::uint8_t>(row, row + level_.map.width())) + ",\n";
+  line("};");
+  text_ +=
+      "static const uint8_t " + name_ + "_flags[256] = " + c_list(level_.sheet(SheetId::tiles).flags) + ";\n";
+  text_ += "static const uint8_t " + name_ +
+           "_sprite_flags[256] = " + c_list(level_.sheet(SheetId::sprites).flags) + ";\n\n";
+}
+
+void CHeader::put_shapes() {
+  line(
+      "/* Shapes by tile. kind: 0 none, 1 solid, 2 slope, 3 profile. is_ceiling: ground is above the line, "
+      "from");
+  line(
+      "   the tile's top; else below it, to its bottom. one_way: the line alone stops bodies. tiles: width; "
+      "what");
+  line(
+      "   is beyond the first reaches over the cells to the right, as does more: the row of @_floors for "
+      "the");
+  line(
+      "   second of them. The line goes through heights at equal distances, @_ys[first] to @_ys[first + "
+      "parts].");
+  line(
+      "   A slope is also y = y0 + (slope * x >> 8), x from the tile's left side: both are rounded to 1/256, "
+      "so");
+  line("   that it is off by up to 1/512 for each px of x; @_line_y is not. */");
+  line("typedef struct @_shape {");
+  line("  uint8_t kind, is_ceiling, one_way, tiles;");
+  line("  uint16_t more, first, parts;");
+  line("  int32_t slope, y0;");
+  line("} @_shape;");
+  line("static const @_shape @_shapes[256] = {");
+  std::size_t more = kTileCount, first = 0;
+  std::vector<std::int64_t> ys;
+  for (const PlainShape* shape : by_tile_) {
+    if (shape == nullptr) {
+      line("{0,0,0,0,0,0,0,0,0},");
+      continue;
+    }
+    const double width = shape->tiles * kTileSide;
+    const bool is_slope = shape->kind == TileShape::Kind::slope;
+    const double slope = is_slope ? (shape->ys.back() - shape->ys.front()) / width : 0;
+    std::string row = c_list(std::vector<std::int64_t>{
+        static_cast<int>(shape->kind), shape->is_ceiling, shape->one_way, shape->tiles,
+        shape->tiles > 1 ? static_cast<std::int64_t>(more) : 0, static_cast<std::int64_t>(first),
+        static_cast<std::int64_t>(shape->ys.size()) - 1, fixed(slope), fixed(shape->ys.front())});
+    line(row + ",");
+    more += static_cast<std::size_t>(shape->tiles) - 1;
+    first += shape->ys.size();
+    for (const double y : shape->ys) ys.push_back(fixed(y));
+  }
+  line("};");
+  if (ys.empty()) ys.push_back(0);
+  text_ += "static const int32_t " + name_ + "_ys[] = " + c_list(ys) + ";\n\n";
+}
+
+void CHeader::put_floors() {
+  line(
+      "/* By tile, then the further columns of wide shapes: where bodies can stand, in the middle of each "
+      "column");
+  line("   of pixels. ^_NO_FLOOR: nowhere. */");
+  std::string rows, more;
+  std::size_t count = kTileCount;
+  const std::string none = macro_ + "_NO_FLOOR";
+  for (const PlainShape* shape : by_tile_) {
+    rows += floor_row(shape, 0, none) + ",\n";
+    for (int column = 1; shape != nullptr && column < shape->tiles; ++column, ++count)
+      more += floor_row(shape, column, none) + ",\n";
+  }
+  line("static const int32_t @_floors[" + std::to_string(count) + "][8] = {");
+  text_ += rows + more;
+  line("};\n");
+}
+
+void CHeader::put_spawns() {
+  line("/* Bodies placed by hand: the top left corner, the size, the velocity in px a frame. */");
+  line("typedef struct @_spawn {");
+  line("  const char *name;");
+  line("  int32_t is_player, x, y, w, h, vx, vy;");
+  line("} @_spawn;");
+  line("static const @_spawn @_spawns[^_SPAWNS + 1] = { /* the last one is empty */");
+  for (const Spawn& s : level_.spawns) {
+    const std::vector<std::int64_t> numbers = {s.kind == BodyKind::player,
+                                               fixed(s.position.x),
+                                               fixed(s.position.y),
+                                               fixed(s.size.x),
+                                               fixed(s.size.y),
+                                               fixed(s.velocity.x),
+                                               fixed(s.velocity.y)};
+    text_ += "{" + c_string(s.name) + "," + c_list(numbers).substr(1) + ",\n";
+  }
+  line("{\"\",0,0,0,0,0,0,0}};\n");
+}
+
+void CHeader::put_functions() {
+  line(R"(/* The line of a shape, 0 <= x <= tiles * 8 px from its left side: its y from the tile's top. */
+static inline int32_t @_line_y(const @_shape *shape, int32_t x) {
+  const int32_t width = shape->tiles * 2048, at = x * shape->parts, part = at / width;
+  const int32_t *ys = @_ys + shape->first + part;
+  int32_t rise, half = width / 2;
+  if (part >= shape->parts) return ys[0];
+  rise = (ys[1] - ys[0]) * (at % width);
+  return ys[0] + (rise < 0 ? rise - half : rise + half) / width;
+}
+
+/* The first floor of a tile at or below a point of the map that is not in the ground; ^_NO_FLOOR: there is
+   none. */
+static inline int32_t @_floor_below(int32_t x, int32_t y) {
+  int32_t best = ^_NO_FLOOR, row, left;
+  if (x < 0 || x >= ^_WIDTH * 2048) return best;
+  for (row = y < 0 ? 0 : y >> 11; row < ^_HEIGHT && best > (row + 1 - ^_HIGHEST) * 2048; ++row) {
+    for (left = 0; left < ^_WIDEST && left <= x >> 11; ++left) {
+      const @_shape *shape = &@_shapes[@_map[row][(x >> 11) - left]];
+      int32_t line, floor;
+      if (left >= shape->tiles) continue;
+      line = @_line_y(shape, (x & 2047) + left * 2048);
+      if (shape->is_ceiling ? shape->one_way || line <= 0 : !shape->one_way && line >= 2048) continue;
+      floor = row * 2048 + (shape->is_ceiling ? 0 : line);
+      if (floor >= y && floor < best) best = floor;
+    }
+  }
+  return best;
+}
+)");
+}
+
+}  // namespace
+
+FormatResult<Exported> export_c(const ExportRequest& request) {
+  const TileMap& map = request.level.map;
+  if (map.width() > kMaxCells || map.height() > kMaxCells)
+    return tl::unexpected(
+        FormatError{"", "the map is over 1048575 cells long, more px than 24.8 fixed point holds"});
+  return Exported{{{"", CHeader(request.level, c_name(request.stem())).take()}},
+                  dropped_curves(request.level)};
+}
+
+}  // namespace talus

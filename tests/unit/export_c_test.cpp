@@ -1,0 +1,144 @@
+// The C header: compiled by cc without a warning, and its floors those of the collision core.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "collision/ground_queries.h"
+#include "level/ground.h"
+#include "property/random_ground.h"
+#include "unit/exported_level.h"
+#include "unit/program_output.h"
+
+namespace talus::export_c_test {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string header(const Level& level, const std::string& name = "cave.h") {
+  const auto files = exported("c", level, name);
+  return files ? files->files[0].bytes : files.error().message;
+}
+
+TEST(ExportC, NamesComeFromTheFiles) {
+  EXPECT_THAT(header(Level(), "My-Cave 2.h"), HasSubstr("#ifndef MY_CAVE_2_INCLUDED\n"));
+  EXPECT_THAT(header(Level(), "2.h"), HasSubstr("static const uint8_t level_2_map[LEVEL_2_HEIGHT]"));
+  EXPECT_THAT(header(Level(), "-"), HasSubstr("#define LEVEL_WIDTH 240\n"));
+}
+
+TEST(ExportC, HoldsFloorsAndSlopesIn256ths) {
+  const std::string text = header(level_of_shapes({"25"}));
+  EXPECT_THAT(text, HasSubstr("cave_map[CAVE_HEIGHT][CAVE_WIDTH] = {\n{2,5},\n};"));
+  EXPECT_THAT(text, HasSubstr("\n{2,0,0,1,0,2,1,-256,2048},\n"));    // tile 2: down a px each px
+  EXPECT_THAT(text, HasSubstr("\n{2,0,0,3,256,11,1,-85,2048},\n"));  // tile 5: three tiles wide
+  EXPECT_THAT(text, HasSubstr("_ys[] = {0,0,2048,0,0,2048,2048,1024,512,1024,2048,2048,0,0,2048,"));
+  EXPECT_THAT(text, HasSubstr("cave_floors[266][8] = {"));
+  EXPECT_THAT(text, HasSubstr("\n{1920,1664,1408,1152,896,640,384,128},\n"));  // tile 2
+  EXPECT_THAT(text, HasSubstr("#define CAVE_WIDEST 8\n#define CAVE_HIGHEST 8\n"));
+}
+
+TEST(ExportC, WithoutShapesThereIsNoFloor) {
+  Level bare;
+  bare.map = TileMap(1, 1);
+  EXPECT_THAT(header(bare), HasSubstr("_ys[] = {0};"));
+  EXPECT_THAT(header(bare), HasSubstr("#define CAVE_WIDEST 1\n#define CAVE_HIGHEST 1\n"));
+}
+
+TEST(ExportC, CurvesAreDroppedAndSaidToBe) {
+  Level level;
+  level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up}, ""});
+  EXPECT_EQ(exported("c", level, "cave.h")->dropped, std::vector<std::string>{"1 curve"});
+  level.curves.push_back(level.curves[0]);
+  EXPECT_EQ(exported("c", level, "cave.h")->dropped, std::vector<std::string>{"2 curves"});
+}
+
+TEST(ExportC, AMapTooLongForFixedPointIsRefused) {
+  Level level;
+  level.map = TileMap(1 << 20, 1);
+  EXPECT_THAT(header(level), HasSubstr("over 1048575 cells long"));
+}
+
+// Compiles the header of a level into a program that prints floors.
+class ExportCFloors : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("talus_c_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // What the program prints; of its compiler, if that says anything.
+  std::string run(const Level& level, const std::vector<Vec2>& points) {
+    put_file(folder_ / "cave.h", header(level));
+    std::string input;
+    for (const Vec2 p : points) input += std::to_string(fixed(p.x)) + " " + std::to_string(fixed(p.y)) + "\n";
+    put_file(folder_ / "input", input);
+    return output_of("cd '" + folder_.string() +
+                     "' && cc -std=c99 -Wall -Wextra -pedantic -Werror -I. -o floors '" TALUS_SOURCE_DIR
+                     "/tests/games/c_header_main.c' 2>&1 && ./floors <input");
+  }
+
+  // Compares floors at points in the air with those of the core; returns how many there were.
+  int expect_floors_of_the_core(const Level& level, const std::vector<Vec2>& points, double error) {
+    const Terrain ground{ground_of(level)};
+    std::istringstream printed(run(level, points));
+    std::string line;
+    for (int head = 0; head < 2; ++head) std::getline(printed, line);
+    int floors = 0;
+    for (const Vec2 p : points) {
+      std::getline(printed, line);
+      const auto floor = floor_below(ground, {p.x, p.y, 0, 0}, 1e6);
+      if (overlaps_ground(ground, {p.x, p.y, 0, 0})) continue;
+      const double y = std::stod(line) / 256;
+      if (!floor) {
+        EXPECT_EQ(line, std::to_string(INT32_MAX)) << p.x << "," << p.y;
+        continue;
+      }
+      EXPECT_NEAR(y, floor->y, error) << p.x << "," << p.y;
+      ++floors;
+    }
+    return floors;
+  }
+
+  static std::int64_t fixed(double px) { return std::llround(px * 256); }
+  fs::path folder_;
+};
+
+TEST_F(ExportCFloors, TablesAndSpawnsAreRead) {
+  Level level = level_of_shapes({"..", ".7"});
+  level.sheet(SheetId::tiles).flags[7] = 129;
+  level.sheet(SheetId::sprites).flags[255] = 3;
+  EXPECT_EQ(run(level, {{12, 0}, {4, 0}, {12, 9}}), "7 129 3 0\n0  0\n2048\n2147483647\n2147483647\n");
+  Spawn& spawn = level.spawns.emplace_back();
+  spawn.name = "a\"??/b";
+  spawn.position = {1.5, 0};
+  EXPECT_EQ(run(level, {}), "7 129 3 0\n1 a\"??/b 384\n");
+}
+
+TEST_F(ExportCFloors, AreExactInTheDemo) {
+  const Level level = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json")->level;
+  std::vector<Vec2> points;
+  for (int y = 0; y < level.map.height() * kTileSize; y += 24)
+    for (int x = 0; x < level.map.width() * kTileSize; ++x) points.push_back({x + 0.5, y + 0.25});
+  EXPECT_GT(expect_floors_of_the_core(level, points, 0), 500);
+}
+
+TEST_F(ExportCFloors, AreWithinA256thOnRandomGround) {
+  Dice dice(6);
+  int floors = 0;
+  for (int round = 0; round < 10; ++round) {
+    Level level = level_of_shapes(std::vector<std::string>(12, std::string(16, '.')));
+    for (std::uint8_t& cell : level.map.cells())
+      if (dice.one_in(4)) cell = static_cast<std::uint8_t>(dice.up_to(12));
+    std::vector<Vec2> points;
+    for (int i = 0; i < 300; ++i)
+      points.push_back({dice.up_to(127) + dice.up_to(254) / 256.0 + 1 / 256.0, dice.step(0, 96, 256)});
+    floors += expect_floors_of_the_core(level, points, 1.0 / 256);
+  }
+  EXPECT_GT(floors, 1000);
+}
+
+}  // namespace talus::export_c_test
