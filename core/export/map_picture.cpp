@@ -1,0 +1,41 @@
+#include "map_picture.h"
+
+#include "../formats/png_picture.h"
+#include "export_targets.h"
+
+namespace talus {
+
+FormatResult<std::string> map_picture(const Level& level) {
+  const std::int64_t width = std::int64_t{level.map.width()} * kTileSize;
+  const std::int64_t height = std::int64_t{level.map.height()} * kTileSize;
+  if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicture) {
+    return tl::unexpected(FormatError{"", "the map is " + std::to_string(width) + "x" +
+                                              std::to_string(height) +
+                                              " px, and a picture holds 16384 px a side and 33554432 px in "
+                                              "all, such as 8192x4096"});
+  }
+  const Sheet& tiles = level.sheet(SheetId::tiles);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(static_cast<std::size_t>(width * height) * 3);
+  for (int y = 0; y < height; ++y) {
+    for (Cell c{0, y / kTileSize}; c.x < level.map.width(); ++c.x) {
+      const TileImage& image = tiles.images[level.map.at(c)];
+      for (int x = 0; x < kTileSize; ++x) {
+        const Rgb color = level.palette[image[y % kTileSize * kTileSize + x]];
+        bytes.insert(bytes.end(), {color.r, color.g, color.b});
+      }
+    }
+  }
+  std::string png = encode_png(static_cast<int>(width), static_cast<int>(height), 3, bytes.data());
+  if (png.empty())
+    return tl::unexpected(FormatError{"", "the memory does not suffice for the map's picture"});
+  return png;
+}
+
+FormatResult<Exported> export_png(const ExportRequest& request) {
+  FormatResult<std::string> png = map_picture(request.level);
+  if (!png) return tl::unexpected(png.error());
+  return Exported{{{"", std::move(*png)}}, {}};
+}
+
+}  // namespace talus

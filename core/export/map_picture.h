@@ -1,0 +1,15 @@
+// The whole map as a PNG picture.
+#pragma once
+
+#include "../formats/format.h"
+
+namespace talus {
+
+// Encoding takes ten bytes of memory a pixel, which bounds it to a third of a gigabyte.
+inline constexpr int kMaxPictureSide = 16384;         // px
+inline constexpr std::int64_t kMaxPicture = 1 << 25;  // px in all, such as 8192x4096
+
+// One pixel a px in the palette's colours. An error where the map is larger than the limits.
+FormatResult<std::string> map_picture(const Level& level);
+
+}  // namespace talus

@@ -1,0 +1,131 @@
+// The map as a PNG and as an SVG drawing, pixel by pixel and path by path.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+
+#include "formats/png_picture.h"
+#include "unit/exported_level.h"
+#include "unit/program_output.h"
+
+namespace talus::export_picture_test {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(ExportPng, IsTheMapInItsColours) {
+  Level level = level_of_shapes({"12", "..", "21"});
+  Sheet& tiles = level.sheet(SheetId::tiles);
+  for (int i = 0; i < 64; ++i) tiles.images[1][i] = static_cast<std::uint8_t>(i % 16);
+  tiles.images[2].fill(3);
+  const auto picture = read_png(exported_file("png", level));
+  ASSERT_TRUE(picture) << picture.error().message;
+  ASSERT_EQ(picture->width, 16);
+  ASSERT_EQ(picture->height, 24);
+  for (int y = 0; y < 24; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const std::uint8_t tile = level.map.at({x / 8, y / 8});
+      EXPECT_EQ(picture->at(x, y), level.palette[tiles.images[tile][y % 8 * 8 + x % 8]]) << x << "," << y;
+    }
+  }
+}
+
+TEST(ExportPng, ALargeMapIsRefused) {
+  Level level;
+  level.map = TileMap(2049, 1);
+  EXPECT_EQ(exported("png", level, "map.png").error().message,
+            "the map is 16392x8 px, and a picture holds 16384 px a side and 33554432 px in all, such as "
+            "8192x4096");
+  level.map = TileMap(1024, 513);
+  EXPECT_THAT(exported("png", level, "map.png").error().message, StartsWith("the map is 8192x4104 px"));
+  EXPECT_THAT(exported("svg", level, "map.svg").error().message, StartsWith("the map is 8192x4104 px"));
+}
+
+// The drawing, read as XML.
+class ExportSvg : public ::testing::Test {
+ protected:
+  pugi::xml_node draw(const Level& level) {
+    const std::string text = exported_file("svg", level);
+    const auto parsed = document_.load_string(text.c_str());
+    EXPECT_TRUE(parsed) << parsed.description();
+    return document_.child("svg");
+  }
+  std::string path(const char* id) {
+    return document_.child("svg").find_child_by_attribute("path", "id", id).attribute("d").value();
+  }
+
+ private:
+  pugi::xml_document document_;
+};
+
+TEST_F(ExportSvg, HoldsThePictureOfTheMap) {
+  const Level level = level_of_shapes({"1.", "11"});
+  const pugi::xml_node root = draw(level);
+  EXPECT_STREQ(root.attribute("xmlns").value(), "http://www.w3.org/2000/svg");
+  EXPECT_STREQ(root.attribute("viewBox").value(), "0 0 16 16");
+  const std::string data = root.child("image").attribute("xlink:href").value();
+  ASSERT_THAT(data, StartsWith("data:image/png;base64,"));
+  const auto folder = std::filesystem::path(::testing::TempDir());
+  put_file(folder / "talus_svg_base64", data.substr(data.find(',') + 1));
+  EXPECT_EQ(output_of("base64 -d '" + (folder / "talus_svg_base64").string() + "'"),
+            exported_file("png", level));
+}
+
+TEST_F(ExportSvg, DrawsOutlineAndNormals) {
+  draw(level_of_shapes({"2", "1"}));
+  EXPECT_EQ(path("ground"), "M0 8L8 0L8 16L0 16Z");
+  EXPECT_THAT(path("normals"), StartsWith("M4 4l-1.414213562373095"));
+  EXPECT_THAT(path("normals"), HasSubstr("M8 8l2 -0M4 16l-0 2M0 12l-2 -0"));
+  EXPECT_EQ(path("one-way"), "");
+  EXPECT_EQ(path("curves"), "");
+}
+
+TEST_F(ExportSvg, DashesOneWayLines) {
+  const pugi::xml_node root = draw(level_of_shapes({"77"}));
+  EXPECT_EQ(path("one-way"), "M0 0L16 0");
+  EXPECT_EQ(path("normals"), "M8 0l0 -2");
+  EXPECT_STREQ(root.find_child_by_attribute("path", "id", "one-way").attribute("stroke-dasharray").value(),
+               "2 1");
+}
+
+TEST_F(ExportSvg, DrawsCurvesExactly) {
+  const auto curve = [this](const auto& form, Curve::Faces faces = Curve::Faces::up) {
+    Level level;
+    level.curves.push_back({"", {form, faces}, ""});
+    draw(level);
+    return path("curves");
+  };
+  EXPECT_EQ(curve(Segment{{0, 8}, {8, 4}}), "M0 8L8 4");
+  EXPECT_EQ(curve(Segment{{8, 0}, {8, 4}}), "M8 4L8 0");
+  EXPECT_EQ(curve(Polyline{0, 8, {4, 6, 4}}, Curve::Faces::both), "M0 4L4 6L8 4");
+  EXPECT_EQ(path("normals").substr(0, 4), "M2 5");
+  EXPECT_EQ(std::count(path("normals").begin(), path("normals").end(), 'M'), 4);
+  EXPECT_EQ(curve(Arc{{20, 20}, 10, 10, 30, true}), "M10 20A10 10 0 0 1 30 20");
+  EXPECT_EQ(curve(Arc{{20, 20}, 10, 14, 26, false}), "M14 28A10 10 0 0 0 26 28");
+  EXPECT_EQ(curve(Parabola{{0, 8}, {16, 12}, -4}), "M0 8Q8 -4 16 12");
+  EXPECT_EQ(curve(Cubic{{0, 8}, {12, 8}, -1, 1}), "M0 8C4 4 8 4 12 8");
+  EXPECT_EQ(path("normals"), "M6 5l0 -2");
+  const std::string sine = curve(Sine{0, 16, 20, 4, 16, 0});
+  EXPECT_THAT(sine, StartsWith("M0 20C"));
+  EXPECT_EQ(std::count(sine.begin(), sine.end(), 'C'), 16);
+  EXPECT_THAT(sine, HasSubstr(" 4 24C"));
+}
+
+TEST_F(ExportSvg, DrawsBodies) {
+  Level level;
+  level.map = TileMap(2, 2);
+  Spawn& spawn = level.spawns.emplace_back();
+  spawn.name = "a <b> & \"c\"\x01";
+  spawn.kind = BodyKind::player;
+  spawn.position = {1.5, 2};
+  spawn.size = {6, 12};
+  const pugi::xml_node root = draw(level);
+  const pugi::xml_node box = root.find_child_by_attribute("g", "id", "spawns").child("rect");
+  EXPECT_STREQ(box.attribute("class").value(), "player");
+  EXPECT_STREQ(box.attribute("x").value(), "1.5");
+  EXPECT_STREQ(box.attribute("height").value(), "12");
+  EXPECT_STREQ(box.child("title").text().get(), "a <b> & \"c\" ");
+  EXPECT_EQ(path("ground"), "");
+}
+
+}  // namespace talus::export_picture_test
