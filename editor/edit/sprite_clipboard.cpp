@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kDigitsOfATile = kTileSize * kTileSize + 2;  // its pixels and its flags
 constexpr std::size_t kDigitsOfAColor = 6;
-constexpr std::string_view kTiles = "tiles", kPixels = "pixels", kSpace = " \t\r\n";
+constexpr std::string_view kTilesWord = "tiles", kPixelsWord = "pixels", kSpace = " \t\r\n";
 
 char to_digit(int value) { return "0123456789abcdef"[value & 15]; }
 
@@ -77,7 +77,7 @@ struct Tiles {
 
 std::optional<Tiles> tiles_from_text(std::string_view text) {
   text = trimmed(text);
-  auto size = take_size(text, kTiles);
+  auto size = take_size(text, kTilesWord);
   const auto digits = digits_of(without_space(text));
   if (!digits || digits->empty() || digits->size() % kDigitsOfATile != 0) return std::nullopt;
   const int count = static_cast<int>(digits->size()) / kDigitsOfATile;
@@ -95,7 +95,7 @@ std::optional<Tiles> tiles_from_text(std::string_view text) {
 
 std::string tiles_to_text(const Level& level, const SpriteArea& area) {
   const CellRect& t = area.tiles;
-  std::string text = t.w == t.h ? "" : std::string(kTiles) + " " + to_string(Size{t.w, t.h}) + "\n";
+  std::string text = t.w == t.h ? "" : std::string(kTilesWord) + " " + to_string(Size{t.w, t.h}) + "\n";
   for (std::uint8_t color : copy_pixels(level, area, {0, 0, area.width(), area.height()}).colors)
     text += to_digit(color);
   for (int y = 0; y < t.h; ++y) {
@@ -125,14 +125,14 @@ tl::expected<Edit, std::string> paste_tiles(const Level& level, const SpriteArea
 }
 
 std::string pixels_to_text(const PixelBlock& block) {
-  std::string text = std::string(kPixels) + " " + to_string(Size{block.w, block.h}) + "\n";
+  std::string text = std::string(kPixelsWord) + " " + to_string(Size{block.w, block.h}) + "\n";
   for (std::uint8_t color : block.colors) text += to_digit(color);
   return text;
 }
 
 std::optional<PixelBlock> pixels_from_text(std::string_view text) {
   text = trimmed(text);
-  const auto size = take_size(text, kPixels);
+  const auto size = take_size(text, kPixelsWord);
   if (!size) return std::nullopt;
   auto digits = digits_of(without_space(text));
   if (!digits || digits->size() != static_cast<std::size_t>(size->w) * size->h) return std::nullopt;
