@@ -1,0 +1,89 @@
+/* Talus from C, and from every language that can call C: loads a level or a cart and runs its physics, which
+   give the same doubles as the editor and `talus sim`.
+
+       char error[200];
+       talus_game* game = talus_open("cave.talus.json", error, sizeof error);
+       if (!game) fail(error);
+       talus_step(game, TALUS_RIGHT | TALUS_JUMP, 0, 0, 0);
+
+   C99. All lengths are px of the level with y down, 8 px a tile; velocities are px a frame. Games share
+   nothing: each may be used by another thread, but one by only one thread at a time. No function throws.
+   Where one takes a game, null is allowed, and gets what its comment says.
+
+   For LuaJIT's ffi.cdef take out what is from an #ifdef to its #endif, and then all lines that begin
+   with #. */
+#ifndef TALUS_H
+#define TALUS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A level that runs. */
+typedef struct talus_game talus_game;
+
+/* Keys of the players, to be added up. */
+enum { TALUS_LEFT = 1, TALUS_RIGHT = 2, TALUS_JUMP = 4 };
+
+typedef struct talus_body {
+  int32_t id;          /* from 1, in the order of the map's ball tiles, columns from the left, then spawns */
+  int32_t is_player;   /* 0: a ball; 1: a player, who does what the keys say */
+  int32_t is_grounded; /* 1: it stood on ground after the last frame; solver `exact` alone, else 0 */
+  int32_t is_held;     /* 1: the mouse holds it; else 0 */
+  double x, y;         /* px, top left corner of its box */
+  double w, h;         /* px, of its box */
+  double vx, vy;       /* px a frame */
+} talus_body;
+
+/* Loads a level or cart of any format that the editor opens, at its first frame. Null after an error; then
+   `error` holds "FILE:PLACE: error: MESSAGE", cut off after error_size - 1 bytes, and else "". `error` may be
+   null. A null `path` is an error. */
+talus_game* talus_open(const char* path, char* error, size_t error_size);
+
+/* The same for what a file holds, `size` bytes. `name`: of the file, whose extension may tell its format;
+   null for none. Null `bytes` are an error unless `size` is 0. */
+talus_game* talus_read(const void* bytes, size_t size, const char* name, char* error, size_t error_size);
+
+/* Frees a game. Null: does nothing. */
+void talus_close(talus_game* game);
+
+/* Goes one frame further. keys: what is held down, 0 for none; other bits than the three are ignored.
+   mouse_down: not 0 while the left button is held, which takes the body under the mouse, drags it, and throws
+   it when it is let go. A mouse that is nowhere, infinite or no number, has its button up. A level that is a
+   hard case plays its own input besides. 1; 0 if the game is null or the memory does not suffice, and then
+   nothing has changed. */
+int talus_step(talus_game* game, uint32_t keys, double mouse_x, double mouse_y, int mouse_down);
+
+/* Goes back to the first frame. 1; 0 if the game is null or the memory does not suffice, and then nothing has
+   changed. */
+int talus_restart(talus_game* game);
+
+/* Frames that were stepped, from 0. Null: -1. */
+int64_t talus_frame(const talus_game* game);
+
+/* How many bodies there are; it does not change. Null: 0. */
+int32_t talus_body_count(const talus_game* game);
+
+/* The body at an index from 0, by id, into *body. 1; 0 if the game or `body` is null or there is no such
+   body, and then nothing is written. */
+int talus_body_at(const talus_game* game, int32_t index, talus_body* body);
+
+/* A number of the frame and all bits of all bodies, which `talus sim --hash` prints in hexadecimal: equal for
+   equal games on every machine. Null: 0. */
+uint64_t talus_hash(const talus_game* game);
+
+/* The floor that a box would stand on, straight below it and at most `reach` px away: 1, and *floor_y is its
+   height, px. 0 where there is none, where the box is inside of the ground, and for a null game, numbers that
+   are infinite or none, a box without a size or larger than 1024 px, a negative reach or a lack of memory:
+   then *floor_y is as it was. `floor_y` may be null. The first call for a level of another solver than
+   `exact` compiles the ground. */
+int talus_floor(talus_game* game, double x, double y, double w, double h, double reach, double* floor_y);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

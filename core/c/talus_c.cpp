@@ -1,0 +1,179 @@
+// The interface for C: each function checks what it is given, and lets no exception through.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+#include <utility>
+
+#include "../collision/ground_queries.h"
+#include "../formats/format.h"
+#include "../formats/hard_case.h"
+#include "../level/ground.h"
+#include "../sim/case_input.h"
+#include "../sim/solver.h"
+#include "talus.h"
+
+struct talus_game {
+  talus::Level level;
+  std::vector<talus::CaseInput> script;  // of a hard case
+  std::shared_ptr<const talus::Scene> scene;
+  std::unique_ptr<talus::Solver> solver;
+  talus::State state;
+  talus::State next;                             // storage of talus_step
+  std::shared_ptr<const talus::Terrain> ground;  // of queries; null until the first one
+};
+
+namespace talus {
+namespace {
+
+// What the function gives, or `otherwise` when it throws, which only a lack of memory makes it do.
+template <class Result, class Function>
+Result guarded(Result otherwise, Function function) {
+  try {
+    return function();
+  } catch (...) {
+    return otherwise;
+  }
+}
+
+void tell(const char* text, char* error, std::size_t error_size) {
+  if (error == nullptr || error_size == 0) return;
+  const std::size_t length = std::min(std::strlen(text), error_size - 1);
+  std::memcpy(error, text, length);
+  error[length] = '\0';
+}
+
+FormatResult<std::unique_ptr<talus_game>> game_of(FormatResult<LoadedLevel> loaded) {
+  if (!loaded) return tl::unexpected(loaded.error());
+  auto game = std::make_unique<talus_game>();
+  game->level = std::move(loaded->level);
+  const auto hard = hard_case_of(game->level);
+  if (!hard) return tl::unexpected(hard.error());
+  if (*hard) game->script = (*hard)->input;
+  game->scene = std::make_shared<const Scene>(compile_scene(game->level));
+  game->solver = make_solver(game->scene);
+  game->state = initial_state(*game->scene);
+  return game;
+}
+
+// load: gives the level that is named so.
+template <class Load>
+talus_game* opened(const char* name, char* error, std::size_t error_size, Load load) {
+  tell("", error, error_size);
+  try {
+    auto game = game_of(load());
+    if (game) return game->release();
+    tell(to_string(game.error(), name).c_str(), error, error_size);
+  } catch (...) {
+    tell("error: there is not enough memory", error, error_size);
+  }
+  return nullptr;
+}
+
+bool are_finite(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
+const Terrain& queried_ground(talus_game& game) {
+  if (!game.ground) game.ground = game.scene->ground;
+  if (!game.ground) game.ground = std::make_shared<const Terrain>(ground_of(game.level));
+  return *game.ground;
+}
+
+Input input_of_call(std::uint32_t keys, Vec2 mouse, bool mouse_down) {
+  Input input;
+  if (are_finite({mouse.x, mouse.y})) {
+    input.mouse = mouse;
+    input.mouse_down = mouse_down;
+  }
+  input.left = (keys & TALUS_LEFT) != 0;
+  input.right = (keys & TALUS_RIGHT) != 0;
+  input.jump = (keys & TALUS_JUMP) != 0;
+  return input;
+}
+
+}  // namespace
+}  // namespace talus
+
+talus_game* talus_open(const char* path, char* error, size_t error_size) {
+  using namespace talus;
+  if (path == nullptr) {
+    tell("error: the path is null", error, error_size);
+    return nullptr;
+  }
+  return opened(path, error, error_size, [path] { return load_level(path); });
+}
+
+talus_game* talus_read(const void* bytes, size_t size, const char* name, char* error, size_t error_size) {
+  using namespace talus;
+  if (bytes == nullptr && size != 0) {
+    tell("error: the bytes are null", error, error_size);
+    return nullptr;
+  }
+  const char* shown = name == nullptr ? "level" : name;
+  return opened(shown, error, error_size, [&] {
+    const std::string_view content =
+        size == 0 ? std::string_view() : std::string_view(static_cast<const char*>(bytes), size);
+    return read_level(content, {name == nullptr ? "" : context_for_file(name).extension});
+  });
+}
+
+void talus_close(talus_game* game) { delete game; }
+
+int talus_step(talus_game* game, uint32_t keys, double mouse_x, double mouse_y, int mouse_down) {
+  using namespace talus;
+  if (game == nullptr) return 0;
+  return guarded(0, [&] {
+    game->next = game->state;
+    const Input given = input_of_call(keys, {mouse_x, mouse_y}, mouse_down != 0);
+    game->solver->step(game->next, added(case_input(game->script, game->next.frame + 1), given));
+    std::swap(game->state, game->next);
+    return 1;
+  });
+}
+
+int talus_restart(talus_game* game) {
+  if (game == nullptr) return 0;
+  return talus::guarded(0, [&] {
+    game->state = talus::initial_state(*game->scene);
+    return 1;
+  });
+}
+
+int64_t talus_frame(const talus_game* game) { return game == nullptr ? -1 : game->state.frame; }
+
+int32_t talus_body_count(const talus_game* game) {
+  return game == nullptr ? 0 : static_cast<int32_t>(game->state.bodies.size());
+}
+
+int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
+  if (body == nullptr || index < 0 || index >= talus_body_count(game)) return 0;
+  const talus::State& state = game->state;
+  const talus::Body& found = state.bodies[static_cast<std::size_t>(index)];
+  *body = {.id = found.id,
+           .is_player = found.kind == talus::BodyKind::player ? 1 : 0,
+           .is_grounded = found.gait.grounded ? 1 : 0,
+           .is_held = state.grabbed == found.id ? 1 : 0,
+           .x = found.box.x,
+           .y = found.box.y,
+           .w = found.box.w,
+           .h = found.box.h,
+           .vx = found.velocity.x,
+           .vy = found.velocity.y};
+  return 1;
+}
+
+uint64_t talus_hash(const talus_game* game) { return game == nullptr ? 0 : talus::state_hash(game->state); }
+
+int talus_floor(talus_game* game, double x, double y, double w, double h, double reach, double* floor_y) {
+  using namespace talus;
+  const bool usable = are_finite({x, y, w, h, reach}) && w > 0 && h > 0 && w <= kMaxBodySize &&
+                      h <= kMaxBodySize && reach >= 0;
+  if (game == nullptr || !usable) return 0;
+  return guarded(0, [&] {
+    const auto floor = floor_below(queried_ground(*game), {x, y, w, h}, reach);
+    if (!floor) return 0;
+    if (floor_y != nullptr) *floor_y = floor->y;
+    return 1;
+  });
+}
