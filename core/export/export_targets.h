@@ -41,8 +41,18 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request);
 FormatResult<Exported> export_png(const ExportRequest& request);
 FormatResult<Exported> export_svg(const ExportRequest& request);
 
-// A folder for games with bump.lua: slopes as one of its responses, the level, and an example for LÖVE. Curves
-// are dropped.
+// A folder for games with bump.lua: slopes as one of its responses, the level, and an example for LÖVE.
+// Curves are dropped.
 FormatResult<Exported> export_bump(const ExportRequest& request);
+
+// Maps of Tiled with their picture beside them (see formats/tiled_map.h): as JSON, as XML, and as the Lua
+// that Simple Tiled Implementation and its plugin for bump.lua load. There a tile that stops bodies has the
+// property `collidable`, and one that is part of a slope `slope` ("floor" or "ceiling") with the heights `h0`
+// and `h1` at its left and right side, in px from its bottom or top, which may lie outside of it; of a
+// profile also `heights`, nine of them, one a pixel; `one_way` where only the line stops. Cells that a wide
+// or high slope reaches into have tiles of their own, with the numbers from 256.
+FormatResult<Exported> export_tmj(const ExportRequest& request);
+FormatResult<Exported> export_tmx(const ExportRequest& request);
+FormatResult<Exported> export_sti(const ExportRequest& request);
 
 }  // namespace talus

@@ -17,6 +17,8 @@ template <std::size_t N>
 using Extensions = std::array<std::string_view, N>;
 
 constexpr Extensions<1> kPng = {"png"};
+constexpr Extensions<1> kTmj = {"tmj"};
+constexpr Extensions<1> kTmx = {"tmx"};
 constexpr Extensions<1> kLdtk = {"ldtk"};
 constexpr Extensions<1> kSvg = {"svg"};
 constexpr Extensions<1> kLua = {"lua"};
@@ -41,9 +43,15 @@ std::span<const Exporter> exporters() {
        export_tic_text_playable},
       {"love", "game for LÖVE 11", {}, export_love},
       {"lua-runtime", "Lua runtime and level", {}, export_lua_runtime},
-      {"bump", "game for LÖVE with bump.lua", {}, export_bump,
+      {"bump",
+       "game for LÖVE with bump.lua",
+       {},
+       export_bump,
        "Slopes as a response for bump.lua, the level, and an example that uses them."},
       {"cpp", "game in C++", {}, export_cpp},
+      {"tmj", "Tiled map, JSON", kTmj, export_tmj},
+      {"tmx", "Tiled map, XML", kTmx, export_tmx},
+      {"sti", "Lua map for Simple Tiled Implementation", kLua, export_sti},
       {"ldtk", "LDtk project", kLdtk, export_ldtk},
       {"lua", "Lua table of plain data", kLua, export_lua},
       {"json", "JSON file of plain data", kJson, export_json},

@@ -1,0 +1,393 @@
+// A project of LDtk with one level, and the sheet of its tiles beside it.
+//
+// Layers, from the top: "Bodies", an entity for each spawn with its exact numbers as fields; "Collision", an
+// IntGrid: 0 is empty, 1 a full tile, 2 a full one-way tile, and each other shape of the level has a value of
+// its own, whose identifier says what it is, in the cell of its left end; "Tiles". Shapes cannot be drawn in
+// LDtk, so the tileset's custom data hold for each tile with flags or a shape one JSON object as text: flags,
+// ball, and the shape as plain_text.h has it. Curves have no place.
+//
+// All keys that LDtk's schema requires are there, though its loader does without many: other programs do not.
+#include <algorithm>
+#include <cmath>
+
+#include "../formats/json_text.h"
+#include "../formats/number_text.h"
+#include "../formats/png_sheet.h"
+#include "../level/ground.h"
+#include "export_targets.h"
+#include "plain_data.h"
+#include "plain_text.h"
+
+namespace talus {
+namespace {
+
+// Numbers of definitions, unique in the project.
+enum LdtkUid : int {
+  kTilesetUid = 1,
+  kBodiesUid,
+  kCollisionUid,
+  kTilesUid,
+  kLevelUid,
+  kBallUid = 10,  // the fields of an entity have the numbers behind its own
+  kPlayerUid = 30,
+  kNextUid = 50
+};
+
+constexpr const char* kLayerDef = R"({"__type":"","identifier":"","type":"","uid":0,"doc":null,"uiColor":null,
+"gridSize":8,"guideGridWid":0,"guideGridHei":0,"displayOpacity":1,"inactiveOpacity":0.6,"hideInList":false,
+"hideFieldsWhenInactive":true,"canSelectWhenInactive":true,"renderInWorldView":true,"pxOffsetX":0,
+"pxOffsetY":0,"parallaxFactorX":0,"parallaxFactorY":0,"parallaxScaling":true,"requiredTags":[],
+"excludedTags":[],"autoTilesKilledByOtherLayerUid":null,"uiFilterTags":[],"useAsyncRender":false,
+"intGridValues":[],"intGridValuesGroups":[],"autoRuleGroups":[],"autoSourceLayerDefUid":null,
+"tilesetDefUid":null,"tilePivotX":0,"tilePivotY":0,"biomeFieldUid":null})";
+
+constexpr const char* kFieldDef =
+    R"({"identifier":"","doc":null,"__type":"","uid":0,"type":"","isArray":false,
+"canBeNull":false,"arrayMinLength":null,"arrayMaxLength":null,"editorDisplayMode":"Hidden",
+"editorDisplayScale":1,"editorDisplayPos":"Above","editorLinkStyle":"StraightArrow","editorDisplayColor":null,
+"editorAlwaysShow":false,"editorShowInWorld":true,"editorCutLongValues":true,"editorTextSuffix":null,
+"editorTextPrefix":null,"useForSmartColor":false,"exportToToc":false,"searchable":false,"min":null,"max":null,
+"regex":null,"acceptFileTypes":null,"defaultOverride":null,"textLanguageMode":null,"symmetricalRef":false,
+"autoChainRef":true,"allowOutOfLevelRef":true,"allowedRefs":"OnlySame","allowedRefsEntityUid":null,
+"allowedRefTags":[],"tilesetUid":null})";
+
+constexpr const char* kEntityDef = R"({"identifier":"","uid":0,"tags":[],"exportToToc":false,
+"allowOutOfBounds":true,"doc":null,"width":8,"height":8,"resizableX":true,"resizableY":true,"minWidth":null,
+"maxWidth":null,"minHeight":null,"maxHeight":null,"keepAspectRatio":false,"tileOpacity":1,"fillOpacity":0.5,
+"lineOpacity":1,"hollow":false,"color":"","renderMode":"Rectangle","showName":true,"tilesetId":null,
+"tileRenderMode":"FitInside","tileRect":null,"uiTileRect":null,"nineSliceBorders":[],"maxCount":0,
+"limitScope":"PerLevel","limitBehavior":"MoveLastOne","pivotX":0,"pivotY":0,"fieldDefs":[]})";
+
+constexpr const char* kTilesetDef = R"({"__cWid":16,"__cHei":16,"identifier":"Sheet","uid":0,"relPath":"",
+"embedAtlas":null,"pxWid":128,"pxHei":128,"tileGridSize":8,"spacing":0,"padding":0,"tags":[],
+"tagsSourceEnumUid":null,"enumTags":[],"customData":[],"savedSelections":[],"cachedPixelData":null})";
+
+constexpr const char* kLevel = R"({"identifier":"","iid":"","uid":0,"worldX":0,"worldY":0,"worldDepth":0,
+"pxWid":0,"pxHei":0,"__bgColor":"","bgColor":null,"useAutoIdentifier":false,"bgRelPath":null,"bgPos":null,
+"bgPivotX":0.5,"bgPivotY":0.5,"__smartColor":"","__bgPos":null,"externalRelPath":null,"fieldInstances":[],
+"__neighbours":[]})";
+
+constexpr const char* kProject = R"({"__header__":{"fileType":"LDtk Project JSON","app":"LDtk",
+"doc":"https://ldtk.io/json","schema":"https://ldtk.io/files/JSON_SCHEMA.json"},"iid":"",
+"jsonVersion":"1.5.3","appBuildId":0,"nextUid":0,"identifierStyle":"Free","toc":[],"worldLayout":"Free",
+"worldGridWidth":256,"worldGridHeight":256,"defaultLevelWidth":256,"defaultLevelHeight":256,
+"defaultPivotX":0,"defaultPivotY":0,"defaultGridSize":8,"defaultEntityWidth":8,"defaultEntityHeight":8,
+"bgColor":"#40465B","defaultLevelBgColor":"","minifyJson":false,"externalLevels":false,"exportTiled":false,
+"simplifiedExport":false,"imageExportMode":"None","exportLevelBg":true,"pngFilePattern":null,
+"backupOnSave":false,"backupLimit":10,"backupRelPath":null,"levelNamePattern":"Level_%idx",
+"tutorialDesc":null,"customCommands":[],"flags":[],"defs":{"layers":[],"entities":[],"tilesets":[],
+"enums":[],"externalEnums":[],"levelFields":[]},"worlds":[],"dummyWorldIid":""})";
+
+OrderedJson filled(const char* defaults, const OrderedJson& changes) {
+  OrderedJson object = OrderedJson::parse(defaults);
+  object.update(changes);
+  return object;
+}
+
+// Unique in the project, and the same whenever a level is exported.
+std::string iid(int number) {
+  const std::string digits = std::to_string(number);
+  return "7a105000-0000-11f0-8000-" + std::string(12 - digits.size(), '0') + digits;
+}
+
+std::string color_text(Rgb color) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  std::string text = "#";
+  for (const std::uint8_t part : {color.r, color.g, color.b})
+    (text += kDigits[part / 16]) += kDigits[part % 16];
+  return text;
+}
+
+// Letters, digits and '_' alone, and no digit first.
+std::string ldtk_identifier(const std::string& name) {
+  std::string id = name.empty() || (name[0] >= '0' && name[0] <= '9') ? "Level_" + name : name;
+  std::replace_if(
+      id.begin(), id.end(), [](unsigned char c) { return c > 127 || (std::isalnum(c) == 0 && c != '_'); },
+      '_');
+  return id;
+}
+
+// "slope_0_to_8", "one_way_ceiling_slope_8_to_2p5_over_3_tiles"; heights as TileShape has them.
+std::string value_name(const TileShape& shape, int tile) {
+  const bool is_ceiling = shape.side == TileShape::Side::ceiling;
+  std::string name = std::string(shape.one_way ? "one_way_" : "") + (is_ceiling ? "ceiling_" : "");
+  if (shape.kind == TileShape::Kind::profile) return name + "profile_of_tile_" + std::to_string(tile);
+  name += "slope_";
+  append_number(name, shape.heights[0]);
+  append_number(name += "_to_", shape.heights[1]);
+  if (shape.tiles > 1) name += "_over_" + std::to_string(shape.tiles) + "_tiles";
+  std::replace(name.begin(), name.end(), '.', 'p');
+  return ldtk_identifier(name);
+}
+
+struct CollisionValues {
+  std::array<int, kTileCount> of_tile{};
+  OrderedJson definitions = OrderedJson::array();
+};
+
+CollisionValues collision_values(const TerrainSource& ground) {
+  CollisionValues values;
+  std::vector<TileShape> shapes;  // by value, from 1
+  const auto define = [&](const TileShape& shape, const std::string& name, const char* color) {
+    shapes.push_back(shape);
+    values.definitions.push_back({{"value", shapes.size()},
+                                  {"identifier", name},
+                                  {"color", color},
+                                  {"tile", nullptr},
+                                  {"groupUid", 0}});
+  };
+  define({.kind = TileShape::Kind::solid}, "solid", "#94B0C2");
+  define({.kind = TileShape::Kind::solid, .one_way = true}, "one_way", "#41A6F6");
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    TileShape shape = ground.shapes[tile];
+    if (shape.kind == TileShape::Kind::none) continue;
+    if (shape.kind == TileShape::Kind::solid) shape = {.kind = shape.kind, .one_way = shape.one_way};
+    auto known = std::find(shapes.begin(), shapes.end(), shape);
+    if (known == shapes.end()) {
+      const bool is_ceiling = shape.side == TileShape::Side::ceiling;
+      define(shape, value_name(shape, tile), is_ceiling ? "#B13E53" : shape.one_way ? "#3B5DC9" : "#38B764");
+      known = shapes.end() - 1;
+    }
+    values.of_tile[tile] = static_cast<int>(known - shapes.begin()) + 1;
+  }
+  return values;
+}
+
+// Of tiles with flags or a shape, each a text.
+OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
+  std::array<OrderedJson, kTileCount> tiles;
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const auto number = static_cast<std::uint8_t>(tile);
+    const std::uint8_t flags = level.tile_flags(number);
+    if (flags != 0) tiles[tile]["flags"] = flags;
+    if (is_ball_tile(level, number)) tiles[tile]["ball"] = true;
+  }
+  for (const PlainShape& shape : plain_shapes(ground)) tiles[shape.tile].update(plain_shape_json(shape));
+  OrderedJson all = OrderedJson::array();
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    if (!tiles[tile].is_null()) all.push_back({{"tileId", tile}, {"data", tiles[tile].dump()}});
+  }
+  return all;
+}
+
+struct BodyField {
+  const char* name;
+  OrderedJson value;  // a text or a number
+};
+
+std::vector<BodyField> body_fields(const Spawn& spawn) {
+  return {{"name", spawn.name},
+          {"x", json_number(spawn.position.x)},
+          {"y", json_number(spawn.position.y)},
+          {"w", json_number(spawn.size.x)},
+          {"h", json_number(spawn.size.y)},
+          {"vx", json_number(spawn.velocity.x)},
+          {"vy", json_number(spawn.velocity.y)},
+          {"foot", foot_word(spawn.used_foot())}};
+}
+
+OrderedJson entity_def(const char* name, int uid, const char* color) {
+  OrderedJson entity = filled(kEntityDef, {{"identifier", name}, {"uid", uid}, {"color", color}});
+  for (const BodyField& field : body_fields(Spawn())) {
+    const bool is_text = field.value.is_string();
+    entity["fieldDefs"].push_back(filled(kFieldDef, {{"identifier", field.name},
+                                                     {"__type", is_text ? "String" : "Float"},
+                                                     {"uid", ++uid},
+                                                     {"type", is_text ? "F_String" : "F_Float"}}));
+  }
+  return entity;
+}
+
+constexpr const char *kBallColor = "#FFCD75", *kPlayerColor = "#EF7D57";
+
+int rounded_px(double px) { return static_cast<int>(std::lround(std::clamp(px, -1e9, 1e9))); }
+
+OrderedJson entity(const Spawn& spawn, int number) {
+  const bool is_player = spawn.kind == BodyKind::player;
+  const int x = rounded_px(spawn.position.x), y = rounded_px(spawn.position.y);
+  int uid = is_player ? kPlayerUid : kBallUid;
+  OrderedJson instance = {{"__identifier", is_player ? "Player" : "Ball"},
+                          {"__grid", {cell_of(x), cell_of(y)}},
+                          {"__pivot", {0, 0}},
+                          {"__tags", OrderedJson::array()},
+                          {"__tile", nullptr},
+                          {"__smartColor", is_player ? kPlayerColor : kBallColor},
+                          {"__worldX", x},
+                          {"__worldY", y},
+                          {"iid", iid(100 + number)},
+                          {"width", std::max(1, rounded_px(spawn.size.x))},
+                          {"height", std::max(1, rounded_px(spawn.size.y))},
+                          {"defUid", uid},
+                          {"px", {x, y}},
+                          {"fieldInstances", OrderedJson::array()}};
+  for (const BodyField& field : body_fields(spawn)) {
+    const bool is_text = field.value.is_string();
+    const OrderedJson edited = {{"id", is_text ? "V_String" : "V_Float"},
+                                {"params", OrderedJson::array({field.value})}};
+    instance["fieldInstances"].push_back({{"__identifier", field.name},
+                                          {"__type", is_text ? "String" : "Float"},
+                                          {"__value", field.value},
+                                          {"__tile", nullptr},
+                                          {"defUid", ++uid},
+                                          {"realEditorValues", OrderedJson::array({edited})}});
+  }
+  return instance;
+}
+
+// Names may hold bytes that are no UTF-8; they are replaced.
+std::string dumped(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+// Adds a member to the text of an object. What is large is put together as text: as JSON values the cells of
+// a large map would take a kilobyte each.
+void add_member(std::string& object, const char* key, const std::string& value) {
+  object.pop_back();
+  object.append(",\n\"").append(key).append("\":").append(value) += '}';
+}
+
+std::string list_of(const std::vector<std::string>& entries) {
+  std::string list = "[";
+  for (const std::string& entry : entries) list.append(list.size() > 1 ? ",\n" : "\n").append(entry);
+  return list + "]";
+}
+
+// What has neither pixels nor flags is no tile to see, such as the empty tile 0.
+bool is_blank(const Level& level, std::uint8_t tile) {
+  const TileImage& image = level.sheet(SheetId::tiles).images[tile];
+  return level.tile_flags(tile) == 0 && image == TileImage{};
+}
+
+std::string int_grid(const Level& level, const CollisionValues& values) {
+  std::string csv = "[";
+  int column = 0;
+  for (const std::uint8_t tile : level.map.cells()) {
+    if (csv.size() > 1) csv += ',';
+    if (column == 0) csv += '\n';
+    csv += std::to_string(values.of_tile[tile]);
+    column = (column + 1) % level.map.width();
+  }
+  return csv + "]";
+}
+
+std::string grid_tiles(const Level& level) {
+  std::string tiles = "[";
+  const int width = level.map.width();
+  int cell = -1;
+  for (const std::uint8_t tile : level.map.cells()) {
+    ++cell;
+    if (is_blank(level, tile)) continue;
+    const auto place = [](int column, int row) {
+      return "[" + std::to_string(column * kTileSize) + "," + std::to_string(row * kTileSize) + "]";
+    };
+    tiles += tiles.size() > 1 ? ",\n" : "\n";
+    tiles += R"({"px":)" + place(cell % width, cell / width);
+    tiles += R"(,"src":)" + place(tile % kSheetColumns, tile / kSheetColumns);
+    tiles += R"(,"f":0,"t":)" + std::to_string(tile) + R"(,"d":[)" + std::to_string(cell) + R"(],"a":1})";
+  }
+  return tiles + "]";
+}
+
+class LdtkProject {
+ public:
+  LdtkProject(const Level& level, const std::string& stem)
+      : level_(level), stem_(stem), sheet_(stem + ".png"), values_(collision_values(ground_of(level))) {}
+
+  std::string text() const {
+    const std::string background = color_text(level_.palette[0]);
+    OrderedJson project = filled(kProject, {{"iid", iid(1)},
+                                            {"nextUid", kNextUid},
+                                            {"defaultLevelBgColor", background},
+                                            {"dummyWorldIid", iid(2)}});
+    OrderedJson& defs = project["defs"];
+    defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid),
+                      layer_def("Collision", "IntGrid", kCollisionUid),
+                      layer_def("Tiles", "Tiles", kTilesUid)};
+    defs["layers"][1]["intGridValues"] = values_.definitions;
+    defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
+    defs["entities"] = {entity_def("Ball", kBallUid, kBallColor),
+                        entity_def("Player", kPlayerUid, kPlayerColor)};
+    defs["tilesets"] =
+        OrderedJson::array({filled(kTilesetDef, {{"uid", kTilesetUid},
+                                                 {"relPath", sheet_},
+                                                 {"customData", custom_data(level_, ground_of(level_))}})});
+    OrderedJson level = filled(kLevel, {{"identifier", ldtk_identifier(stem_)},
+                                        {"iid", iid(3)},
+                                        {"uid", kLevelUid},
+                                        {"pxWid", level_.map.width() * kTileSize},
+                                        {"pxHei", level_.map.height() * kTileSize},
+                                        {"__bgColor", background},
+                                        {"__smartColor", background}});
+    std::string level_text = dumped(level), text = dumped(project);
+    add_member(level_text, "layerInstances", list_of({bodies(), collision(), tiles()}));
+    add_member(text, "levels", list_of({level_text}));
+    return text + '\n';
+  }
+
+ private:
+  static OrderedJson layer_def(const char* name, const char* type, int uid) {
+    return filled(kLayerDef, {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}});
+  }
+
+  // Without the members that differ from layer to layer.
+  std::string layer(const char* name, const char* type, int uid) const {
+    const bool has_tileset = uid == kTilesUid;
+    return dumped({{"__identifier", name},
+                   {"__type", type},
+                   {"__cWid", level_.map.width()},
+                   {"__cHei", level_.map.height()},
+                   {"__gridSize", kTileSize},
+                   {"__opacity", 1},
+                   {"__pxTotalOffsetX", 0},
+                   {"__pxTotalOffsetY", 0},
+                   {"__tilesetDefUid", has_tileset ? OrderedJson(int{kTilesetUid}) : OrderedJson()},
+                   {"__tilesetRelPath", has_tileset ? OrderedJson(sheet_) : OrderedJson()},
+                   {"iid", iid(3 + uid)},
+                   {"levelId", kLevelUid},
+                   {"layerDefUid", uid},
+                   {"pxOffsetX", 0},
+                   {"pxOffsetY", 0},
+                   {"visible", true},
+                   {"optionalRules", OrderedJson::array()},
+                   {"autoLayerTiles", OrderedJson::array()},
+                   {"seed", 1},
+                   {"overrideTilesetUid", nullptr}});
+  }
+
+  static std::string with_content(std::string layer, const std::string& grid, const std::string& tiles,
+                                  const std::string& entities) {
+    add_member(layer, "intGridCsv", grid);
+    add_member(layer, "gridTiles", tiles);
+    add_member(layer, "entityInstances", entities);
+    return layer;
+  }
+
+  std::string bodies() const {
+    std::vector<std::string> entities;
+    for (const Spawn& spawn : level_.spawns)
+      entities.push_back(dumped(entity(spawn, static_cast<int>(entities.size()))));
+    return with_content(layer("Bodies", "Entities", kBodiesUid), "[]", "[]", list_of(entities));
+  }
+  std::string collision() const {
+    return with_content(layer("Collision", "IntGrid", kCollisionUid), int_grid(level_, values_), "[]", "[]");
+  }
+  std::string tiles() const {
+    return with_content(layer("Tiles", "Tiles", kTilesUid), "[]", grid_tiles(level_), "[]");
+  }
+
+  const Level& level_;
+  std::string stem_, sheet_;
+  CollisionValues values_;
+};
+
+}  // namespace
+
+FormatResult<Exported> export_ldtk(const ExportRequest& request) {
+  const std::string stem = request.stem();
+  Exported out{{{"", LdtkProject(request.level, stem).text()},
+                {stem + ".png", write_png_part(request.level, PngPart::tiles)}},
+               dropped_curves(request.level)};
+  return out;
+}
+
+}  // namespace talus

@@ -1,0 +1,167 @@
+// Exported projects of LDtk, member by member; tests/games/ldtk_test checks them against schemas.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "export/exporter.h"
+#include "formats/png_picture.h"
+
+namespace talus::export_ldtk_test {
+
+using LdtkJson = nlohmann::json;
+
+Exported exported(const Level& level, const std::string& name = "my cave.ldtk") {
+  const ReadAsset nothing = [](const std::string& asset) -> FormatResult<std::string> {
+    return tl::unexpected(FormatError{asset, "is not wanted"});
+  };
+  auto out = find_exporter("ldtk")->write({level, name, nothing});
+  EXPECT_TRUE(out);
+  return out.value_or(Exported());
+}
+
+LdtkJson project(const Level& level) { return LdtkJson::parse(exported(level).files.at(0).bytes); }
+
+// 3x2 cells: a full tile, an up-slope over two tiles, and below a one-way tile, the same slope and a ball.
+Level small_level() {
+  Level level;
+  level.map = TileMap(3, 2);
+  level.map.cells() = {1, 2, 0, 5, 3, 4};
+  level.sheet(SheetId::tiles).flags[1] = 1;
+  level.sheet(SheetId::tiles).flags[4] = 2;
+  for (const int tile : {2, 3})
+    level.tile_shapes[tile] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 7.5}};
+  level.tile_shapes[5] = {.kind = TileShape::Kind::solid, .one_way = true};
+  return level;
+}
+
+TEST(ExportLdtk, IsAProjectAndTheSheetBesideIt) {
+  const Exported out = exported(small_level());
+  ASSERT_EQ(out.files.size(), 2U);
+  EXPECT_EQ(out.files[0].name, "");
+  EXPECT_EQ(out.files[1].name, "my cave.png");
+  const auto sheet = read_png(out.files[1].bytes);
+  ASSERT_TRUE(sheet);
+  EXPECT_EQ(sheet->width, 128);
+  EXPECT_TRUE(out.dropped.empty());
+
+  const LdtkJson json = LdtkJson::parse(out.files[0].bytes);
+  EXPECT_EQ(json["jsonVersion"], "1.5.3");
+  EXPECT_EQ(json["defaultLevelBgColor"], "#1A1C2C");
+  const LdtkJson& tileset = json["defs"]["tilesets"][0];
+  EXPECT_EQ(tileset["relPath"], "my cave.png");
+  EXPECT_EQ(tileset["tileGridSize"], 8);
+  const LdtkJson& level = json["levels"][0];
+  EXPECT_EQ(level["identifier"], "my_cave");
+  EXPECT_EQ(level["pxWid"], 24);
+  EXPECT_EQ(level["pxHei"], 16);
+  EXPECT_EQ(exported(small_level(), "-").files[1].name, "level.png");
+}
+
+TEST(ExportLdtk, AnIntGridTellsTheShapes) {
+  const LdtkJson json = project(small_level());
+  const LdtkJson& values = json["defs"]["layers"][1]["intGridValues"];
+  ASSERT_EQ(values.size(), 3U);
+  EXPECT_EQ(values[0]["identifier"], "solid");
+  EXPECT_EQ(values[0]["value"], 1);
+  EXPECT_EQ(values[1]["identifier"], "one_way");
+  EXPECT_EQ(values[2]["identifier"], "slope_0_to_7p5_over_2_tiles");
+  EXPECT_EQ(values[2]["value"], 3);
+  const LdtkJson& layer = json["levels"][0]["layerInstances"][1];
+  EXPECT_EQ(layer["__identifier"], "Collision");
+  EXPECT_EQ(layer["__type"], "IntGrid");
+  EXPECT_EQ(layer["__cWid"], 3);
+  EXPECT_EQ(layer["intGridCsv"], LdtkJson({1, 3, 0, 2, 3, 0}));
+}
+
+TEST(ExportLdtk, ShapesOfOtherKindsHaveValuesOfTheirOwn) {
+  Level level = small_level();
+  level.tile_shapes[6] = {.kind = TileShape::Kind::profile, .heights = {0, 3, 8}};
+  level.tile_shapes[7] = {
+      .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .one_way = true, .heights = {8, 0}};
+  level.tile_shapes[8] = {.kind = TileShape::Kind::slope, .heights = {1, -4}};  // cannot be used
+  const LdtkJson values = project(level)["defs"]["layers"][1]["intGridValues"];
+  ASSERT_EQ(values.size(), 5U);
+  EXPECT_EQ(values[3]["identifier"], "profile_of_tile_6");
+  EXPECT_EQ(values[4]["identifier"], "one_way_ceiling_slope_8_to_0");
+}
+
+TEST(ExportLdtk, TilesAreWhereTheMapHasThem) {
+  const LdtkJson json = project(small_level());
+  const LdtkJson& layer = json["levels"][0]["layerInstances"][2];
+  EXPECT_EQ(layer["__type"], "Tiles");
+  EXPECT_EQ(layer["__tilesetRelPath"], "my cave.png");
+  // The tiles 0, 2, 3 and 5 have neither pixels nor flags.
+  ASSERT_EQ(layer["gridTiles"].size(), 2U);
+  EXPECT_EQ(layer["gridTiles"][0].dump(), R"({"a":1,"d":[0],"f":0,"px":[0,0],"src":[8,0],"t":1})");
+  EXPECT_EQ(layer["gridTiles"][1].dump(), R"({"a":1,"d":[5],"f":0,"px":[16,8],"src":[32,0],"t":4})");
+  Level drawn = small_level();
+  drawn.sheet(SheetId::tiles).images[0][3] = 7;
+  drawn.map.cells()[5] = 255;
+  drawn.sheet(SheetId::tiles).flags[255] = 128;
+  const LdtkJson tiles = project(drawn)["levels"][0]["layerInstances"][2]["gridTiles"];
+  ASSERT_EQ(tiles.size(), 3U);
+  EXPECT_EQ(tiles[1]["t"], 0);
+  EXPECT_EQ(tiles[2]["src"], LdtkJson({120, 120}));
+}
+
+TEST(ExportLdtk, CustomDataHoldFlagsAndHeights) {
+  const LdtkJson json = project(small_level());
+  const LdtkJson& data = json["defs"]["tilesets"][0]["customData"];
+  ASSERT_EQ(data.size(), 5U);
+  EXPECT_EQ(data[0]["tileId"], 1);
+  EXPECT_EQ(data[0]["data"],
+            R"({"flags":1,"kind":"solid","one_way":false,"tiles":1,"floor":[0,0,0,0,0,0,0,0]})");
+  const LdtkJson slope = LdtkJson::parse(data[1]["data"].get<std::string>());
+  EXPECT_EQ(slope["kind"], "slope");
+  EXPECT_EQ(slope["tiles"], 2);
+  ASSERT_EQ(slope["floor"].size(), 16U);
+  EXPECT_EQ(slope["floor"][0], 8 - 7.5 * 0.5 / 16);
+  EXPECT_EQ(data[3]["tileId"], 4);
+  EXPECT_EQ(data[3]["data"], R"({"flags":2,"ball":true})");
+}
+
+TEST(ExportLdtk, SpawnsAreEntities) {
+  Level level = small_level();
+  Spawn& ball = level.spawns.emplace_back();
+  ball.name = "Wheel \"1\"";
+  ball.position = {3.75, -2.5};
+  ball.velocity = {0.1, 0};
+  ball.size = {0.25, 12};
+  level.spawns.emplace_back().kind = BodyKind::player;
+  const LdtkJson json = project(level);
+  const LdtkJson& definitions = json["defs"]["entities"];
+  ASSERT_EQ(definitions.size(), 2U);
+  EXPECT_EQ(definitions[0]["identifier"], "Ball");
+  EXPECT_EQ(definitions[1]["identifier"], "Player");
+  ASSERT_EQ(definitions[1]["fieldDefs"].size(), 8U);
+  EXPECT_EQ(definitions[1]["fieldDefs"][7]["identifier"], "foot");
+  EXPECT_EQ(definitions[1]["fieldDefs"][7]["type"], "F_String");
+
+  const LdtkJson& entities = json["levels"][0]["layerInstances"][0]["entityInstances"];
+  ASSERT_EQ(entities.size(), 2U);
+  EXPECT_EQ(entities[0]["px"], LdtkJson({4, -3}));
+  EXPECT_EQ(entities[0]["__grid"], LdtkJson({0, -1}));
+  EXPECT_EQ(entities[0]["width"], 1);
+  EXPECT_EQ(entities[0]["height"], 12);
+  EXPECT_EQ(entities[0]["defUid"], definitions[0]["uid"]);
+  const LdtkJson& fields = entities[0]["fieldInstances"];
+  EXPECT_EQ(fields[0]["__value"], "Wheel \"1\"");
+  EXPECT_EQ(fields[1]["__value"], 3.75);
+  EXPECT_EQ(fields[5]["__identifier"], "vx");
+  EXPECT_EQ(fields[5]["realEditorValues"].dump(), R"([{"id":"V_Float","params":[0.1]}])");
+  EXPECT_EQ(entities[1]["__identifier"], "Player");
+  EXPECT_EQ(entities[1]["fieldInstances"][7]["__value"], "centre");
+  EXPECT_NE(entities[0]["iid"], entities[1]["iid"]);
+}
+
+TEST(ExportLdtk, CurvesAreToldAsDropped) {
+  Level level = small_level();
+  level.curves.push_back({"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
+  EXPECT_EQ(exported(level).dropped, std::vector<std::string>{"1 curve"});
+}
+
+TEST(ExportLdtk, TheSameLevelGivesTheSameFile) {
+  EXPECT_EQ(exported(small_level()).files[0].bytes, exported(small_level()).files[0].bytes);
+}
+
+}  // namespace talus::export_ldtk_test
