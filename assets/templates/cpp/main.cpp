@@ -29,7 +29,6 @@ talus::Input keys_at(const std::string& keys, std::int64_t frame) {
 }
 
 char letter_of(const talus::TileShape& shape) {
-  if (shape.kind == talus::TileShape::Kind::none) return ' ';
   if (shape.one_way) return '-';
   if (shape.kind == talus::TileShape::Kind::solid) return '#';
   return shape.heights.front() < shape.heights.back() ? '/' : '\\';
@@ -44,9 +43,14 @@ std::string view_of(const talus::Level& level, const talus::State& state) {
   }
   std::string view;
   for (int row = 0; row < kRows; ++row) {
+    char letter = ' ';
+    int tiles = 0;  // that the letter still takes: slopes may be several tiles wide
     for (int column = 0; column < kColumns; ++column) {
       const talus::Cell cell{corner.x + column, corner.y + row};
-      view += level.map.contains(cell) ? letter_of(shape_of_tile(level, level.map.at(cell))) : ' ';
+      talus::TileShape shape;
+      if (level.map.contains(cell)) shape = shape_of_tile(level, level.map.at(cell));
+      if (shape.kind != talus::TileShape::Kind::none) letter = letter_of(shape), tiles = shape.tiles;
+      view += tiles-- > 0 ? letter : ' ';
     }
     view += '\n';
   }
