@@ -53,12 +53,20 @@ std::span<const Exporter> exporters() {
       {"tmx", "Tiled map, XML", kTmx, export_tmx},
       {"sti", "Lua map for Simple Tiled Implementation", kLua, export_sti},
       {"ldtk", "LDtk project", kLdtk, export_ldtk},
-      {"lua", "Lua table of plain data", kLua, export_lua},
-      {"json", "JSON file of plain data", kJson, export_json},
-      {"csv", "folder of CSV tables", {}, export_csv},
-      {"c", "C99 header", kHeader, export_c},
-      {"png", "PNG picture of the map", kPng, export_png},
-      {"svg", "SVG drawing of the map and its outline", kSvg, export_svg},
+      {"lua", "Lua table of plain data", kLua, export_lua,
+       "Map, flags, floor heights, outlines and bodies for a Lua game with physics of its own."},
+      {"json", "JSON file of plain data", kJson, export_json,
+       "Map, flags, floor heights, outlines and bodies for any language."},
+      {"csv",
+       "set of CSV tables",
+       {},
+       export_csv,
+       "Map, flags, floor heights, outlines and bodies, a table each."},
+      {"c", "C99 header", kHeader, export_c,
+       "Map, flags and floors in fixed point, and a function that finds the floor below a point."},
+      {"png", "PNG picture of the map", kPng, export_png, "The map, one pixel a px."},
+      {"svg", "SVG drawing of the map and its outline", kSvg, export_svg,
+       "The map with its outline, normals, curves and bodies, as lines of any size."},
       {"tiles-png", "PNG picture of the tiles", kPng, export_tiles_png},
       {"sprites-png", "PNG picture of the sprites", kPng, export_sprites_png},
       {"palette-png", "PNG picture of the palette", kPng, export_palette_png},
@@ -102,7 +110,8 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     const ExportedFile& file = exported.files[i];
     if (progress && !progress(i, bytes)) return tl::unexpected(FormatError{"", "was cancelled"});
     std::error_code failure;
-    if (!file.name.empty()) fs::create_directories(fs::path(paths[i]).parent_path(), failure);
+    const fs::path folder = fs::path(paths[i]).parent_path();
+    if (!file.name.empty() && !folder.empty()) fs::create_directories(folder, failure);
     if (failure)
       return tl::unexpected(FormatError{file.name, "the folder cannot be made: " + failure.message()});
     auto written = StagedFile::write(paths[i], file.bytes);

@@ -8,7 +8,7 @@
 #include "../level/ground.h"
 #include "export_targets.h"
 #include "ground_polygons.h"
-#include "map_picture.h"
+#include "map_png.h"
 #include "plain_data.h"
 
 namespace talus {
@@ -51,7 +51,7 @@ class SvgPath {
   // A short line out of the ground that is on the right hand of `along`.
   void tick(Vec2 at, Vec2 along) {
     const double length = kTickLength / std::hypot(along.x, along.y);
-    move(at)("l", {along.y * length, -along.x * length});
+    move(at)("l", {along.y * length + 0.0, 0.0 - along.x * length});  // no -0
   }
   void ticks(const std::vector<Vec2>& points, bool closed) {
     for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
@@ -199,7 +199,7 @@ void add_spawns(pugi::xml_node root, const std::vector<Spawn>& spawns) {
 
 FormatResult<Exported> export_svg(const ExportRequest& request) {
   const Level& level = request.level;
-  const FormatResult<std::string> png = map_picture(level);
+  const FormatResult<std::string> png = map_png(level);
   if (!png) return tl::unexpected(png.error());
   pugi::xml_document document;
   const pugi::xml_node root = add_root(document, level, *png);

@@ -75,7 +75,7 @@ TEST_F(ExportSvg, DrawsOutlineAndNormals) {
   draw(level_of_shapes({"2", "1"}));
   EXPECT_EQ(path("ground"), "M0 8L8 0L8 16L0 16Z");
   EXPECT_THAT(path("normals"), StartsWith("M4 4l-1.414213562373095"));
-  EXPECT_THAT(path("normals"), HasSubstr("M8 8l2 -0M4 16l-0 2M0 12l-2 -0"));
+  EXPECT_THAT(path("normals"), HasSubstr("M8 8l2 0M4 16l0 2M0 12l-2 0"));
   EXPECT_EQ(path("one-way"), "");
   EXPECT_EQ(path("curves"), "");
 }

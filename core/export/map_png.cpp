@@ -1,11 +1,11 @@
-#include "map_picture.h"
+#include "map_png.h"
 
 #include "../formats/png_picture.h"
 #include "export_targets.h"
 
 namespace talus {
 
-FormatResult<std::string> map_picture(const Level& level) {
+FormatResult<std::string> map_png(const Level& level) {
   const std::int64_t width = std::int64_t{level.map.width()} * kTileSize;
   const std::int64_t height = std::int64_t{level.map.height()} * kTileSize;
   if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicture) {
@@ -33,7 +33,7 @@ FormatResult<std::string> map_picture(const Level& level) {
 }
 
 FormatResult<Exported> export_png(const ExportRequest& request) {
-  FormatResult<std::string> png = map_picture(request.level);
+  FormatResult<std::string> png = map_png(request.level);
   if (!png) return tl::unexpected(png.error());
   return Exported{{{"", std::move(*png)}}, {}};
 }

@@ -10,6 +10,6 @@ inline constexpr int kMaxPictureSide = 16384;         // px
 inline constexpr std::int64_t kMaxPicture = 1 << 25;  // px in all, such as 8192x4096
 
 // One pixel a px in the palette's colours. An error where the map is larger than the limits.
-FormatResult<std::string> map_picture(const Level& level);
+FormatResult<std::string> map_png(const Level& level);
 
 }  // namespace talus
