@@ -28,7 +28,14 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
       "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
       "drags, B starts again\n-- script: lua\ntalus=(function()\n" +
       *runtime + "end)()\nlevel=(function()\n" + lua_level(level, false) + "end)()\n" + join_lua_parts(game);
+  // What is in the code is not lost, though the cart's own data cannot hold it.
   Level playable = level;
+  playable.spawns.clear();
+  playable.curves.clear();
+  playable.tile_shapes = {};
+  playable.flag_shapes = {};
+  playable.roles = {};
+  playable.tuning = {};
   playable.cart = std::make_shared<const CartOrigin>(std::move(cart));
   return playable;
 }
