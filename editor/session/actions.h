@@ -208,6 +208,9 @@ struct RunToStop {
 struct FindParting {     // shows the first frame in which a body is apart from the same one on the other side
   double threshold = 0;  // px, finite and >= 0: by more than this
 };
+struct SetParting {      // how far bodies are from their other selves when the sides have parted
+  double threshold = 0;  // px; a negative one gives 0, what is no number changes nothing
+};
 struct CancelSearch {};
 struct SetWatch {  // in the place of the one with this index; a larger one: a new one
   std::size_t index = 0;
@@ -320,7 +323,7 @@ using Action = std::variant<
     action::SetMark, action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch,
     action::DropBranch, action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule,
     action::Rerun, action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
-    action::FindParting, action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant,
+    action::FindParting, action::SetParting, action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant,
     action::SelectBody, action::SelectSpawn, action::SelectCurve, action::SetCurveKind, action::SelectTiles,
     action::SetStamp, action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool,
     action::SetSpriteTool, action::SetBrush, action::SelectPixels, action::MovePixels, action::TurnPixels,

@@ -54,6 +54,7 @@ Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_n
 }
 
 void Session::Impl::carry_out(const action::EditLevel& a) {
+  if (a.stroke == 0 || a.stroke > last_stroke) player.timeline().begin_series();
   last_stroke = std::max(last_stroke, a.stroke);
   Edit edit = a.edit;
   rebase_edit(level, edit);
@@ -66,6 +67,7 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
 
 void Session::Impl::carry_out(const action::Undo&) {
   if (!history.can_undo()) return;
+  player.timeline().begin_series();
   history.undo(level);
   const Edit& edit = history.edits()[history.position()];
   if (edit.selection) choices.selection = edit.selection->before;
@@ -76,6 +78,7 @@ void Session::Impl::carry_out(const action::Undo&) {
 
 void Session::Impl::carry_out(const action::Redo&) {
   if (!history.can_redo()) return;
+  player.timeline().begin_series();
   history.redo(level);
   const Edit& edit = history.edits()[history.position() - 1];
   if (edit.selection) choices.selection = edit.selection->after;
@@ -228,6 +231,15 @@ const std::vector<Stage>& Session::stages() const {
   return impl_->debugger.stages(timeline(), impl_->choices.body);
 }
 const State* Session::other_state() const { return impl_->debugger.other_state(timeline()); }
+const Frame* Session::other_frame() const { return impl_->debugger.other_frame(timeline()); }
+const std::vector<TrailPoint>& Session::other_trail(int body, std::int64_t first, std::int64_t last) const {
+  static const std::vector<TrailPoint> kNone;
+  const SideBySide& side = impl_->debugger.side_by_side();
+  const Branch* branch = side.branch(timeline());
+  if (branch == nullptr) return kNone;
+  if (side.variant() == nullptr) return trail(*branch, body, first, last);
+  return impl_->other_trails.trail(*side.variant()->timeline(), *branch, body, first, last);
+}
 const StepTimes& Session::step_times() const { return impl_->player.step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }

@@ -142,6 +142,9 @@ class Session {
   FrameView frame_view() const;              // the shown frame and those before it
   const std::vector<Stage>& stages() const;  // of the chosen body's step to the shown frame
   const State* other_state() const;          // of the other side of a comparison; null: none, or not yet run
+  const Frame* other_frame() const;          // the same with its step
+  // As trail(), of a body of the other side.
+  const std::vector<TrailPoint>& other_trail(int body, std::int64_t first, std::int64_t last) const;
   const StepTimes& step_times() const;
   const ReachFinder& reach() const;    // where a player of the level gets to
   const Exporting& exporting() const;  // what exports do, and the last preview of one

@@ -4,7 +4,9 @@
 
 #include "formats/atomic_file.h"
 #include "formats/hard_case.h"
+#include "formats/png_picture.h"
 #include "formats/recording.h"
+#include "formats/tic_png.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -22,6 +24,17 @@ std::string joined(const Strings& strings, std::string_view before_each) {
   return text;
 }
 
+// What is told of a level whose file cannot be saved.
+std::string import_text(const std::string& file, const std::vector<std::string>& dropped) {
+  std::string text = "Made a new level of " + file + "; saving asks for a file of its own.";
+  const char* separator = " Not in it: ";
+  for (const std::string& what : dropped) {
+    text.append(separator).append(what);
+    separator = "; ";
+  }
+  return dropped.empty() ? text : text + ".";
+}
+
 std::string known_extensions() {
   std::vector<std::string_view> all;
   for (const Format& format : formats()) {
@@ -31,6 +44,13 @@ std::string known_extensions() {
 }
 
 }  // namespace
+
+// A picture is taken into the level that is open, and loses nothing.
+void Session::Impl::carry_out(const action::OpenFile& a) {
+  const auto bytes = read_file(a.path);
+  if (bytes && is_png(*bytes) && !has_tic_cart(*bytes)) return carry_out(action::OpenPng{a.path});
+  ask_or_go_on(a);
+}
 
 void Session::Impl::carry_out(const action::SaveFileAs& a) {
   const Format* chosen = format_for_file(a.path);
@@ -52,10 +72,16 @@ void Session::Impl::carry_out(const action::AnswerQuestion& a) {
     if (a.answer == action::Answer::reload) reload();
     return;
   }
+  if (kind == Question::Kind::replace_files) {
+    if (run_to_confirm && a.answer == action::Answer::replace) exporting.run(*std::move(run_to_confirm));
+    run_to_confirm.reset();
+    return;
+  }
   if (kind == Question::Kind::drop_branch) {
     if (a.answer == action::Answer::discard) drop_branch(branch_to_drop);
     return;
   }
+  if (kind == Question::Kind::unsaved_run) return answer_about_run(a.answer);
   const bool may_go_on = a.answer == action::Answer::discard || (a.answer == action::Answer::save && save());
   if (may_go_on) {
     continue_pending();
@@ -64,8 +90,19 @@ void Session::Impl::carry_out(const action::AnswerQuestion& a) {
   }
 }
 
+void Session::Impl::answer_about_run(action::Answer answer) {
+  if (answer == action::Answer::save) {
+    wants_save_recording = true;
+  } else if (answer == action::Answer::discard) {
+    if (const auto run = handmade_runs.latest()) handmade_runs.note_gone(*run);
+    continue_pending();
+  } else {
+    pending.reset();
+  }
+}
+
 void Session::Impl::carry_out(const action::CancelSaveAs&) {
-  wants_save_as = false;
+  wants_save_as = wants_save_recording = false;
   pending.reset();
 }
 
@@ -74,17 +111,26 @@ std::string Session::Impl::file_name() const { return path.empty() ? name : name
 void Session::Impl::ask_or_go_on(Losing losing) {
   question.reset();
   pending.reset();
-  wants_save_as = false;
-  if (history.is_saved()) {
-    go_on(losing);
-    return;
-  }
+  wants_save_as = wants_save_recording = false;
+  if (history.is_saved()) return ask_about_run(std::move(losing));
   pending = std::move(losing);
   question = Question{"Save the changes to " + file_name() + "?"};
 }
 
 void Session::Impl::continue_pending() {
-  if (const auto losing = std::exchange(pending, std::nullopt)) go_on(*losing);
+  if (auto losing = std::exchange(pending, std::nullopt)) ask_about_run(std::move(*losing));
+}
+
+// The run is shown, as it is what would be saved.
+void Session::Impl::ask_about_run(Losing losing) {
+  const auto run = handmade_runs.latest();
+  if (!run || player.timeline().find(*run) == nullptr) return go_on(losing);
+  player.set_running(false);
+  if (player.timeline().current().id != *run) carry_out(action::SwitchBranch{*run});
+  pending = std::move(losing);
+  question = Question{"Keep the recording of run " + std::to_string(*run) +
+                          "?\nIt has marks or inputs of yours, and is in no file yet.",
+                      Question::Kind::unsaved_run};
 }
 
 void Session::Impl::go_on(const Losing& losing) {
@@ -115,6 +161,8 @@ void Session::Impl::open(const action::OpenFile& file) {
   } else {
     replace_level(std::move(loaded->level), file.path, loaded->format);
     if (stamp) stamp = before;
+    if (loaded->format->write == nullptr)
+      message = Message{import_text(name_of(file.path), loaded->dropped), false};
   }
 }
 
@@ -145,8 +193,19 @@ void Session::Impl::recover(const action::RecoverLevel& saved) {
   carry_out(action::EditLevel{replace_by(level, saved.level, "Recover what was not saved")});
   read_hard_case();
   history.forget_saved();
+  if (saved.recording != nullptr) recover_run(*saved.recording);
   message = Message{
       "Recovered " + file_name() + ". It is not saved yet; undo goes back to what the file has.", false};
+}
+
+// On the level as it is by now, which differs from the recording's last one where pixels were drawn later.
+void Session::Impl::recover_run(const Recording& recording) {
+  compiler.cancel();
+  is_opening = false;
+  player.load(recording);
+  handmade_runs.note_input(player.timeline().current().id);
+  scene_changes = {};
+  scene_changes.whole = true;
 }
 
 void Session::Impl::carry_out(const action::CheckFile&) {
@@ -199,10 +258,12 @@ void Session::Impl::carry_out(const action::SaveRecording& a) {
     return;
   }
   const auto saved = save_recording(timeline.recording(timeline.current(), level), a.path);
+  if (saved) handmade_runs.note_saved(timeline.current().id);
   message =
       saved ? Message{"Saved " + name_of(a.path) + ", " + std::to_string(timeline.last_frame()) + " frames.",
                       false}
             : Message{to_string(saved.error(), a.path), true};
+  if (saved && std::exchange(wants_save_recording, false)) continue_pending();
 }
 
 void Session::Impl::replace_level(Level opened, std::string opened_path, const Format* opened_format) {
@@ -219,6 +280,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   history.clear();
   ++revision;
   load_player();
+  handmade_runs.clear();
   lint_cache.note_map();
   reach.forget();
   trails = {};
@@ -261,6 +323,7 @@ bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_f
   std::string text = "Saved " + file_name() + ".";
   if (!dropped->empty()) text += " Not stored in this format: " + joined(*dropped, "") + ".";
   message = Message{std::move(text), false};
+  export_on_save();
   return true;
 }
 

@@ -1,5 +1,5 @@
 // What a Session is made of; for session.cpp, session_files.cpp, session_timeline.cpp,
-// session_debug.cpp and session_pictures.cpp alone.
+// session_debug.cpp, session_exports.cpp and session_pictures.cpp alone.
 #pragma once
 
 #include <variant>
@@ -7,6 +7,7 @@
 #include "collision/function_ref.h"
 #include "debugger.h"
 #include "file_stamp.h"
+#include "handmade_runs.h"
 #include "level/lint_cache.h"
 #include "player.h"
 #include "scene_compiler.h"
@@ -39,18 +40,21 @@ struct Session::Impl {
   // What loses the changes since the last save, and so is asked about first.
   using Losing = std::variant<action::NewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
 
-  Impl(Level opened, std::string opened_path, std::string unsaved_name);
+  Impl(Level opened, std::string opened_path, std::string unsaved_name, ExportTools tools);
 
   // One for each action, in the order of actions.h.
   void carry_out(const action::EditLevel& a);
   void carry_out(const action::Undo&);
   void carry_out(const action::Redo&);
   void carry_out(const action::NewLevel& a) { ask_or_go_on(a); }
-  void carry_out(const action::OpenFile& a) { ask_or_go_on(a); }
+  void carry_out(const action::OpenFile& a);
   void carry_out(const action::SaveRecording& a);
   void carry_out(const action::SaveFile&) { save(); }
   void carry_out(const action::SaveFileAs& a);
   void carry_out(const action::ExportPng& a);
+  void carry_out(const action::PreviewExport& a);
+  void carry_out(const action::RunExports& a);
+  void carry_out(const action::CancelExport&) { exporting.cancel(); }
   void carry_out(const action::OpenPng& a);
   void carry_out(const action::SetPngImport& a);
   void carry_out(const action::ApplyPngImport&);
@@ -74,8 +78,8 @@ struct Session::Impl {
   void carry_out(const action::SeekStart&) { seek(0); }
   void carry_out(const action::SeekEnd&) { seek(player.timeline().last_frame()); }
   void carry_out(const action::SeekFrame& a) { seek(a.frame); }
-  void carry_out(const action::SetMark& a) { player.timeline().set_mark(a.frame, a.name); }
-  void carry_out(const action::RemoveMark& a) { player.timeline().remove_mark(a.frame); }
+  void carry_out(const action::SetMark& a);
+  void carry_out(const action::RemoveMark& a);
   void carry_out(const action::JumpToMark& a);
   void carry_out(const action::TakeOver&);
   void carry_out(const action::SwitchBranch& a);
@@ -91,6 +95,7 @@ struct Session::Impl {
   void carry_out(const action::RemoveBreakpoint& a) { debugger.remove_breakpoint(a.breakpoint); }
   void carry_out(const action::RunToStop& a);
   void carry_out(const action::FindParting& a);
+  void carry_out(const action::SetParting& a);
   void carry_out(const action::CancelSearch&) { debugger.cancel_search(); }
   void carry_out(const action::SetWatch& a) { debugger.put(a.index, a.watch); }
   void carry_out(const action::RemoveWatch& a) { debugger.remove_watch(a.index); }
@@ -146,12 +151,16 @@ struct Session::Impl {
 
   std::string file_name() const;
   void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
+  void answer_about_run(action::Answer answer);
+  void ask_about_run(Losing losing);            // the same of a run with the user's marks or inputs
+  void note_input(FunctionRef<void()> change);  // of the current run, by hand
   void go_on(const Losing& losing);
   void open(const action::OpenFile& file);
   void open_recording(const std::string& file);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
   void recover(const action::RecoverLevel& saved);
+  void recover_run(const Recording& recording);
   // Notes what the level's file holds now, as what this session knows of it.
   void note_file();
   void take_file_change(FileChange change);  // by another program; asks or tells what becomes of the level
@@ -159,6 +168,11 @@ struct Session::Impl {
   bool save();  // false when it failed or a name is needed first
   bool save_to(const std::string& saved_path, const Format& saved_format);
   void continue_pending();
+
+  ExportTask export_task(const ExportPreset& preset) const;
+  void export_on_save();
+  void take_exports();  // what the thread has done
+  void ask_to_replace(FinishedRun finished);
 
   Level level;
   std::optional<HardCase> hard_case;
@@ -175,7 +189,7 @@ struct Session::Impl {
   Debugger debugger;
   bool plays_on = false;      // when the search that is under way finds nothing
   std::string nothing_found;  // what is said then, unless it plays on
-  Trails trails;
+  Trails trails, other_trails;  // of the timeline, and of a variant's
   SceneChanges scene_changes;
   SceneCompiler compiler;
   bool is_opening = false;  // the compiler is at the first scene of the level, until which time stands still
@@ -186,13 +200,17 @@ struct Session::Impl {
   std::optional<PngImport> png_import;
   std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
   int branch_to_drop = 0;         // id, waits for the question's answer
+  HandmadeRuns handmade_runs;
   bool wants_save_as = false;
+  bool wants_save_recording = false;
   bool wants_quit = false;
   int pixel_stroke = 0;  // of the selected pixels' moves, while they float
 
   void lint_some();   // spends a few ms on what of the level has not been looked at
   void find_reach();  // the same on the search for where a player gets to
 
+  Exporting exporting;
+  std::optional<ExportRun> run_to_confirm;  // waits for the question's answer
   LintCache lint_cache;
   LintOptions lint_options;
   ReachFinder reach;

@@ -1,6 +1,7 @@
 // Session: going about in what was recorded.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "session_impl.h"
 
@@ -19,6 +20,18 @@ void Session::Impl::carry_out(const action::JumpToMark& a) {
   const auto before =
       std::find_if(marks.rbegin(), marks.rend(), [&](const Mark& m) { return m.frame < frame; });
   if (!a.forwards && before != marks.rend()) seek(before->frame);
+}
+
+void Session::Impl::carry_out(const action::SetMark& a) {
+  player.timeline().set_mark(a.frame, a.name);
+  handmade_runs.note_marks(player.timeline().current().id, true);
+}
+
+void Session::Impl::carry_out(const action::RemoveMark& a) {
+  const std::size_t before = player.timeline().current().marks.size();
+  player.timeline().remove_mark(a.frame);
+  const Branch& branch = player.timeline().current();
+  if (branch.marks.size() != before) handmade_runs.note_marks(branch.id, !branch.marks.empty());
 }
 
 void Session::Impl::carry_out(const action::TakeOver&) {
@@ -50,26 +63,38 @@ void Session::Impl::drop_branch(int branch) {
   keep_chosen_body([&] {
     if (branch == player.timeline().current().id) player.set_running(false);
     player.timeline().drop(branch);
+    handmade_runs.note_gone(branch);
     player.show_held();
   });
 }
 
 void Session::Impl::carry_out(const action::SetInput& a) {
   refresh_scene();
-  player.timeline().set_input(a.first, a.last, a.key, a.on);
-  player.show_held();
+  note_input([&] { player.timeline().set_input(a.first, a.last, a.key, a.on); });
 }
 
 void Session::Impl::carry_out(const action::SetMouse& a) {
   if (!std::isfinite(a.position.x) || !std::isfinite(a.position.y)) return;
   refresh_scene();
-  player.timeline().set_mouse(a.first, a.last, a.position);
+  note_input([&] { player.timeline().set_mouse(a.first, a.last, a.position); });
+}
+
+// What was so before makes no run that is worth keeping.
+void Session::Impl::note_input(FunctionRef<void()> change) {
+  const auto shown = [this] {
+    const Branch& branch = player.timeline().current();
+    return std::pair(branch.id, branch.revision);
+  };
+  const auto before = shown();
+  change();
   player.show_held();
+  if (shown() != before) handmade_runs.note_input(shown().first);
 }
 
 void Session::Impl::carry_out(const action::Rerun& a) {
   refresh_scene();
   keep_chosen_body([&] {
+    player.timeline().begin_series();
     player.timeline().rerun(a.from);
     player.show_held();
   });
@@ -83,8 +108,10 @@ void Session::Impl::advance(double seconds) {
   debug();
   lint_some();
   find_reach();
+  if (!question) take_exports();  // which may ask, too
   const Timeline& timeline = player.timeline();
   if (!was_behind || timeline.behind()) return;
+  handmade_runs.note_run_again(timeline.current().id);
   if (const auto frame = timeline.unexpected_frame(timeline.current())) {
     message = Message{
         "Frame " + std::to_string(*frame) + " is not as it was recorded, nor may be later ones.", true};

@@ -1,0 +1,200 @@
+// Presets of exports: how a level keeps them, where their paths lead, what would be written, and writing it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "export/export_plan.h"
+#include "formats/atomic_file.h"
+#include "formats/native.h"
+#include "formats/tic_cart.h"
+
+namespace talus::export_plan_test {
+
+namespace fs = std::filesystem;
+
+Level level_with(std::vector<ExportPreset> presets) {
+  Level level;
+  level.exports = std::move(presets);
+  return level;
+}
+
+FormatResult<std::string> no_asset(const std::string& name) {
+  return tl::unexpected(FormatError{name, "is missing"});
+}
+
+void expect_error(const std::string& exports, const std::string& place, const std::string& message) {
+  const auto read = read_native(R"({"talus": 1, "exports": )" + exports + "}", {});
+  ASSERT_FALSE(read) << exports;
+  EXPECT_EQ(read.error().place, place);
+  EXPECT_EQ(read.error().message, message);
+}
+
+TEST(NativeExports, ComeBackAsTheyWere) {
+  const Level level = level_with({{"game", "love", "export/love", true, R"({"colour":"red"})"},
+                                  {"", "no-such-target", "/tmp/x y.zip", false, ""}});
+  const auto text = write_native(level, {}).value().bytes;
+  EXPECT_NE(text.find(R"(
+  "exports": [
+    {
+      "name": "game",
+      "to": "love",
+      "path": "export/love",
+      "on_save": true,
+      "colour": "red"
+    },
+    {"name": "", "to": "no-such-target", "path": "/tmp/x y.zip"}
+  ],)"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(read_native(text, {}).value(), level) << "a target that is not known is kept";
+  EXPECT_EQ(write_native(Level(), {}).value().bytes.find("exports"), std::string::npos);
+}
+
+TEST(NativeExports, WhatIsWrongIsSaidWithItsPlace) {
+  expect_error("{}", "key exports", "must be a list of up to 100 presets");
+  expect_error("[1]", "key exports[0]", "must be an object");
+  expect_error(R"([{}, {"to": 1}])", "key exports[1].to", "must be a string of up to 4096 bytes");
+  expect_error(R"([{"on_save": 1}])", "key exports[0].on_save", "must be true or false");
+  const auto written = write_native(level_with({{std::string(4097, 'a'), "love", "", false, ""}}), {});
+  ASSERT_FALSE(written) << "it could not be read again";
+  EXPECT_EQ(written.error().place, "key exports[0].name");
+}
+
+TEST(NativeExports, CartsSayThatTheyCannotHoldThem) {
+  const auto written = write_tic(level_with({{"game", "love", "game", false, ""}}), {});
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->dropped, std::vector<std::string>{"1 export preset"});
+}
+
+TEST(ExportPath, IsCountedFromTheLevelsFile) {
+  const auto output = [](const std::string& path, const std::string& file) {
+    return output_of({"", "love", path, false, ""}, file);
+  };
+  EXPECT_EQ(output("export/love", "/home/me/game/cave.talus.json"), "/home/me/game/export/love");
+  EXPECT_EQ(output("../out/a.tmj", "/home/me/game/cave.talus.json"), "/home/me/out/a.tmj");
+  EXPECT_EQ(output("/out", "/home/me/cave.talus.json"), "/out");
+  EXPECT_EQ(output("/out", ""), "/out");
+  EXPECT_EQ(output("out", "cave.talus.json"), "out");
+  EXPECT_EQ(output("", "/home/cave.talus.json").error().error.message, "no file or folder is named");
+  EXPECT_EQ(output("out", "").error().field, ExportProblem::Field::path);
+  EXPECT_EQ(output("./cave.talus.json", "/home/cave.talus.json").error().error.message,
+            "this is the level's own file, which saving writes: name another one");
+}
+
+TEST(ExportPath, IsRelativeWhereBothMoveTogether) {
+  const std::string file = "/home/me/game/cave.talus.json";
+  EXPECT_EQ(path_for("/home/me/game/export/love", file), "export/love");
+  EXPECT_EQ(path_for("/home/me/site/map.csv", file), "../site/map.csv");
+  EXPECT_EQ(path_for("/var/www/map.csv", file), "/var/www/map.csv");
+  EXPECT_EQ(path_for("/home/me/map.csv", ""), "/home/me/map.csv");
+}
+
+TEST(ExportPath, FollowsTheTarget) {
+  const Exporter &tic = *find_exporter("tic"), &text = *find_exporter("tic-text"),
+                 &love = *find_exporter("love");
+  EXPECT_EQ(usual_path(tic, "cave.talus.json"), "export/cave.tic");
+  EXPECT_EQ(usual_path(love, "cave.talus.json"), "export/love");
+  EXPECT_EQ(path_for_other("export/cave.tic", tic, love, "cave.talus.json"), "export/love");
+  EXPECT_EQ(path_for_other("mine/a.b.tic", tic, text, "cave"), "mine/a.b." + std::string(text.extensions[0]));
+  EXPECT_EQ(path_for_other("mine/game", love, tic, "cave"), "mine/game.tic");
+}
+
+class ExportPlans : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("talus_plan_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string put(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+  }
+  static std::string bytes_of(const std::string& file) { return read_file(file).value(); }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ExportPlans, TellWhatIsAtThePlace) {
+  const std::string output = path("out/a.tic");
+  auto plan = plan_export(Level(), "tic", output, no_asset);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->files.size(), 1u);
+  EXPECT_EQ(plan->files[0].path, output);
+  EXPECT_EQ(plan->files[0].name, "a.tic");
+  EXPECT_EQ(plan->files[0].place, PlannedFile::Place::empty);
+  EXPECT_FALSE(fs::exists(path("out"))) << "nothing is written yet";
+  ASSERT_TRUE(write_plan(*plan));
+  EXPECT_EQ(fs::file_size(output), plan->files[0].size);
+  EXPECT_EQ(plan_export(Level(), "tic", output, no_asset)->files[0].place, PlannedFile::Place::same);
+  put("out/a.tic", "mine");
+  plan = plan_export(Level(), "tic", output, no_asset);
+  EXPECT_EQ(plan->files[0].place, PlannedFile::Place::other);
+  EXPECT_EQ(plan->files[0].old_size, 4u);
+  EXPECT_EQ(plan->files[0].old, content_hash("mine"));
+}
+
+TEST_F(ExportPlans, SayWhichFieldIsWrong) {
+  using Field = ExportProblem::Field;
+  const auto problem = [&](const std::string& exporter, const std::string& output) {
+    return plan_export(Level(), exporter, output, no_asset).error();
+  };
+  EXPECT_EQ(problem("gameboy", path("a.gb")).field, Field::target);
+  EXPECT_EQ(problem("gameboy", path("a.gb")).error.message, "\"gameboy\" is no target of this version");
+  EXPECT_EQ(problem("tic", path("a.png.zip")).field, Field::path);
+  EXPECT_EQ(problem("love", path("a")).field, Field::level);
+  EXPECT_EQ(problem("love", path("a")).error.message, "is missing") << "of the asset";
+  put("file", "");
+  EXPECT_EQ(problem("tic", path("file/a.tic")).error.message,
+            path("file") + " is a file, where a folder is needed");
+  fs::create_directory(path("dir.tic"));
+  EXPECT_EQ(problem("tic", path("dir.tic")).error.message,
+            path("dir.tic") + " is a folder, where a file is to be written");
+}
+
+const Exporter& folder_target() { return *find_exporter("love"); }
+
+TEST_F(ExportPlans, AreWrittenAsAWhole) {
+  put("a", "old a");
+  fs::create_directory(path("b"));  // where a file is to be written
+  const Exported content{.files = {{"a", "new a"}, {"b", "new b"}}, .dropped = {}};
+  const auto written = write_exported(folder_target(), content, folder_.string());
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().place, "b");
+  EXPECT_EQ(bytes_of(path("a")), "old a");
+  EXPECT_EQ(names(), (std::vector<std::string>{"a", "b"})) << "no temporary is left";
+}
+
+TEST_F(ExportPlans, AreCancelledAsAWhole) {
+  put("a", "old a");
+  const Exported content{.files = {{"a", "new a"}, {"sub/b", "new b"}}, .dropped = {}};
+  std::vector<std::size_t> bytes;
+  for (std::size_t last = 0; last < 3; ++last) {
+    bytes.clear();
+    const auto written = write_exported(folder_target(), content, folder_.string(),
+                                        [&](std::size_t files, std::size_t so_far) {
+                                          bytes.push_back(so_far);
+                                          return files < last;
+                                        });
+    ASSERT_FALSE(written);
+    EXPECT_EQ(bytes_of(path("a")), "old a");
+  }
+  EXPECT_EQ(bytes, (std::vector<std::size_t>{0, 5, 10}));
+  ASSERT_TRUE(write_exported(folder_target(), content, folder_.string()));
+  EXPECT_EQ(bytes_of(path("a")), "new a");
+  EXPECT_EQ(bytes_of(path("sub/b")), "new b");
+}
+
+}  // namespace talus::export_plan_test

@@ -1,0 +1,206 @@
+// Session: previews of exports, exports beside the editor, and the question before files of others go.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <future>
+
+#include "edit/export_presets.h"
+#include "formats/atomic_file.h"
+#include "session/session.h"
+
+namespace talus::session_exports_test {
+
+namespace act = action;
+namespace fs = std::filesystem;
+
+class SessionExports : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("talus_exports_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    start();
+  }
+  void TearDown() override {
+    if (gate_) gate_->set_value();
+    session_.reset();
+    fs::remove_all(folder_);
+  }
+
+  // A session on a saved level. Assets are read when the gate is open, if there is one.
+  void start(std::shared_future<void> gate = {}) {
+    const ReadAsset read = [gate](const std::string& name) {
+      if (gate.valid()) gate.wait();
+      return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+    };
+    session_ = std::make_unique<Session>(Level(), "", kUnnamed, ExportTools{read, path("state/exports")});
+    session_->apply(act::SaveFileAs{path("cave.talus.json")});
+  }
+  void start_gated() {
+    gate_.emplace();
+    start(gate_->get_future().share());
+  }
+
+  Session& session() { return *session_; }
+  const Exporting& exporting() { return session().exporting(); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string bytes_of(const std::string& name) const { return read_file(path(name)).value_or("(none)"); }
+  std::string message() { return session().message() ? session().message()->text : ""; }
+
+  void add(const std::string& name, const std::string& exporter, const std::string& to,
+           bool on_save = false) {
+    session().apply(act::EditLevel{add_export(session().level(), {name, exporter, to, on_save, ""})});
+  }
+  void wait() {
+    for (int i = 0; i < 20'000 && exporting().is_busy(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      session().advance(0);
+    }
+    ASSERT_FALSE(exporting().is_busy());
+  }
+  const ExportOutcome& preview(std::size_t preset) {
+    session().apply(act::PreviewExport{preset});
+    wait();
+    return exporting().preview()->outcome;
+  }
+  void run(std::optional<std::size_t> preset = {}) {
+    session().apply(act::RunExports{preset});
+    wait();
+  }
+
+  fs::path folder_;
+  std::optional<std::promise<void>> gate_;
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(SessionExports, ThePreviewIsWhatIsWritten) {
+  add("game", "love", "out/game");
+  const ExportOutcome shown = preview(0);
+  ASSERT_FALSE(shown.problem);
+  EXPECT_EQ(shown.output, path("out/game"));
+  EXPECT_GE(shown.files.size(), 5u);
+  EXPECT_FALSE(fs::exists(path("out")));
+  run();
+  EXPECT_EQ(message(), "Exported game: " + std::to_string(shown.files.size()) + " files to out/game.");
+  for (const PlannedFile& file : shown.files) {
+    EXPECT_EQ(file.place, PlannedFile::Place::empty) << file.name;
+    EXPECT_EQ(fs::file_size(file.path), file.size) << file.name;
+  }
+  for (const PlannedFile& file : preview(0).files) EXPECT_EQ(file.place, PlannedFile::Place::same);
+}
+
+TEST_F(SessionExports, ALevelWithoutAFileHasNoPlaceButSizes) {
+  session().apply(act::NewLevel{});
+  add("cart", "tic", "a.tic");
+  const ExportOutcome& shown = preview(0);
+  ASSERT_EQ(shown.files.size(), 1u);
+  EXPECT_GT(shown.files[0].size, 0u);
+  ASSERT_TRUE(shown.problem);
+  EXPECT_EQ(shown.problem->field, ExportProblem::Field::path);
+  EXPECT_EQ(shown.problem->error.message.substr(0, 27), "this level has no file yet,");
+  run();
+  EXPECT_TRUE(session().message()->is_error);
+}
+
+TEST_F(SessionExports, WhatAnExportDidNotWriteIsAskedAbout) {
+  fs::create_directories(path("out"));
+  std::ofstream(path("out/a.tic")) << "mine";
+  add("cart", "tic", "out/a.tic");
+  EXPECT_EQ(preview(0).foreign, std::set<std::string>{path("out/a.tic")});
+  run();
+  ASSERT_TRUE(session().question());
+  EXPECT_EQ(session().question()->kind, Question::Kind::replace_files);
+  EXPECT_NE(session().question()->text.find(path("out/a.tic")), std::string::npos);
+  session().apply(act::AnswerQuestion{act::Answer::cancel});
+  wait();
+  EXPECT_EQ(bytes_of("out/a.tic"), "mine");
+  run();
+  session().apply(act::AnswerQuestion{act::Answer::replace});
+  wait();
+  const std::string cart = bytes_of("out/a.tic");
+  EXPECT_NE(cart, "mine");
+
+  // Its own file is replaced without a question, in another start of the program, too.
+  start();
+  add("cart", "tic", "out/a.tic");
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
+  EXPECT_TRUE(preview(0).foreign.empty());
+  EXPECT_EQ(preview(0).files[0].place, PlannedFile::Place::other);
+  run();
+  EXPECT_FALSE(session().question());
+  EXPECT_NE(bytes_of("out/a.tic"), cart);
+  // Changed by hand it is somebody's again.
+  std::ofstream(path("out/a.tic"), std::ios::app) << "more";
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{4, 2, 3})});
+  EXPECT_EQ(preview(0).foreign.size(), 1u);
+}
+
+TEST_F(SessionExports, SavingExportsWhatIsMarked) {
+  add("cart", "tic", "out/a.tic", true);
+  add("text", "tic-text", "out/a.lua");
+  session().apply(act::SaveFile{});
+  wait();
+  EXPECT_TRUE(fs::exists(path("out/a.tic")));
+  EXPECT_FALSE(fs::exists(path("out/a.lua")));
+  EXPECT_EQ(message(), "Saved cave.talus.json.\nExported cart: 1 file to out/a.tic.");
+}
+
+TEST_F(SessionExports, OneProblemDoesNotHoldUpTheOthers) {
+  add("odd", "gameboy", "out/a.gb");
+  add("cart", "tic", "out/a.tic");
+  run();
+  EXPECT_EQ(message(),
+            "Export of odd: \"gameboy\" is no target of this version.\nExported cart: 1 file to out/a.tic.");
+  EXPECT_TRUE(session().message()->is_error);
+  EXPECT_TRUE(fs::exists(path("out/a.tic")));
+  EXPECT_EQ(session().level().exports[0].exporter, "gameboy");
+}
+
+TEST_F(SessionExports, ACancelledOneWritesNothing) {
+  start_gated();
+  add("game", "love", "out/game");
+  session().apply(act::RunExports{0});
+  session().advance(0);
+  ASSERT_TRUE(exporting().running());
+  EXPECT_EQ(exporting().progress()->name, "game");
+  EXPECT_EQ(exporting().progress()->files, 0u) << "they are still being made";
+  session().apply(act::CancelExport{});
+  EXPECT_FALSE(exporting().running()) << "at once for the user";
+  gate_->set_value();
+  gate_.reset();
+  wait();
+  EXPECT_EQ(message(), "The export was cancelled: nothing was written.");
+  EXPECT_FALSE(fs::exists(path("out")));
+  run();
+  EXPECT_TRUE(fs::exists(path("out/game/main.lua")));
+}
+
+TEST_F(SessionExports, APreviewDoesNotHoldUpARun) {
+  add("cart", "tic", "out/a.tic");
+  session().apply(act::PreviewExport{0});
+  session().apply(act::RunExports{0});
+  EXPECT_TRUE(exporting().running());
+  wait();
+  EXPECT_TRUE(fs::exists(path("out/a.tic")));
+  EXPECT_FALSE(exporting().preview()) << "of what was there before";
+}
+
+TEST_F(SessionExports, PresetsAreEditedWithUndo) {
+  add("cart", "tic", "a.tic");
+  ExportPreset other = session().level().exports[0];
+  other.path = "b.tic";
+  session().apply(act::EditLevel{set_export(session().level(), 0, other, "Change export path")});
+  session().apply(act::EditLevel{remove_export(session().level(), 0)});
+  EXPECT_TRUE(session().level().exports.empty());
+  session().apply(act::Undo{});
+  EXPECT_EQ(session().level().exports[0].path, "b.tic");
+  session().apply(act::Undo{});
+  EXPECT_EQ(session().level().exports[0].path, "a.tic");
+  EXPECT_EQ(free_export_name(session().level(), "cart"), "cart 2");
+  EXPECT_TRUE(remove_export(session().level(), 1).empty());
+}
+
+}  // namespace talus::session_exports_test
