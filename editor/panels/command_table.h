@@ -10,6 +10,7 @@
 namespace talus {
 
 std::vector<Command> general_commands();     // work everywhere
+std::vector<Command> cursor_commands();      // one works everywhere, the others at the keyboard's cursor
 std::vector<Command> debug_commands();       // work everywhere, too
 std::vector<Command> program_commands();     // work everywhere, too
 std::vector<Command> tool_commands();        // work in the sprites
@@ -17,6 +18,7 @@ std::vector<Command> map_commands();         // work in the map: its tools and i
 std::vector<Command> brush_commands();       // work in the map: brushes, ground, minimap
 std::vector<Command> flag_commands();        // work everywhere
 std::vector<Command> picture_commands();     // work everywhere
+std::vector<Command> export_commands();      // work everywhere
 std::vector<Command> problem_commands();     // work everywhere: the problems, and the reach
 std::vector<Command> curve_commands();       // work in the map, on curves and bodies
 std::vector<Command> shape_commands();       // work everywhere, on the selected tiles

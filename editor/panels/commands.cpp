@@ -7,11 +7,22 @@
 #include "command_table.h"
 
 namespace talus {
+namespace {
+
+bool answers(const Command& command, KeyChord chord, const KeyBindings& bindings) {
+  const CommandKeys keys = command_keys(command, bindings);
+  return std::any_of(keys.begin(), keys.end(), [&](KeyChord key) {
+    return key && (key == chord || (command.any_modifiers && key.key == chord.key));
+  });
+}
+
+}  // namespace
+
 std::span<const Command> commands() {
   static const std::vector<Command> all =
-      joined({general_commands(), program_commands(), debug_commands(), input_roll_commands(),
-              tool_commands(), map_commands(), brush_commands(), curve_commands(), shape_commands(),
-              flag_commands(), picture_commands(), problem_commands()});
+      joined({general_commands(), cursor_commands(), program_commands(), debug_commands(),
+              input_roll_commands(), tool_commands(), map_commands(), brush_commands(), curve_commands(),
+              shape_commands(), flag_commands(), picture_commands(), export_commands(), problem_commands()});
   return all;
 }
 
@@ -43,6 +54,8 @@ std::string_view scope_label(Scope scope) {
       return "In the map";
     case Scope::input:
       return "In the input roll";
+    case Scope::cursor:
+      return "At the keyboard's cursor";
     default:
       return "Everywhere";
   }
@@ -52,7 +65,8 @@ const Command& focus_command(Scope scope) {
   assert(scope != Scope::everywhere);
   return find_command(scope == Scope::sprites ? "view/sprites"
                       : scope == Scope::map   ? "view/map"
-                                              : "view/input");
+                      : scope == Scope::input ? "view/input"
+                                              : "view/cursor");
 }
 
 bool has_focus(const Command& command, const View& view) {
@@ -63,20 +77,23 @@ bool has_focus(const Command& command, const View& view) {
       return view.focus == Focus::map;
     case Scope::input:
       return view.focus == Focus::input;
+    case Scope::cursor:
+      return view.cursor.on();
     default:
       return true;
   }
 }
 
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui) {
+  const Command* found = nullptr;
   for (const Command& command : commands()) {
-    const CommandKeys keys = command_keys(command, ui.view.preferences.keys);
-    if (chord != keys[0] && chord != keys[1]) continue;
-    if (!has_focus(command, ui.view)) continue;
-    if ((!repeated || command.repeats) && command.is_enabled(session, ui)) command.run(session, actions, ui);
-    return true;
+    const bool comes_first = found == nullptr || command.scope == Scope::cursor;
+    if (comes_first && answers(command, chord, ui.view.preferences.keys) && has_focus(command, ui.view))
+      found = &command;
   }
-  return false;
+  if (found == nullptr) return false;
+  if ((!repeated || found->repeats) && found->is_enabled(session, ui)) found->run(session, actions, ui);
+  return true;
 }
 
 void command_button(std::string_view widget, std::string_view id, Icon icon, const Session& session,

@@ -58,7 +58,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_commands({"", "file/save", "file/save_as", "file/recover", "", "program/tic80", "program/love",
                    "program/tiled", ""},
                   session, actions, ui);
-    draw_commands({"picture/import", "picture/export_tiles", "picture/export_sprites",
+    draw_commands({"file/export", "file/export_all", "", "picture/import", "picture/export_tiles", "picture/export_sprites",
                    "picture/export_palette", "", "file/quit"},
                   session, actions, ui);
     ImGui::EndMenu();
@@ -147,6 +147,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (begin_menu("View", ui)) {
     draw_commands({"view/sprites",
                    "view/map",
+                   "view/cursor",
                    "",
                    "canvas/map",
                    "canvas/play",

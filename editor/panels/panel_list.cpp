@@ -6,6 +6,7 @@
 #include "color_panel.h"
 #include "command_palette_panel.h"
 #include "compare_panel.h"
+#include "export_panel.h"
 #include "find_tiles_panel.h"
 #include "flag_search_panel.h"
 #include "flags_panel.h"
@@ -75,6 +76,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<SettingsPanel>(Region::floating));
   panels.push_back(place<KeysPanel>(Region::floating));
   panels.push_back(place<FindTilesPanel>(Region::floating));
+  panels.push_back(place<ExportPanel>(Region::floating));
   panels.push_back(place<ResizePanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));
   panels.push_back(place<PictureImportPanel>(Region::floating));

@@ -30,14 +30,26 @@ constexpr std::array<AnswerChoice, 2> kDropAnswers = {
     {{"question/drop", "Drop it", "Forgets the run.", action::Answer::discard, ImGuiKey_Enter},
      {"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, ImGuiKey_Escape}}};
 
+constexpr std::array<AnswerChoice, 2> kReplaceAnswers = {
+    {{"question/replace", "Replace", "Writes the export over them.", action::Answer::replace, ImGuiKey_COUNT},
+     {"question/cancel", "Cancel", "Writes nothing.", action::Answer::cancel, ImGuiKey_Escape}}};
+
+constexpr std::array<AnswerChoice, 3> kRunAnswers = {
+    {{"question/save", "Save as...", "Asks for a file, then goes on.", action::Answer::save, ImGuiKey_Enter},
+     {"question/discard", "Discard", "Goes on without the recording.", action::Answer::discard,
+      ImGuiKey_COUNT},
+     {"question/cancel", "Cancel", "Goes back to it.", action::Answer::cancel, ImGuiKey_Escape}}};
+
 // By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
 struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 3> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
+constexpr std::array<QuestionDialog, 5> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
                                                              {"Changed by another program", kChangedAnswers},
-                                                             {"Drop a run", kDropAnswers}}};
+                                                             {"Drop a run", kDropAnswers},
+                                                             {"Replace files", kReplaceAnswers},
+                                                             {"Keep the recording", kRunAnswers}}};
 
 const char* key_label(ImGuiKey key) {
   return key == ImGuiKey_Enter ? "Enter" : key == ImGuiKey_Escape ? "Esc" : "";

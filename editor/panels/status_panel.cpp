@@ -22,30 +22,6 @@ std::string flags_text(std::uint8_t flags) {
   return text;
 }
 
-std::string hover_text(const Session& session, const Hover& hover) {
-  if (hover.sprite)
-    return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
-           std::to_string(
-               pixel_at(session.level(), session.choices().area, hover.sprite->x, hover.sprite->y));
-  if (hover.tile) {
-    const SheetId sheet = session.choices().area.sheet;
-    return (sheet == SheetId::tiles ? "tile " : "sprite ") +
-           std::to_string(number_on_screen(sheet, *hover.tile));
-  }
-  if (!hover.pixel) return "";
-  std::string text = "outside the map   ";
-  if (hover.cell) {
-    const std::uint8_t tile = session.level().map.at(*hover.cell);
-    text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
-           std::to_string(tile) + flags_text(session.level().tile_flags(tile)) + "   ";
-  }
-  if (hover.dragged)
-    return text + std::to_string(hover.dragged->x) + "x" + std::to_string(hover.dragged->y) + " cells, " +
-           std::to_string(hover.dragged->x * kTileSize) + "x" + std::to_string(hover.dragged->y * kTileSize) +
-           " px";
-  return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
-}
-
 void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, std::string_view help) {
   ImGui::SameLine(ui.px(x));
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
@@ -76,8 +52,9 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
             "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
 }
 
-// In the place of the bodies, which are still those of the ground as it was.
-void draw_compiling(double progress, float x, Ui& ui) {
+// A bar in the place of the number of bodies.
+void draw_progress(const char* name, const std::string& text, double progress, float x, const char* help,
+                   Ui& ui) {
   ImGui::SameLine(ui.px(x));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{ui.px(88), ImGui::GetTextLineHeight()};
@@ -85,15 +62,53 @@ void draw_compiling(double progress, float x, Ui& ui) {
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark));
   list.AddRectFilled(at, {at.x + size.x * static_cast<float>(progress), at.y + size.y},
                      theme::tone(theme::kAccent, 110));
-  const std::string text = "ground " + std::to_string(static_cast<int>(progress * 100)) + " %";
   list.AddText({at.x + ui.px(4), at.y}, theme::tone(theme::kText), text.c_str());
   ImGui::Dummy(size);
-  ui.item("status/compiling",
-          "The ground of a large level is being compiled; until it is, bodies move on it as it "
-          "was.");
+  ui.item(name, help);
+}
+
+// Bodies are still on the ground as it was.
+void draw_compiling(double progress, float x, Ui& ui) {
+  draw_progress("status/compiling", "ground " + std::to_string(static_cast<int>(progress * 100)) + " %",
+                progress, x,
+                "The ground of a large level is being compiled; until it is, bodies move on it as it "
+                "was.",
+                ui);
+}
+
+void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
+  const double done = progress.bytes == 0
+                          ? 0
+                          : static_cast<double>(progress.bytes_done) / static_cast<double>(progress.bytes);
+  draw_progress("status/exporting", "exporting", done, x,
+                "The level is being exported: File > Export shows how far it is, and ends it.", ui);
 }
 
 }  // namespace
+
+std::string hover_text(const Session& session, const Hover& hover) {
+  if (hover.sprite)
+    return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
+           std::to_string(
+               pixel_at(session.level(), session.choices().area, hover.sprite->x, hover.sprite->y));
+  if (hover.tile) {
+    const SheetId sheet = session.choices().area.sheet;
+    return (sheet == SheetId::tiles ? "tile " : "sprite ") +
+           std::to_string(number_on_screen(sheet, *hover.tile));
+  }
+  if (!hover.pixel) return "";
+  std::string text = "outside the map   ";
+  if (hover.cell) {
+    const std::uint8_t tile = session.level().map.at(*hover.cell);
+    text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
+           std::to_string(tile) + flags_text(session.level().tile_flags(tile)) + "   ";
+  }
+  if (hover.dragged)
+    return text + std::to_string(hover.dragged->x) + "x" + std::to_string(hover.dragged->y) + " cells, " +
+           std::to_string(hover.dragged->x * kTileSize) + "x" + std::to_string(hover.dragged->y * kTileSize) +
+           " px";
+  return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
+}
 
 void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string hover = hover_text(session, ui.view.hover);
@@ -105,6 +120,8 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   draw_stamp_part(session.choices().stamp, kStamp, ui);
   if (const auto progress = session.compile_progress()) {
     draw_compiling(*progress, 570, ui);
+  } else if (const auto exporting = session.exporting().progress()) {
+    draw_exporting(*exporting, 570, ui);
   } else {
     const std::size_t bodies = session.state().bodies.size();
     draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,

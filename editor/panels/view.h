@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "collision/geometry.h"
+#include "debugger_view.h"
+#include "export_view.h"
+#include "key_cursor.h"
 #include "level/tileset.h"
 #include "preferences.h"
 #include "problems_view.h"
@@ -29,7 +32,8 @@ enum class FileDialog {
   import_png,
   export_tiles,
   export_sprites,
-  export_palette
+  export_palette,
+  export_path  // of the preset that is shown
 };
 
 // Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
@@ -65,6 +69,7 @@ struct View {
   Layout layout;
   CanvasMode canvas = CanvasMode::both;
   Focus focus = Focus::map;
+  KeyCursor cursor;            // a pointer for the keyboard
   bool paint_in_play = false;  // the left button paints in the play view, instead of holding balls
   bool dock_open = false;      // the debugger's panels are shown
   double ui_scale = 0;         // 0: by the window's height; else 1 to 4
@@ -89,13 +94,14 @@ struct View {
   int input_row = 0;                        // of the input roll, that its keys change
   std::optional<std::int64_t> input_range;  // where the range of its keys began; it ends at the shown frame
   bool shows_times = false;                 // the time of each step is plotted
-  double parting = 0.01;                    // px, by more than which the sides of a comparison have parted
   std::string wants_tab;                    // id of a panel that is to come to the front of its region
   std::string wants_text;                   // name of a text field that is to get the keys
   bool split_compared = false;              // the other side of a comparison has a view of its own
   std::optional<Cell> centre_on;            // asks the canvases to show this cell; taken by the next frame
   std::optional<Cell> marked_cell;          // outlined on the map: the last problem that was clicked
   ProblemsView problems;
+  ExportView exports;
+  DebuggerView debugger;
   bool play_active = false;  // of the two canvases, the play view was used last: it gets these requests,
   Vec2 scroll_by;            // each taken by the next frame: scroll, px of the screen
   int zoom_by = 0;           // zoom in (> 0) or out

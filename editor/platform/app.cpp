@@ -12,6 +12,7 @@
 
 #include "asset_path.h"
 #include "external_program.h"
+#include "formats/atomic_file.h"
 #include "formats/recording.h"
 #include "panels/commands.h"
 #include "picture.h"
@@ -110,14 +111,16 @@ std::string App::open_window(Settings& settings) {
 }
 
 void App::open_first_level() {
+  const ExportTools tools{[](const std::string& name) { return read_file(asset_path(name)); },
+                          options_.remember ? state_folder() + "/exports" : ""};
   if (!options_.file.empty()) {
-    session_ = std::make_unique<Session>();
+    session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
     session_->apply(action::OpenFile{absolute_path(options_.file)});
     return;
   }
   auto demo = load_level(asset_path("demo.talus.json"));
-  session_ = demo ? std::make_unique<Session>(std::move(demo->level), "", "demo (copy)")
-                  : std::make_unique<Session>();
+  session_ = demo ? std::make_unique<Session>(std::move(demo->level), "", "demo (copy)", tools)
+                  : std::make_unique<Session>(Level(), "", kUnnamed, tools);
   if (demo)
     session_->apply(action::Play{});
   else
@@ -196,8 +199,9 @@ bool App::follow_work() {
 bool App::wait() {
   const bool busy = session_->playback().running || session_->timeline().behind() ||
                     session_->debugger().is_busy() || session_->compile_progress().has_value() ||
-                    session_->is_linting() || session_->reach().running() || ui_.wants_frames() ||
-                    has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent;
+                    session_->is_linting() || session_->reach().running() ||
+                    session_->exporting().is_busy() || ui_.wants_frames() || has_waiting_events() ||
+                    last_time_ - last_event_ < kLivelyAfterEvent;
   const double now = options_.clock();
   if (busy) {
     const double spent = (now - last_time_) * 1000;
@@ -228,7 +232,7 @@ void App::frame() {
     textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
   Actions actions;
   const double start = processor_time();
-  window_->begin_frame(events_);
+  window_->begin_frame(events_, ui_.view.cursor.begin_frame());
   draw(actions);
   window_->end_frame();
   ui_.view.program.metrics.note(cost_of_frame(processor_time() - start));
@@ -252,10 +256,15 @@ void App::draw(Actions& actions) {
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
-  const std::array<bool, 8> wanted = {ui_.view.dialog != FileDialog::none, session_->wants_save_as(),
-                                      session_->question().has_value(),    ui_.view.command_palette_open,
-                                      ui_.view.program.keys_open,          ui_.view.program.recovery_open,
-                                      session_->png_import().has_value(),  ui_.view.resize_open};
+  const std::array<bool, 9> wanted = {ui_.view.dialog != FileDialog::none,
+                                      session_->wants_save_as(),
+                                      session_->wants_save_recording(),
+                                      session_->question().has_value(),
+                                      ui_.view.command_palette_open,
+                                      ui_.view.program.keys_open,
+                                      ui_.view.program.recovery_open,
+                                      session_->png_import().has_value(),
+                                      ui_.view.resize_open};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
@@ -273,6 +282,8 @@ void App::handle_events() {
       actions.push_back(action::Quit{});
     } else if (event.type == SDL_KEYDOWN) {
       handle_key(event.key, actions);
+    } else if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN) {
+      ui_.view.cursor.hide();  // the hand is back at the mouse
     } else if (event.type == SDL_DROPFILE && event.drop.file != nullptr) {
       actions.push_back(action::OpenFile{event.drop.file});
       SDL_free(event.drop.file);
@@ -287,12 +298,14 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   const KeyChord chord = chord_of(key.keysym);
   if (!chord || capture_key(chord) || keys_are_taken(chord) || steer(chord, actions)) return;
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
+  ui_.view.cursor.held_by(chord.key);
 }
 
 // The window about the program that was opened last, as far as is known.
 void App::close_window() {
   if (ImGui::GetIO().WantTextInput || ImGui::GetTopMostPopupModal() != nullptr) return;
-  for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open}) {
+  for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open,
+                     &ui_.view.exports.open}) {
     if (std::exchange(*open, false)) return;
   }
 }
@@ -315,7 +328,8 @@ void App::open_wanted_program() {
 // Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the
 // next step and runs its command too.
 bool App::steer(KeyChord chord, Actions& actions) {
-  const bool theirs = !chord.ctrl && !chord.alt && ui_.view.focus == Focus::map && has_players(*session_);
+  const bool theirs = !chord.ctrl && !chord.alt && ui_.view.focus == Focus::map && !ui_.view.cursor.on() &&
+                      has_players(*session_);
   if (!theirs || !play_keys_.set(chord.key, true)) return false;
   actions.push_back(play_keys_.held());
   return keys_steer(*session_, ui_.view);
@@ -324,9 +338,11 @@ bool App::steer(KeyChord chord, Actions& actions) {
 // A key that goes up is let go whoever has the keys by then; with the window's focus all do.
 void App::release(const SDL_Event& event, Actions& actions) {
   if (event.type == SDL_KEYUP) {
+    ui_.view.cursor.release(chord_of(event.key.keysym).key);
     if (play_keys_.set(chord_of(event.key.keysym).key, false)) actions.push_back(play_keys_.held());
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
     play_keys_.release_all();
+    ui_.view.cursor.lift();
     actions.push_back(play_keys_.held());
   }
 }
@@ -348,12 +364,13 @@ void App::draw_file_dialog(Actions& actions) {
   if (!answer) return;
   if (answer->cancelled) {
     ui_.view.dialog = FileDialog::none;
-    if (session_->wants_save_as()) actions.push_back(action::CancelSaveAs{});
+    if (session_->wants_save_as() || session_->wants_save_recording())
+      actions.push_back(action::CancelSaveAs{});
     return;
   }
   dialog_answered_ = true;
   actions.push_back(action::DismissMessage{});
-  actions.push_back(answer_to(request->dialog, answer->path));
+  actions.push_back(answer_to(request->dialog, answer->path, *session_, ui_.view));
 }
 
 // An error of the dialog's own action is shown in the dialog, which stays open.

@@ -90,7 +90,7 @@ class App {
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::array<bool, 8> wanted_dialogs_{};  // one for each dialog, when last looked at
+  std::array<bool, 9> wanted_dialogs_{};  // one for each dialog, when last looked at
   int frames_to_hold_ = 0;                // in which presses wait
   std::string note_;                      // the message that is timed
   double note_since_ = 0;                 // s

@@ -55,11 +55,16 @@ std::string FileBrowser::known_endings() const {
 void FileBrowser::start(const FileRequest& request) {
   request_ = request;
   std::error_code error;
-  const fs::path beside = fs::path(request.near).parent_path();
+  const fs::path near(request.near);
+  fs::path beside = near.parent_path();
+  // A folder that is made later is part of the name.
+  while (request.names_new() && beside.has_relative_path() && !fs::exists(beside, error))
+    beside = beside.parent_path();
   if (!request.near.empty() && fs::is_directory(beside, error)) folder_ = beside.string();
   if (folder_.empty() || !fs::is_directory(folder_, error)) folder_ = fs::current_path(error).string();
-  name_ = request.saves ? fs::path(request.near).filename().string() : "";
-  if (request.saves && name_.empty()) name_ = "level" + request.ending;
+  name_ = request.names_new() ? near.lexically_relative(beside).generic_string() : "";
+  if (beside.empty() && request.names_new()) name_ = request.near;
+  if (request.names_new() && name_.empty()) name_ = "level" + request.ending;
   const std::string name = name_;
   enter(folder_);
   name_ = name;
@@ -122,11 +127,13 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) 
     if (chosen && scroll_to_choice_) ImGui::SetScrollHereY();
   }
   scroll_to_choice_ = false;
-  if (entries_.size() <= 1) ui.hint("No folder and no such file here. Known endings: " + known_endings());
+  if (entries_.size() <= 1)
+    ui.hint(request_.names_folder() ? "No folder here. The one that is named below will be made."
+                                    : "No folder and no such file here. Known endings: " + known_endings());
   ImGui::EndChild();
   ImGui::PopStyleVar();
   if (!entered.empty()) {
-    const std::string kept = request_.saves ? name_ : "";
+    const std::string kept = request_.names_new() ? name_ : "";
     enter((fs::path(folder_) / entered).string());
     name_ = kept;
   }
@@ -141,11 +148,16 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
   if (key_pressed(ImGuiKey_DownArrow)) move_choice(1);
   if (key_pressed(ImGuiKey_UpArrow)) move_choice(-1);
-  const bool save = request_.saves;
   const float width = ui.px(112);
-  const char* label = !overwrite_.empty() ? "Replace it" : save ? "Save" : "Open";
-  if (ui.text_button("files/confirm", label, true, save ? "Saves under this name." : "Opens this file.",
-                     "Enter", !name_.empty(), width) ||
+  const bool saves = request_.purpose == FileRequest::Purpose::saves;
+  const char* label = !overwrite_.empty()    ? "Replace it"
+                      : saves                ? "Save"
+                      : request_.names_new() ? "Choose"
+                                             : "Open";
+  const char* help = saves                  ? "Saves under this name."
+                     : request_.names_new() ? "Takes this name."
+                                            : "Opens this file.";
+  if (ui.text_button("files/confirm", label, true, help, "Enter", !name_.empty(), width) ||
       (key_pressed(ImGuiKey_Enter) && !name_.empty()))
     answer = confirm();
   ImGui::SameLine();
@@ -156,7 +168,8 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   const std::string text = !error_.empty() ? error_
                            : !overwrite_.empty()
                                ? fs::path(overwrite_).filename().string() + " exists already."
-                               : "Endings: " + known_endings();
+                           : request_.names_folder() ? "The name of a folder; a click in the list enters one."
+                                                     : "Endings: " + known_endings();
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(warns ? theme::kWarning : theme::kMuted));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
@@ -176,12 +189,14 @@ std::optional<FileBrowser::Answer> FileBrowser::confirm() {
   error_.clear();
   std::error_code ignored;
   fs::path path = fs::path(folder_) / name_;
+  if (request_.names_folder()) return Answer{false, path.string()};
   if (fs::is_directory(path, ignored)) {
     enter(path.string());
     return std::nullopt;
   }
-  if (!request_.saves) return Answer{false, path.string()};
+  if (!request_.names_new()) return Answer{false, path.string()};
   if (!path.has_extension()) path += request_.ending;
+  if (request_.purpose == FileRequest::Purpose::names) return Answer{false, path.string()};
   if (fs::exists(path, ignored) && overwrite_ != path.string()) {
     overwrite_ = path.string();
     return std::nullopt;

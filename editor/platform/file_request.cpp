@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "edit/export_presets.h"
 #include "formats/format.h"
 #include "formats/recording.h"
 
@@ -10,6 +11,7 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
+using Purpose = FileRequest::Purpose;
 
 std::vector<std::string> level_endings(bool to_save) {
   std::vector<std::string> endings;
@@ -28,8 +30,26 @@ std::string named_like(const Session& session, const std::string& ending) {
 }
 
 FileRequest save_picture(const Session& session, FileDialog dialog, const std::string& what) {
-  return {dialog,  true,  "Save the " + what + " as a picture", named_like(session, "-" + what + ".png"),
-          {"png"}, ".png"};
+  return {
+      dialog,  Purpose::saves, "Save the " + what + " as a picture", named_like(session, "-" + what + ".png"),
+      {"png"}, ".png"};
+}
+
+// Nothing: no preset is there, or of a target that is not known.
+std::optional<FileRequest> name_export(const Session& session, const View& view) {
+  const auto& exports = session.level().exports;
+  if (view.exports.preset >= exports.size()) return std::nullopt;
+  const ExportPreset& preset = exports[view.exports.preset];
+  const Exporter* exporter = find_exporter(preset.exporter);
+  if (exporter == nullptr) return std::nullopt;
+  FileRequest request{FileDialog::export_path,
+                      exporter->is_folder() ? Purpose::names_folder : Purpose::names,
+                      "Where the " + std::string(exporter->label) + " is written",
+                      output_of(preset, session.path()).value_or(preset.path),
+                      {exporter->extensions.begin(), exporter->extensions.end()},
+                      ""};
+  if (!exporter->is_folder()) request.ending = "." + request.endings.front();
+  return request;
 }
 
 FileRequest open_level(const Session& session, const View& view) {
@@ -37,40 +57,47 @@ FileRequest open_level(const Session& session, const View& view) {
   const std::string near = has_path ? session.path() : view.recent_files.empty() ? "" : view.recent_files[0];
   std::vector<std::string> endings = level_endings(false);
   endings.emplace_back(kRecordingExtension);
-  return {FileDialog::open, false, "Open a level, cart or recording", near, endings, ""};
+  return {FileDialog::open, Purpose::opens, "Open a level, cart or recording", near, endings, ""};
 }
 
 }  // namespace
 
 std::optional<FileRequest> wanted_file(const Session& session, const View& view) {
   const std::string recording = "." + std::string(kRecordingExtension);
-  const FileDialog dialog = session.wants_save_as() ? FileDialog::save_as : view.dialog;
+  const FileDialog dialog = session.wants_save_as()          ? FileDialog::save_as
+                            : session.wants_save_recording() ? FileDialog::save_recording
+                                                             : view.dialog;
   switch (dialog) {
     case FileDialog::none:
       return std::nullopt;
     case FileDialog::open:
       return open_level(session, view);
     case FileDialog::save_as:
-      return FileRequest{dialog,       true, "Save the level as", session.path(), level_endings(true),
-                         ".talus.json"};
+      return FileRequest{dialog,         Purpose::saves,      "Save the level as",
+                         session.path(), level_endings(true), ".talus.json"};
     case FileDialog::save_recording:
-      return FileRequest{
-          dialog,   true, "Save the recording as", named_like(session, recording), {recording.substr(1)},
-          recording};
+      return FileRequest{dialog,
+                         Purpose::saves,
+                         "Save the recording as",
+                         named_like(session, recording),
+                         {recording.substr(1)},
+                         recording};
     case FileDialog::import_png:
-      return FileRequest{dialog,         false,   "Import a picture, a PNG of up to 128x128 px",
-                         session.path(), {"png"}, ""};
+      return FileRequest{dialog,         Purpose::opens, "Import a picture, a PNG of up to 128x128 px",
+                         session.path(), {"png"},        ""};
     case FileDialog::export_tiles:
       return save_picture(session, dialog, "tiles");
     case FileDialog::export_sprites:
       return save_picture(session, dialog, "sprites");
     case FileDialog::export_palette:
       return save_picture(session, dialog, "palette");
+    case FileDialog::export_path:
+      return name_export(session, view);
   }
   return std::nullopt;
 }
 
-Action answer_to(FileDialog dialog, const std::string& path) {
+Action answer_to(FileDialog dialog, const std::string& path, const Session& session, const View& view) {
   switch (dialog) {
     case FileDialog::save_as:
       return action::SaveFileAs{path};
@@ -84,6 +111,12 @@ Action answer_to(FileDialog dialog, const std::string& path) {
       return action::ExportPng{PngPart::sprites, path};
     case FileDialog::export_palette:
       return action::ExportPng{PngPart::palette, path};
+    case FileDialog::export_path: {
+      ExportPreset preset = session.level().exports.at(view.exports.preset);
+      preset.path = path_for(path, session.path());
+      return action::EditLevel{
+          set_export(session.level(), view.exports.preset, std::move(preset), "Change export path")};
+    }
     default:
       return action::OpenFile{path};
   }

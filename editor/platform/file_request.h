@@ -11,17 +11,22 @@
 namespace talus {
 
 struct FileRequest {
+  // names, names_folder: where something will be written later; saves: it is written at once.
+  enum class Purpose { opens, saves, names, names_folder };
   FileDialog dialog = FileDialog::open;
-  bool saves = false;
+  Purpose purpose = Purpose::opens;
   std::string title;  // "Open a level or cart"
-  std::string near;   // path: where to start and, for saving, the name to suggest; may be empty
+  std::string near;   // path: where to start and, unless it opens, the name to suggest; may be empty
   std::vector<std::string> endings;  // of the files that are listed: "tic", without the dot
-  std::string ending;                // for saving: put behind a name without one
+  std::string ending;                // unless it opens: put behind a name without one
+
+  bool names_new() const { return purpose != Purpose::opens; }
+  bool names_folder() const { return purpose == Purpose::names_folder; }
 };
 
 // What the dialog that is open asks for; nothing: none is open.
 std::optional<FileRequest> wanted_file(const Session& session, const View& view);
 // What is done with the file that was chosen.
-Action answer_to(FileDialog dialog, const std::string& path);
+Action answer_to(FileDialog dialog, const std::string& path, const Session& session, const View& view);
 
 }  // namespace talus

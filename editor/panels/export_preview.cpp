@@ -1,0 +1,191 @@
+// Files in a table, sentences and buttons.
+#include "export_preview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "commands.h"
+
+namespace talus {
+namespace {
+
+using Place = PlannedFile::Place;
+
+constexpr float kSizeColumn = 84, kPlaceColumn = 210;  // px at scale 1
+
+std::string code_text(std::size_t bytes) {
+  const std::string sizes = size_text(bytes) + " of the " + size_text(kMostTicCode);
+  return bytes > kMostTicCode ? "Too large for TIC-80's free version: its code takes " + sizes +
+                                    " that there are. Fewer shapes or kinds of bodies make it smaller."
+                              : "Code: " + sizes + " of TIC-80's free version.";
+}
+
+const ExportPreset& shown_preset(const Session& session, const Ui& ui) {
+  return session.level().exports[ui.view.exports.preset];
+}
+
+// What went wrong with the shown preset in the last run, if it is as it was then.
+const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
+  const ExportTask task{shown_preset(session, ui), session.path()};
+  for (const ExportOutcome& outcome : session.exporting().last_run()) {
+    if (outcome.problem && outcome.task == task) return &outcome;
+  }
+  return nullptr;
+}
+
+std::string sentence(const FormatError& error) {
+  std::string text = error.place.empty() ? error.message : error.place + ": " + error.message;
+  const bool starts_sentence = error.place.empty() && !text.empty() && text.front() >= 'a';
+  if (starts_sentence && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+void draw_wrapped(const std::string& text, std::uint32_t color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
+  const bool is_foreign = outcome.foreign.contains(file.path);
+  const std::string old = size_text(static_cast<std::size_t>(file.old_size));
+  const std::string place = outcome.output.empty()       ? ""
+                            : file.place == Place::empty ? "new"
+                            : file.place == Place::same  ? "unchanged"
+                            : is_foreign                 ? "replaces yours, " + old
+                                                         : "replaces " + old;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(file.name.c_str());
+  ui.item("export/file/" + file.name, file.path);
+  ImGui::TableNextColumn();
+  ui.right_aligned(size_text(file.size));
+  ui.tooltip(std::to_string(file.size) + " bytes");
+  ImGui::TableNextColumn();
+  const std::uint32_t color = is_foreign                   ? theme::kWarning
+                              : file.place == Place::empty ? theme::kAccent
+                                                           : theme::kMuted;
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
+  ImGui::TextUnformatted(place.c_str());
+  ImGui::PopStyleColor();
+  if (is_foreign)
+    ui.tooltip(
+        "What is there is not as an export wrote it: it is somebody's own, or was changed since. "
+        "Exporting asks first.");
+}
+
+void draw_file_table(const ExportOutcome* outcome, Ui& ui) {
+  if (outcome == nullptr) return ui.hint("Making the files, to see how large they are...");
+  if (outcome->files.empty()) return ui.hint("Nothing, until the error above is gone.");
+  if (!ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("file");
+  ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ui.px(kSizeColumn));
+  ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthFixed, ui.px(kPlaceColumn));
+  for (const PlannedFile& file : outcome->files) draw_file(file, *outcome, ui);
+  ImGui::EndTable();
+}
+
+// "Export 3 files, 44.2 KB"
+std::string export_label(const ExportOutcome* outcome) {
+  if (outcome == nullptr || outcome->files.empty()) return "Export";
+  std::size_t bytes = 0;
+  for (const PlannedFile& file : outcome->files) bytes += file.size;
+  const std::size_t count = outcome->files.size();
+  return "Export " + std::to_string(count) + (count == 1 ? " file, " : " files, ") + size_text(bytes) +
+         (outcome->foreign.empty() ? "" : "...");
+}
+
+std::string progress_text(const ExportProgress& progress) {
+  std::string text = progress.name;
+  if (progress.tasks > 1)
+    text += " (" + std::to_string(progress.task + 1) + " of " + std::to_string(progress.tasks) + ")";
+  if (progress.files == 0) return text + ": making the files";
+  return text + ": " + std::to_string(progress.files_done) + " of " + std::to_string(progress.files) +
+         " files, " + size_text(progress.bytes_done) + " of " + size_text(progress.bytes);
+}
+
+// While files are made, nobody knows how long that takes: the bar fills and starts again.
+float fraction_of(const ExportProgress& progress, double time) {
+  if (progress.files == 0) return static_cast<float>(time - std::floor(time));
+  return progress.bytes == 0 ? 1
+                             : static_cast<float>(progress.bytes_done) / static_cast<float>(progress.bytes);
+}
+
+}  // namespace
+
+std::string size_text(std::size_t bytes) {
+  if (bytes < 1024) return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+  const double kilobytes = static_cast<double>(bytes) / 1024;
+  char text[32];
+  if (kilobytes < 1000)
+    std::snprintf(text, sizeof text, "%.1f KB", kilobytes);
+  else
+    std::snprintf(text, sizeof text, "%.1f MB", kilobytes / 1024);
+  return text;
+}
+
+const ExportOutcome* shown_outcome(const Session& session, const Ui& ui) {
+  const auto& preview = session.exporting().preview();
+  const ExportTask task{shown_preset(session, ui), session.path()};
+  return preview && preview->outcome.task == task ? &preview->outcome : nullptr;
+}
+
+bool draw_export_problem(ExportProblem::Field field, const Session& session, Ui& ui) {
+  const ExportOutcome* outcome = shown_outcome(session, ui);
+  if (outcome == nullptr || !outcome->problem) outcome = failed_outcome(session, ui);
+  if (outcome == nullptr || outcome->problem->field != field) return false;
+  draw_wrapped(sentence(outcome->problem->error), theme::kError);
+  ui.item("export/error");
+  return true;
+}
+
+void draw_export_files(const Session& session, float below, Ui& ui) {
+  ui.heading("What will be written");
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
+  ImGui::BeginChild("files", {0, -below}, true);
+  if (!draw_export_problem(ExportProblem::Field::level, session, ui))
+    draw_file_table(shown_outcome(session, ui), ui);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+void draw_export_notes(const Session& session, Ui& ui) {
+  const ExportOutcome* outcome = shown_outcome(session, ui);
+  if (outcome == nullptr) return;
+  if (outcome->code_bytes)
+    draw_wrapped(code_text(*outcome->code_bytes),
+                 *outcome->code_bytes > kMostTicCode ? theme::kWarning : theme::kMuted);
+  if (outcome->dropped.empty()) return;
+  std::string text = "Not held there: ";
+  for (const std::string& what : outcome->dropped)
+    text += (&what == &outcome->dropped.front() ? "" : ", ") + what;
+  draw_wrapped(text + ".", theme::kWarning);
+  ui.item("export/dropped", text + ".");
+}
+
+void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
+  if (const auto progress = session.exporting().progress()) {
+    const float width = ui.px(88);
+    ImGui::ProgressBar(fraction_of(*progress, ui.time),
+                       {ImGui::GetContentRegionAvail().x - width - ui.px(8), ui.px(theme::kButton)},
+                       progress_text(*progress).c_str());
+    ui.item("export/progress");
+    ImGui::SameLine();
+    const Command& cancel = find_command("file/export_cancel");
+    if (ui.text_button("export/cancel", "Cancel", false, cancel.help, keys_of(cancel, ui), true, width))
+      cancel.run(session, actions, ui);
+    return;
+  }
+  const ExportOutcome* outcome = shown_outcome(session, ui);
+  const bool works = outcome != nullptr && !outcome->problem;
+  const std::string help = outcome != nullptr && !outcome->foreign.empty()
+                               ? "Asks before it replaces what no export wrote."
+                               : "Writes this preset's files, all of them or none.";
+  if (ui.text_button("export/export", export_label(outcome) + "##export", true, help, {}, works, ui.px(220)))
+    actions.push_back(action::RunExports{ui.view.exports.preset});
+}
+
+}  // namespace talus

@@ -1,0 +1,235 @@
+// The window of exports: presets, what they would write, and writing it.
+#include <chrono>
+#include <thread>
+
+#include "formats/atomic_file.h"
+#include "harness.h"
+
+namespace talus::export_panel_test {
+
+constexpr KeyChord kReturnKey{'\r'};
+
+class UiExport : public UiTest {
+ protected:
+  const Exporting& exporting() { return session().exporting(); }
+  // Frames until exports and previews are done, and what they lead to is drawn.
+  void settle() {
+    frames(3);
+    for (int i = 0; i < 5'000 && exporting().is_busy(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      frames(1);
+    }
+    ASSERT_FALSE(exporting().is_busy());
+    frames(3);
+  }
+  void open_window() {
+    key(ctrl_shift('x'));
+    settle();
+    ASSERT_NE(find("export/window"), nullptr);
+  }
+  void choose_target(const std::string& letters, const std::string& id) {
+    click("export/target");
+    frames(3);
+    type(letters);
+    frames(2);
+    ASSERT_NE(find("export/target/" + id), nullptr) << letters;
+    click("export/target/" + id);
+    settle();
+  }
+  // Types over what a field holds, and leaves it.
+  void fill(const std::string& field, const std::string& text) {
+    click(field);
+    frames(2);
+    key(ctrl('a'));
+    type(text);
+    key(kReturnKey);
+    settle();
+  }
+  const ExportPreset& preset(std::size_t i) { return level().exports.at(i); }
+  const ExportOutcome& shown() { return exporting().preview().value().outcome; }
+  std::string message() { return session().message() ? session().message()->text : ""; }
+};
+
+TEST_F(UiExport, APresetIsMadeShownAndWritten) {
+  start();
+  open_window();
+  EXPECT_EQ(find("export/export"), nullptr) << "there is nothing to export yet";
+  click("export/add");
+  settle();
+  ASSERT_EQ(level().exports.size(), 1u);
+  choose_target("tic-80 cart", "tic");
+  EXPECT_EQ(preset(0).exporter, "tic");
+  EXPECT_EQ(preset(0).name, "tic");
+  EXPECT_EQ(preset(0).path, "export/level.tic");
+  fill("export/name", "cart");
+  EXPECT_EQ(preset(0).name, "cart");
+  fill("export/path", "out/game.tic");
+  EXPECT_EQ(preset(0).path, "out/game.tic");
+
+  ASSERT_EQ(shown().files.size(), 1u);
+  const std::size_t size = shown().files[0].size;
+  EXPECT_EQ(shown().files[0].place, PlannedFile::Place::empty);
+  ASSERT_NE(find("export/file/game.tic"), nullptr);
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+  click("export/export");
+  settle();
+  EXPECT_EQ(std::filesystem::file_size(path("out/game.tic")), size);
+  EXPECT_EQ(message().substr(0, 38), "Exported cart: 1 file to out/game.tic.");
+  EXPECT_EQ(shown().files[0].place, PlannedFile::Place::same);
+}
+
+TEST_F(UiExport, AFolderIsWrittenAsItWasShown) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("love", "love");
+  const std::vector<PlannedFile> files = shown().files;
+  ASSERT_GE(files.size(), 5u);
+  click("export/all");
+  settle();
+  for (const PlannedFile& file : files)
+    EXPECT_EQ(std::filesystem::file_size(file.path), file.size) << file.name;
+  // Another change of the level, and the key: no question about files that an export wrote.
+  session().apply(action::EditLevel{Edit{"Paint", {ColorChange{3, level().palette[3], Rgb{1, 2, 3}}}}});
+  key(ctrl_shift('w'));
+  settle();
+  EXPECT_FALSE(session().question());
+  EXPECT_EQ(message().substr(0, 9), "Exported ");
+}
+
+TEST_F(UiExport, ThePreviewFollowsTheLevel) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("tic-80 cart", "tic");
+  const std::size_t before = shown().files[0].size;
+  Edit edit{"Paint", {}};
+  for (int x = 0; x < 20; ++x) edit.changes.emplace_back(CellChange{{x, 2}, tile_at({x, 2}), 7});
+  session().apply(action::EditLevel{edit});
+  settle();
+  EXPECT_NE(shown().files[0].size, before);
+}
+
+TEST_F(UiExport, EditsOfPresetsAreUndone) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  click("export/duplicate");
+  settle();
+  ASSERT_EQ(level().exports.size(), 2u);
+  EXPECT_EQ(app().ui().view.exports.preset, 1u) << "the new one is chosen";
+  EXPECT_EQ(preset(1).name, preset(0).name + " 2");
+  click("export/on_save");
+  settle();
+  EXPECT_TRUE(preset(1).on_save);
+  click("export/preset0");
+  click("export/remove");
+  settle();
+  ASSERT_EQ(level().exports.size(), 1u);
+  EXPECT_TRUE(preset(0).on_save);
+  key(ctrl('z'));
+  ASSERT_EQ(level().exports.size(), 2u);
+  key(ctrl('z'));
+  EXPECT_FALSE(preset(1).on_save);
+  key(ctrl('z'));
+  key(ctrl('z'));
+  EXPECT_TRUE(level().exports.empty());
+  settle();
+}
+
+TEST_F(UiExport, APathThatCannotBeWrittenIsSaidUnderIt) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("tic-80 cart", "tic");
+  EXPECT_EQ(find("export/error"), nullptr);
+  fill("export/path", "level.talus.json/game.tic");
+  ASSERT_NE(find("export/error"), nullptr);
+  EXPECT_EQ(shown().problem->field, ExportProblem::Field::path);
+  EXPECT_GT(find("export/error")->min.y, find("export/path")->max.y);
+  EXPECT_FALSE(find("export/export")->enabled);
+  fill("export/path", "game.zip");
+  ASSERT_NE(find("export/error"), nullptr);
+  EXPECT_EQ(shown().problem->error.message.substr(0, 20), "game.zip is no name ");
+  fill("export/path", "game.tic");
+  EXPECT_EQ(find("export/error"), nullptr);
+  EXPECT_TRUE(find("export/export")->enabled);
+}
+
+TEST_F(UiExport, AFileOfSomebodyElsesIsAskedAbout) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("tic-80 cart", "tic");
+  fill("export/path", "game.tic");
+  (void)write_file_atomic(path("game.tic"), "mine");
+  click("export/all");
+  settle();
+  ASSERT_NE(find("question/replace"), nullptr);
+  click("question/cancel");
+  settle();
+  EXPECT_EQ(bytes_of(path("game.tic")), "mine");
+  click("export/export");
+  settle();
+  click("question/replace");
+  settle();
+  EXPECT_EQ(find("question/replace"), nullptr);
+  EXPECT_NE(bytes_of(path("game.tic")), "mine");
+}
+
+TEST_F(UiExport, BrowseNamesAFolder) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("love", "love");
+  click("export/browse");
+  frames(3);
+  ASSERT_NE(find("files/name"), nullptr);
+  key(ctrl('a'));
+  type("mine");
+  click("files/confirm");
+  settle();
+  EXPECT_EQ(find("files/name"), nullptr);
+  EXPECT_EQ(preset(0).path, "mine");
+  EXPECT_EQ(shown().output, path("mine"));
+}
+
+TEST_F(UiExport, WithoutAFileItSaysWhatToDo) {
+  start("");
+  open_window();
+  click("export/add");
+  settle();
+  ASSERT_NE(find("export/error"), nullptr);
+  EXPECT_FALSE(shown().files.empty()) << "their sizes are known all the same";
+  click("export/save");
+  frames(3);
+  EXPECT_TRUE(session().wants_save_as());
+}
+
+TEST_F(UiExport, ALongOneIsCancelled) {
+  Level large = test_level();
+  large.map = TileMap(4096, 4096);
+  for (std::size_t i = 0; i < large.map.cells().size(); ++i)
+    large.map.cells()[i] = static_cast<std::uint8_t>(i * 2654435761u >> 24);
+  large.exports.push_back({"copy", "native", "copy.talus.json", false, ""});
+  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
+  start(path("large.talus.json"));
+  session().apply(action::RunExports{0});
+  key(ctrl_shift('x'));
+  frames(1);
+  ASSERT_NE(find("export/progress"), nullptr);
+  click("export/cancel");
+  frames(1);
+  EXPECT_EQ(find("export/progress"), nullptr) << "at once";
+  while (session().message() == std::nullopt) frames(1);
+  EXPECT_EQ(message(), "The export was cancelled: nothing was written.");
+  EXPECT_FALSE(std::filesystem::exists(path("copy.talus.json")));
+}
+
+}  // namespace talus::export_panel_test
