@@ -1,0 +1,204 @@
+// talus export with the presets of a level, and watching it.
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "cli/cli.h"
+#include "formats/atomic_file.h"
+#include "formats/format.h"
+
+namespace talus::cli_export_watch_test {
+
+namespace fs = std::filesystem;
+
+// A stream's buffer that another thread may read.
+class SharedText : public std::streambuf {
+ public:
+  std::string text() {
+    const std::lock_guard lock(mutex_);
+    return text_;
+  }
+
+ protected:
+  int overflow(int c) override {
+    const std::lock_guard lock(mutex_);
+    text_ += static_cast<char>(c);
+    return c;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string text_;
+};
+
+class CliPresets : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("talus_presets_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string bytes_of(const std::string& name) const { return read_file(path(name)).value_or("(none)"); }
+  // A level with these presets, whose tile at (0, 0) is `tile`.
+  void save(std::vector<ExportPreset> presets, std::uint8_t tile = 0) const {
+    Level level;
+    level.exports = std::move(presets);
+    level.map.set({0, 0}, tile);
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("cave.talus.json")));
+  }
+  int run(std::vector<std::string> words) {
+    std::ostringstream out, err;
+    words.insert(words.begin(), {"export", path("cave.talus.json")});
+    const int status = run_cli(words, out, err);
+    out_ = out.str();
+    err_ = err.str();
+    return status;
+  }
+
+  fs::path folder_;
+  std::string out_, err_;
+};
+
+const std::vector<ExportPreset> kTwo = {{"cart", "tic", "out/a.tic", false, ""},
+                                        {"text", "tic-text", "out/a.lua", false, ""}};
+
+TEST_F(CliPresets, AllAreWrittenBesideTheLevel) {
+  save(kTwo);
+  EXPECT_EQ(run({"--all"}), 0) << err_;
+  EXPECT_EQ(err_, "");
+  EXPECT_TRUE(fs::exists(path("out/a.tic")));
+  EXPECT_TRUE(fs::exists(path("out/a.lua")));
+  const std::string size = std::to_string(fs::file_size(path("out/a.tic")));
+  EXPECT_EQ(out_.find(path("out/a.tic") + ": 1 file, " + size + " bytes, "), 0u) << out_;
+}
+
+TEST_F(CliPresets, OneIsChosenByItsName) {
+  save(kTwo);
+  EXPECT_EQ(run({"--preset", "text"}), 0) << err_;
+  EXPECT_FALSE(fs::exists(path("out/a.tic")));
+  EXPECT_TRUE(fs::exists(path("out/a.lua")));
+}
+
+TEST_F(CliPresets, WhatCannotBeDoneIsSaid) {
+  save(kTwo);
+  EXPECT_EQ(run({"--preset", "game"}), 1);
+  EXPECT_EQ(err_, path("cave.talus.json") +
+                      ": error: there is no preset \"game\"; the level has \"cart\", \"text\"\n");
+  save({{"odd", "gameboy", "a.gb", false, ""}, {"own", "native", "cave.talus.json", false, ""}});
+  EXPECT_EQ(run({"--all"}), 1);
+  EXPECT_EQ(err_, path("cave.talus.json") +
+                      ":preset \"odd\": error: \"gameboy\" is no target of this version\n" +
+                      path("cave.talus.json") +
+                      ":preset \"own\": error: this is the level's own file, which saving writes: name "
+                      "another one\n");
+  save({});
+  EXPECT_EQ(run({"--all"}), 1);
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({"--all", "--preset", "cart"}), 2);
+  EXPECT_EQ(run({"--all", "--to", "tic"}), 2);
+  EXPECT_EQ(run({"--watch", "--to", "tic", "-o", "-"}), 2);
+}
+
+class CliWatch : public CliPresets {
+ protected:
+  void watch(std::vector<std::string> words) {
+    words.insert(words.begin(), {"export", path("cave.talus.json"), "--watch"});
+    thread_ = std::thread([this, words] {
+      std::ostream out(&out_text_), err(&err_text_);
+      status_ = run_cli(words, out, err);
+    });
+  }
+  // As Ctrl+C does. To be called after it has written something: until then it would end the tests.
+  void interrupt() {
+    pthread_kill(thread_.native_handle(), SIGINT);
+    thread_.join();
+  }
+  static std::size_t lines(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+  // Waits until so many lines are there.
+  static std::string wait_for(SharedText& text, std::size_t count) {
+    for (int i = 0; i < 1000 && lines(text.text()) < count; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_GE(lines(text.text()), count) << text.text();
+    return text.text();
+  }
+
+  SharedText out_text_, err_text_;
+  std::thread thread_;
+  int status_ = -1;
+};
+
+TEST_F(CliWatch, ExportsAtOnceAndAfterEachSave) {
+  save(kTwo);
+  watch({"--preset", "cart"});
+  wait_for(out_text_, 1);
+  const std::string first = bytes_of("out/a.tic");
+  ASSERT_NE(first, "(none)");
+
+  // Whoever reads the output while it changes sees the one or the other, whole.
+  std::set<std::string> seen;
+  std::atomic<bool> reads = true;
+  std::thread reader([&] {
+    while (reads) {
+      seen.insert(bytes_of("out/a.tic"));
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+  });
+  save(kTwo, 1);  // by renaming, as this program saves
+  wait_for(out_text_, 2);
+  const std::string second = bytes_of("out/a.tic");
+  std::string text = bytes_of("cave.talus.json");
+  text.replace(text.find("\"01\""), 4, "\"02\"");
+  std::ofstream(path("cave.talus.json"), std::ios::binary) << text;  // in place, as others do
+  wait_for(out_text_, 3);
+  const std::string third = bytes_of("out/a.tic");
+  reads = false;
+  reader.join();
+  interrupt();
+  EXPECT_EQ(status_, 0);
+  EXPECT_NE(first, second);
+  EXPECT_NE(second, third);
+  EXPECT_EQ(seen, (std::set<std::string>{first, second, third}));
+  EXPECT_EQ(lines(out_text_.text()), 3u) << "one export for each: " << out_text_.text();
+  EXPECT_EQ(err_text_.text(), "");
+  const std::string line = out_text_.text().substr(0, out_text_.text().find('\n'));
+  EXPECT_EQ(line.substr(line.size() - 3), " ms") << line;
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), fs::directory_iterator()), 1)
+      << "no temporary is left";
+}
+
+TEST_F(CliWatch, AfterABadFileItGoesOn) {
+  save(kTwo);
+  watch({"--to", "tic", "-o", path("b.tic")});
+  wait_for(out_text_, 1);
+  std::ofstream(path("cave.talus.json"), std::ios::binary) << "{\"talus\": 1, \"palette\": 3}";
+  EXPECT_EQ(wait_for(err_text_, 1),
+            path("cave.talus.json") + ":key palette: error: must be a list of 16 colours\n");
+  fs::remove(path("cave.talus.json"));
+  const std::string gone = wait_for(err_text_, 2);
+  EXPECT_NE(gone.find("is not there; waiting for it\n"), std::string::npos) << gone;
+  save(kTwo, 5);
+  wait_for(out_text_, 2);
+  interrupt();
+  EXPECT_EQ(status_, 0);
+  const auto cart = load_level(path("b.tic"));
+  ASSERT_TRUE(cart);
+  EXPECT_EQ(cart->level.map.at({0, 0}), 5);
+}
+
+}  // namespace talus::cli_export_watch_test
