@@ -11,6 +11,7 @@
 #include "tic_cart.h"
 #include "tic_png.h"
 #include "tic_text.h"
+#include "tiled_format.h"
 
 namespace talus {
 namespace {
@@ -54,7 +55,11 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 2> kNativeExtensions = {"talus.json", "json"};
   static constexpr std::array<std::string_view, 1> kTicExtensions = {"tic"};
   static constexpr std::array<std::string_view, 1> kPngExtensions = {"png"};
-  static const std::array<Format, 4> list = {{
+  static constexpr std::array<std::string_view, 2> kTiledJsonExtensions = {"tmj", "tsj"};
+  static constexpr std::array<std::string_view, 2> kTiledXmlExtensions = {"tmx", "tsx"};
+  static const std::array<Format, 6> list = {{
+      {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, nullptr},
+      {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, nullptr},
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
       {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic},
       {"tic-png", "TIC-80 PNG cartridge", kPngExtensions, accepts_tic_png, read_tic_png, nullptr},
@@ -87,7 +92,8 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   const Format* format =
       accepting != all.end() ? &*accepting : format_of_name("." + context.extension, false);
   if (!format) {
-    return tl::unexpected(FormatError{"", "is no Talus level, TIC-80 cartridge or TIC-80 text project"});
+    return tl::unexpected(
+        FormatError{"", "is no Talus level, TIC-80 cartridge, TIC-80 text project or map of Tiled"});
   }
   LoadedLevel loaded{Level(), format};
   FormatContext noting = context;

@@ -1,0 +1,358 @@
+// One pass over the JSON; the first thing that is wrong is kept.
+#include "tiled_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tiled_cells.h"
+
+namespace talus {
+namespace {
+
+using Keys = std::initializer_list<std::string_view>;
+
+// An object of the file with the way to it.
+struct TiledNode {
+  const Json& json;
+  std::string path;  // "layers[2]"; empty: the file
+
+  const Json* find(std::string_view key) const {
+    const auto found = json.find(key);
+    return found == json.end() ? nullptr : &*found;
+  }
+  std::string path_of(std::string_view key) const {
+    return path.empty() || key.empty() ? path + std::string(key) : path + "." + std::string(key);
+  }
+  std::string place_of(std::string_view key) const {
+    if (const Json* line = find(kTiledLineKey)) return "line " + line->dump();
+    const std::string where = path_of(key);
+    return where.empty() ? "" : "key " + where;
+  }
+};
+
+// What says nothing as long as it is the default.
+bool says_nothing(std::string_view key, const Json& value) {
+  if (key == "opacity" || key == "parallaxx" || key == "parallaxy") return value == 1;
+  if (key == "x" || key == "y" || key == "offsetx" || key == "offsety") return value == 0;
+  return value == "" || key == kTiledLineKey;
+}
+
+std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+class TiledReader {
+ public:
+  explicit TiledReader(TiledDrops& drops) : drops_(drops) {}
+
+  TiledMap map(const Json& json);
+  TiledTileset tileset(const TiledNode& node);
+
+  template <class Value>
+  FormatResult<Value> result(Value value) {
+    if (error_) return tl::unexpected(*error_);
+    return value;
+  }
+
+ private:
+  struct Group {  // that layers are in
+    std::string name;
+    Vec2 offset;
+  };
+
+  bool check_map(const TiledNode& node);
+  void check_tile_size(const TiledNode& node);
+  void layers(const TiledNode& node, const Group& group, TiledMap& map);
+  void tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
+  std::vector<std::uint32_t> cells(const TiledNode& node, std::size_t count);
+  std::vector<TiledObject> objects(const TiledNode& node, Vec2 offset);
+  TiledObject object(const TiledNode& node, Vec2 offset);
+  std::vector<Vec2> points(const TiledNode& node, const char* key);
+  TiledTile tile(const TiledNode& node);
+  TiledProperties properties(const TiledNode& node, const std::string& of);
+  std::optional<TiledProperty> property(const TiledNode& node);
+
+  void fail(const TiledNode& node, std::string_view key, std::string message) {
+    if (!error_) error_ = FormatError{node.place_of(key), std::move(message)};
+  }
+  double number(const TiledNode& node, const char* key, double fallback = 0) {
+    const Json* value = node.find(key);
+    if (value == nullptr) return fallback;
+    if (value->is_number()) return value->get<double>();
+    fail(node, key, std::string("has something else than a number as ") + key);
+    return fallback;
+  }
+  int whole(const TiledNode& node, const char* key, int min, int max, int fallback) {
+    const double value = number(node, key, fallback);
+    if (value >= min && value <= max && value == std::trunc(value)) return static_cast<int>(value);
+    fail(node, key,
+         "has something else than a whole number from " + std::to_string(min) + " to " + std::to_string(max) +
+             " as " + key);
+    return fallback;
+  }
+  std::string text(const TiledNode& node, const char* key) {
+    const Json* value = node.find(key);
+    if (value == nullptr) return {};
+    if (value->is_string()) return value->get<std::string>();
+    fail(node, key, std::string("has something else than a text as ") + key);
+    return {};
+  }
+  bool truth(const TiledNode& node, const char* key) const {
+    const Json* value = node.find(key);
+    return value != nullptr && (*value == true || (value->is_number() && *value != 0));
+  }
+  // Calls use(entry) for each object of a list that may be missing.
+  template <class Use>
+  void for_each(const TiledNode& node, const char* key, Use use) {
+    const Json* list = node.find(key);
+    if (list == nullptr) return;
+    if (!list->is_array()) return fail(node, key, std::string("has something else than a list as ") + key);
+    for (std::size_t i = 0; i < list->size() && !error_; ++i) {
+      const TiledNode entry{(*list)[i], node.path_of(key) + "[" + std::to_string(i) + "]"};
+      if (entry.json.is_object())
+        use(entry);
+      else
+        fail(entry, "", "is no object");
+    }
+  }
+  // Names the members that nobody reads.
+  void drop_others(const TiledNode& node, const std::string& of, Keys known) {
+    for (auto it = node.json.begin(); it != node.json.end(); ++it) {
+      const bool is_known = std::find(known.begin(), known.end(), it.key()) != known.end();
+      if (!is_known && !says_nothing(it.key(), it.value())) drops_.add(tiled_quoted(it.key()) + " of " + of);
+    }
+  }
+
+  TiledDrops& drops_;
+  std::optional<FormatError> error_;
+};
+
+TiledMap TiledReader::map(const Json& json) {
+  const TiledNode node{json, ""};
+  TiledMap map;
+  if (!json.is_object()) {
+    fail(node, "", "is no map of Tiled");
+    return map;
+  }
+  if (!check_map(node)) return map;
+  map.width = whole(node, "width", 1, kMaxTerrainSide, 0);
+  map.height = whole(node, "height", 1, kMaxTerrainSide, 0);
+  if (!error_ && !is_terrain_size(map.width, map.height)) {
+    fail(node, "width",
+         "has " + std::to_string(map.width) + "x" + std::to_string(map.height) +
+             " cells, and a level has up to 16777216");
+  }
+  check_tile_size(node);
+  map.properties = properties(node, "the map");
+  for_each(node, "tilesets", [&](const TiledNode& entry) { map.tilesets.push_back(tileset(entry)); });
+  if (!error_) layers(node, {}, map);
+  drop_others(node, "the map", {"compressionlevel", "nextlayerid", "nextobjectid",  "tiledversion",
+                                "version",          "type",        "renderorder",   "editorsettings",
+                                "orientation",      "infinite",    "width",         "height",
+                                "tilewidth",        "tileheight",  "hexsidelength", "staggeraxis",
+                                "staggerindex",     "properties",  "tilesets",      "layers"});
+  return map;
+}
+
+bool TiledReader::check_map(const TiledNode& node) {
+  const Json* layers = node.find("layers");
+  const std::string orientation = text(node, "orientation");
+  if (orientation.empty() || (layers == nullptr && !node.find("tilewidth")))
+    fail(node, "", "is no map of Tiled");
+  else if (orientation != "orthogonal")
+    fail(node, "orientation",
+         "is a map of the orientation " + tiled_quoted(orientation) + ", and levels are orthogonal");
+  else if (truth(node, "infinite"))
+    fail(node, "infinite", "is an infinite map: switch Infinite off in Tiled, under Map > Map Properties");
+  return !error_;
+}
+
+void TiledReader::check_tile_size(const TiledNode& node) {
+  const double width = number(node, "tilewidth"), height = number(node, "tileheight");
+  if (width == kTileSize && height == kTileSize) return;
+  fail(node, "tilewidth",
+       "has tiles of " + json_number(width).dump() + "x" + json_number(height).dump() +
+           " px, and those of a level are 8x8 px");
+}
+
+void TiledReader::layers(const TiledNode& node, const Group& group, TiledMap& map) {
+  for_each(node, "layers", [&](const TiledNode& entry) {
+    const std::string type = text(entry, "type");
+    TiledLayer layer;
+    layer.name = text(entry, "name");
+    const std::string of = "the layer " + tiled_quoted(layer.name);
+    const Vec2 offset = group.offset + Vec2{number(entry, "offsetx"), number(entry, "offsety")};
+    properties(entry, of);
+    drop_others(entry, of,
+                {"id", "name", "type", "visible", "locked", "width", "height", "offsetx", "offsety",
+                 "draworder", "color", "data", "encoding", "compression", "objects", "layers", "properties"});
+    if (type == "group") return layers(entry, {layer.name, offset}, map);
+    if (type == "tilelayer") {
+      tile_layer(entry, offset, map, layer);
+    } else if (type == "objectgroup") {
+      layer.objects = objects(entry, offset);
+    } else {
+      return drops_.add(of + ", which is a picture");
+    }
+    map.layers.push_back(std::move(layer));
+  });
+}
+
+void TiledReader::tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer) {
+  layer.has_tiles = true;
+  if (node.find("chunks") != nullptr)
+    return fail(node, "chunks", "is a layer of an infinite map: switch Infinite off in Tiled");
+  if (number(node, "width", map.width) != map.width || number(node, "height", map.height) != map.height)
+    return fail(node, "width", "is a layer of another size than the map");
+  if (offset != Vec2{0, 0}) drops_.add("the offset of the layer " + tiled_quoted(layer.name));
+  layer.cells = cells(node, static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+}
+
+std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t count) {
+  const Json* data = node.find("data");
+  std::vector<std::uint32_t> cells;
+  if (data == nullptr) {
+    fail(node, "data", "is a layer of tiles without data");
+  } else if (data->is_string()) {
+    auto decoded = decode_tiled_cells(data->get_ref<const std::string&>(), text(node, "encoding"),
+                                      text(node, "compression"), count);
+    if (!decoded) fail(node, "data", decoded.error());
+    if (decoded) cells = std::move(*decoded);
+  } else if (!data->is_array() || data->size() != count) {
+    fail(node, "data", tiled_count_problem(data->is_array() ? data->size() : 0, count));
+  } else {
+    for (const Json& cell : *data) {
+      const bool fits =
+          cell.is_number_integer() && cell >= 0 && cell <= std::numeric_limits<std::uint32_t>::max();
+      if (!fits) {
+        fail(node, "data",
+             "has something else than a number in place of cell " + std::to_string(cells.size() + 1));
+        break;
+      }
+      cells.push_back(cell.get<std::uint32_t>());
+    }
+  }
+  return cells;
+}
+
+std::vector<TiledObject> TiledReader::objects(const TiledNode& node, Vec2 offset) {
+  std::vector<TiledObject> all;
+  for_each(node, "objects", [&](const TiledNode& entry) { all.push_back(object(entry, offset)); });
+  return all;
+}
+
+TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
+  TiledObject object;
+  object.name = text(node, "name");
+  object.type = text(node, node.find("class") ? "class" : "type");
+  object.position = offset + Vec2{number(node, "x"), number(node, "y")};
+  object.size = {number(node, "width"), number(node, "height")};
+  object.rotation = number(node, "rotation");
+  object.properties = properties(node, "an object");
+  const Keys others = {"ellipse", "text", "gid", "template", "capsule"};
+  if (node.find("polygon")) {
+    object.form = TiledObject::Form::polygon;
+    object.points = points(node, "polygon");
+  } else if (node.find("polyline")) {
+    object.form = TiledObject::Form::polyline;
+    object.points = points(node, "polyline");
+  } else if (std::any_of(others.begin(), others.end(), [&](auto key) { return node.find(key) != nullptr; })) {
+    object.form = TiledObject::Form::other;
+  }
+  return object;
+}
+
+std::vector<Vec2> TiledReader::points(const TiledNode& node, const char* key) {
+  std::vector<Vec2> points;
+  for_each(node, key, [&](const TiledNode& point) {
+    points.push_back({number(point, "x"), number(point, "y")});
+  });
+  return points;
+}
+
+TiledTileset TiledReader::tileset(const TiledNode& node) {
+  constexpr int kMost = 1 << 20, kMostSpace = 1024;  // px; products of them fit an int
+  TiledTileset tileset;
+  if (!node.json.is_object()) {
+    fail(node, "", "is no tileset of Tiled");
+    return tileset;
+  }
+  tileset.first_gid =
+      static_cast<std::uint32_t>(whole(node, "firstgid", 1, static_cast<int>(kTiledIdBits), 1));
+  tileset.source = text(node, "source");
+  if (!tileset.source.empty()) return tileset;
+  tileset.name = text(node, "name");
+  const std::string of = "the tileset " + tiled_quoted(tileset.name);
+  check_tile_size(node);
+  tileset.image = text(node, "image");
+  tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
+  tileset.image_height = whole(node, "imageheight", 0, kMost, 0);
+  tileset.columns = whole(node, "columns", 0, kMost, 0);
+  tileset.tile_count = whole(node, "tilecount", 0, kMost, 0);
+  tileset.spacing = whole(node, "spacing", 0, kMostSpace, 0);
+  tileset.margin = whole(node, "margin", 0, kMostSpace, 0);
+  properties(node, of);
+  for_each(node, "tiles", [&](const TiledNode& entry) {
+    if (entry.find("image") && tileset.image.empty())
+      fail(entry, "image", "is a tile with a picture of its own, and a level needs one picture of all tiles");
+    tileset.tiles.push_back(tile(entry));
+  });
+  drop_others(node, of, {"firstgid",   "name",           "type",    "version",         "tiledversion",
+                         "tilewidth",  "tileheight",     "image",   "imagewidth",      "imageheight",
+                         "columns",    "tilecount",      "spacing", "margin",          "tiles",
+                         "properties", "editorsettings", "grid",    "objectalignment", "transformations"});
+  return tileset;
+}
+
+TiledTile TiledReader::tile(const TiledNode& node) {
+  TiledTile tile;
+  tile.id = whole(node, "id", 0, 1 << 20, 0);
+  tile.properties = properties(node, "a tile");
+  if (const Json* group = node.find("objectgroup"); group != nullptr && group->is_object())
+    tile.objects = objects({*group, node.path_of("objectgroup")}, {});
+  drop_others(node, "a tile", {"id", "objectgroup", "properties"});
+  return tile;
+}
+
+// `of`: what they belong to, where they say nothing to a level; of tiles and objects the level's maker tells.
+TiledProperties TiledReader::properties(const TiledNode& node, const std::string& of) {
+  TiledProperties all;
+  const bool are_read = of == "a tile" || of == "an object" || of == "the map";
+  for_each(node, "properties", [&](const TiledNode& entry) {
+    const std::string name = text(entry, "name");
+    auto read = property(entry);
+    const bool is_kept = read && are_read && (of != "the map" || name == kTiledLevelProperty);
+    if (is_kept)
+      all.push_back(std::move(*read));
+    else
+      drops_.add("the property " + tiled_quoted(name) + " of " + of);
+  });
+  return all;
+}
+
+std::optional<TiledProperty> TiledReader::property(const TiledNode& node) {
+  const std::string name = text(node, "name");
+  const Json* value = node.find("value");
+  if (value == nullptr) return {};
+  if (value->is_boolean()) return TiledProperty{name, value->get<bool>()};
+  if (value->is_string()) return TiledProperty{name, value->get<std::string>()};
+  const bool is_large = value->is_number_unsigned() && *value > std::numeric_limits<std::int64_t>::max();
+  if (value->is_number_integer() && !is_large) return TiledProperty{name, value->get<std::int64_t>()};
+  if (value->is_number()) return TiledProperty{name, value->get<double>()};
+  return {};
+}
+
+}  // namespace
+
+FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops) {
+  TiledReader reader(drops);
+  TiledMap map = reader.map(json);
+  return reader.result(std::move(map));
+}
+
+FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops) {
+  TiledReader reader(drops);
+  TiledTileset tileset = reader.tileset({json, ""});
+  return reader.result(std::move(tileset));
+}
+
+}  // namespace talus

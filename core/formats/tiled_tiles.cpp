@@ -1,0 +1,264 @@
+// Numbers and pixels of tiles.
+#include "tiled_tiles.h"
+
+#include <algorithm>
+#include <set>
+
+namespace talus {
+namespace {
+
+constexpr std::string_view kTakeUsed = ": `talus import --tiles-used` takes those that are shown";
+
+FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message) {
+  const auto width = static_cast<std::size_t>(map.width);
+  return {"layer \"" + layer.name + "\", cell (" + std::to_string(cell % width) + ", " +
+              std::to_string(cell / width) + ")",
+          std::move(message)};
+}
+
+FormatError whole_error(std::string message) { return {"", std::move(message)}; }
+
+// Columns and tiles of a tileset, reckoned from its picture where it does not say.
+struct TilesetGrid {
+  int columns, count;
+};
+TilesetGrid grid_of(const TiledTileset& tileset) {
+  const auto along = [&](int length) {
+    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (kTileSize + tileset.spacing));
+  };
+  const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width);
+  constexpr std::int64_t kMost = 1 << 20;
+  const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height);
+  const int count =
+      tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMost));
+  return {columns > 0 ? columns : kSheetColumns, count > 0 ? count : kTileCount};
+}
+
+class TileNumberer {
+ public:
+  TileNumberer(const TiledMap& map, const TiledLayer& layer, const TiledPictures& pictures, Rgb background,
+               TiledDrops& drops)
+      : map_(map),
+        layer_(layer),
+        pictures_(pictures),
+        background_(background),
+        drops_(drops),
+        tiles_{{}, TileMap(map.width, map.height)} {
+    for (std::size_t i = 0; i < map.tilesets.size(); ++i) order_.push_back(static_cast<int>(i));
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](int a, int b) { return tileset(a).first_gid < tileset(b).first_gid; });
+  }
+
+  FormatResult<TiledTiles> as_they_are();
+  FormatResult<TiledTiles> used();
+
+ private:
+  const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
+  // What the cells show; blank sources for empty cells.
+  FormatResult<std::vector<TiledSource>> sources_of_cells() const;
+  FormatResult<int> only_tileset(const std::vector<TiledSource>& cells) const;
+  bool is_blank(const TiledSource& source) const;
+  FormatResult<void> free_tile_0();
+  void fill_map(const std::vector<TiledSource>& cells);
+
+  const TiledMap& map_;
+  const TiledLayer& layer_;
+  const TiledPictures& pictures_;
+  Rgb background_;
+  TiledDrops& drops_;
+  std::vector<int> order_;  // tilesets by their first number
+  TiledTiles tiles_;
+};
+
+FormatResult<std::vector<TiledSource>> TileNumberer::sources_of_cells() const {
+  std::vector<TiledSource> sources;
+  sources.reserve(layer_.cells.size());
+  for (const std::uint32_t cell : layer_.cells) {
+    const std::uint32_t gid = cell & kTiledIdBits;
+    if (gid == 0) {
+      sources.emplace_back();
+      continue;
+    }
+    const auto after = std::upper_bound(order_.begin(), order_.end(), gid, [&](std::uint32_t number, int i) {
+      return number < tileset(i).first_gid;
+    });
+    const int of = after == order_.begin() ? -1 : *std::prev(after);
+    const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
+    if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
+      return tl::unexpected(
+          cell_error(layer_, map_, sources.size(),
+                     "holds tile " + std::to_string(gid) + ", which is in none of the tilesets"));
+    }
+    sources.push_back({of, static_cast<int>(id), cell & (kTiledFlipX | kTiledFlipY | kTiledFlipXY)});
+  }
+  return sources;
+}
+
+// -1 when there is none.
+FormatResult<int> TileNumberer::only_tileset(const std::vector<TiledSource>& cells) const {
+  std::set<int> shown;
+  for (const TiledSource& source : cells) {
+    if (source.tileset >= 0) shown.insert(source.tileset);
+  }
+  if (shown.size() > 1) {
+    return tl::unexpected(whole_error("shows tiles of " + std::to_string(shown.size()) +
+                                      " tilesets, and a level has one" + std::string(kTakeUsed)));
+  }
+  const int only = !shown.empty() ? *shown.begin() : order_.empty() ? -1 : order_.front();
+  for (const int i : order_) {
+    if (i != only) drops_.add("the tileset \"" + tileset(i).name + "\", which the map does not show");
+  }
+  if (only >= 0 && grid_of(tileset(only)).count > kTileCount) {
+    return tl::unexpected(whole_error("has a tileset of " + std::to_string(grid_of(tileset(only)).count) +
+                                      " tiles, and a level has 256" + std::string(kTakeUsed)));
+  }
+  return only;
+}
+
+// Nothing is drawn, and nothing said about it.
+bool TileNumberer::is_blank(const TiledSource& source) const {
+  if (source.tileset < 0) return true;
+  if (find_tile(tileset(source.tileset), source.id)) return false;
+  TiledTiles alone{{}, TileMap(1, 1)};
+  alone.sources[0] = source;
+  const PngPicture picture = picture_of_tiles(alone, map_, pictures_);
+  for (int i = 0; i < kTileSize * kTileSize; ++i) {
+    const int x = i % kTileSize, y = i / kTileSize;
+    if (!picture.is_transparent(x, y) && picture.at(x, y) != background_) return false;
+  }
+  return true;
+}
+
+// For empty cells. The map is not filled yet.
+FormatResult<void> TileNumberer::free_tile_0() {
+  const auto empty = std::find(layer_.cells.begin(), layer_.cells.end(), 0U);
+  if (empty == layer_.cells.end() || is_blank(tiles_.sources[0])) return {};
+  const auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
+                                  [&](const TiledSource& source) { return is_blank(source); });
+  if (blank == tiles_.sources.end()) {
+    return tl::unexpected(cell_error(layer_, map_, static_cast<std::size_t>(empty - layer_.cells.begin()),
+                                     "is empty, and each of the 256 tiles is drawn: none is left for it"));
+  }
+  std::swap(tiles_.sources[0], *blank);
+  drops_.add("the number of tile 0, which is now " + std::to_string(blank - tiles_.sources.begin()) +
+             ": 0 is the empty tile");
+  return {};
+}
+
+void TileNumberer::fill_map(const std::vector<TiledSource>& cells) {
+  std::map<TiledSource, std::uint8_t> numbers;
+  for (std::size_t n = 0; n < kTileCount; ++n)
+    numbers.try_emplace(tiles_.sources[n], static_cast<std::uint8_t>(n));
+  numbers[TiledSource{}] = 0;
+  std::transform(cells.begin(), cells.end(), tiles_.map.cells().begin(),
+                 [&](const TiledSource& source) { return numbers.at(source); });
+}
+
+FormatResult<TiledTiles> TileNumberer::as_they_are() {
+  const auto cells = sources_of_cells();
+  if (!cells) return tl::unexpected(cells.error());
+  const auto only = only_tileset(*cells);
+  if (!only) return tl::unexpected(only.error());
+  const auto turned =
+      std::find_if(cells->begin(), cells->end(), [](const TiledSource& source) { return source.turn != 0; });
+  if (turned != cells->end()) {
+    return tl::unexpected(
+        cell_error(layer_, map_, static_cast<std::size_t>(turned - cells->begin()),
+                   "holds a tile that is mirrored or turned, which those of a level are not: "
+                   "`talus import --tiles-used` makes a tile of its own of it"));
+  }
+  if (*only >= 0) {
+    const auto [columns, count] = grid_of(tileset(*only));
+    const bool fits = columns <= kSheetColumns && (count - 1) / columns < kSheetColumns;
+    for (int id = 0; id < count; ++id) {
+      const int number = fits ? id / columns * kSheetColumns + id % columns : id;
+      tiles_.sources[static_cast<std::size_t>(number)] = {*only, id, 0};
+    }
+  }
+  if (const auto freed = free_tile_0(); !freed) return tl::unexpected(freed.error());
+  fill_map(*cells);
+  return std::move(tiles_);
+}
+
+FormatResult<TiledTiles> TileNumberer::used() {
+  const auto cells = sources_of_cells();
+  if (!cells) return tl::unexpected(cells.error());
+  std::set<TiledSource> shown(cells->begin(), cells->end());
+  shown.erase(TiledSource{});
+  if (shown.size() >= kTileCount) {
+    return tl::unexpected(whole_error("shows " + std::to_string(shown.size()) +
+                                      " different tiles, and a level has 255 beside the empty one"));
+  }
+  std::copy(shown.begin(), shown.end(), tiles_.sources.begin() + 1);
+  tiles_.keeps_numbers = false;
+  fill_map(*cells);
+  return std::move(tiles_);
+}
+
+// Of the tileset's picture, the pixel that a turned tile shows at (x, y) of its own.
+Cell pixel_of(const TiledTileset& tileset, const TiledSource& source, int x, int y) {
+  if (source.turn & kTiledFlipY) y = kTileSize - 1 - y;
+  if (source.turn & kTiledFlipX) x = kTileSize - 1 - x;
+  if (source.turn & kTiledFlipXY) std::swap(x, y);
+  const int columns = grid_of(tileset).columns, step = kTileSize + tileset.spacing;
+  return {tileset.margin + source.id % columns * step + x, tileset.margin + source.id / columns * step + y};
+}
+
+}  // namespace
+
+FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
+                                      const TiledPictures& pictures, bool used_tiles, Rgb background,
+                                      TiledDrops& drops) {
+  TileNumberer numberer(map, layer, pictures, background, drops);
+  return used_tiles ? numberer.used() : numberer.as_they_are();
+}
+
+PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures) {
+  constexpr int kHalfOpaque = 128;
+  PngPicture sheet{kSheetSide, kSheetSide, {}, {}, {}};
+  sheet.pixels.resize(kSheetSide * kSheetSide);
+  sheet.transparent.assign(kSheetSide * kSheetSide, true);
+  for (int i = 0; i < kSheetSide * kSheetSide; ++i) {
+    const int x = i % kSheetSide, y = i / kSheetSide;
+    const TiledSource& source =
+        tiles.sources[static_cast<std::size_t>(y / kTileSize * kSheetColumns + x / kTileSize)];
+    const auto of = static_cast<std::size_t>(source.tileset);
+    if (source.tileset < 0 || !pictures[of]) continue;
+    const RgbaPicture& rgba = pictures[of]->rgba;
+    const Cell at = pixel_of(map.tilesets[of], source, x % kTileSize, y % kTileSize);
+    if (at.x >= rgba.width || at.y >= rgba.height) continue;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(rgba.bytes.data()) +
+                        4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(rgba.width) +
+                             static_cast<std::size_t>(at.x));
+    if (bytes[3] < kHalfOpaque) continue;
+    sheet.pixels[static_cast<std::size_t>(i)] = {bytes[0], bytes[1], bytes[2]};
+    sheet.transparent[static_cast<std::size_t>(i)] = false;
+  }
+  return sheet;
+}
+
+TiledObject turned(const TiledObject& object, std::uint32_t turn) {
+  TiledObject result = object;
+  if (turn == 0) return result;
+  if (object.form == TiledObject::Form::box) {
+    result.form = TiledObject::Form::polygon;
+    result.points = {{0, 0}, {object.size.x, 0}, object.size, {0, object.size.y}};
+    result.size = {};
+  }
+  for (Vec2& p : result.points) {
+    p = p + object.position;
+    if (turn & kTiledFlipXY) std::swap(p.x, p.y);
+    if (turn & kTiledFlipX) p.x = kTileSize - p.x;
+    if (turn & kTiledFlipY) p.y = kTileSize - p.y;
+  }
+  result.position = {};
+  return result;
+}
+
+const TiledTile* find_tile(const TiledTileset& tileset, int id) {
+  const auto found = std::find_if(tileset.tiles.begin(), tileset.tiles.end(),
+                                  [&](const TiledTile& tile) { return tile.id == id; });
+  return found == tileset.tiles.end() ? nullptr : &*found;
+}
+
+}  // namespace talus

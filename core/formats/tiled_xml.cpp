@@ -1,0 +1,233 @@
+// Attributes become members, elements what Tiled's JSON has for them. pugixml reads no file, no entity of
+// others and no document type, and needs no stack for deep nesting.
+#include "tiled_xml.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <pugixml.hpp>
+
+#include "tiled_json.h"
+
+namespace talus {
+namespace {
+
+constexpr int kMaxGroups = 32;                    // levels of layers in layers, well below kMaxJsonDepth
+constexpr std::size_t kMaxXmlParts = 10'000'000;  // elements and attributes; of 4096x4096 cells CSV has none
+
+constexpr std::array<std::string_view, 21> kXmlNumbers = {
+    "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
+    "tileheight", "tilecount", "columns", "spacing", "margin",  "rotation",  "gid",
+    "infinite",   "visible",   "opacity", "offsetx", "offsety", "parallaxx", "parallaxy"};
+
+// A number that JSON can hold; other text stays text, which the reader complains of.
+Json number_or_text(std::string_view text) {
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = problem == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return is_number ? json_number(number) : Json(text);
+}
+
+Json property_value(const pugi::xml_node& property) {
+  const std::string_view type = property.attribute("type").value();
+  const pugi::xml_attribute value = property.attribute("value");
+  const std::string_view text = value ? value.value() : property.child_value();  // of several lines
+  if (type == "bool") return text == "true";
+  if (type == "int" || type == "float") return number_or_text(text);
+  return text;
+}
+
+// "0,8 16,0.5": points. What is none ends up without numbers, as text.
+Json points_of_text(std::string_view text) {
+  Json points = Json::array();
+  while (!text.empty()) {
+    const std::string_view pair = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), pair.size() + 1));
+    const std::size_t comma = pair.find(',');
+    if (pair.empty()) continue;
+    points.push_back({{"x", number_or_text(pair.substr(0, comma))},
+                      {"y", number_or_text(comma == pair.npos ? "" : pair.substr(comma + 1))}});
+  }
+  return points;
+}
+
+std::string_view layer_type(std::string_view element) {
+  if (element == "layer") return "tilelayer";
+  const bool is_layer = element == "objectgroup" || element == "imagelayer" || element == "group";
+  return is_layer ? element : "";
+}
+
+class TiledXml {
+ public:
+  explicit TiledXml(std::string_view text) : text_(text) {}
+
+  FormatResult<Json> read() {
+    pugi::xml_document document;
+    const auto parsed =
+        document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!parsed)
+      return error_at_line(text_, static_cast<std::size_t>(parsed.offset), "this is not valid XML");
+    const pugi::xml_node root = document.document_element();
+    const std::string_view name = root.name();
+    if (name != "map" && name != "tileset")
+      return tl::unexpected(FormatError{"", "is no map or tileset of Tiled"});
+    Json json = name == "map" ? map(root) : tileset(root);
+    json["type"] = name;
+    if (error_) return tl::unexpected(*error_);
+    return json;
+  }
+
+ private:
+  // The attributes, with the line. Elements come in the order of the file, so that lines are counted once.
+  Json attributes(const pugi::xml_node& node) {
+    Json json = Json::object();
+    json[kTiledLineKey] = line_of(node);
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const std::string_view name = attribute.name();
+      const bool is_number = std::find(kXmlNumbers.begin(), kXmlNumbers.end(), name) != kXmlNumbers.end();
+      json[attribute.name()] = is_number ? number_or_text(attribute.value()) : Json(attribute.value());
+    }
+    return json;
+  }
+
+  std::int64_t line_of(const pugi::xml_node& node) {
+    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    if (offset >= counted_ && offset <= text_.size()) {
+      lines_ += std::count(text_.begin() + static_cast<std::ptrdiff_t>(counted_),
+                           text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+      counted_ = offset;
+    }
+    return lines_;
+  }
+
+  Json map(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    json["layers"] = Json::array();
+    for (const pugi::xml_node child : node.children()) add_to_map(child, 0, json);
+    return json;
+  }
+
+  void add_to_map(const pugi::xml_node& child, int groups, Json& json) {
+    const std::string_view name = child.name();
+    if (name == "tileset" && groups == 0)
+      json["tilesets"].push_back(tileset(child));
+    else if (!layer_type(name).empty())
+      json["layers"].push_back(layer(child, groups));
+    else
+      add_common(child, json);
+  }
+
+  // Of elements that nobody reads the name is enough: the reader tells of it.
+  void add_common(const pugi::xml_node& child, Json& json) {
+    if (std::string_view(child.name()) == "properties")
+      json["properties"] = properties(child);
+    else if (child.type() == pugi::node_element)
+      json[child.name()] = true;
+  }
+
+  Json properties(const pugi::xml_node& node) {
+    Json list = Json::array();
+    for (const pugi::xml_node child : node.children("property")) {
+      Json json = {{"name", child.attribute("name").value()}, {"value", property_value(child)}};
+      json[kTiledLineKey] = line_of(child);
+      if (child.child("properties")) json.erase("value");  // a value with members
+      list.push_back(std::move(json));
+    }
+    return list;
+  }
+
+  Json tileset(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "image") {
+        json["image"] = child.attribute("source").value();
+        json["imagewidth"] = number_or_text(child.attribute("width").value());
+        json["imageheight"] = number_or_text(child.attribute("height").value());
+        if (child.attribute("trans")) json["transparentcolor"] = child.attribute("trans").value();
+      } else if (name == "tile") {
+        json["tiles"].push_back(tile(child));
+      } else {
+        add_common(child, json);
+      }
+    }
+    return json;
+  }
+
+  Json tile(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    for (const pugi::xml_node child : node.children()) {
+      if (std::string_view(child.name()) == "objectgroup")
+        json["objectgroup"] = layer(child, 1);
+      else
+        add_common(child, json);
+    }
+    return json;
+  }
+
+  Json layer(const pugi::xml_node& node, int groups) {
+    Json json = attributes(node);
+    json["type"] = layer_type(node.name());
+    if (groups > kMaxGroups) {
+      if (!error_) error_ = FormatError{"line " + json[kTiledLineKey].dump(), "is nested too deep in groups"};
+      return json;
+    }
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "data")
+        add_data(child, json);
+      else if (name == "object")
+        json["objects"].push_back(object(child));
+      else
+        add_to_map(child, groups + 1, json);
+    }
+    return json;
+  }
+
+  void add_data(const pugi::xml_node& node, Json& json) {
+    line_of(node);
+    for (const char* key : {"encoding", "compression"}) {
+      if (node.attribute(key)) json[key] = node.attribute(key).value();
+    }
+    if (node.child("chunk")) json["chunks"] = true;
+    if (node.attribute("encoding")) {
+      json["data"] = node.child_value();
+      return;
+    }
+    Json& cells = json["data"] = Json::array();
+    for (const pugi::xml_node cell : node.children("tile")) {
+      const pugi::xml_attribute gid = cell.attribute("gid");
+      cells.push_back(gid ? number_or_text(gid.value()) : Json(0));
+    }
+  }
+
+  Json object(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "polygon" || name == "polyline")
+        json[child.name()] = points_of_text(child.attribute("points").value());
+      else
+        add_common(child, json);
+    }
+    return json;
+  }
+
+  std::string_view text_;
+  std::size_t counted_ = 0;  // bytes of the text whose lines are counted
+  std::int64_t lines_ = 1;
+  std::optional<FormatError> error_;
+};
+
+}  // namespace
+
+FormatResult<Json> tiled_json_of_xml(std::string_view text) {
+  const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
+  if (static_cast<std::size_t>(parts) > kMaxXmlParts)
+    return tl::unexpected(FormatError{"", "has too many elements"});
+  if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is no text in UTF-8"});
+  return TiledXml(text).read();
+}
+
+}  // namespace talus

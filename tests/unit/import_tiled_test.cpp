@@ -1,0 +1,509 @@
+// Maps of Tiled as levels: what is kept, what is told, what is refused.
+#include <gmock/gmock.h>
+#include <zlib.h>
+
+#include "formats/png_picture.h"
+#include "formats/png_sheet.h"
+#include "tiled_files.h"
+
+namespace talus::import_tiled_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// A map of 2x2 cells with one layer and one tileset of 16 tiles, with parts put in.
+struct Parts {
+  std::string cells = "1,2,0,1", tiles = {}, layers = {}, map = {}, tileset = {};
+};
+std::string map_text(const Parts& p) {
+  return R"({"type":"map","orientation":"orthogonal","width":2,"height":2,"tilewidth":8,"tileheight":8,)" +
+         p.map +
+         R"("infinite":false,"tilesets":[{"firstgid":1,"name":"t","tilewidth":8,"tileheight":8,"columns":4,)" +
+         p.tileset + R"("tilecount":16,"tiles":[)" + p.tiles +
+         R"(]}],"layers":[{"type":"tilelayer","name":"ground","width":2,"height":2,"data":[)" + p.cells +
+         "]}" + p.layers + "]}";
+}
+std::string tile_text(const std::string& objects, const std::string& properties = "") {
+  return R"({"id":5,"properties":[)" + properties + R"(],"objectgroup":{"type":"objectgroup","objects":[)" +
+         objects + "]}}";
+}
+std::string polygon(const std::string& points) { return R"({"x":0,"y":0,"polygon":[)" + points + "]}"; }
+
+LoadedLevel read(const std::string& text, const std::string& extension = "tmj") {
+  auto loaded = read_level(text, {extension});
+  EXPECT_TRUE(loaded) << to_string(loaded.error(), "map");
+  return loaded ? *loaded : LoadedLevel{Level(), nullptr};
+}
+std::string error_of(const std::string& text, const std::string& extension = "tmj") {
+  const auto loaded = read_level(text, {extension});
+  return loaded ? "" : to_string(loaded.error(), "map");
+}
+// Tile 5 of a tileset of four columns is tile 17 of a sheet.
+TileShape shape_of(const std::string& objects, const std::string& properties = "") {
+  return read(map_text({.tiles = tile_text(objects, properties)})).level.tile_shapes[17];
+}
+
+TEST(ImportTiled, TakesThePlacesOfTilesOnASmallSheet) {
+  const LoadedLevel loaded = read(map_text({.cells = "1,6,0,16"}));
+  EXPECT_EQ(loaded.format->id, "tmj");
+  EXPECT_EQ(loaded.format->write, nullptr);
+  EXPECT_EQ(loaded.level.map.width(), 2);
+  EXPECT_THAT(loaded.level.map.cells(), ElementsAre(0, 17, 0, 51));
+  EXPECT_THAT(loaded.dropped, ElementsAre("the picture of the tileset \"t\""));
+}
+
+TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
+  using Kind = TileShape::Kind;
+  using Side = TileShape::Side;
+  EXPECT_EQ(shape_of(R"({"x":0,"y":0,"width":8,"height":8})"), (TileShape{.kind = Kind::solid}));
+  EXPECT_EQ(shape_of(R"({"x":0,"y":5,"width":8,"height":3})"),
+            (TileShape{.kind = Kind::slope, .heights = {3, 3}}));
+  EXPECT_EQ(shape_of(R"({"x":0,"y":0,"width":16,"height":2})"),
+            (TileShape{.kind = Kind::slope, .side = Side::ceiling, .tiles = 2, .heights = {2, 2}}));
+  EXPECT_EQ(shape_of(polygon(R"({"x":0,"y":8},{"x":16,"y":-4},{"x":16,"y":8})")),
+            (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {0, 12}}));
+  EXPECT_EQ(shape_of(polygon(R"({"x":8,"y":8},{"x":8,"y":4},{"x":0,"y":8})")),  // the other way round
+            (TileShape{.kind = Kind::slope, .heights = {0, 4}}));
+  EXPECT_EQ(shape_of(polygon(R"({"x":0,"y":0},{"x":8,"y":0},{"x":8,"y":2},{"x":6,"y":4},{"x":0,"y":1})")),
+            (TileShape{.kind = Kind::profile, .side = Side::ceiling, .heights = {1, 2, 3, 4, 2}}));
+  EXPECT_EQ(shape_of(R"({"x":0,"y":8,"polygon":[{"x":0,"y":0},{"x":4,"y":-4},{"x":8,"y":0}]})"),
+            (TileShape{.kind = Kind::profile, .heights = {0, 4, 0}}));
+  EXPECT_EQ(shape_of(polygon(R"({"x":0,"y":4},{"x":4,"y":2},{"x":8,"y":0},{"x":8,"y":8},{"x":0,"y":8})")),
+            (TileShape{.kind = Kind::slope, .heights = {4, 8}}))
+      << "a corner on a line is none";
+  EXPECT_EQ(shape_of(R"({"x":0,"y":5,"width":8,"height":3})", R"({"name":"shape_one_way","value":true})"),
+            (TileShape{.kind = Kind::slope, .one_way = true, .heights = {3, 3}}));
+}
+
+TEST(ImportTiled, OtherOutlinesAreTold) {
+  const std::vector<std::string> others = {
+      R"({"x":2,"y":0,"width":6,"height":8})",                                // not the whole width
+      R"({"x":0,"y":2,"width":8,"height":3})",                                // in the air
+      R"({"x":0,"y":0,"width":8,"height":8,"rotation":10})",                  //
+      R"({"x":0,"y":0,"width":8,"height":8,"ellipse":true})",                 //
+      polygon(R"({"x":0,"y":8},{"x":4,"y":0},{"x":2,"y":6},{"x":8,"y":8})"),  // overhangs
+      polygon(R"({"x":0,"y":8},{"x":0,"y":0},{"x":8,"y":8},{"x":8,"y":0})"),  // crosses itself
+      polygon(R"({"x":0,"y":8},{"x":8,"y":8})"),                              //
+      R"({"x":0,"y":0,"polyline":[{"x":0,"y":8},{"x":8,"y":0}]})",            //
+      polygon(R"({"x":0,"y":0.3},{"x":0.123,"y":0.2},{"x":8,"y":0.1},{"x":8,"y":8},{"x":0,"y":8})")};
+  for (const std::string& object : others) {
+    const LoadedLevel loaded = read(map_text({.tiles = tile_text(object)}));
+    EXPECT_EQ(loaded.level.tile_shapes[17], TileShape()) << object;
+    EXPECT_THAT(loaded.dropped,
+                testing::Contains("a collision shape of a tile, which is no floor, ceiling or whole tile"))
+        << object;
+  }
+}
+
+TEST(ImportTiled, FlagsComeByNumberAndByName) {
+  const auto flags = [](const std::string& properties) {
+    return read(map_text({.tiles = tile_text("", properties)})).level.tile_flags(17);
+  };
+  EXPECT_EQ(flags(R"({"name":"flags","value":37})"), 37);
+  EXPECT_EQ(
+      flags(
+          R"({"name":"solid","value":true},{"name":"up_slope","value":true},{"name":"flag7","value":true})"),
+      1 | 4 | 128);
+  EXPECT_EQ(flags(R"({"name":"flags","value":5},{"name":"solid","value":false})"), 4)
+      << "a name says it last";
+  const LoadedLevel named = read(
+      map_text({.tiles = tile_text("", R"({"name":"ladder","value":true},{"name":"flags","value":16})")}));
+  EXPECT_EQ(named.level.flag_names[5], "ladder") << "flag 4 is in use";
+  EXPECT_EQ(named.level.tile_flags(17), 16 | 32);
+  EXPECT_EQ(read(map_text({.tiles = tile_text("", R"({"name":"collidable","value":true})")}))
+                .level.tile_shapes[17]
+                .kind,
+            TileShape::Kind::solid);
+}
+
+TEST(ImportTiled, WhatCannotBeKeptIsTold) {
+  const std::string tiles =
+      tile_text("", R"({"name":"flags","value":300},{"name":"hp","value":2},{"name":"x","value":{}})") +
+      R"(,{"id":6,"animation":[{}],"type":"door"})";
+  const std::string layers =
+      R"(,{"type":"objectgroup","name":"things","objects":[{"x":1,"y":1,"type":"chest"},)"
+      R"({"x":1,"y":1,"type":"chest"},{"x":1,"y":1,"type":"ball","rotation":5,)"
+      R"("properties":[{"name":"hp","value":1}]},{"x":1e9,"y":1,"type":"ball","name":"far"}]},)"
+      R"({"type":"imagelayer","name":"sky","image":"a.png"},)"
+      R"({"type":"objectgroup","name":"curves","objects":[{"x":0,"y":0,"name":"c",)"
+      R"("polyline":[{"x":0,"y":0},{"x":99,"y":0}]}]})";
+  const LoadedLevel loaded =
+      read(map_text({.tiles = tiles,
+                     .layers = layers,
+                     .map = R"("backgroundcolor":"#ff0000","properties":[{"name":"m","value":1}],)"}));
+  EXPECT_THAT(
+      loaded.dropped,
+      testing::UnorderedElementsAre(
+          "the picture of the tileset \"t\"", "`flags` of a tile, which is no whole number from 0 to 255",
+          "the property \"hp\" of a tile", "the property \"x\" of a tile", "\"animation\" of a tile",
+          "\"type\" of a tile", "an object of the layer \"things\" (2 times)", "the rotation of a body",
+          "the property \"hp\" of a body",
+          "the body \"far\", as a number of it must be a number from -100000000 to 100000000",
+          "\"image\" of the layer \"sky\"", "the layer \"sky\", which is a picture",
+          "the curve \"c\", which has its last end off the map", "\"backgroundcolor\" of the map",
+          "the property \"m\" of the map"));
+  ASSERT_EQ(loaded.level.spawns.size(), 1u);
+  EXPECT_EQ(loaded.level.spawns[0].size, (Vec2{8, 8}));
+}
+
+TEST(ImportTiled, PolylinesBecomeCurves) {
+  const std::string layers = R"(,{"type":"objectgroup","name":"curves","offsetx":1,"objects":[)"
+                             R"({"x":0,"y":8,"polyline":[{"x":0,"y":0},{"x":4,"y":-2.5}]},)"
+                             R"({"x":0,"y":8,"polyline":[{"x":0,"y":0},{"x":4,"y":1},{"x":8,"y":3}]},)"
+                             R"({"x":9,"y":8,"polyline":[{"x":0,"y":0},{"x":-4,"y":1},{"x":-4,"y":3}]}]})";
+  const std::vector<LevelCurve> curves = read(map_text({.layers = layers})).level.curves;
+  ASSERT_EQ(curves.size(), 4u);
+  EXPECT_EQ(std::get<Segment>(curves[0].curve.form), (Segment{{1, 8}, {5, 5.5}}));
+  EXPECT_EQ(std::get<Polyline>(curves[1].curve.form), (Polyline{1, 9, {8, 9, 11}}));
+  EXPECT_EQ(std::get<Segment>(curves[2].curve.form), (Segment{{6, 9}, {10, 8}}));
+  EXPECT_EQ(std::get<Segment>(curves[3].curve.form), (Segment{{6, 9}, {6, 11}}));
+}
+
+// Base64 of bytes, as Tiled writes it.
+std::string base64(const std::string& bytes) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+      bits = bits << 8 | (i + j < bytes.size() ? static_cast<std::uint8_t>(bytes[i + j]) : 0U);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += i + j > bytes.size() ? '=' : digits[bits >> (18 - 6 * j) & 63];
+  }
+  return text;
+}
+// window_bits: 15 of zlib, 31 of gzip.
+std::string packed(const std::string& bytes, int window_bits) {
+  std::string out(200, '\0');
+  z_stream stream = {};
+  deflateInit2(&stream, 9, Z_DEFLATED, window_bits, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+std::string xml_map(const std::string& data) {
+  return "<?xml version=\"1.0\"?>\n<map version=\"1.10\" orientation=\"orthogonal\" width=\"2\" height=\"2\" "
+         "tilewidth=\"8\" tileheight=\"8\" infinite=\"0\">\n <tileset firstgid=\"1\" name=\"t\" "
+         "tilewidth=\"8\" "
+         "tileheight=\"8\" tilecount=\"16\" columns=\"16\"/>\n <layer id=\"1\" name=\"l\" width=\"2\" "
+         "height=\"2\">\n  " +
+         data + "\n </layer>\n</map>\n";
+}
+
+TEST(ImportTiled, ReadsEveryKindOfLayerData) {
+  const std::string bytes("\3\0\0\0\2\0\0\0\0\0\0\0\1\0\0\0", 16);
+  const std::vector<std::string> datas = {
+      "<data encoding=\"csv\">\n3,2,\n0,1\n</data>",
+      "<data encoding=\"base64\">\n   " + base64(bytes) + "\n  </data>",
+      "<data encoding=\"base64\" compression=\"zlib\">" + base64(packed(bytes, 15)) + "</data>",
+      "<data encoding=\"base64\" compression=\"gzip\">" + base64(packed(bytes, 31)) + "</data>",
+      "<data><tile gid=\"3\"/><tile gid=\"2\"/><tile/><tile gid=\"1\"/></data>"};
+  for (const std::string& data : datas)
+    EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells(), ElementsAre(2, 1, 0, 0)) << data;
+}
+
+TEST(ImportTiled, BadLayerDataIsAnErrorOnItsLine) {
+  const auto error = [](const std::string& data) { return error_of(xml_map(data), "tmx"); };
+  const std::string at = "map:line 4: error: ";
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3</data>"), at + "has 3 cells, and its size gives 4");
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,x,4</data>"),
+            at + "has something else than a number in place of cell 3");
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3,99999999999</data>"),
+            at + "has something else than a number in place of cell 4");
+  EXPECT_EQ(error("<data encoding=\"base64\">AA*A</data>"), at + "has a character that is none of Base64");
+  EXPECT_EQ(error("<data encoding=\"base64\">AAAA</data>"), at + "ends in the middle of a cell");
+  EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zlib\">AAAA</data>"),
+            at + "has compressed cells that are damaged");
+  EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zlib\">" +
+                  base64(packed(std::string(1000, 'x'), 15)) + "</data>"),
+            at + "unpacks to more cells than its size gives");
+  EXPECT_EQ(
+      error("<data encoding=\"base64\" compression=\"zstd\">AAAA</data>"),
+      at +
+          "is compressed by zstd: choose another format of tile layers in Tiled, under Map > Map Properties");
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3,17</data>"),
+            "map:layer \"l\", cell (1, 1): error: holds tile 17, which is in none of the tilesets");
+  EXPECT_EQ(error(""), at + "is a layer of tiles without data");
+}
+
+TEST(ImportTiled, RefusesWhatNoLevelIs) {
+  const auto with = [](std::string text, const std::string& what, const std::string& by) {
+    return error_of(text.replace(text.find(what), what.size(), by));
+  };
+  const std::string good = map_text({});
+  EXPECT_EQ(
+      with(good, "orthogonal", "isometric"),
+      "map:key orientation: error: is a map of the orientation \"isometric\", and levels are orthogonal");
+  EXPECT_EQ(with(good, "\"infinite\":false", "\"infinite\":true"),
+            "map:key infinite: error: is an infinite map: switch Infinite off in Tiled, under Map > Map "
+            "Properties");
+  EXPECT_EQ(with(good, "\"tilewidth\":8,\"tileheight\":8", "\"tilewidth\":16,\"tileheight\":16"),
+            "map:key tilewidth: error: has tiles of 16x16 px, and those of a level are 8x8 px");
+  EXPECT_EQ(with(good, "\"width\":2", "\"width\":0"),
+            "map:key width: error: has something else than a whole number from 1 to 2097152 as width");
+  EXPECT_EQ(with(good, "\"width\":2,\"height\":2", "\"width\":2000000,\"height\":2000000"),
+            "map:key width: error: has 2000000x2000000 cells, and a level has up to 16777216");
+  EXPECT_EQ(with(good, "\"width\":2", "\"width\":\"two\""),
+            "map:key width: error: has something else than a number as width");
+  EXPECT_EQ(with(good, "[1,2,0,1]", "[1,2,0,-1]"),
+            "map:key layers[0].data: error: has something else than a number in place of cell 4");
+  EXPECT_EQ(with(good, "[1,2,0,1]", "7"), "map:key layers[0].data: error: has 0 cells, and its size gives 4");
+  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":3"),
+            "map:key tilesets[0].tiles: error: has something else than a list as tiles");
+  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[3]"), "map:key tilesets[0].tiles[0]: error: is no object");
+  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":1e300}]"),
+            "map:key tilesets[0].tiles[0].id: error: has something else than a whole number from 0 to "
+            "1048576 as id");
+  EXPECT_EQ(
+      with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":0,\"image\":\"a.png\"}]"),
+      "map:key tilesets[0].tiles[0].image: error: is a tile with a picture of its own, and a level needs one "
+      "picture of all tiles");
+  EXPECT_EQ(error_of("{}"), "map: error: is no map of Tiled");
+  EXPECT_EQ(error_of("<a/>", "tmx"), "map: error: is no map or tileset of Tiled");
+  EXPECT_EQ(error_of("<map>\n<layer", "tmx"), "map:line 2: error: this is not valid XML");
+  EXPECT_EQ(error_of("{" + std::string(100, '[')),
+            "map:line 1: error: JSON is nested deeper here than 64 levels");
+  std::string groups;
+  for (int i = 0; i < 40; ++i) groups += "<group>";
+  for (int i = 0; i < 40; ++i) groups += "</group>";
+  EXPECT_EQ(
+      error_of("<map orientation=\"orthogonal\" width=\"2\" height=\"2\" tilewidth=\"8\" tileheight=\"8\">" +
+                   groups + "</map>",
+               "tmx"),
+      "map:line 1: error: is nested too deep in groups");
+}
+
+TEST(ImportTiled, ChoosesOneOfSeveralLayers) {
+  const std::string text = map_text(
+      {.layers =
+           R"(,{"type":"group","name":"g","layers":[{"type":"tilelayer","name":"back","data":[3,3,3,3]}]})"});
+  EXPECT_EQ(
+      error_of(text),
+      "map: error: has the layers of tiles \"ground\", \"back\", and a level has one: `talus import --layer "
+      "NAME` takes the one of that name");
+  FormatContext context{"tmj"};
+  std::vector<std::string> dropped;
+  context.choices.layer = "back";
+  const auto loaded = read_level(text, context);
+  ASSERT_TRUE(loaded);
+  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(2, 2, 2, 2));
+  EXPECT_THAT(loaded->dropped, testing::Contains("the layer \"ground\""));
+  context.choices.layer = "front";
+  EXPECT_EQ(read_level(text, context).error().message,
+            "has no layer of tiles with the name \"front\", but \"ground\", \"back\"");
+}
+
+TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
+  std::string text = map_text({.cells = "600,1,0,600"});
+  const std::string count = "\"tilecount\":16";
+  text.replace(text.find(count), count.size(), "\"tilecount\":700");
+  EXPECT_EQ(
+      error_of(text),
+      "map: error: has a tileset of 700 tiles, and a level has 256: `talus import --tiles-used` takes those "
+      "that are shown");
+  FormatContext used{"tmj"};
+  used.choices.used_tiles = true;
+  EXPECT_THAT(read_level(text, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
+
+  const std::string first = "\"tilesets\":[";
+  std::string two = map_text({.cells = "1,101,0,1"});
+  two.insert(two.find(first) + first.size(),
+             R"({"firstgid":100,"name":"u","tilewidth":8,"tileheight":8,"columns":4,"tilecount":8},)");
+  EXPECT_EQ(error_of(two),
+            "map: error: shows tiles of 2 tilesets, and a level has one: `talus import --tiles-used` takes "
+            "those that "
+            "are shown");
+  EXPECT_THAT(read_level(two, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
+}
+
+TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
+  const std::string slope = polygon(R"({"x":0,"y":8},{"x":8,"y":4},{"x":8,"y":8})");
+  // As it is, mirrored left and right, upside down, and turned by a quarter clockwise.
+  const std::string text =
+      map_text({.cells = "6,2147483654,1073741830,2684354566", .tiles = tile_text(slope)});
+  EXPECT_EQ(error_of(text),
+            "map:layer \"ground\", cell (1, 0): error: holds a tile that is mirrored or turned, which those "
+            "of a level "
+            "are not: `talus import --tiles-used` makes a tile of its own of it");
+  FormatContext used{"tmj"};
+  used.choices.used_tiles = true;
+  const auto loaded = read_level(text, used);
+  ASSERT_TRUE(loaded);
+  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(1, 4, 2, 3));
+  using Kind = TileShape::Kind;
+  EXPECT_EQ(loaded->level.tile_shapes[1], (TileShape{.kind = Kind::slope, .heights = {0, 4}}));
+  EXPECT_EQ(loaded->level.tile_shapes[4], (TileShape{.kind = Kind::slope, .heights = {4, 0}}));
+  EXPECT_EQ(loaded->level.tile_shapes[2],
+            (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 4}}));
+  EXPECT_EQ(loaded->level.tile_shapes[3], TileShape()) << "it is steeper than a line over its columns can be";
+}
+
+class ImportTiledFiles : public TiledFilesTest {
+ protected:
+  // Writes an export of the level as cave.EXTENSION, and reads it.
+  LoadedLevel there_and_back(const Level& level, const std::string& format) {
+    const std::string file = path("cave." + format);
+    const Exported exported = tiled_export_of(level, format, "cave." + format);
+    EXPECT_TRUE(write_exported(*find_exporter(format), exported, file));
+    auto loaded = load_level(file);
+    EXPECT_TRUE(loaded) << to_string(loaded.error(), file);
+    return loaded ? *loaded : LoadedLevel{Level(), nullptr};
+  }
+};
+
+TEST_F(ImportTiledFiles, AnExportComesBackWhole) {
+  Level level = level_for_tiled();
+  for (const std::string format : {"tmj", "tmx"}) {
+    const LoadedLevel loaded = there_and_back(level, format);
+    EXPECT_TRUE(loaded.level == level) << format;
+    EXPECT_THAT(loaded.dropped, ElementsAre()) << format;
+  }
+  level.sheet(SheetId::tiles).images[0][5] = 1;  // tile 0 is one as the others
+  EXPECT_TRUE(there_and_back(level, "tmj").level == level);
+  const auto cart = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json");
+  EXPECT_TRUE(there_and_back(cart->level, "tmx").level == cart->level) << "with its code";
+}
+
+TEST_F(ImportTiledFiles, WithoutItsPropertyShapesFlagsAndNamesAreThere) {
+  const Level level = level_for_tiled();
+  std::string text = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
+  text.replace(text.find("talus_level"), 11, "another");
+  const LoadedLevel loaded = read(text);
+  EXPECT_THAT(loaded.dropped,
+              testing::UnorderedElementsAre("the picture of the tileset \"tiles\"",
+                                            "the property \"another\" of the map",
+                                            "the exact form of a curve that was changed in Tiled: it "
+                                            "has lines now"));
+  EXPECT_EQ(loaded.level.tile_shapes, level.tile_shapes);
+  EXPECT_EQ(loaded.level.sheet(SheetId::tiles).flags, level.sheet(SheetId::tiles).flags);
+  EXPECT_EQ(loaded.level.flag_names, level.flag_names);
+  EXPECT_EQ(loaded.level.map, level.map);
+  EXPECT_EQ(loaded.level.spawns[0].velocity, level.spawns[0].velocity);
+  EXPECT_EQ(loaded.level.curves[0], level.curves[0]);
+}
+
+TEST_F(ImportTiledFiles, WhatWasChangedInTiledCounts) {
+  std::string text = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj").files[0].bytes;
+  const auto change = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  change(R"({"x": 16, "y": -12})", R"({"x": 16, "y": -11})");
+  change(R"("x": 12.3456789)", R"("x": 13)");
+  change(R"({"x": 7.75, "y": 6.5})", R"({"x": 7.75, "y": 7})");
+  const LoadedLevel loaded = read(text);
+  EXPECT_EQ(loaded.level.tile_shapes[5].heights, (std::vector<double>{1.00390625, 19}));
+  EXPECT_TRUE(loaded.level.tile_shapes[5].one_way);
+  EXPECT_EQ(loaded.level.spawns[0].position, (Vec2{13, 2}));
+  EXPECT_EQ(std::get<Segment>(loaded.level.curves[0].curve.form), (Segment{{1.25, 2}, {9, 9}}));
+  EXPECT_EQ(loaded.level.curves[1], level_for_tiled().curves[1]) << "the arc was left alone";
+  EXPECT_THAT(loaded.dropped,
+              testing::Contains("the property \"shape_heights\" of a tile, as its outline says otherwise"));
+}
+
+TEST_F(ImportTiledFiles, EmptyCellsBesideADrawnTile0GetAnother) {
+  Level level = level_for_tiled();
+  level.sheet(SheetId::tiles).images[0].fill(2);
+  std::string text = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
+  const std::string row = "2,2,2,2,2,2";
+  text.replace(text.find(row), row.size(), "2,2,0,2,2,2");
+  write("cave.tmj", text);
+  write("cave.png", write_png_part(level, PngPart::tiles));
+  const auto loaded = load_level(path("cave.tmj"));
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->level.map.at({2, 3}), 0);
+  EXPECT_EQ(loaded->level.map.at({0, 0}), 8) << "the first blank one";
+  EXPECT_EQ(loaded->level.sheet(SheetId::tiles).images[8][0], 2);
+  EXPECT_THAT(loaded->dropped, ElementsAre("the number of tile 0, which is now 8: 0 is the empty tile"));
+}
+
+// A picture of 32x32 px in which each tile has its number as red.
+std::string numbered_png() {
+  std::vector<std::uint8_t> bytes;
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const auto number = static_cast<std::uint8_t>(y / 8 * 4 + x / 8);
+      bytes.insert(bytes.end(), {static_cast<std::uint8_t>(10 * number), 0, 0,
+                                 static_cast<std::uint8_t>(number == 0 ? 0 : 255)});
+    }
+  }
+  return encode_png(32, 32, 4, bytes.data());
+}
+
+TEST_F(ImportTiledFiles, FindsTilesetsAndPicturesBesideTheMap) {
+  std::filesystem::create_directories(folder_ / "sets");
+  write("map.tmx",
+        "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+        "<tileset firstgid=\"5\" source=\"sets/t.tsx\"/><layer name=\"l\"><data "
+        "encoding=\"csv\">10,0</data></layer></map>");
+  write("sets/t.tsx",
+        "<tileset name=\"t\" tilewidth=\"8\" tileheight=\"8\"><image source=\"..\\t.png\" width=\"32\" "
+        "height=\"32\"/>"
+        "<tile id=\"5\"><objectgroup><object x=\"0\" y=\"0\" width=\"8\" "
+        "height=\"8\"/></objectgroup></tile></tileset>");
+  write("t.png", numbered_png());
+  const auto loaded = load_level(path("map.tmx"));
+  ASSERT_TRUE(loaded) << to_string(loaded.error(), "map");
+  EXPECT_THAT(loaded->dropped, ElementsAre());
+  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(17, 0));
+  EXPECT_EQ(loaded->level.tile_shapes[17].kind, TileShape::Kind::solid);
+  const std::uint8_t color = loaded->level.sheet(SheetId::tiles).images[17][0];
+  EXPECT_EQ(loaded->level.palette[color], (Rgb{50, 0, 0}));
+  const auto tileset = load_level(path("sets/t.tsx"));
+  ASSERT_TRUE(tileset) << "a tileset alone has an empty map";
+  EXPECT_EQ(tileset->level.map, TileMap());
+  EXPECT_EQ(tileset->level.tile_shapes[17].kind, TileShape::Kind::solid);
+}
+
+TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
+  const auto error_with = [&](const std::string& source) {
+    write("map.tmx",
+          "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+          "<tileset firstgid=\"1\" source=\"" +
+              source + "\"/><layer name=\"l\"><data encoding=\"csv\">0</data></layer></map>");
+    const auto loaded = load_level(path("map.tmx"));
+    return loaded ? "" : to_string(loaded.error(), "map");
+  };
+  EXPECT_EQ(error_with("t.tsx"), "map:file t.tsx: error: cannot be opened: No such file or directory");
+  EXPECT_EQ(error_with("/etc/passwd"),
+            "map:file /etc/passwd: error: is not looked for: only paths from the folder of the map are");
+  EXPECT_EQ(error_with("C:\\t.tsx"),
+            "map:file C:/t.tsx: error: is not looked for: only paths from the folder of the map are");
+  EXPECT_EQ(error_with("."), "map:file .: error: is no file");
+  write("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"8\"/>");
+  EXPECT_EQ(error_with("t.tsx"),
+            "map:file t.tsx, line 1: error: has tiles of 16x8 px, and those of a level are 8x8 px");
+  write("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
+  write("t.jpg", "JPEG");
+  EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is no PNG picture");
+}
+
+TEST_F(ImportTiledFiles, PicturesOfManyColoursGetTheNearest) {
+  std::vector<std::uint8_t> bytes;
+  for (int i = 0; i < 32 * 32; ++i) bytes.insert(bytes.end(), {static_cast<std::uint8_t>(i % 32 * 8), 0, 0});
+  write("t.png", encode_png(32, 32, 3, bytes.data()));
+  write("map.tmj", map_text({.tileset = R"("image":"t.png","imagewidth":32,"imageheight":32,)"}));
+  const auto loaded = load_level(path("map.tmj"));
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->level.palette, default_palette());
+  EXPECT_THAT(
+      loaded->dropped,
+      testing::Contains("the colours of the tileset, which has more than 16: each pixel got the nearest of "
+                        "the palette"));
+}
+
+TEST_F(ImportTiledFiles, LevelsOfTalusAndMapsAreToldApart) {
+  EXPECT_EQ(read_level(R"({"talus": 1})", {"json"})->format->id, "native");
+  EXPECT_EQ(read_level(map_text({}), {"json"})->format->id, "tmj") << "as older versions of Tiled name them";
+  EXPECT_EQ(
+      read_level(tiled_export_of(level_for_tiled(), "tmj", "a.tmj").files[0].bytes, {"json"})->format->id,
+      "tmj");
+}
+
+}  // namespace talus::import_tiled_test
