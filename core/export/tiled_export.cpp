@@ -1,0 +1,208 @@
+// Maps of Tiled in JSON and in XML, with the rest of the level in a property.
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "../formats/native.h"
+#include "../formats/number_text.h"
+#include "../formats/png_sheet.h"
+#include "export_targets.h"
+#include "tiled_model.h"
+
+namespace talus {
+namespace {
+
+// The level as a native one without what the map has, in one line; line breaks of JSON are between its parts.
+FormatResult<std::string> rest_of(const Level& level) {
+  Level rest = level;
+  rest.sheet(SheetId::tiles) = {};
+  rest.map = TileMap(level.map.width(), level.map.height());
+  auto written = write_native(rest, {});
+  if (!written) return tl::unexpected(written.error());
+  std::string line;
+  bool begins_line = false;
+  for (const char c : written->bytes) {
+    begins_line = c == '\n' || (begins_line && c == ' ');
+    if (!begins_line) line += c;
+  }
+  return line;
+}
+
+FormatResult<TiledMap> whole_map_of(const ExportRequest& request) {
+  TiledMap map = tiled_map_of(request);
+  auto rest = rest_of(request.level);
+  if (!rest) return tl::unexpected(rest.error());
+  map.properties.push_back({std::string(kTiledLevelProperty), *std::move(rest)});
+  return map;
+}
+
+Exported files_of(const ExportRequest& request, std::string text) {
+  return tiled_files(request, std::move(text), write_png_part(request.level, PngPart::tiles), {});
+}
+
+std::string number_word(double number) {
+  std::string word;
+  append_number(word, number);
+  return word;
+}
+
+// XML has no control characters but these.
+std::string tiled_xml_text(const std::string& text) {
+  std::string clean = text;
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < 32 && c != '\t' && c != '\n' && c != '\r') c = ' ';
+  }
+  return clean;
+}
+
+class TiledXmlWriter {
+ public:
+  std::string write(const TiledMap& map) {
+    pugi::xml_document document;
+    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+    put(declaration, "version", "1.0");
+    put(declaration, "encoding", "UTF-8");
+    pugi::xml_node root = document.append_child("map");
+    put(root, "version", "1.10");
+    put(root, "orientation", "orthogonal");
+    put(root, "renderorder", "right-down");
+    put(root, "width", map.width);
+    put(root, "height", map.height);
+    put(root, "tilewidth", kTileSize);
+    put(root, "tileheight", kTileSize);
+    put(root, "infinite", 0);
+    pugi::xml_attribute next_layer = root.append_attribute("nextlayerid");
+    pugi::xml_attribute next_object = root.append_attribute("nextobjectid");
+    properties(root, map.properties);
+    for (const TiledTileset& set : map.tilesets) tileset(root, set);
+    for (const TiledLayer& one : map.layers) layer(root, one, map);
+    next_layer = next_layer_;
+    next_object = next_object_;
+    std::ostringstream out;
+    document.save(out, " ", pugi::format_default, pugi::encoding_utf8);
+    return out.str();
+  }
+
+ private:
+  static void put(pugi::xml_node& node, const char* name, const char* value) {
+    node.append_attribute(name) = value;
+  }
+  static void put(pugi::xml_node& node, const char* name, const std::string& value) {
+    node.append_attribute(name) = tiled_xml_text(value).c_str();
+  }
+  template <class Number>
+  static void put(pugi::xml_node& node, const char* name, Number value) {
+    put(node, name, number_word(static_cast<double>(value)));
+  }
+
+  static void properties(pugi::xml_node& node, const TiledProperties& properties) {
+    if (properties.empty()) return;
+    pugi::xml_node list = node.append_child("properties");
+    for (const TiledProperty& property : properties) {
+      pugi::xml_node entry = list.append_child("property");
+      put(entry, "name", property.name);
+      if (const auto* truth = std::get_if<bool>(&property.value)) {
+        put(entry, "type", "bool");
+        put(entry, "value", *truth ? "true" : "false");
+      } else if (const auto* whole = std::get_if<std::int64_t>(&property.value)) {
+        put(entry, "type", "int");
+        put(entry, "value", std::to_string(*whole));
+      } else if (const auto* number = std::get_if<double>(&property.value)) {
+        put(entry, "type", "float");
+        put(entry, "value", *number);
+      } else {
+        put(entry, "value", std::get<std::string>(property.value));
+      }
+    }
+  }
+
+  void tileset(pugi::xml_node& root, const TiledTileset& set) {
+    pugi::xml_node node = root.append_child("tileset");
+    put(node, "firstgid", set.first_gid);
+    put(node, "name", set.name);
+    put(node, "tilewidth", kTileSize);
+    put(node, "tileheight", kTileSize);
+    put(node, "tilecount", set.tile_count);
+    put(node, "columns", set.columns);
+    pugi::xml_node image = node.append_child("image");
+    put(image, "source", set.image);
+    put(image, "width", set.image_width);
+    put(image, "height", set.image_height);
+    for (const TiledTile& one : set.tiles) {
+      pugi::xml_node tile = node.append_child("tile");
+      put(tile, "id", one.id);
+      properties(tile, one.properties);
+      if (one.objects.empty()) continue;
+      pugi::xml_node group = tile.append_child("objectgroup");
+      put(group, "draworder", "index");
+      int id = 0;  // counts in each tile
+      objects(group, one.objects, id);
+    }
+  }
+
+  void layer(pugi::xml_node& root, const TiledLayer& layer, const TiledMap& map) {
+    pugi::xml_node node = root.append_child(layer.has_tiles ? "layer" : "objectgroup");
+    put(node, "id", next_layer_++);
+    put(node, "name", layer.name);
+    if (!layer.has_tiles) {
+      int id = next_object_ - 1;
+      put(node, "draworder", "index");
+      objects(node, layer.objects, id);
+      next_object_ = id + 1;
+      return;
+    }
+    put(node, "width", map.width);
+    put(node, "height", map.height);
+    pugi::xml_node data = node.append_child("data");
+    put(data, "encoding", "csv");
+    std::string csv = "\n";
+    for (std::size_t i = 0; i < layer.cells.size(); ++i) {
+      append_number(csv, layer.cells[i]);
+      if (i + 1 < layer.cells.size()) csv += ',';
+      if ((i + 1) % static_cast<std::size_t>(map.width) == 0) csv += '\n';
+    }
+    data.append_child(pugi::node_pcdata).set_value(csv.c_str());
+  }
+
+  static void objects(pugi::xml_node& group, const std::vector<TiledObject>& objects, int& id) {
+    for (const TiledObject& object : objects) {
+      pugi::xml_node node = group.append_child("object");
+      put(node, "id", ++id);
+      if (!object.name.empty()) put(node, "name", object.name);
+      if (!object.type.empty()) put(node, "type", object.type);
+      put(node, "x", object.position.x);
+      put(node, "y", object.position.y);
+      if (object.size != Vec2{0, 0}) {
+        put(node, "width", object.size.x);
+        put(node, "height", object.size.y);
+      }
+      properties(node, object.properties);
+      if (object.form == TiledObject::Form::box) continue;
+      std::string points;
+      for (const Vec2 p : object.points) {
+        if (!points.empty()) points += ' ';
+        points += number_word(p.x) + ',' + number_word(p.y);
+      }
+      pugi::xml_node line =
+          node.append_child(object.form == TiledObject::Form::polygon ? "polygon" : "polyline");
+      put(line, "points", points);
+    }
+  }
+
+  int next_layer_ = 1, next_object_ = 1;
+};
+
+}  // namespace
+
+FormatResult<Exported> export_tmj(const ExportRequest& request) {
+  const auto map = whole_map_of(request);
+  if (!map) return tl::unexpected(map.error());
+  return files_of(request, tiled_json_text(*map));
+}
+
+FormatResult<Exported> export_tmx(const ExportRequest& request) {
+  const auto map = whole_map_of(request);
+  if (!map) return tl::unexpected(map.error());
+  return files_of(request, TiledXmlWriter().write(*map));
+}
+
+}  // namespace talus

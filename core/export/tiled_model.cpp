@@ -1,0 +1,88 @@
+// What of a level goes where in a map of Tiled.
+#include "tiled_model.h"
+
+#include <algorithm>
+
+#include "../formats/tiled_objects.h"
+
+namespace talus {
+namespace {
+
+TiledTileset tileset_of(const ExportRequest& request) {
+  const Level& level = request.level;
+  TiledTileset tileset;
+  tileset.name = "tiles";
+  tileset.image = request.stem() + ".png";
+  tileset.image_width = tileset.image_height = kSheetSide;
+  tileset.columns = kSheetColumns;
+  tileset.tile_count = kTileCount;
+  for (int id = 0; id < kTileCount; ++id) {
+    const auto number = static_cast<std::uint8_t>(id);
+    const TileShape shape = shape_of_tile(level, number);
+    TiledTile tile;
+    tile.id = id;
+    tile.properties = tiled_flag_properties(level, level.tile_flags(number));
+    const TiledProperties words = tiled_properties(shape);
+    tile.properties.insert(tile.properties.end(), words.begin(), words.end());
+    tile.objects = tiled_objects(shape);
+    if (!tile.properties.empty()) tileset.tiles.push_back(std::move(tile));
+  }
+  return tileset;
+}
+
+TiledLayer tile_layer(const Level& level) {
+  TiledLayer layer;
+  layer.has_tiles = true;
+  layer.name = kTiledTileLayer;
+  const bool is_empty = is_tile_0_blank(level);
+  for (const std::uint8_t tile : level.map.cells())
+    layer.cells.push_back(tile == 0 && is_empty ? 0 : tile + 1U);
+  return layer;
+}
+
+}  // namespace
+
+TiledMap tiled_map_of(const ExportRequest& request) {
+  const Level& level = request.level;
+  TiledMap map;
+  map.width = level.map.width();
+  map.height = level.map.height();
+  map.tilesets.push_back(tileset_of(request));
+  map.layers.push_back(tile_layer(level));
+  TiledLayer spawns, curves;
+  spawns.name = kTiledSpawnLayer;
+  for (const Spawn& spawn : level.spawns) spawns.objects.push_back(tiled_object(spawn));
+  curves.name = kTiledCurveLayer;
+  for (const LevelCurve& curve : level.curves) {
+    if (auto object = tiled_object(curve)) curves.objects.push_back(*std::move(object));
+  }
+  map.layers.push_back(std::move(spawns));
+  map.layers.push_back(std::move(curves));
+  return map;
+}
+
+TiledProperties tiled_flag_properties(const Level& level, std::uint8_t flags) {
+  if (flags == 0) return {};
+  TiledProperties properties = {{"flags", std::int64_t{flags}}};
+  const auto names = tiled_flag_names(level);
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    if (has_flag(flags, flag)) properties.push_back({names[static_cast<std::size_t>(flag)], true});
+  }
+  return properties;
+}
+
+bool is_tile_0_blank(const Level& level) {
+  const TileImage& image = level.sheet(SheetId::tiles).images[0];
+  const bool is_drawn =
+      std::any_of(image.begin(), image.end(), [](std::uint8_t color) { return color != 0; });
+  return !is_drawn && level.tile_flags(0) == 0 && shape_of_tile(level, 0).kind == TileShape::Kind::none;
+}
+
+Exported tiled_files(const ExportRequest& request, std::string text, std::string picture,
+                     std::vector<std::string> dropped) {
+  const std::string name = request.stem() + ".png";
+  if (request.name == "-") dropped.push_back("the picture " + name + ", which goes beside a file");
+  return {{{"", std::move(text)}, {name, std::move(picture)}}, std::move(dropped)};
+}
+
+}  // namespace talus

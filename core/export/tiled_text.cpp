@@ -1,0 +1,288 @@
+// Tiled's JSON and its Lua, which are the same tables in two ways of writing.
+#include <cstdio>
+#include <string_view>
+
+#include "../formats/number_text.h"
+#include "lua_text.h"
+#include "tiled_model.h"
+
+namespace talus {
+namespace {
+
+// Nested tables and lists, a line a member, or all of one in a line.
+class TableText {
+ public:
+  enum class Syntax { json, lua };
+  explicit TableText(Syntax syntax) : is_lua_(syntax == Syntax::lua) {}
+
+  bool is_lua() const { return is_lua_; }
+  std::string take() { return std::move(text_); }
+  void begin_text(std::string_view text) { text_ += text; }
+
+  // key: empty in a list.
+  void open(std::string_view key, bool is_list, bool in_line = false) {
+    member(key);
+    text_ += is_list && !is_lua_ ? '[' : '{';
+    open_.push_back({is_list, in_line || (!open_.empty() && open_.back().in_line), true});
+  }
+  void close() {
+    const Table table = open_.back();
+    open_.pop_back();
+    if (!table.is_empty && !table.in_line) break_line();
+    text_ += table.is_list && !is_lua_ ? ']' : '}';
+  }
+
+  void put(std::string_view key, bool value) { member(key) += value ? "true" : "false"; }
+  void put(std::string_view key, const char* value) { put(key, std::string_view(value)); }
+  void put(std::string_view key, std::string_view value) { append_quoted(member(key), value); }
+  template <class Number>
+  void put(std::string_view key, Number value) {
+    append_number(member(key), value);
+  }
+  void put(std::string_view key, const TiledProperty& property) {
+    std::visit([&](const auto& value) { put(key, value); }, property.value);
+  }
+  void put(std::string_view key, const std::string& value) { put(key, std::string_view(value)); }
+
+  // A name of the user's as key.
+  void put_named(const TiledProperty& property) {
+    std::string key;
+    append_quoted(key, property.name);
+    put("[" + key + "]", property);
+  }
+
+  // Numbers in rows of `width`.
+  void put_rows(std::string_view key, const std::vector<std::uint32_t>& numbers, int width) {
+    open(key, true);
+    open_.back().is_empty = numbers.empty();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (i % static_cast<std::size_t>(width) == 0) break_line();
+      append_number(text_, numbers[i]);
+      if (i + 1 < numbers.size()) text_ += ',';
+    }
+    close();
+  }
+
+ private:
+  struct Table {
+    bool is_list, in_line, is_empty;
+  };
+
+  std::string& member(std::string_view key) {
+    if (!open_.empty()) {
+      Table& table = open_.back();
+      if (!table.is_empty) text_ += ',';
+      if (!table.in_line)
+        break_line();
+      else if (!table.is_empty)
+        text_ += ' ';
+      table.is_empty = false;
+    }
+    if (key.empty()) return text_;
+    if (is_lua_) return text_.append(key).append(" = ");
+    return text_.append("\"").append(key).append("\": ");
+  }
+  void break_line() { text_.append("\n").append(open_.size(), ' '); }
+
+  void append_quoted(std::string& text, std::string_view value) const {
+    if (is_lua_) {
+      text += lua_string(value);
+      return;
+    }
+    text += '"';
+    for (const char c : value) {
+      const auto byte = static_cast<unsigned char>(c);
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(byte));
+      if (c == '"' || c == '\\')
+        text.append("\\") += c;
+      else if (byte < 32)
+        text += escape;
+      else
+        text += c;
+    }
+    text += '"';
+  }
+
+  bool is_lua_;
+  std::string text_;
+  std::vector<Table> open_;
+};
+
+std::string_view type_name(const TiledProperty& property) {
+  constexpr std::string_view kNames[] = {"bool", "int", "float", "string"};
+  return kNames[property.value.index()];
+}
+
+class TiledTextWriter {
+ public:
+  explicit TiledTextWriter(TableText::Syntax syntax) : text_(syntax) {}
+
+  std::string write(const TiledMap& map) {
+    if (text_.is_lua()) text_.begin_text("return ");
+    text_.open("", false);
+    if (text_.is_lua())
+      text_.put("luaversion", "5.1");
+    else
+      text_.put("type", "map");
+    text_.put("version", "1.10");
+    text_.put("orientation", "orthogonal");
+    text_.put("renderorder", "right-down");
+    text_.put("width", map.width);
+    text_.put("height", map.height);
+    text_.put("tilewidth", kTileSize);
+    text_.put("tileheight", kTileSize);
+    if (!text_.is_lua()) text_.put("infinite", false);
+    properties(map.properties);
+    text_.open("tilesets", true);
+    for (const TiledTileset& set : map.tilesets) tileset(set);
+    text_.close();
+    text_.open("layers", true);
+    for (const TiledLayer& one : map.layers) layer(one, map);
+    text_.close();
+    text_.put("nextlayerid", next_layer_);
+    text_.put("nextobjectid", next_object_);
+    text_.close();
+    return text_.take() + "\n";
+  }
+
+ private:
+  void properties(const TiledProperties& properties) {
+    if (text_.is_lua()) {  // readers want the table, be it empty
+      text_.open("properties", false, true);
+      for (const TiledProperty& property : properties) text_.put_named(property);
+      text_.close();
+    } else if (!properties.empty()) {
+      text_.open("properties", true);
+      for (const TiledProperty& property : properties) {
+        text_.open("", false, true);
+        text_.put("name", property.name);
+        text_.put("type", type_name(property));
+        text_.put("value", property);
+        text_.close();
+      }
+      text_.close();
+    }
+  }
+
+  void tileset(const TiledTileset& set) {
+    text_.open("", false);
+    text_.put("name", set.name);
+    text_.put("firstgid", set.first_gid);
+    text_.put("tilewidth", kTileSize);
+    text_.put("tileheight", kTileSize);
+    text_.put("spacing", set.spacing);
+    text_.put("margin", set.margin);
+    text_.put("columns", set.columns);
+    text_.put("tilecount", set.tile_count);
+    text_.put("image", set.image);
+    text_.put("imagewidth", set.image_width);
+    text_.put("imageheight", set.image_height);
+    if (text_.is_lua()) {
+      point("tileoffset", {});
+      properties({});
+    }
+    text_.open("tiles", true);
+    for (const TiledTile& one : set.tiles) tile(one);
+    text_.close();
+    text_.close();
+  }
+
+  void tile(const TiledTile& tile) {
+    text_.open("", false);
+    text_.put("id", tile.id);
+    properties(tile.properties);
+    if (!tile.objects.empty()) {
+      text_.open(text_.is_lua() ? "objectGroup" : "objectgroup", false);
+      text_.put("type", "objectgroup");
+      text_.put("name", "");
+      text_.put("draworder", "index");
+      placement();
+      properties({});
+      int id = 0;  // counts in each tile
+      objects(tile.objects, id);
+      text_.close();
+    }
+    text_.close();
+  }
+
+  // Where and whether a layer is shown; Tiled takes what is missing in JSON for 0 and false.
+  void placement() {
+    text_.put("x", 0);
+    text_.put("y", 0);
+    text_.put("opacity", 1);
+    text_.put("visible", true);
+    if (!text_.is_lua()) return;
+    text_.put("offsetx", 0);
+    text_.put("offsety", 0);
+  }
+
+  void layer(const TiledLayer& layer, const TiledMap& map) {
+    text_.open("", false);
+    text_.put("type", layer.has_tiles ? "tilelayer" : "objectgroup");
+    text_.put("id", next_layer_++);
+    text_.put("name", layer.name);
+    placement();
+    properties({});
+    if (layer.has_tiles) {
+      text_.put("width", map.width);
+      text_.put("height", map.height);
+      if (text_.is_lua()) text_.put("encoding", "lua");
+      text_.put_rows("data", layer.cells, map.width);
+    } else {
+      text_.put("draworder", "index");
+      int id = next_object_ - 1;
+      objects(layer.objects, id);
+      next_object_ = id + 1;
+    }
+    text_.close();
+  }
+
+  void objects(const std::vector<TiledObject>& objects, int& id) {
+    text_.open("objects", true);
+    for (const TiledObject& one : objects) object(one, ++id);
+    text_.close();
+  }
+
+  void object(const TiledObject& object, int id) {
+    const bool is_box = object.form == TiledObject::Form::box;
+    const char* const form = object.form == TiledObject::Form::polygon ? "polygon" : "polyline";
+    text_.open("", false);
+    text_.put("id", id);
+    text_.put("name", object.name);
+    text_.put("type", object.type);
+    if (text_.is_lua()) text_.put("shape", is_box ? "rectangle" : form);
+    text_.put("x", object.position.x);
+    text_.put("y", object.position.y);
+    text_.put("width", object.size.x);
+    text_.put("height", object.size.y);
+    text_.put("rotation", object.rotation);
+    text_.put("visible", true);
+    properties(object.properties);
+    if (!is_box) {
+      text_.open(form, true, true);
+      for (const Vec2 p : object.points) point("", p);
+      text_.close();
+    }
+    text_.close();
+  }
+
+  void point(std::string_view key, Vec2 p) {
+    text_.open(key, false, true);
+    text_.put("x", p.x);
+    text_.put("y", p.y);
+    text_.close();
+  }
+
+  TableText text_;
+  int next_layer_ = 1, next_object_ = 1;
+};
+
+}  // namespace
+
+std::string tiled_json_text(const TiledMap& map) {
+  return TiledTextWriter(TableText::Syntax::json).write(map);
+}
+std::string tiled_lua_text(const TiledMap& map) { return TiledTextWriter(TableText::Syntax::lua).write(map); }
+
+}  // namespace talus

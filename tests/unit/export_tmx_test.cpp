@@ -1,0 +1,87 @@
+// Maps of Tiled in XML: the text of a small one, and that it says the same as the JSON.
+#include <gmock/gmock.h>
+
+#include "tiled_files.h"
+
+namespace talus::export_tmx_test {
+
+Level small_level() {
+  Level level;
+  level.map = TileMap(2, 2);
+  level.map.cells() = {0, 2, 1, 1};
+  level.sheet(SheetId::tiles).flags[1] = 1;
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .heights = {0, 7.5}};
+  level.spawns.push_back({.name = "<&\"\x01", .position = {0.5, 1}, .velocity = {1, 0}, .extra = ""});
+  return level;
+}
+
+std::string exported(const Level& level) {
+  std::string text = tiled_export_of(level, "tmx", "cave.tmx").files[0].bytes;
+  const auto from = text.find("value=\"{"), to = text.find("\" />", from);  // the property talus_level
+  return text.replace(from, to - from, "value=\"...");
+}
+
+TEST(ExportTmx, HasTheTextThatTiledWants) {
+  EXPECT_EQ(exported(small_level()), R"(<?xml version="1.0" encoding="UTF-8"?>
+<map version="1.10" orientation="orthogonal" renderorder="right-down" width="2" height="2" tilewidth="8" tileheight="8" infinite="0" nextlayerid="4" nextobjectid="2">
+ <properties>
+  <property name="talus_level" value="..." />
+ </properties>
+ <tileset firstgid="1" name="tiles" tilewidth="8" tileheight="8" tilecount="256" columns="16">
+  <image source="cave.png" width="128" height="128" />
+  <tile id="1">
+   <properties>
+    <property name="flags" type="int" value="1" />
+    <property name="solid" type="bool" value="true" />
+    <property name="shape" value="solid" />
+   </properties>
+   <objectgroup draworder="index">
+    <object id="1" x="0" y="0" width="8" height="8" />
+   </objectgroup>
+  </tile>
+  <tile id="2">
+   <properties>
+    <property name="shape" value="slope" />
+    <property name="shape_heights" value="0 7.5" />
+   </properties>
+   <objectgroup draworder="index">
+    <object id="1" x="0" y="0">
+     <polygon points="0,8 8,0.5 8,8" />
+    </object>
+   </objectgroup>
+  </tile>
+ </tileset>
+ <layer id="1" name="map" width="2" height="2">
+  <data encoding="csv">
+0,3,
+2,2
+</data>
+ </layer>
+ <objectgroup id="2" name="spawns" draworder="index">
+  <object id="1" name="&lt;&amp;&quot; " type="ball" x="0.5" y="1" width="8" height="8">
+   <properties>
+    <property name="vx" type="float" value="1" />
+    <property name="vy" type="float" value="0" />
+    <property name="foot" value="box" />
+   </properties>
+  </object>
+ </objectgroup>
+ <objectgroup id="3" name="curves" draworder="index" />
+</map>
+)");
+}
+
+TEST(ExportTmx, SaysTheSameAsTheJson) {
+  Level level = level_for_tiled();
+  const std::string json = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
+  const std::string xml = tiled_export_of(level, "tmx", "cave.tmx").files[0].bytes;
+  const auto from_json = read_level(json, {"tmj"}), from_xml = read_level(xml, {"tmx"});
+  ASSERT_TRUE(from_json && from_xml);
+  EXPECT_TRUE(from_json->level == from_xml->level);
+  EXPECT_EQ(from_json->dropped, from_xml->dropped);
+  EXPECT_THAT(from_xml->dropped, testing::ElementsAre("the picture of the tileset \"tiles\""));
+  level.sheet(SheetId::tiles).images = {};
+  EXPECT_TRUE(from_xml->level == level) << "all but the pixels, which are in the picture";
+}
+
+}  // namespace talus::export_tmx_test
