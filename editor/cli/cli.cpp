@@ -80,12 +80,15 @@ void fail(CommandContext& context, const std::string& file, const std::string& p
   context.status = kExitBad;
 }
 
-std::optional<Level> load_or_fail(CommandContext& context, const std::string& file) {
-  FormatResult<LoadedLevel> loaded = load_level(file);
+std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
+                                  const ImportChoices& choices) {
+  FormatResult<LoadedLevel> loaded = load_level(file, choices);
   if (!loaded) {
     fail(context, file, loaded.error().place, loaded.error().message);
     return std::nullopt;
   }
+  for (const std::string& what : loaded->dropped)
+    context.err << file << ": warning: not in the level: " << what << '\n';
   return std::move(loaded->level);
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli.h"
-#include "level/level.h"
+#include "formats/format.h"
 
 namespace talus {
 
@@ -33,8 +33,9 @@ void add_report_command(CLI::App& program, CommandContext& context);
 void fail(CommandContext& context, const std::string& file, const std::string& place,
           const std::string& message);
 
-// The level in a file, or nothing after having failed.
-std::optional<Level> load_or_fail(CommandContext& context, const std::string& file);
+// The level in a file, or nothing after having failed. Warns of what of the file is not in the level.
+std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
+                                  const ImportChoices& choices = {});
 
 // The options that choose the physics, shared by sim and bench.
 struct PhysicsOptions {

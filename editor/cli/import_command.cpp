@@ -9,8 +9,9 @@ namespace talus {
 namespace {
 
 // Any readable file as a native level.
-void import_level(CommandContext& context, const std::string& input, const std::string& output) {
-  const std::optional<Level> level = load_or_fail(context, input);
+void import_level(CommandContext& context, const std::string& input, const ImportChoices& choices,
+                  const std::string& output) {
+  const std::optional<Level> level = load_or_fail(context, input, choices);
   if (!level) return;
   write_export(context, *find_exporter("native"), *level, input, output);
 }
@@ -22,7 +23,9 @@ void add_import_command(CLI::App& program, CommandContext& context) {
       "import", "Turn any readable file into a native level, or take a PNG into a level");
   auto input = std::make_shared<std::string>();
   auto into = std::make_shared<PngIntoLevel>();
-  command->add_option("FILE", *input, "Level or cart; with --into, a PNG of up to 128x128 px")->required();
+  auto choices = std::make_shared<ImportChoices>();
+  command->add_option("FILE", *input, "Level, cart or map of Tiled; with --into, a PNG of up to 128x128 px")
+      ->required();
   command
       ->add_option("-o,--output", into->output,
                    "Native level to write, with --into in the format of its name; - for standard output")
@@ -40,8 +43,18 @@ void add_import_command(CLI::App& program, CommandContext& context) {
           "Take over its palette of up to 16 colours; without, each pixel takes the level's colour with "
           "the smallest squared distance in RGB")
       ->needs(level);
-  command->callback([&context, input, into, level] {
-    if (level->empty()) return import_level(context, *input, into->output);
+  command
+      ->add_option("--layer", choices->layer,
+                   "Of a map with several layers of tiles, the name of the one to take")
+      ->excludes(level);
+  command
+      ->add_flag(
+          "--tiles-used", choices->used_tiles,
+          "Of a map of Tiled, take the tiles that it shows, with new numbers, also from several tilesets; "
+          "mirrored ones become tiles of their own")
+      ->excludes(level);
+  command->callback([&context, input, into, choices, level] {
+    if (level->empty()) return import_level(context, *input, *choices, into->output);
     into->picture = *input;
     import_png(context, *into);
   });

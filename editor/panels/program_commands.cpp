@@ -107,7 +107,8 @@ std::vector<Command> file_guard_commands() {
       command("program/love", ctrl_shift('l'), "Run in LÖVE",
               "Saves the level and runs the game in its folder in LÖVE.", open_program<ProgramId::love>),
       command("program/tiled", ctrl_shift('i'), "Open in Tiled",
-              "Opens the level in Tiled: its own file if that is one of Tiled's, or else a copy.",
+              "Writes a copy of the level as a map of Tiled and opens it there. Opened here, the copy is a "
+              "level again.",
               open_program<ProgramId::tiled>),
   };
 }

@@ -14,8 +14,8 @@ struct ProgramInfo {
   ProgramId id;
   std::string_view key;       // in the settings: "tic80"
   std::string_view label;     // on screen: "TIC-80"
-  std::string_view format;    // id of the format that it reads; a level in another one is opened as a copy.
-                              // Empty: the level's own file, whatever it is
+  std::string_view format;    // id of the exporter for it; a level whose file is of another format is opened
+                              // as a copy. Empty: the level's own file, whatever it is
   std::string_view command;   // until the user changes it
   std::string_view settings;  // help for its field in the settings
 };

@@ -10,7 +10,9 @@
 #include <optional>
 #include <system_error>
 
-#include "formats/format.h"
+#include "asset_path.h"
+#include "export/exporter.h"
+#include "formats/atomic_file.h"
 
 namespace talus {
 namespace {
@@ -67,26 +69,28 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, co
   };
   const std::string label(info.label);
   const Format* own = session.path().empty() ? nullptr : format_for_file(session.path());
-  const Format* wanted = info.format.empty() ? own : find_format(info.format);
   if (info.format.empty() && own == nullptr)
     return fail("Save the level into the folder of its game first, for " + label + ".");
-  if (wanted == nullptr || !wanted->write) return fail("Levels cannot be written for " + label + ".");
-  if (own == wanted) {
+  if (info.format.empty() || own == find_format(info.format)) {
     if (!session.modified()) return FileToOpen{session.path(), ""};
     session.apply(action::SaveFile{});
     if (session.modified() || !session.message()) return std::nullopt;
     return FileToOpen{session.path(), session.message()->text + " "};
   }
+  const Exporter& exporter = *find_exporter(info.format);
+  const std::string name = session.file_name();
+  const std::string copy_name =
+      name.substr(0, name.find('.')) + "." + std::string(exporter.extensions.front());
+  const std::string copy = (fs::path(copies) / copy_name).string();
   std::error_code error;
   fs::create_directories(copies, error);
-  const std::string name = session.file_name();
-  const std::string copy =
-      (fs::path(copies) / (name.substr(0, name.find('.')) + "." + std::string(wanted->extensions.front())))
-          .string();
-  const auto dropped = save_level(session.level(), *wanted, copy);
-  if (!dropped) return fail(to_string(dropped.error(), copy));
+  const ReadAsset read = [](const std::string& asset) { return read_file(asset_path(asset)); };
+  const auto exported = exporter.write({session.level(), copy_name, read});
+  if (!exported) return fail(to_string(exported.error(), copy));
+  if (const auto written = write_exported(exporter, *exported, copy); !written)
+    return fail(to_string(written.error(), copy));
   FileToOpen file{copy, "Wrote a copy of the level. "};
-  for (const std::string& what : *dropped) file.note += "Not in it: " + what + ". ";
+  for (const std::string& what : exported->dropped) file.note += "Not in it: " + what + ". ";
   return file;
 }
 

@@ -100,6 +100,17 @@ TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
   EXPECT_EQ(load_level(path("copies/level.tic"))->level.map.at({0, 0}), 4);
 }
 
+TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
+  Session session;
+  session.apply(action::SaveFileAs{path("level.talus.json")});
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  open_in_program(session, ProgramId::tiled, commands(), path("copies"));
+  EXPECT_EQ(told(), path("copies/level.tmj") + "\n");
+  EXPECT_TRUE(session.modified()) << "its own file was left alone";
+  EXPECT_TRUE(load_level(path("copies/level.tmj"))->level == session.level());
+  EXPECT_TRUE(fs::exists(path("copies/level.png")));
+}
+
 TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
   Session session;
   open_in_program(session, ProgramId::love, commands(), path("copies"));
