@@ -1,0 +1,63 @@
+// talus import of maps of Tiled: choices, warnings and errors.
+#include <sstream>
+
+#include "cli/cli.h"
+#include "tiled_files.h"
+
+namespace talus::cli_import_test {
+
+class CliImportTest : public TiledFilesTest {
+ protected:
+  void SetUp() override {
+    TiledFilesTest::SetUp();
+    write("two.tmx",
+          "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+          "<tileset firstgid=\"1\" tilewidth=\"8\" tileheight=\"8\" columns=\"16\" tilecount=\"300\"/>"
+          "<layer name=\"front\"><data encoding=\"csv\">290</data></layer>"
+          "<layer name=\"back\"><data encoding=\"csv\">7</data></layer></map>");
+  }
+
+  // Runs `talus import two.tmx OPTIONS -o two.talus.json`.
+  int import(std::vector<std::string> options) {
+    std::vector<std::string> words = {"import", path("two.tmx")};
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"-o", path("two.talus.json")});
+    std::ostringstream out, err;
+    const int status = run_cli(words, out, err);
+    errors_ = err.str();
+    return status;
+  }
+  // What was said, without the folder.
+  std::string errors() const {
+    const std::string folder = folder_.string() + "/";
+    std::string text = errors_;
+    for (std::size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
+    return text;
+  }
+
+  std::string errors_;
+};
+
+TEST_F(CliImportTest, AsksForAChoice) {
+  EXPECT_EQ(import({}), 1);
+  EXPECT_EQ(errors(),
+            "two.tmx: error: has the layers of tiles \"front\", \"back\", and a level has one: `talus import "
+            "--layer "
+            "NAME` takes the one of that name\n");
+  EXPECT_EQ(import({"--layer", "back"}), 1);
+  EXPECT_EQ(errors(),
+            "two.tmx: error: has a tileset of 300 tiles, and a level has 256: `talus import --tiles-used` "
+            "takes those "
+            "that are shown\n");
+  EXPECT_FALSE(std::filesystem::exists(path("two.talus.json")));
+}
+
+TEST_F(CliImportTest, TakesTheChoiceAndWarnsOfTheRest) {
+  EXPECT_EQ(import({"--layer", "front", "--tiles-used"}), 0);
+  EXPECT_EQ(errors(),
+            "two.tmx: warning: not in the level: the layer \"back\"\n"
+            "two.tmx: warning: not in the level: the picture of the tileset \"\"\n");
+  EXPECT_EQ(load_level(path("two.talus.json"))->level.map.at({0, 0}), 1);
+}
+
+}  // namespace talus::cli_import_test

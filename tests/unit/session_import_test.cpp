@@ -1,0 +1,56 @@
+// A map of Tiled in the editor: a new level, so that saving never writes over the map.
+#include <gmock/gmock.h>
+
+#include "formats/atomic_file.h"
+#include "session/session.h"
+#include "tiled_files.h"
+
+namespace talus::session_import_test {
+
+class SessionImportTest : public TiledFilesTest {};
+
+TEST_F(SessionImportTest, AMapBecomesANewLevelThatHasNoFile) {
+  const Exported exported = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj");
+  ASSERT_TRUE(write_exported(*find_exporter("tmj"), exported, path("cave.tmj")));
+  Session session;
+  session.apply(action::OpenFile{path("cave.tmj")});
+  EXPECT_TRUE(session.level() == level_for_tiled());
+  EXPECT_EQ(session.path(), "");
+  ASSERT_TRUE(session.message());
+  EXPECT_FALSE(session.message()->is_error);
+  EXPECT_EQ(session.message()->text, "Made a new level of cave.tmj; saving asks for a file of its own.");
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  session.apply(action::SaveFile{});
+  EXPECT_TRUE(session.wants_save_as());
+  EXPECT_EQ(read_file(path("cave.tmj")).value(), exported.files[0].bytes);
+}
+
+TEST_F(SessionImportTest, TellsWhatIsNotInIt) {
+  write("room.tmx",
+        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+        "<layer name=\"l\"><data encoding=\"csv\">0</data></layer><objectgroup name=\"things\">"
+        "<object x=\"0\" y=\"0\" type=\"door\"/></objectgroup><imagelayer name=\"sky\"/></map>");
+  Session session;
+  session.apply(action::OpenFile{path("room.tmx")});
+  ASSERT_TRUE(session.message());
+  EXPECT_EQ(
+      session.message()->text,
+      "Made a new level of room.tmx; saving asks for a file of its own. Not in it: an object of the layer "
+      "\"things\"; the layer \"sky\", which is a picture.");
+}
+
+TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
+  write("room.tmx",
+        "<map orientation=\"isometric\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"/>");
+  Session session;
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  session.apply(action::OpenFile{path("room.tmx")});
+  session.apply(action::AnswerQuestion{action::Answer::discard});
+  EXPECT_EQ(session.level().map.at({0, 0}), 4);
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_THAT(session.message()->text,
+              testing::HasSubstr("room.tmx:line 1: error: is a map of the orientation "));
+}
+
+}  // namespace talus::session_import_test
