@@ -59,6 +59,8 @@ FormatResult<std::string> packed_cart(std::string_view bytes) {
 
 bool accepts_tic_png(std::string_view bytes, const FormatContext&) { return is_png(bytes); }
 
+bool has_tic_cart(std::string_view png) { return packed_cart(png).has_value(); }
+
 FormatResult<Level> read_tic_png(std::string_view bytes, const FormatContext& context) {
   const auto packed = packed_cart(bytes);
   if (!packed) return tl::unexpected(packed.error());

@@ -12,6 +12,8 @@ namespace talus {
 
 // Whether it is a PNG picture at all, so that the error about one without a cart can say what to do with it.
 bool accepts_tic_png(std::string_view bytes, const FormatContext& context);
+// Whether there is a cart in it, be it a damaged one; else it is a picture, or no PNG.
+bool has_tic_cart(std::string_view png);
 // As read_tic; the level's origin is the cart without its picture.
 FormatResult<Level> read_tic_png(std::string_view bytes, const FormatContext& context);
 

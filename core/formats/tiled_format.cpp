@@ -1,6 +1,7 @@
 // The map's files: the map, its tilesets, their pictures.
 #include "tiled_format.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "atomic_file.h"
@@ -41,9 +42,7 @@ FormatResult<std::string> read_beside(const std::string& folder, const std::stri
 }
 
 std::string with_slashes(std::string path) {
-  for (char& c : path) {
-    if (c == '\\') c = '/';
-  }
+  std::replace(path.begin(), path.end(), '\\', '/');
   return path;
 }
 
@@ -141,6 +140,22 @@ FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name) {
   return picture;
 }
 
+FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context, TiledDrops& drops) {
+  TiledFiles files(context, drops);
+  const auto map = files.read_map(bytes);
+  if (!map) return tl::unexpected(map.error());
+  const auto pictures = files.read_pictures(*map);
+  if (!pictures) return tl::unexpected(pictures.error());
+  return level_of_tiled(*map, *pictures, context.choices, drops);
+}
+
+// Names in the file may have line breaks.
+std::string in_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 32; }, ' ');
+  return text;
+}
+
 }  // namespace
 
 bool accepts_tiled_json(std::string_view bytes, const FormatContext& context) {
@@ -158,13 +173,12 @@ bool accepts_tiled_xml(std::string_view bytes, const FormatContext& context) {
 
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context) {
   TiledDrops drops;
-  TiledFiles files(context, drops);
-  const auto map = files.read_map(bytes);
-  if (!map) return tl::unexpected(map.error());
-  const auto pictures = files.read_pictures(*map);
-  if (!pictures) return tl::unexpected(pictures.error());
-  auto level = level_of_tiled(*map, *pictures, context.choices, drops);
-  if (level && context.dropped != nullptr) *context.dropped = drops.phrases();
+  auto level = read_files(bytes, context, drops);
+  if (!level)
+    return tl::unexpected(FormatError{in_one_line(level.error().place), in_one_line(level.error().message)});
+  if (context.dropped != nullptr) {
+    for (const std::string& phrase : drops.phrases()) context.dropped->push_back(in_one_line(phrase));
+  }
   return level;
 }
 

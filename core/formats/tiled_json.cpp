@@ -35,7 +35,7 @@ struct TiledNode {
 bool says_nothing(std::string_view key, const Json& value) {
   if (key == "opacity" || key == "parallaxx" || key == "parallaxy") return value == 1;
   if (key == "x" || key == "y" || key == "offsetx" || key == "offsety") return value == 0;
-  return value == "" || key == kTiledLineKey;
+  return value == "" || (value.is_structured() && value.empty()) || key == kTiledLineKey;
 }
 
 std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
@@ -248,6 +248,10 @@ TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
   object.size = {number(node, "width"), number(node, "height")};
   object.rotation = number(node, "rotation");
   object.properties = properties(node, "an object");
+  drop_others(
+      node, "an object",
+      {"id", "name", "type", "class", "x", "y", "width", "height", "rotation", "visible", "properties",
+       "point", "polygon", "polyline", "ellipse", "text", "gid", "template", "capsule"});
   const Keys others = {"ellipse", "text", "gid", "template", "capsule"};
   if (node.find("polygon")) {
     object.form = TiledObject::Form::polygon;

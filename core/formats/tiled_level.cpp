@@ -155,7 +155,8 @@ void TiledLevelMaker::name_flags() {
     }
     for (const TiledProperty& property : tile->properties) {
       const bool* const is_on = std::get_if<bool>(&property.value);
-      if (is_on != nullptr && *is_on && !knows_property(property)) wanted[property.name].set(number);
+      const bool can_be_named = is_on != nullptr && *is_on && !property.name.empty();
+      if (can_be_named && !knows_property(property)) wanted[property.name].set(number);
     }
   }
   for (const auto& [name, tiles] : wanted) {

@@ -143,8 +143,10 @@ class TiledXml {
       const std::string_view name = child.name();
       if (name == "image") {
         json["image"] = child.attribute("source").value();
-        json["imagewidth"] = number_or_text(child.attribute("width").value());
-        json["imageheight"] = number_or_text(child.attribute("height").value());
+        for (const char* side : {"width", "height"}) {
+          if (const auto length = child.attribute(side))
+            json[std::string("image") + side] = number_or_text(length.value());
+        }
         if (child.attribute("trans")) json["transparentcolor"] = child.attribute("trans").value();
       } else if (name == "tile") {
         json["tiles"].push_back(tile(child));
