@@ -12,8 +12,8 @@
 --   if slopes.grounded(world, body) then body.vy = -3 end
 --
 -- Any item of the world is a slope that has a field `slope`: {h0 = 0, h1 = 8} is ground within its box, whose
--- surface is 0 px above the box's bottom at the left side and 8 px at the right one. So are the tiles with the
--- properties slope, h0 and h1 that STI's plugin for bump puts into the world. Optional:
+-- surface is 0 px above the box's bottom at the left side and 8 px at the right one. So are the tiles that STI's
+-- plugin for bump puts into the world from a map that Talus exported (--to sti). Optional:
 --   ceiling = true    ground hangs from the box's top, and the heights are measured down from there
 --   one_way = true    stops only what comes from the open side
 -- What moves stands on the higher of its two lower corners. In a hit of type "slope", normal is the slope's own
@@ -32,13 +32,16 @@ local function clamp(v, least, most)
   return v
 end
 
+local ONE_WAY_TILE = {h0 = TILE, h1 = TILE, one_way = true}
+
 -- What an item says of itself as a slope, or nil.
 local function slope_of(item)
   if type(item) ~= "table" then return nil end
   if item.slope then return item.slope end
   local properties = item.properties
-  if type(properties) == "table" and properties.h0 and properties.h1 then return properties end
-  return nil
+  if type(properties) ~= "table" then return nil end
+  if properties.h0 and properties.h1 then return properties end
+  return properties.one_way and ONE_WAY_TILE or nil
 end
 
 -- The way of a box from where it is to a goal, over the slope h0..h1 in `box`. t is the share of the way.
@@ -142,7 +145,7 @@ local function mirrored(box) return {x = box.x, y = -(box.y + box.h), w = box.w,
 
 local function meet(slope, box, mover, goal_x, goal_y)
   local h0, h1 = slope.h0, slope.h1
-  if not slope.ceiling then
+  if not (slope.ceiling or slope.slope == "ceiling") then
     return new_passage(h0, h1, box, mover, goal_x, goal_y):meet(slope.one_way)
   end
   local passage = new_passage(h0, h1, mirrored(box), mirrored(mover), goal_x, -(goal_y + mover.h))

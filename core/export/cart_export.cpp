@@ -18,17 +18,19 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
   if (!runtime) return tl::unexpected(runtime.error());
   std::vector<std::string> game;
   for (const std::string name : {"camera", "curve_points", "tic80/main"}) {
+    if (name == "curve_points" && level.curves.empty()) continue;
     const FormatResult<std::string> text = request.read_asset("templates/" + name + ".lua");
     if (!text) return tl::unexpected(text.error());
     const bool is_module = name != "tic80/main";
     game.push_back(is_module ? name + "=(function()\n" + *text + "end)()\n" : *text);
   }
   CartOrigin cart{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = ""};
+  // What is joined begins with code, so that no comment of it is kept: a cart is short of bytes.
   cart.bytes =
       "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
-      "drags, B starts again\n-- script: lua\ntalus=(function()\n" +
-      *runtime + "end)()\nlevel=(function()\n" + lua_level(level, false) + "end)()\n" + join_lua_parts(game);
-  // What is in the code is not lost, though the cart's own data cannot hold it.
+      "drags, B starts again\n-- script: lua\n" +
+      join_lua_parts({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
+      lua_level(level, false) + "end)()\n" + join_lua_parts(game);
   Level playable = level;
   playable.spawns.clear();
   playable.curves.clear();

@@ -84,11 +84,15 @@ function tests.a_slope_that_moves_lifts_what_it_sinks_into_a_little()
   is(slopes.floor(world, body, 1), 25, "the floor, which has risen")
 end
 
-function tests.tiles_with_properties_are_slopes()
+function tests.tiles_of_sti_are_slopes()
   local world, body = new_world(), {}
   world:add({properties = {collidable = true, slope = "floor", h0 = 0, h1 = 8}}, 0, 32, 16, 8)
-  world:add(body, 4, 0, 8, 8)
+  world:add({properties = {collidable = true, slope = "ceiling", h0 = 8, h1 = 8}}, 0, 0, 16, 8)
+  world:add({properties = {collidable = true, one_way = true}}, 0, 16, 16, 8)
+  world:add(body, 4, 24, 8, 8)
   is(slopes.floor(world, body, 60), 26, "the floor")
+  is(select(2, world:move(body, 4, -20, slopes.filter)), 8, "y below the ceiling, through the one-way tile")
+  is(slopes.floor(world, body, 60), 8, "the floor on the one-way tile")
 end
 
 function tests.full_tiles_become_few_boxes()
