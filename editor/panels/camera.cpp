@@ -82,6 +82,15 @@ void Camera::centre(Vec2 point, ImVec2 canvas) {
   offset_ = {std::round(canvas.x / 2 - point.x * zoom()), std::round(canvas.y / 2 - point.y * zoom())};
 }
 
+void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
+  if (shows_whole()) return;
+  const auto missing = [](double at, double size) {
+    const double room = std::min(kKeptInSight, size / 4);
+    return std::round(at - std::clamp(at, room, size - room));
+  };
+  scroll({missing(offset_.x + point.x * zoom(), canvas.x), missing(offset_.y + point.y * zoom(), canvas.y)});
+}
+
 void Camera::fit(Vec2 level, ImVec2 canvas) {
   step_ = step_that_fits(level, canvas);
   centre(level * 0.5, canvas);

@@ -32,6 +32,8 @@ class Camera {
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen
   void centre(Vec2 point, ImVec2 canvas);
+  // Scrolls as little as shows the point with some room around it; the world view shows it anyway.
+  void keep_in_sight(Vec2 point, ImVec2 canvas);
   // The largest zoom at which a level of this size, in px, fits; puts it in the middle.
   void fit(Vec2 level, ImVec2 canvas);
   // The world view: the whole map, or what was shown before that.

@@ -12,8 +12,8 @@
 
 namespace talus {
 
-// Where a command's keys work.
-enum class Scope { everywhere, sprites, map, input };
+// Where a command's keys work. cursor: while the keyboard's cursor is shown, and before those of all others.
+enum class Scope { everywhere, sprites, map, input, cursor };
 
 struct Command {
   std::string_view id;     // "play/step", also the name of its widgets
@@ -25,6 +25,7 @@ struct Command {
   void (*run)(const Session&, Actions&, Ui&) = nullptr;
   bool (*enabled)(const Session&, const Ui&) = nullptr;  // null: always
   bool (*checked)(const Session&, const Ui&) = nullptr;  // null: no switch
+  bool any_modifiers = false;  // its keys work whether Ctrl, Shift and Alt are held or not
 
   bool is_enabled(const Session& session, const Ui& ui) const { return !enabled || enabled(session, ui); }
   bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }

@@ -59,6 +59,18 @@ void run_from_start(S session, A actions, U ui) {
   emit_and_steer<action::Play>(session, actions, ui);
 }
 
+// The keyboard's cursor goes with the keys.
+void show_sprites(S, A, U ui) {
+  ui.view.focus = Focus::sprites;
+  if (ui.view.cursor.on()) ui.view.cursor.go_to({"pixels"});
+}
+
+void show_map(S, A, U ui) {
+  ui.view.focus = Focus::map;
+  if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::map;
+  if (ui.view.cursor.on()) ui.view.cursor.go_to({"map"});
+}
+
 std::vector<Command> file_commands() {
   return {
       command("file/new", ctrl('n'), "New level", "Starts an empty level.", emit<action::NewLevel>),
@@ -83,14 +95,11 @@ std::vector<Command> view_commands() {
   return {
       toggle(
           "view/sprites", KeyChord{kKeyF2}, "Sprites", "Gives the keys to the sheet and the pixels.",
-          [](S, A, U ui) { ui.view.focus = Focus::sprites; },
+          show_sprites,
           [](S, const Ui& ui) { return ui.view.focus == Focus::sprites; }),
       toggle(
           "view/map", KeyChord{kKeyF3}, "Map", "Gives the keys to the map, and shows it.",
-          [](S, A, U ui) {
-            ui.view.focus = Focus::map;
-            if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::map;
-          },
+          show_map,
           [](S, const Ui& ui) { return ui.view.focus == Focus::map; }),
       command("view/reset_layout", ctrl('0'), "Reset layout",
               "Puts every panel back to its first size, and shows map and play view.",
@@ -131,6 +140,15 @@ std::vector<Command> canvas_commands() {
                        "Tints the cells whose tile has a flag: the next flag, or none.", cycle_flag_overlay,
                        [](S s, const Ui&) { return s.choices().flag_overlay.has_value(); })),
       toggle(
+          "canvas/legend", alt('l'), "Names in the legend",
+          "Shows the names of the overlays in the play view's corner, or swatches alone.",
+          [](S, A, U ui) { ui.view.debugger.legend_folded = !ui.view.debugger.legend_folded; },
+          [](S, const Ui& ui) { return !ui.view.debugger.legend_folded; }),
+      toggle(
+          "canvas/follow", alt('f'), "Follow the chosen body", "Keeps the chosen body in the play view's sight.",
+          [](S, A, U ui) { ui.view.debugger.follow_body = !ui.view.debugger.follow_body; },
+          [](S, const Ui& ui) { return ui.view.debugger.follow_body; }),
+      toggle(
           "canvas/paint_in_play", KeyChord{'p'}, "Paint in the play view",
           "The left button paints in the play view, instead of holding balls.",
           [](S, A, U ui) { ui.view.paint_in_play = !ui.view.paint_in_play; },
@@ -161,8 +179,9 @@ std::vector<Command> play_commands() {
                         "Pauses and makes exactly one step, with the players' keys that are held.",
                         emit_and_steer<action::StepFrame>)),
       command("play/run", ctrl('r'), "Run from the start", "Goes back to frame 0 and runs.", run_from_start),
-      command("play/reset", KeyChord{kKeyHome}, "Back to frame 0",
-              "Puts every body back where the level has it.", emit<action::ResetPlay>),
+      command("play/reset", shift(kKeyHome), "New run from frame 0",
+              "Puts every body back where the level has it, for a new run; the one before stays as a branch.",
+              emit<action::ResetPlay>),
       repeating(command("play/slower", KeyChord{','}, "Slower", "Halves the speed, down to 1/8.",
                         change_speed<-1>, [](S s, const Ui&) { return s.playback().speed > 0.125; })),
       repeating(command("play/faster", KeyChord{'.'}, "Faster", "Doubles the speed, up to 8.",

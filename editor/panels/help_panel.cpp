@@ -27,6 +27,7 @@ constexpr MouseHelp kMouse[] = {
     {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
     {"drag with Paint flags, on the sheet or the map",
      "sets the tinted flag, or clears it where the first tile has it"},
+    {"no mouse at hand: Enter on the map or the pixels", "shows a cursor for the arrows; see below"},
     {"a file dropped on the window", "is opened"},
 };
 
@@ -110,7 +111,8 @@ void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
     draw_player_keys(ui);
-    for (Scope scope : {Scope::everywhere, Scope::map, Scope::sprites, Scope::input}) draw_scope(scope, ui);
+    for (Scope scope : {Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites, Scope::input})
+      draw_scope(scope, ui);
     ui.place("help/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
               ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});

@@ -26,6 +26,10 @@ std::string key_name(int key) {
       return "Up";
     case kKeyDown:
       return "Down";
+    case kKeyEnter:
+      return "Enter";
+    case kKeyBackspace:
+      return "Backspace";
     case ' ':
       return "Space";
     case ',':  // characters that are too small to be seen in a tooltip

@@ -19,6 +19,8 @@ enum Key : int {
   kKeyRight,
   kKeyUp,
   kKeyDown,
+  kKeyEnter,
+  kKeyBackspace,
   kKeyF1,
   kKeyF2,
   kKeyF3,

@@ -130,7 +130,9 @@ void KeysPanel::draw_question(Ui& ui) {
     return;
   }
   ui.hint(
-      "Click a key to change it. Keys of the sprites, the map and the input roll work where the focus is.");
+      "Click a key to change it. Keys of the sprites, the map and the input roll work where the focus is, "
+      "those "
+      "of the keyboard's cursor while it is shown, before all others.");
   if (ui.text_button("keys/close", "Close", false, "Keeps the keys as they are now.", "Esc", true, ui.px(96)))
     program.keys_open = false;
   ImGui::SameLine();

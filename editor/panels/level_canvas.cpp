@@ -7,12 +7,13 @@
 
 #include "canvas_layers.h"
 #include "case_note.h"
+#include "compare_choice.h"
 #include "commands.h"
 #include "flag_label.h"
 #include "input_roll.h"
 #include "mouse_mark.h"
+#include "other_side.h"
 #include "overlay_painter.h"
-#include "overlay_switches.h"
 #include "play_keys.h"
 #include "shape_drawing.h"
 
@@ -59,6 +60,15 @@ std::string flag_caption(const Session& session, FlagPattern pattern, bool paint
   return brush_text(session, SheetId::tiles, session.level().map.at(*hovered)) + ", in all its cells";
 }
 
+// What the keyboard's cursor is ready for.
+std::string cursor_hint(const Ui& ui) {
+  if (ui.view.cursor.pen_down())
+    return "   pen down: " + keys_of(find_command("cursor/pen"), ui) + " lifts it";
+  return "   " + keys_of(find_command("cursor/press"), ui) + ": left button   " +
+         keys_of(find_command("cursor/pen"), ui) + ": pen down   " + keys_of(find_command("cursor/end"), ui) +
+         ": end";
+}
+
 Rgb rgb_of(ImU32 color) {
   const auto channel = [color](int shift) { return static_cast<std::uint8_t>(color >> shift & 0xFF); };
   return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
@@ -76,6 +86,8 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.item(name_ + "/canvas");
   handle_mouse(session, actions, ui, camera_.view(min, size));
+  follow_cursor(session, ui, camera_.view(min, size));
+  follow_body(session, ui);
   camera_.clamp(size_in_pixels(session.level().map), size);
 
   const CanvasView view = camera_.view(min, size);
@@ -93,21 +105,33 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
   if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/overview");
+  ui.view.cursor.draw(name_, list, view, ui.scale);
   list.PopClipRect();
 }
 
-void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) const {
+void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
   const CanvasView view = camera_.view(ImGui::GetCursorScreenPos(), size);
   ImGui::Dummy(size);
   ui.item("play/other_side");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
-  draw_tiles(list, session.level(), view, ui, true);
-  draw_curves(list, session.level(), view, ui.scale);
-  draw_other_bodies(list, session, view, ui);
-  draw_plate(list, {view.min.x + ui.px(4), view.min.y + ui.px(4)}, "Other side", theme::color(theme::kMuted),
-             ui);
+  const Timeline& timeline = session.timeline();
+  // A variant goes through the levels of the run that is shown.
+  const bool is_branch = !session.debugger().side_by_side().variant() && timeline.compared() != nullptr;
+  other_then_.show(session, is_branch ? *timeline.compared() : timeline.current(), timeline.frame());
+  draw_ground(session, &other_then_, 2, view, ui);
+  draw_other_bodies(list, session, other_then_.level(session), view, ui);
+  const ImVec2 at{view.min.x + ui.px(4), view.min.y + ui.px(4)};
+  const std::string missing = missing_side(session);
+  const std::string title = missing.empty() ? other_side_name(session) : missing;
+  const float plate = ImGui::GetTextLineHeight() + ui.px(8);
+  const ScreenBox covered{view.min, {view.max.x, at.y + plate}};
+  draw_other_overlays(list, session, view, ui.scale, std::span(&covered, 1));
+  draw_plate(list, at, title, theme::color(theme::kMuted), ui);
+  if (other_then_.is_other())
+    draw_plate(list, {at.x, at.y + ui.px(8) + ImGui::GetTextLineHeight()}, other_then_.caption(),
+               theme::color(theme::kWarning), ui);
   list.PopClipRect();
 }
 
@@ -188,6 +212,9 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
       ui.view.second_map = is_second_;
     }
   }
+  const bool is_held = panning_ || holding_ || is_editing();
+  if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
+  if (pick_cell(session, ui, cell, hovered)) return;
   const bool paints = !is_play() || ui.view.paint_in_play;
   if (paints && sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || panning_)) return;
   if (handle_minimap(session, view, ui, hovered)) return;
@@ -197,6 +224,24 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
     edit(session, actions, ui, view, hovered && ImGui::IsMouseClicked(0));
   else
     handle_play_mouse(session, actions, view, hovered);
+}
+
+// A breakpoint's panel asks for a cell; a click beside the map chooses none.
+bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const {
+  if (!ui.view.debugger.picks_cell || !hovered) return false;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (ImGui::IsMouseClicked(0)) {
+    ui.view.debugger.picks_cell = false;
+    if (session.level().map.contains(cell)) ui.view.debugger.picked_cell = cell;
+  }
+  return true;
+}
+
+// The chosen body stays in sight, unless the hand moves the view.
+void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
+  const Body* body = session.state().find(session.choices().body);
+  if (is_play() && ui.view.debugger.follow_body && body != nullptr && !panning_ && !holding_)
+    camera_.keep_in_sight(body->box.center(), size_);
 }
 
 void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
@@ -225,6 +270,17 @@ void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const C
     gesture_.update(session, actions, view.to_cell(io.MousePos), pressed ? 0 : MapGesture::kNoButton);
 }
 
+// Where lines are drawn, the keyboard's cursor goes from corner to corner.
+void LevelCanvas::follow_cursor(const Session& session, Ui& ui, const CanvasView& view) {
+  const TileMap& map = session.level().map;
+  const MapTool tool = session.choices().map_tool;
+  const CursorGround ground{{0, 0, map.width() * kTileSize, map.height() * kTileSize},
+                            kTileSize,
+                            tool == MapTool::slope || draws_curves(tool)};
+  const auto moved = ui.view.cursor.visit(name_, view, ground, ImGui::GetIO().MousePos);
+  if (moved) camera_.keep_in_sight(*moved, size_);
+}
+
 // In the world view a click goes to its place, as in TIC-80.
 bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
   if (!camera_.shows_whole() || is_editing()) return false;
@@ -240,7 +296,8 @@ bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
 bool LevelCanvas::handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered) {
   if (!has_minimap(ui) || is_editing()) return false;
   std::optional<Vec2> centre;
-  const bool taken = minimap_.update(session.level().map, view, ui, hovered && !panning_, centre);
+  const bool taken =
+      minimap_.update(session.level().map, view, ui, hovered && !panning_ && !ui.view.cursor.on(), centre);
   if (centre) camera_.centre(*centre, size_);
   return taken;
 }
@@ -255,7 +312,8 @@ void LevelCanvas::zoom_by_wheel(ImVec2 at) {
 
 bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view);
+  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view) &&
+                     !ui.view.cursor.on();
   const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
   const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
   if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0)))) panning_ = true;
@@ -280,33 +338,48 @@ void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, co
   if (holding_) actions.push_back(action::HoldMouse{at, true});
 }
 
-void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const {
+// The level without its bodies. then: what is shown of it; null: all as it is now.
+void LevelCanvas::draw_ground(const Session& session, const LevelThen* then, int place,
+                              const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Level& level = session.level();
-  const Choices& choices = session.choices();
-  const auto& tint = choices.flag_overlay;
+  const bool is_other = then != nullptr && then->is_other();
+  const Level& level = is_other ? then->level(session) : session.level();
+  const auto& tint = session.choices().flag_overlay;
   const bool far = is_far(view) && ui.map_textures != nullptr;
   if (far) {
+    const OtherLevel other{&level, is_other ? then->number() : 0, place};
     list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
     draw_far_tiles(list, level.map, view, ui,
-                   {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}});
+                   {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}},
+                   is_other ? &other : nullptr);
   } else {
     draw_tiles(list, level, view, ui, is_play());
   }
+  if (is_other) draw_marked_cells(list, then->changed(), view);
   draw_curves(list, level, view, ui.scale);
   if (tint && !far) draw_flag_tint(list, level, view, *tint);
+}
+
+void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, const Ui& ui) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (is_play()) then_.show(session, session.timeline().current(), session.timeline().frame());
+  const Level& level = is_play() ? then_.level(session) : session.level();
+  const Choices& choices = session.choices();
+  draw_ground(session, is_play() ? &then_ : nullptr, 1, view, ui);
   if (choices.overlays.has(OverlayId::shapes))
     draw_shapes(list, level, view, overlay_color(OverlayId::shapes, choices.overlay_palette), ui);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play()) draw_spawns(list, level, view, ui);
   const bool at_start = session.state().frame == 0;
-  draw_bodies(list, session, view, ui, is_play() || at_start ? 255 : 130);
+  draw_bodies(list, session, level, view, ui, is_play() || at_start ? 255 : 130);
   if (!is_play()) return;
   const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
   if (!ui.view.split_compared) draw_ghosts(list, session, view, ui.scale);
-  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage);
+  std::vector<ScreenBox> covered{{view.min, {view.max.x, captions_end(session, view, ui)}}};
+  if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
+  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage, covered);
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 
@@ -326,21 +399,55 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
              theme::color(theme::kText), ui);
 }
 
-void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float gap = ui.px(4);
+// Plates below one another in the top left corner.
+std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, const CanvasView& view,
+                                                        const Ui& ui) const {
   std::string title = std::string(is_play()    ? "Play"
                                   : is_second_ ? "Second map"
                                                : "Map") +
                       "  " + zoom_text(view.zoom);
   if (camera_.shows_whole()) title += "   click: go there";
-  if (is_play() && keys_steer(session, ui.view))
+  if (ui.view.cursor.is_on(name_)) title += cursor_hint(ui);
+  if (!is_play()) return {{title, theme::kMuted}};
+  if (is_compared(session)) {
+    const std::string missing = missing_side(session);
+    title += "   " + shown_side_name(session);
+    if (!ui.view.split_compared)
+      title += "   ghosts: " + (missing.empty() ? other_side_name(session) : missing);
+  }
+  if (keys_steer(session, ui.view))
     title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
-  draw_plate(list, {view.min.x + gap, view.min.y + gap}, title, theme::color(theme::kMuted), ui);
-  if (const std::string note = is_play() ? case_note(session) : ""; !note.empty())
-    draw_plate(list, {view.min.x + gap, view.min.y + 2 * gap + ImGui::GetTextLineHeight() + ui.px(4)}, note,
-               theme::color(theme::kMuted), ui);
-  if (is_play()) draw_overlay_legend(list, session.choices(), view, ui);
+  std::vector<Caption> captions{{title, theme::kMuted}};
+  if (const std::string note = case_note(session); !note.empty()) captions.push_back({note, theme::kMuted});
+  if (then_.is_other()) captions.push_back({then_.caption(), theme::kWarning});
+  return captions;
+}
+
+// y below which nothing is written, where the captions leave no room beside them for the legend.
+float LevelCanvas::captions_end(const Session& session, const CanvasView& view, const Ui& ui) const {
+  const auto lines = captions(session, view, ui);
+  float width = 0;
+  for (const Caption& line : lines)
+    width = std::max(width, ImGui::CalcTextSize(line.text.c_str()).x + 2 * ui.px(6) + 2 * ui.px(4));
+  const float legend = OverlayLegend::width(session.choices(), ui);
+  if (width + legend <= view.max.x - view.min.x) return view.min.y;
+  return view.min.y +
+         static_cast<float>(lines.size()) * (ImGui::GetTextLineHeight() + ui.px(4) + ui.px(4));
+}
+
+OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
+  return {session.choices(), view, captions_end(session, view, ui), ui};
+}
+
+void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float gap = ui.px(4);
+  float at = view.min.y + gap;
+  for (const Caption& caption : captions(session, view, ui)) {
+    draw_plate(list, {view.min.x + gap, at}, caption.text, theme::color(caption.color), ui);
+    at += gap + ImGui::GetTextLineHeight() + ui.px(4);
+  }
+  if (is_play()) legend(session, view, ui).draw(list);
   if (const auto pattern = session.choices().flag_overlay) {
     const bool paints = !is_play() || ui.view.paint_in_play;
     const std::string text = flag_caption(session, *pattern, paints, ui.view.hover.cell);

@@ -9,9 +9,11 @@
 #include "curve_gesture.h"
 #include "flag_brush.h"
 #include "ground_gesture.h"
+#include "level_then.h"
 #include "line_gesture.h"
 #include "map_gesture.h"
 #include "minimap.h"
+#include "overlay_legend.h"
 #include "select_gesture.h"
 #include "session/session.h"
 #include "sheet_overlay.h"
@@ -32,7 +34,7 @@ class LevelCanvas {
 
   void draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
   // The other side of a comparison, where this canvas shows the first; with no mouse of its own.
-  void draw_other_side(const Session& session, Ui& ui, ImVec2 size) const;
+  void draw_other_side(const Session& session, Ui& ui, ImVec2 size);
 
  private:
   // Whether a drag that changes the level is under way: it goes on, whatever tool is chosen meanwhile.
@@ -46,6 +48,7 @@ class LevelCanvas {
   void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
+  void follow_cursor(const Session& session, Ui& ui, const CanvasView& view);
   bool handle_world_view(const Session& session, bool hovered);
   bool handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered);
   bool has_minimap(const Ui& ui) const { return !is_play() && ui.view.minimap && !camera_.shows_whole(); }
@@ -53,9 +56,20 @@ class LevelCanvas {
   void zoom_by_wheel(ImVec2 at);
   bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
-  void draw_layers(const Session& session, const CanvasView& view, const Ui& ui) const;
+  void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
+  void draw_ground(const Session& session, const LevelThen* then, int place, const CanvasView& view,
+                   const Ui& ui) const;
   void draw_preview(const Session& session, const CanvasView& view, Ui& ui) const;
   void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
+  struct Caption {
+    std::string text;
+    std::uint32_t color;
+  };
+  std::vector<Caption> captions(const Session& session, const CanvasView& view, const Ui& ui) const;
+  float captions_end(const Session& session, const CanvasView& view, const Ui& ui) const;
+  OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
+  bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
+  void follow_body(const Session& session, const Ui& ui);
   void draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const;
 
   Kind kind_;
@@ -71,9 +85,10 @@ class LevelCanvas {
   SpawnGesture spawn_gesture_;
   LineGesture line_gesture_;
   CurveGesture curve_gesture_;
-  int level_number_ = -1;  // of the level that the camera was set for
-  float wheel_ = 0;        // clicks of the wheel that made no whole step yet
-  ImVec2 size_;            // px, of the canvas in the last frame
+  LevelThen then_, other_then_;  // of play, at the shown frame: the level of this side and of the other one
+  int level_number_ = -1;        // of the level that the camera was set for
+  float wheel_ = 0;              // clicks of the wheel that made no whole step yet
+  ImVec2 size_;                  // px, of the canvas in the last frame
   bool panning_ = false;
   bool holding_ = false;  // the left button went down on the play view
 };

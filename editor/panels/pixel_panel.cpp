@@ -159,12 +159,15 @@ void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
     change_size_by_wheel(session, actions, pixel);
   }
   gesture_.update(session, actions, pixel, hovered);
+  KeyCursor& cursor = ui.view.cursor;
+  cursor.visit("pixels", view, {{0, 0, area.width(), area.height()}}, ImGui::GetIO().MousePos);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_image(list, area, view, ui);
   if (session.choices().grid) draw_grid_lines(list, area, view);
   if (surrounded) surroundings_.draw(list, session, view, ui);
   gesture_.draw(list, session, view, pixel, hovered, ui.scale);
+  cursor.draw("pixels", list, view, ui.scale);
 }
 
 // Up: fewer pixels, larger. Touch pads turn the wheel by fractions, which add up.

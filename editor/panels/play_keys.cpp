@@ -8,7 +8,7 @@ bool has_players(const Session& session) {
 }
 
 bool keys_steer(const Session& session, const View& view) {
-  if (view.focus != Focus::map || !has_players(session)) return false;
+  if (view.focus != Focus::map || view.cursor.on() || !has_players(session)) return false;
   const bool in_play =
       view.canvas == CanvasMode::play || (view.canvas == CanvasMode::both && view.play_active);
   return session.playback().running || in_play;

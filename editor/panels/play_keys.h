@@ -25,8 +25,8 @@ inline constexpr std::string_view kRunKeys = "Left, Right", kJumpKeys = "Up, Spa
 
 // Whether the level has a player that keys can move: one of the exact solver's.
 bool has_players(const Session& session);
-// Whether these keys steer players and nothing else: the keys go to the map, and the simulation runs or the
-// play view was used last.
+// Whether these keys steer players and nothing else: the keys go to the map and to no cursor there, and the
+// simulation runs or the play view was used last.
 bool keys_steer(const Session& session, const View& view);
 // Gives the keys to the players, if there are any.
 void let_keys_steer(const Session& session, View& view);

@@ -96,8 +96,19 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, int tile, con
     }
   }
   draw_line(frame, ui);
+  if (has_line(shape)) follow_cursor(frame, ui);
   if (!frame.changed) return std::nullopt;
   return frame.shape;
+}
+
+void ShapeCanvas::follow_cursor(const Frame& frame, Ui& ui) const {
+  const CanvasView view{frame.at,
+                        {frame.at.x + frame.width(), frame.at.y + frame.height()},
+                        {frame.at.x, frame.at.y},
+                        frame.zoom};
+  const CellRect room{0, 0, frame.tiles.w * kTileSize, frame.tiles.h * kTileSize};
+  ui.view.cursor.visit("shape", view, {room, 1, true}, ImGui::GetIO().MousePos);
+  ui.view.cursor.draw("shape", *ImGui::GetWindowDrawList(), view, ui.scale);
 }
 
 void ShapeCanvas::drag(Frame& frame) {

@@ -21,6 +21,7 @@ class ShapeCanvas {
  private:
   struct Frame;
   void drag(Frame& frame);
+  void follow_cursor(const Frame& frame, Ui& ui) const;
   void draw_line(const Frame& frame, Ui& ui) const;
   void draw_handles(const Frame& frame, const std::vector<ImVec2>& points, Ui& ui) const;
 

@@ -83,6 +83,9 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     tint_tiles(list, session.level().sheet(area.sheet), *pattern, at, cell);
   mark_stamp(list, session.choices(), at, cell, ui);
   draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
+  const CanvasView view{at, {at.x + side, at.y + side}, {at.x, at.y}, zoom};
+  ui.view.cursor.visit("sheet", view, {{0, 0, kSheetSide, kSheetSide}, kTileSize}, ImGui::GetIO().MousePos);
+  ui.view.cursor.draw("sheet", list, view, ui.scale);
 }
 
 void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {

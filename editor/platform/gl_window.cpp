@@ -142,7 +142,7 @@ void GlWindow::set_style(const WindowStyle& style) {
 
 void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
-void GlWindow::begin_frame(const EventQueue& events) {
+void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
 #if IMGUI_VERSION_NUM < 18700
@@ -151,11 +151,17 @@ void GlWindow::begin_frame(const EventQueue& events) {
   const MouseState& mouse = events.mouse();
   io.MousePos = mouse.inside ? ImVec2(mouse.x, mouse.y) : ImVec2(-FLT_MAX, -FLT_MAX);
   for (std::size_t i = 0; i < mouse.down.size(); ++i) io.MouseDown[i] = mouse.down[i];
+  if (pointer) {
+    io.MousePos = pointer->at;
+    for (std::size_t i = 0; i < mouse.down.size(); ++i)
+      io.MouseDown[i] = i < pointer->down.size() && pointer->down[i];
+  }
   io.KeyCtrl = (events.modifiers() & KMOD_CTRL) != 0;
   io.KeyShift = (events.modifiers() & KMOD_SHIFT) != 0;
   io.KeyAlt = (events.modifiers() & KMOD_ALT) != 0;
 #else
   static_cast<void>(events);
+  static_cast<void>(pointer);
 #endif
   ImGui::NewFrame();
 }

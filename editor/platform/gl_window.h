@@ -5,10 +5,12 @@
 #include <imgui.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "event_queue.h"
+#include "panels/key_cursor.h"
 #include "panels/preferences.h"
 
 namespace talus {
@@ -42,7 +44,8 @@ class GlWindow {
   // Fonts and colours; cheap when it is the style already set.
   void set_style(const WindowStyle& style);
   void process_event(const SDL_Event& event);
-  void begin_frame(const EventQueue& events);
+  // pointer: what the mouse is said to be; nothing: what the events make it.
+  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer);
   void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
   // Draws what was put into Dear ImGui since begin_frame(); present() shows it. Offscreen nobody would see
   // it: there draw_picture() draws, when a picture is wanted.

@@ -10,7 +10,7 @@ struct Row {
   int key;
   SDL_Keycode sdl;
 };
-constexpr std::array<Row, 9> kRows = {{{kKeyTab, SDLK_TAB},
+constexpr std::array<Row, 11> kRows = {{{kKeyTab, SDLK_TAB},
                                        {kKeyDelete, SDLK_DELETE},
                                        {kKeyEscape, SDLK_ESCAPE},
                                        {kKeyHome, SDLK_HOME},
@@ -18,11 +18,14 @@ constexpr std::array<Row, 9> kRows = {{{kKeyTab, SDLK_TAB},
                                        {kKeyLeft, SDLK_LEFT},
                                        {kKeyRight, SDLK_RIGHT},
                                        {kKeyUp, SDLK_UP},
-                                       {kKeyDown, SDLK_DOWN}}};
+                                       {kKeyDown, SDLK_DOWN},
+                                       {kKeyEnter, SDLK_RETURN},
+                                       {kKeyBackspace, SDLK_BACKSPACE}}};
 
 int key_of(SDL_Keycode sdl) {
   for (const Row& row : kRows)
     if (row.sdl == sdl) return row.key;
+  if (sdl == SDLK_KP_ENTER) return kKeyEnter;
   if (sdl >= SDLK_F1 && sdl <= SDLK_F12) return kKeyF1 + (sdl - SDLK_F1);
   return sdl >= ' ' && sdl < 127 ? sdl : static_cast<int>(kNoKey);
 }

@@ -160,6 +160,7 @@ TEST_F(UiKeys, EachReachesItsCommand) {
       Ui view;
       view.problems = &probe.problems();  // as every frame has them
       view.view.focus = ui.view.focus;
+      if (command.scope == Scope::cursor) view.view.cursor.go_to({"map"});
       view.view.hover.cell = Cell{5, 10};
       probe.apply(action::EditLevel{erase_cells(probe.level(), {5, 10, 1, 1})});
       probe.apply(action::EditLevel{erase_cells(probe.level(), {0, 16, 1, 1})});
