@@ -26,7 +26,7 @@ constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and what
 constexpr int kFrameBudget = 8;      // ms: the least time of a frame where the driver does not wait itself
 constexpr double kIdleWait = 3600;   // s
 constexpr double kBlinkWait = 0.25;  // s: while something changes slowly, such as a text cursor
-constexpr double kNoteTime = 6;      // s
+constexpr double kNoteTime = 4;      // s
 // Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
 // in an opened one the text field has the focus one frame later.
 constexpr int kFramesOfADialogsChange = 2;
@@ -136,6 +136,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.hard_cases = hard_case_paths();
   ui_.view.tabs = settings.tabs;
   ui_.view.dock_open = settings.dock_open;
+  ui_.view.debugger.legend_folded = settings.legend_folded;
   ui_.view.preferences = noted_preferences_ = settings.preferences;
   session_->apply(action::SetOverlayPalette{settings.overlay_palette});
   for (const Breakpoint& breakpoint : settings.breakpoints)
@@ -163,6 +164,7 @@ Settings App::current_settings() const {
   settings.recent_files = ui_.view.recent_files;
   settings.tabs = ui_.view.tabs;
   settings.dock_open = ui_.view.dock_open;
+  settings.legend_folded = ui_.view.debugger.legend_folded;
   settings.preferences = ui_.view.preferences;
   settings.overlay_palette = session_->choices().overlay_palette;
   settings.breakpoints = session_->debugger().stops().breakpoints();
@@ -253,7 +255,7 @@ void App::draw(Actions& actions) {
   if (guard_) guard_->draw(*session_, ui_);
 }
 
-// Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
+// Where a dialog opens or closes, or a field is to get the keys, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
   const std::array<bool, 9> wanted = {ui_.view.dialog != FileDialog::none,
@@ -265,7 +267,7 @@ void App::hold_presses_while_dialogs_change() {
                                       ui_.view.program.recovery_open,
                                       session_->png_import().has_value(),
                                       ui_.view.resize_open};
-  if (wanted != std::exchange(wanted_dialogs_, wanted))
+  if (wanted != std::exchange(wanted_dialogs_, wanted) || !ui_.view.wants_text.empty())
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
     --frames_to_hold_;
@@ -350,6 +352,8 @@ void App::release(const SDL_Event& event, Actions& actions) {
 // While a dialog is open or a text is typed, keys belong there.
 bool App::keys_are_taken(KeyChord chord) const {
   if (ImGui::GetTopMostPopupModal() != nullptr) return true;
+  // An open list or menu has the keys that go through it; Dear ImGui gives them to it.
+  if (is_popup_open() && !chord.ctrl && !chord.alt && chord.key < kKeyF1) return true;
   const bool types = ImGui::GetIO().WantTextInput;
   const bool moves_cursor = chord.key >= kKeyTab;
   const bool edits_text =

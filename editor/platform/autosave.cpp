@@ -1,5 +1,6 @@
-// One file for each process: a line of JSON about the level, then the level in the native format. Beside it
-// lies a file that is locked as long as the process lives; the system gives the lock back however it ends.
+// One file for each process: a line of JSON about the level, then as many bytes of a recording as it says,
+// then the level in the native format. Beside it lies a file that is locked as long as the process lives; the
+// system gives the lock back however it ends.
 #include "autosave.h"
 
 #include <fcntl.h>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
+#include "formats/recording.h"
 
 namespace talus {
 namespace {
@@ -54,8 +56,13 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
   const Format& native = *find_format("native");
   const auto written = native.write(*work.level, {kNativeExtension});
   if (!written) return tl::unexpected("The level cannot be saved by itself: " + written.error().message);
-  const json about = {{"path", work.path}, {"name", work.name}, {"time", work.time}};
-  const std::string text = about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + written->bytes;
+  const auto recording = work.recording ? write_recording(*work.recording) : FormatResult<std::string>("");
+  if (!recording)
+    return tl::unexpected("The recording cannot be saved by itself: " + recording.error().message);
+  const json about = {
+      {"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", recording->size()}};
+  const std::string text =
+      about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + *recording + written->bytes;
   std::error_code error;
   fs::create_directories(fs::path(work.file).parent_path(), error);
   if (const auto saved = write_file_atomic(work.file, text); !saved)
@@ -69,9 +76,19 @@ tl::expected<SavedWork, std::string> read_saved_work(const std::string& file) {
   const std::size_t line = bytes->find('\n');
   const json about = json::parse(bytes->substr(0, line), nullptr, false);
   if (line == std::string::npos || !about.is_object()) return tl::unexpected(file + " is damaged.");
-  auto level = find_format("native")->read(std::string_view(*bytes).substr(line + 1), {kNativeExtension});
+  const std::string_view rest = std::string_view(*bytes).substr(line + 1);
+  const bool has_recording =
+      about.contains("recording_bytes") && about["recording_bytes"].is_number_unsigned();
+  const std::size_t split =
+      std::min(has_recording ? about["recording_bytes"].get<std::size_t>() : 0, rest.size());
+  auto level = find_format("native")->read(rest.substr(split), {kNativeExtension});
   if (!level) return tl::unexpected(to_string(level.error(), file));
   SavedWork work{file, {}, kUnnamed, 0, std::make_shared<const Level>(std::move(*level))};
+  if (split > 0) {
+    auto recording = read_recording(rest.substr(0, split));
+    if (!recording) return tl::unexpected(to_string(recording.error(), file));
+    work.recording = std::make_shared<const Recording>(std::move(*recording));
+  }
   if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
   if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
   if (about.contains("time") && about["time"].is_number_integer()) work.time = about["time"];
@@ -105,15 +122,15 @@ bool Autosave::hold_lock() {
 std::optional<std::string> Autosave::follow(const Session& session, double now) {
   if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
   std::optional<std::string> error = finish_writing();
-  if (!session.modified()) {
+  if (!session.modified() && session.unsaved_run() == nullptr) {
     remove();
     return error;
   }
-  if (session.revision() == written_revision_) return error;
+  if (revision_of(session) == written_revision_) return error;
   if (!changed_since_) changed_since_ = now;
   if (now < *changed_since_ + kDelay) return error;
   changed_since_.reset();
-  written_revision_ = session.revision();
+  written_revision_ = revision_of(session);
   if (!hold_lock()) return no_room();
   writing_ = std::async(std::launch::async, [work = work_of(session)] { return write_saved_work(work); });
   return error;
@@ -122,14 +139,17 @@ std::optional<std::string> Autosave::follow(const Session& session, double now) 
 tl::expected<void, std::string> Autosave::save_now(const Session& session) {
   finish_writing();
   changed_since_.reset();
-  written_revision_ = session.revision();
+  written_revision_ = revision_of(session);
   if (!hold_lock()) return tl::unexpected(no_room());
   return write_saved_work(work_of(session));
 }
 
 SavedWork Autosave::work_of(const Session& session) const {
-  return {file_, session.path(), session.file_name(), seconds_since_1970(),
-          std::make_shared<const Level>(session.level())};
+  SavedWork work{file_, session.path(), session.file_name(), seconds_since_1970(),
+                 std::make_shared<const Level>(session.level())};
+  if (const Branch* run = session.unsaved_run())
+    work.recording = std::make_shared<const Recording>(session.timeline().recording(*run, session.level()));
+  return work;
 }
 
 std::optional<double> Autosave::due() const {

@@ -1,5 +1,5 @@
-// Autosave: writes the level away while it has unsaved changes, so that a crash costs a few seconds at most,
-// and finds what programs that ended without warning have left.
+// Autosave: writes the level away while it has unsaved changes, or a run that the user has worked on, so that
+// a crash costs a few seconds at most, and finds what programs that ended without warning have left.
 #pragma once
 
 #include <future>
@@ -20,6 +20,8 @@ struct SavedWork {
   std::string name;                    // for titles
   std::int64_t time = 0;               // s since 1970, when it was saved
   std::shared_ptr<const Level> level;  // never null
+  // Of the run with marks or inputs of the user's that was worked on last; null: none.
+  std::shared_ptr<const Recording> recording = {};
 };
 
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);
@@ -59,7 +61,15 @@ class Autosave {
 
   std::string folder_, file_;  // file_: of this process
   int lock_ = -1;              // descriptor
-  std::optional<std::uint64_t> written_revision_;
+  struct Revision {
+    std::uint64_t level = 0, runs = 0;
+    friend bool operator==(const Revision&, const Revision&) = default;
+  };
+  static Revision revision_of(const Session& session) {
+    return {session.revision(), session.runs_revision()};
+  }
+
+  std::optional<Revision> written_revision_;
   std::optional<double> changed_since_;  // s
   std::future<tl::expected<void, std::string>> writing_;
 };

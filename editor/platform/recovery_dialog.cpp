@@ -30,7 +30,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
   else
     ui.hint(
         "Talus ended without saving these. Recovered changes can be undone, and are saved when you save.");
-  if (unsaved) ui.hint("Save the open level first: a recovered one takes its place.");
+  if (unsaved) ui.hint("Save the open level and its recording first: a recovered one takes their place.");
   for (std::size_t i = 0; i < works.size(); ++i) {
     ImGui::Separator();
     if (const auto chosen = draw_work(i, works[i], unsaved, ui)) answer = chosen;
@@ -51,7 +51,11 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw_work(std::size_t inde
   ImGui::TextUnformatted(work.name.c_str());
   ImGui::SameLine();
   ui.right_aligned("saved " + local_time(work.time), theme::tone(theme::kMuted));
-  ui.hint(work.path.empty() ? "It has no file of its own yet." : work.path);
+  std::string about = work.path.empty() ? "It has no file of its own yet." : work.path;
+  if (work.recording)
+    about +=
+        "\nWith a recording of " + std::to_string(work.recording->frames) + " frames that you worked on.";
+  ui.hint(about);
   if (ui.text_button("recovery/recover" + number, "Recover", index == 0,
                      "Opens it, as a change that can be undone.", {}, !unsaved, ui.px(96)))
     answer = Answer{index, Choice::recover};

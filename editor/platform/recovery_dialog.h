@@ -16,8 +16,8 @@ class RecoveryDialog {
     std::size_t index = 0;  // of the work
     Choice choice = Choice::recover;
   };
-  // Draws it while ui.view.program.recovery_open. `unsaved`: the open level has unsaved changes, so that
-  // nothing can take its place.
+  // Draws it while ui.view.program.recovery_open. `unsaved`: the open level has unsaved changes, or a
+  // run that the user has worked on, so that nothing can take its place.
   std::optional<Answer> draw(std::span<const SavedWork> works, bool unsaved, Ui& ui);
 
  private:

@@ -51,6 +51,31 @@ TEST_F(UiRecovery, WorkIsOfferedAfterACrashAndRecovered) {
   EXPECT_EQ(find("recovery/recover0"), nullptr) << "nothing is left once it is saved";
 }
 
+TEST_F(UiRecovery, AMarkedRunIsAskedAboutAndOfferedAfterACrash) {
+  for (int i = 0; i < 12; ++i) key(kKeyF10);
+  key(ctrl('m'));
+  frames(kFiveSeconds);
+  EXPECT_FALSE(session().modified());
+  crash_and_start(level_file());
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(10);
+  EXPECT_EQ(session().timeline().last_frame(), 12);
+  ASSERT_EQ(session().timeline().current().marks.size(), 1u);
+  EXPECT_EQ(session().timeline().current().marks[0].frame, 12);
+  key(ctrl('s'));
+  frames(2);
+  key(ctrl('q'));
+  frames(3);
+  ASSERT_TRUE(session().question());
+  click("question/save");
+  frames(4);
+  click("files/confirm");
+  frames(3);
+  EXPECT_TRUE(session().wants_quit());
+  EXPECT_TRUE(std::filesystem::exists(path("level.talusrec")));
+}
+
 TEST_F(UiRecovery, RecoveredWorkSurvivesTheNextCrash) {
   paint({12, 9});
   frames(kFiveSeconds);
