@@ -11,13 +11,14 @@
 namespace talus {
 
 std::span<const LintRule> lint_rules() {
-  static constexpr std::array<LintRule, 21> kRules = {{
+  static constexpr std::array<LintRule, 22> kRules = {{
       {"slope-half-missing", "slope without its right half"},
       {"slope-left-missing", "slope without its left half"},
       {"slope-overlap", "slope and tile in one place"},
       {"slope-unflagged", "slope without a flag"},
       {"seam", "floor that jumps"},
       {"seam-ceiling", "ceiling that jumps"},
+      {"interior-edge", "edge inside the ground"},
       {"too-steep", "floor too steep"},
       {"gap-too-small", "gap too small for a player"},
       {"flags-conflict", "flags that contradict each other"},

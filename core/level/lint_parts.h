@@ -18,9 +18,14 @@ struct Seam {
   Cell left_tile, right_tile;      // whose shapes they are
   bool floor = true;
 };
+// Where a floor in a cell has a ceiling so close above it that no body gets between them.
+struct Crack {
+  Cell cell;
+  double gap = 0;  // px, at its end
+};
 std::vector<Seam> seams_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area);
 
-// Of the problems at cells, those of seams, and those of gaps that a player does not fit through.
+// Of the problems at cells, those of seams and cracks, and those of gaps that a player does not fit through.
 void lint_seams(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,
                 std::vector<Problem>& out);
 void lint_gaps(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,

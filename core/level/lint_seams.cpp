@@ -1,5 +1,5 @@
 // Where the outline of the ground jumps from one column of cells to the next: a side of a tile is exposed
-// there, and stops what runs along.
+// there, and stops what runs along. And where it stays open inside the ground.
 #include <algorithm>
 #include <cmath>
 
@@ -16,11 +16,12 @@ struct End {
   bool floor = true;
   int row = 0;  // of the cell that it is in
   Cell tile;    // whose shape it is
+  bool one_way = false;
 };
 
 class SeamFinder {
  public:
-  SeamFinder(const Level& level, const LintTiles& tiles, std::vector<Seam>& out)
+  SeamFinder(const Level& level, const LintTiles& tiles, std::vector<Seam>& out, std::vector<Crack>& cracks)
       : level_(level),
         tiles_(tiles),
         compiler_(level.map.width(), tiles.outlines(), tiles.curves().pieces, tiles.curves().ends,
@@ -28,7 +29,9 @@ class SeamFinder {
                     static const TileOutline kNothing;
                     return level.map.contains(c) ? tiles.outlines()[level.map.at(c)] : kNothing;
                   }),
-        out_(out) {}
+        out_(out),
+        cracks_(cracks),
+        least_body_(tiles.player() ? std::min<double>(tiles.player()->y, kTileSize) : kTileSize) {}
 
   void find(std::array<Cell, 2> area) {
     const Cell first{std::max(area[0].x - 1, 0), std::max(area[0].y - 1, 0)};
@@ -52,7 +55,9 @@ class SeamFinder {
     });
     for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
       for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
-        if (touched_[index_of(c)] && c.x + 1 < level_.map.width()) check(c);
+        if (!touched_[index_of(c)]) continue;
+        if (c.x + 1 < level_.map.width()) check(c);
+        check_crack(c);
       }
     }
   }
@@ -86,8 +91,11 @@ class SeamFinder {
       const bool lower = y > std::min(piece.y0, piece.y1) || (!floor && piece.y0 == piece.y1);
       const bool in_row = lower ? y > row0 && y <= row1 : y >= row0 && y < row1;
       if (in_row)
-        ends.push_back(
-            {y, floor, cell.y, {piece.origin % level_.map.width(), piece.origin / level_.map.width()}});
+        ends.push_back({y,
+                        floor,
+                        cell.y,
+                        {piece.origin % level_.map.width(), piece.origin / level_.map.width()},
+                        piece.one_way});
     }
   }
 
@@ -102,6 +110,49 @@ class SeamFinder {
     for (const End& end : here_) find_jump(cell, end);
   }
 
+  // The floor at a side of a cell with a ceiling so close above it that no body gets between them.
+  struct Slit {
+    double floor = 0, ceiling = 0;  // px
+    double gap() const { return floor - ceiling; }
+    friend bool operator==(const Slit&, const Slit&) = default;
+  };
+  std::optional<Slit> slit_at(Cell cell, bool right) {
+    slit_ends_.clear();
+    ends_of(cell, right, slit_ends_);
+    const std::size_t here = slit_ends_.size();
+    if (cell.y > 0) ends_of({cell.x, cell.y - 1}, right, slit_ends_);
+    std::optional<Slit> found;
+    for (std::size_t i = 0; i < here; ++i) {
+      const End& floor = slit_ends_[i];
+      if (!floor.floor || floor.one_way) continue;
+      for (const End& ceiling : slit_ends_) {
+        const double gap = floor.y - ceiling.y;
+        if (ceiling.floor || ceiling.one_way || gap <= 0 || gap >= least_body_) continue;
+        if (!found || gap < found->gap()) found = Slit{floor.y, ceiling.y};
+      }
+    }
+    return found;
+  }
+
+  // A slit that narrows from where bodies are is a corner of a cave; one that begins at once is none.
+  bool goes_on(Cell cell, bool right, const Slit& slit) {
+    const int x = cell.x + (right ? 1 : -1);
+    if (x < 0 || x >= level_.map.width()) return true;
+    for (int y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, level_.map.height() - 1); ++y)
+      if (slit_at({x, y}, !right) == slit) return true;
+    return false;
+  }
+
+  // Told once, at its left end if that is one.
+  void check_crack(Cell cell) {
+    if (!ground_[index_of(cell)]) return;
+    const auto left = slit_at(cell, false), right = slit_at(cell, true);
+    if (!left || !right) return;
+    const bool begins = !goes_on(cell, false, *left);
+    if (begins || !goes_on(cell, true, *right))
+      cracks_.push_back({cell, begins ? left->gap() : right->gap()});
+  }
+
   void find_jump(Cell cell, const End& end) {
     double jump = kTileSize;  // the least, below that
     Seam seam{cell, {}, end.y, 0, end.tile, {}, end.floor};
@@ -114,10 +165,23 @@ class SeamFinder {
       seam.right_tile = next.tile;
     }
     if (jump == kTileSize || jump <= tiles_.seam() || is_on_curve(cell, end)) return;
-    // Slopes that lack a half are told of as such.
+    // Cracks are told of as such, and so are slopes that lack a half.
+    if (is_in_slit({cell.x, end.row}, true, end.y, end.floor) ||
+        is_in_slit(seam.right, false, seam.right_y, end.floor))
+      return;
     if (!has_fault(seam.left_tile) && !has_fault(seam.right_tile)) out_.push_back(seam);
   }
 
+  // Whether the floor or the ceiling that ends there at a side of a cell is in a slit. A ceiling's is told of
+  // in the row of its floor.
+  bool is_in_slit(Cell cell, bool right, double y, bool floor) {
+    const int last = std::min(cell.y + (floor ? 0 : 1), level_.map.height() - 1);
+    for (int row = cell.y; row <= last; ++row) {
+      const auto slit = slit_at({cell.x, row}, right);
+      if (slit && (floor ? slit->floor : slit->ceiling) == y) return true;
+    }
+    return false;
+  }
   bool has_fault(Cell slope) const { return slope_fault_at(level_, tiles_, slope).has_value(); }
 
   // Whether a curve goes on where a floor or a ceiling ends.
@@ -133,11 +197,13 @@ class SeamFinder {
   const LintTiles& tiles_;
   OutlineCompiler compiler_;
   std::vector<Seam>& out_;
+  std::vector<Crack>& cracks_;
+  const double least_body_;       // px: no body is lower
   std::array<Cell, 2> around_{};  // the area and its neighbours
   // By cell around the area: whether a slope or the like may change the outline; and whether there is ground.
   std::vector<bool> touched_, ground_;
   std::vector<Piece<double>> pieces_;
-  std::vector<End> here_, there_;
+  std::vector<End> here_, there_, slit_ends_;
 };
 
 bool has_lines(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
@@ -152,12 +218,11 @@ bool has_lines(const Level& level, const LintTiles& tiles, std::array<Cell, 2> a
   return false;
 }
 
-}  // namespace
-
-std::vector<Seam> seams_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
-  std::vector<Seam> seams;
-  if (!tiles.outlines().has_lines()) return seams;
-  SeamFinder finder(level, tiles, seams);
+// Both, of an area.
+void find_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area, std::vector<Seam>& seams,
+             std::vector<Crack>& cracks) {
+  if (!tiles.outlines().has_lines()) return;
+  SeamFinder finder(level, tiles, seams, cracks);
   for (int y = area[0].y; y <= area[1].y; y += kPatch) {
     for (int x = area[0].x; x <= area[1].x; x += kPatch) {
       const std::array<Cell, 2> patch = {
@@ -165,17 +230,34 @@ std::vector<Seam> seams_in(const Level& level, const LintTiles& tiles, std::arra
       if (has_lines(level, tiles, patch)) finder.find(patch);
     }
   }
+}
+
+}  // namespace
+
+std::vector<Seam> seams_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
+  std::vector<Seam> seams;
+  std::vector<Crack> cracks;
+  find_in(level, tiles, area, seams, cracks);
   return seams;
 }
 
 void lint_seams(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,
                 std::vector<Problem>& out) {
-  for (const Seam& seam : seams_in(level, tiles, area)) {
+  std::vector<Seam> seams;
+  std::vector<Crack> cracks;
+  find_in(level, tiles, area, seams, cracks);
+  for (const Seam& seam : seams) {
     const std::string jump = px_text(std::abs(seam.left_y - seam.right_y));
     out.push_back({Severity::warning, seam.floor ? "seam" : "seam-ceiling",
                    std::string(seam.floor ? "floor" : "ceiling") + " jumps " + jump + " px between " +
                        cell_text(seam.left) + " and " + cell_text(seam.right),
                    seam.left, -1, -1});
+  }
+  for (const Crack& crack : cracks) {
+    out.push_back({Severity::warning, "interior-edge",
+                   "the ground above " + cell_text(crack.cell) + " stays open by " + px_text(crack.gap) +
+                       " px, too little for a body: edges inside it can catch what comes along",
+                   crack.cell, -1, -1});
   }
 }
 

@@ -68,6 +68,45 @@ TEST(LintSeams, ACurveMayGoOn) {
   EXPECT_THAT(lint_lines(level), IsEmpty());
 }
 
+TEST(LintEdges, AnEdgeInsideTheGroundIsToldOfAsSuch) {
+  // The block is 5 px high, and a full tile lies over it: its top and that tile's bottom are inside the
+  // ground.
+  EXPECT_THAT(lint_lines(slope_level({"o....", "..#..", "..e..", "#####"})),
+              ElementsAre("interior-edge: the ground above (2, 2) stays open by 3 px, too little for a body: "
+                          "edges inside it can catch what comes along"));
+  // Once, however long it is; and where it is closed all around.
+  EXPECT_THAT(lint_lines(slope_level({"o.....", ".####.", ".eeee.", "######"})),
+              ElementsAre("interior-edge: the ground above (1, 2) stays open by 3 px, too little for a body: "
+                          "edges inside it can catch what comes along"));
+  EXPECT_THAT(lint_lines(slope_level({"o.....", ".####.", ".#ee#.", "######"})),
+              ElementsAre("interior-edge: the ground above (2, 2) stays open by 3 px, too little for a body: "
+                          "edges inside it can catch what comes along"));
+  // Without anything above, the same block is a floor that jumps.
+  EXPECT_THAT(lint_lines(slope_level({"o....", ".....", "..e..", "#####"})),
+              ElementsAre("seam: floor jumps 5 px between (2, 2) and (3, 3)",
+                          "seam: floor jumps 5 px between (1, 3) and (2, 2)"));
+}
+
+TEST(LintEdges, FloorsThatJumpInsideTheGroundAreNoSeams) {
+  Level level = slope_level({"o.....", ".####.", ".#eb#.", "######"});
+  level.tile_shapes[kSlopeB].heights = {3, 3};
+  EXPECT_THAT(lint_lines(level),
+              ElementsAre("interior-edge: the ground above (2, 2) stays open by 3 px, too little for a body: "
+                          "edges inside it can catch what comes along",
+                          "interior-edge: the ground above (3, 2) stays open by 5 px, too little for a body: "
+                          "edges inside it can catch what comes along"));
+}
+
+TEST(LintEdges, ACornerOfACaveAndATunnelForTheSmallAreMeant) {
+  EXPECT_THAT(lint_lines(slope_level({"o......", "#######", "...ab##", "#######"})), IsEmpty());
+  Level level = slope_level({".....", "..#..", ".###.", ".eee.", "#####"});
+  level.spawns = {{"", {0, 0}, {}, "", BodyKind::player, {3, 4}}};
+  EXPECT_THAT(lint_lines(level).size(), 1u);
+  level.spawns[0].size = {3, 3};
+  EXPECT_THAT(lint_lines(level), ElementsAre("seam: floor jumps 5 px between (3, 3) and (4, 4)",
+                                             "seam: floor jumps 5 px between (0, 4) and (1, 3)"));
+}
+
 Level gap_level(const std::vector<std::string>& rows, Vec2 size) {
   Level level = slope_level(rows);
   level.spawns = {{"", {0, 0}, {}, "", BodyKind::player, size}};
