@@ -57,6 +57,26 @@ TEST_F(UiPicture, ThePreviewIsAppliedInOneUndo) {
   EXPECT_EQ(image(65), TileImage{});
 }
 
+TEST_F(UiPicture, ADroppedPictureIsToBeImported) {
+  save_png("green.png", 8, 8, default_palette()[6]);
+  session().apply(action::EditLevel{fill_rect(level(), {1, 1, 1, 1}, Stamp{1, 1, {1}})});
+  drop(path("green.png"));
+  frames(3);
+  EXPECT_FALSE(session().question()) << "nothing would be lost";
+  ASSERT_TRUE(session().png_import());
+  EXPECT_EQ(session().png_import()->path, path("green.png"));
+  EXPECT_EQ(tile_at({1, 1}), 1) << "the level is still open";
+  click("import/apply");
+  frames(3);
+  EXPECT_EQ(image(0)[0], 6);
+  // A size that fits nowhere is told of where it was dropped.
+  save_png("odd.png", 9, 8, default_palette()[6]);
+  drop(path("odd.png"));
+  EXPECT_FALSE(session().png_import());
+  ASSERT_TRUE(session().message());
+  EXPECT_NE(session().message()->text.find("is 9x8 px"), std::string::npos) << session().message()->text;
+}
+
 TEST_F(UiPicture, CancelChangesNothing) {
   save_png("blue.png", 8, 8, default_palette()[9]);
   open_picture("blue.png");
