@@ -33,7 +33,7 @@ bool LintCache::advance(const Level& level, const LintOptions& options, std::siz
   for (; next_ < blocks_.size() && looked_at < most_cells; ++next_) {
     if (blocks_[next_].is_known) continue;
     look_at_block(level, next_);
-    looked_at += static_cast<std::size_t>(width_) * rows_;
+    looked_at += static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   }
   list(level);
   return is_done();
@@ -49,7 +49,9 @@ void LintCache::begin(const Level& level, const LintOptions& options) {
   if (resized) {
     width_ = level.map.width(), height_ = level.map.height();
     rows_ = std::max(kBlockCells / width_, 1);
-    blocks_.assign(static_cast<std::size_t>((height_ + rows_ - 1) / rows_), {});
+    columns_ = std::min(width_, kBlockCells);
+    across_ = (width_ + columns_ - 1) / columns_;
+    blocks_.assign(static_cast<std::size_t>((height_ + rows_ - 1) / rows_ * across_), {});
   }
   if (map_ || others) {
     for (Block& block : blocks_) block.is_known = false;
@@ -60,18 +62,30 @@ void LintCache::begin(const Level& level, const LintOptions& options) {
 }
 
 std::array<Cell, 2> LintCache::area_of(std::size_t block) const {
-  const int first = static_cast<int>(block) * rows_;
-  return {Cell{0, first}, Cell{width_ - 1, std::min(first + rows_, height_) - 1}};
+  const int number = static_cast<int>(block);
+  const int x = number % across_ * columns_, y = number / across_ * rows_;
+  return {Cell{x, y}, Cell{std::min(x + columns_, width_) - 1, std::min(y + rows_, height_) - 1}};
+}
+
+std::array<std::ptrdiff_t, 2> LintCache::cells_of(std::size_t block) const {
+  const auto index = [this](Cell c) { return std::ptrdiff_t{c.y} * width_ + c.x; };
+  const auto [first, last] = area_of(block);
+  return {index(first), index(last) + 1};
 }
 
 void LintCache::look_at_cells(const Level& level) {
   const int reach = tiles_->reach();
-  const auto block_at = [this](int y) { return static_cast<std::size_t>(y / rows_); };
+  const auto block_at = [this](Cell c) {
+    return static_cast<std::size_t>(c.y / rows_ * across_ + c.x / columns_);
+  };
   for (const Cell cell : cells_) {
     const std::array<Cell, 2> around = {
         Cell{std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)},
         Cell{std::min(cell.x + reach, width_ - 1), std::min(cell.y + reach, height_ - 1)}};
-    for (std::size_t number = block_at(around[0].y); number <= block_at(around[1].y); ++number) {
+    const std::size_t first = block_at(around[0]), last = block_at(around[1]);
+    const std::size_t beside = block_at({around[1].x, around[0].y}) - first;
+    for (std::size_t number = first; number <= last; ++number) {
+      if ((number - first) % static_cast<std::size_t>(across_) > beside) continue;
       Block& block = blocks_[number];
       if (!block.is_known) continue;
       if (block.left_out > 0 || cells_.size() > kMostCellsAlone) {
@@ -80,15 +94,15 @@ void LintCache::look_at_cells(const Level& level) {
         continue;
       }
       std::array<Cell, 2> area = area_of(number);
-      area = {Cell{around[0].x, std::max(around[0].y, area[0].y)},
-              Cell{around[1].x, std::min(around[1].y, area[1].y)}};
+      area = {Cell{std::max(around[0].x, area[0].x), std::max(around[0].y, area[0].y)},
+              Cell{std::min(around[1].x, area[1].x), std::min(around[1].y, area[1].y)}};
       std::vector<Problem> found = std::move(block.problems);
       std::erase_if(found, [&](const Problem& problem) { return holds(area, *problem.cell); });
       lint_cells(level, *tiles_, area, found);
       put(block, std::move(found));
     }
     // A tile that has gone from the block stays noted: list() looks for it.
-    if (level.map.contains(cell)) blocks_[block_at(cell.y)].tiles.set(level.map.at(cell));
+    if (level.map.contains(cell)) blocks_[block_at(cell)].tiles.set(level.map.at(cell));
   }
   cells_.clear();
 }
@@ -101,9 +115,8 @@ void LintCache::look_at_block(const Level& level, std::size_t number) {
   put(block, std::move(found));
   block.tiles.reset();
   const auto begin = level.map.cells().begin();
-  std::for_each(begin + static_cast<std::ptrdiff_t>(area[0].y) * width_,
-                begin + static_cast<std::ptrdiff_t>(area[1].y + 1) * width_,
-                [&](std::uint8_t tile) { block.tiles.set(tile); });
+  const auto [from, to] = cells_of(number);
+  std::for_each(begin + from, begin + to, [&](std::uint8_t tile) { block.tiles.set(tile); });
   block.is_known = true;
 }
 
@@ -121,10 +134,9 @@ std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
     if (!blocks_[number].tiles.test(tile)) continue;
     const auto begin = level.map.cells().begin();
-    const auto from = begin + static_cast<std::ptrdiff_t>(area_of(number)[0].y) * width_;
-    const auto to = begin + static_cast<std::ptrdiff_t>(area_of(number)[1].y + 1) * width_;
-    const auto found = std::find(from, to, static_cast<std::uint8_t>(tile));
-    if (found != to) {
+    const auto [from, to] = cells_of(number);
+    const auto found = std::find(begin + from, begin + to, static_cast<std::uint8_t>(tile));
+    if (found != begin + to) {
       const std::ptrdiff_t index = found - begin;
       return Cell{static_cast<int>(index % width_), static_cast<int>(index / width_)};
     }

@@ -29,6 +29,11 @@ void for_each_visible_item(const Scene& scene, const Rect& visible, Visit visit)
   auto item = scene.items.begin();
   for (int x = std::max(0, cell(visible.x, -kMaxShapeTiles)); x <= right; ++x) {
     item = std::lower_bound(item, end, Cell{x, top}, before);
+    if (item == end) return;
+    if (item->cell.x > x) {  // over empty columns at once
+      x = item->cell.x - 1;
+      continue;
+    }
     for (; item != end && item->cell.x == x && item->cell.y <= bottom; ++item)
       if (meet(item->box, visible)) visit(*item);
   }

@@ -13,6 +13,7 @@
 #include "overlay/visible.h"
 #include "overlay/visible_items.h"
 #include "overlay_painter.h"
+#include "session/scene_compiler.h"
 
 namespace talus {
 namespace {
@@ -20,8 +21,6 @@ namespace {
 constexpr float kFarZoom = 0.25f;
 constexpr float kLeastScreen = 16;          // px of the screen: closer borders would be all that is seen
 constexpr double kSamePlace = 0.005;        // px: closer bodies hide one another
-constexpr std::int64_t kTrailFrames = 120;  // two seconds
-constexpr std::size_t kMostTrails = 4;      // as many as the session keeps
 
 // The corner and the opposite corner of an image on its sheet's texture.
 struct SheetUv {
@@ -68,15 +67,19 @@ void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end,
   }
 }
 
-// The image that a body is drawn with: its own tile, or the first ball tile; -1 when there is none.
-int image_of(const Level& level, const Body& body) {
-  if (body.origin.spawn < 0 && level.map.contains(body.origin.cell) &&
-      level.role_at(body.origin.cell) == TileRole::ball)
-    return level.map.at(body.origin.cell);
+int first_ball_tile(const Level& level) {  // -1: none
   for (int tile = 0; tile < kTileCount; ++tile)
     if (role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) == TileRole::ball)
       return tile;
   return -1;
+}
+
+// The image that a body is drawn with: its own tile, or the first ball tile; -1 when there is none.
+int image_of(const Level& level, const Body& body, int first_ball) {
+  if (body.origin.spawn < 0 && level.map.contains(body.origin.cell) &&
+      level.role_at(body.origin.cell) == TileRole::ball)
+    return level.map.at(body.origin.cell);
+  return first_ball;
 }
 
 // A box with a face, and the foot that it stands on: its whole bottom side, or the middle of it.
@@ -93,12 +96,12 @@ void draw_player(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha)
                      theme::color(theme::kText, alpha));
 }
 
-void draw_body(ImDrawList& list, const Level& level, const Body& body, const CanvasView& view, const Ui& ui,
-               int alpha) {
+void draw_body(ImDrawList& list, const Level& level, const Body& body, int first_ball, const CanvasView& view,
+               const Ui& ui, int alpha) {
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
   const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
   if (body.kind == BodyKind::player) return draw_player(list, from, to, body.foot, alpha);
-  const int tile = image_of(level, body);
+  const int tile = image_of(level, body, first_ball);
   if (tile >= 0) {
     const SheetUv uv = uv_of(tile);
     list.AddImage(ui.balls, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
@@ -132,14 +135,14 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
 bool is_far(const CanvasView& view) { return view.zoom <= kFarZoom; }
 
 void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
-                    const MapLook& look) {
+                    const MapLook& look, const OtherLevel* other) {
   if (ui.map_textures == nullptr) return;
   const CellSpan span = visible_cells(map, view);
   if (span.x0 >= span.x1 || span.y0 >= span.y1) return;
   int block = 1;  // cells a texel; a texel is half a pixel at least
   while (block < kMaxBlock && static_cast<float>(block) * kTileSize * view.zoom <= 0.5f) block *= 2;
   const CellRect cells{span.x0, span.y0, span.x1 - span.x0, span.y1 - span.y0};
-  for (const MapTextures::Piece& piece : ui.map_textures->pieces(cells, block, look))
+  for (const MapTextures::Piece& piece : ui.map_textures->pieces(cells, block, look, other))
     list.AddImage(piece.texture, cell_corner(view, piece.cells.x, piece.cells.y),
                   cell_corner(view, piece.cells.x + piece.cells.w, piece.cells.y + piece.cells.h), {0, 0},
                   piece.uv);
@@ -225,12 +228,19 @@ void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, c
   }
 }
 
-void draw_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui, int alpha) {
+void draw_bodies(ImDrawList& list, const Session& session, const Level& level, const CanvasView& view,
+                 const Ui& ui, int alpha) {
+  draw_state(list, session.state(), session.choices().body, level, view, ui, alpha);
+}
+
+void draw_state(ImDrawList& list, const State& state, int chosen_body, const Level& level,
+                const CanvasView& view, const Ui& ui, int alpha) {
   const Rect visible = view.visible();
-  for (const Body& body : session.state().bodies) {
-    if (meet(body.box, visible)) draw_body(list, session.level(), body, view, ui, alpha);
+  const int ball = first_ball_tile(level);
+  for (const Body& body : state.bodies) {
+    if (meet(body.box, visible)) draw_body(list, level, body, ball, view, ui, alpha);
   }
-  if (const Body* chosen = session.state().find(session.choices().body)) {
+  if (const Body* chosen = state.find(chosen_body)) {
     const float gap = ui.px(2);
     ImVec2 from = view.to_screen({chosen->box.x, chosen->box.y});
     ImVec2 to = view.to_screen({chosen->box.right(), chosen->box.bottom()});
@@ -256,14 +266,6 @@ void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& vie
     if (const Body* ours = session.state().find(body.a))
       list.AddLine(view.to_screen(ours->box.center()), view.to_screen(box.center()),
                    theme::color(theme::kText, 150), width);
-  }
-}
-
-void draw_other_bodies(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui) {
-  const State* other = session.other_state();
-  if (other == nullptr) return;
-  for (const Body& body : other->bodies) {
-    if (meet(body.box, view.visible())) draw_body(list, session.level(), body, view, ui, 255);
   }
 }
 
@@ -301,9 +303,10 @@ void add_all_trails(const Session& session, Rect visible, OverlayDrawing& drawin
   drawn_of(timeline.current(), OverlayId::trails);
 }
 
-// Of the level there, whatever the solver; null where no overlay asks for it and the solver has none.
+// Of the level there, whatever the solver; null where no overlay asks for it and the solver has none. That of
+// a large level is not compiled for the overlays alone, as each edit would take seconds.
 std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet overlays) {
-  if (session.scene().ground) return session.scene().ground;
+  if (session.scene().ground || SceneCompiler::is_large(session.level())) return session.scene().ground;
   for (const OverlayId id : {OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way,
                              OverlayId::floor_height, OverlayId::penetration})
     if (overlays.has(id)) return session.frame_view().now().ground;
@@ -312,22 +315,46 @@ std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet ove
 
 }  // namespace
 
-void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale, int pointed_at, int stage) {
-  const bool has_stage = stage >= 0 && static_cast<std::size_t>(stage) < session.stages().size();
+OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view) {
   if (is_far(view)) {  // of the ground nothing but lines would be seen, millions of them
     for (const OverlayId id :
          {OverlayId::boxes, OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way})
       overlays.set(id, false);
   }
+  return overlays;
+}
+
+std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const CanvasView& view,
+                                  std::span<const ScreenBox> covered) {
+  std::vector<Rect> obstacles;
+  for (const Body& body : state.bodies) obstacles.push_back(body.box);
+  for (const ScreenBox& box : covered) {
+    const Vec2 from = view.to_level(box.min), to = view.to_level(box.max);
+    obstacles.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
+  }
+  if (is_far(view)) return obstacles;  // there are no labels to be kept clear of them, and millions of items
+  for_each_visible_item(scene, view.visible(), [&](const SceneItem& item) {
+    const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
+    if (slope) obstacles.push_back(item.box);
+  });
+  return obstacles;
+}
+
+void add_level_overlays(const Session& session, OverlaySet overlays, Rect visible, OverlayDrawing& drawing) {
+  if (overlays.has(OverlayId::answer) && session.hard_case())
+    add_answer(*session.hard_case(), session.level(), drawing);
+  if (const ReachSearch* reach = session.reach().found(); reach != nullptr && overlays.has(OverlayId::reach))
+    add_reach(*reach, session.reach().is_stale(), session.level().map.width(), session.level().map.height(),
+              visible, drawing);
+  drawing.palette = session.choices().overlay_palette;
+}
+
+void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
+                   float scale, int pointed_at, int stage, std::span<const ScreenBox> covered) {
+  const bool has_stage = stage >= 0 && static_cast<std::size_t>(stage) < session.stages().size();
+  overlays = drawable_overlays(overlays, view);
   if (overlays.empty() && !has_stage) return;
   const Rect visible = view.visible();
-  std::vector<Rect> keep_clear;  // of labels: the bodies, and the ramps that they are on
-  for (const Body& body : session.state().bodies) keep_clear.push_back(body.box);
-  for_each_visible_item(session.scene(), visible, [&](const SceneItem& item) {
-    const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
-    if (slope) keep_clear.push_back(item.box);
-  });
   const std::shared_ptr<const Terrain> ground = ground_for(session, overlays);
   OverlayDrawing drawing = make_overlays({.scene = session.scene(),
                                           .state = session.state(),
@@ -337,17 +364,13 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
                                          overlays, visible);
   if (overlays.has(OverlayId::trails)) add_all_trails(session, visible, drawing);
   if (overlays.has(OverlayId::tested_tiles) && session.record().tested.empty())
-    add_visited_cells(session.stages(), drawing);
+    add_visited(session.stages(), drawing);
   if (has_stage)
     add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
               drawing);
-  if (overlays.has(OverlayId::answer) && session.hard_case())
-    add_answer(*session.hard_case(), session.level(), drawing);
-  if (const ReachSearch* reach = session.reach().found(); reach != nullptr && overlays.has(OverlayId::reach))
-    add_reach(*reach, session.reach().is_stale(), session.level().map.width(), session.level().map.height(),
-              visible, drawing);
-  drawing.palette = session.choices().overlay_palette;
-  paint_overlays(list, drawing, keep_clear, view, scale, pointed_at);
+  add_level_overlays(session, overlays, visible, drawing);
+  paint_overlays(list, drawing, label_obstacles(session.scene(), session.state(), view, covered), view, scale,
+                 pointed_at);
 }
 
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,
@@ -378,6 +401,16 @@ void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& vi
         if (whole->after.at(c) != whole->before.at(c)) draw(c, whole->after.at(c));
       }
     }
+  }
+}
+
+void draw_marked_cells(ImDrawList& list, std::span<const Cell> cells, const CanvasView& view) {
+  const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
+  for (const Cell cell : cells) {
+    if (cell.x < from.x || cell.y < from.y || cell.x > to.x || cell.y > to.y) continue;
+    const ImVec2 min = cell_corner(view, cell.x, cell.y), max = cell_corner(view, cell.x + 1, cell.y + 1);
+    list.AddRectFilled(min, max, theme::color(theme::kWarning, 60));
+    if (view.zoom >= 1) list.AddRect(min, max, theme::color(theme::kWarning, 200));
   }
 }
 

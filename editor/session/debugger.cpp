@@ -1,5 +1,6 @@
 #include "debugger.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace talus {
@@ -32,6 +33,8 @@ const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) c
 }
 
 const State* Debugger::other_state(const Timeline& timeline) const {
+  // Looking at a frame compiles the ground to measure it against: not for nothing.
+  if (!side_.has(timeline.frame())) return nullptr;
   const auto& other = view(timeline).now().other;
   return other ? &*other : nullptr;
 }
@@ -43,6 +46,9 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
   if (&timeline.scene() == timeline.level_scene().get())
     frames.know(branch.chapters[branch.chapter_at(timeline.frame())].version, timeline.level_scene());
   side_.follow(timeline, level, kFrames);
+  if (is_other || side_.run() != side_run_) forget_parting();
+  if (!is_other && side_.run() != side_run_) stops_.forget_hits();
+  side_run_ = side_.run();
   if (is_other) {
     stops_.forget_frames();
     watches_.begin_again();
@@ -96,7 +102,9 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
-    is_busy_ = !advance_plots(timeline, chosen_body) || searching();
+    const bool plotted = advance_plots(timeline, chosen_body), parted = advance_parting();
+    const bool counted = stops_.count(source(), timeline.frame(), kFrames);
+    is_busy_ = !plotted || !parted || !counted || searching();
   } while (is_busy_ && !clock.is_up());
   return std::nullopt;
 }
@@ -109,6 +117,62 @@ bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
   const auto& bodies = timeline.state().bodies;
   const int body = chosen_body != 0 || bodies.empty() ? chosen_body : bodies.front().id;
   return parting_watch_.advance(source(), body, kFrames) && done;
+}
+
+// The whole run, and what is played later; forwards from the frames that were searched before. True when it
+// has come to the last one.
+bool Debugger::advance_parting() {
+  if (side_.variant() == nullptr || parting_frame_) return true;
+  if (!parting_search_) {
+    if (parting_searched_ >= source().last()) return true;
+    auto armed = ArmedBreakpoint::arm({.condition = parting_condition(parting_)});
+    if (!armed) return true;
+    parting_search_.emplace(std::vector{std::move(*armed)}, parting_searched_, SearchDirection::forwards);
+  }
+  if (!parting_search_->advance(source(), kFrames)) return false;
+  if (parting_search_->found()) parting_frame_ = parting_search_->found()->frame;
+  parting_searched_ = source().last();
+  parting_search_.reset();
+  return true;
+}
+
+void Debugger::forget_parting() {
+  parting_search_.reset();
+  parting_searched_ = -1;
+  parting_frame_.reset();
+}
+
+void Debugger::set_parting(double threshold) {
+  parting_ = threshold;
+  forget_parting();
+}
+
+std::optional<std::int64_t> Debugger::parting_frame(const Timeline& timeline) const {
+  return side_.variant() != nullptr ? parting_frame_ : timeline.parting_frame();
+}
+
+std::optional<std::int64_t> Debugger::other_end() const {
+  return side_.frames() != nullptr ? std::optional(side_.frames()->last()) : std::nullopt;
+}
+
+std::optional<double> Debugger::comparing_progress(const Timeline& timeline) const {
+  const std::int64_t last = timeline.current().run_frame();
+  if (side_.variant() == nullptr || side_.has(last)) return std::nullopt;
+  return side_.frames() != nullptr ? static_cast<double>(side_.frames()->last()) /
+                                         static_cast<double>(std::max<std::int64_t>(last, 1))
+                                   : 0;
+}
+
+// Read apart from what is judged, so that each goes along its run in order.
+const Frame* Debugger::other_frame(const Timeline& timeline) const {
+  const Branch* branch = side_.branch(timeline);
+  if (branch == nullptr || !side_.has(timeline.frame())) return nullptr;
+  const BranchFrames& frames = other_frames_.of(*branch);
+  const bool known = other_frame_.scene != nullptr && other_run_ == other_frames_.run() &&
+                     other_frame_.state.frame == timeline.frame();
+  if (!known) frames.read(timeline.frame(), other_frame_);
+  other_run_ = other_frames_.run();
+  return &other_frame_;
 }
 
 const Series* Debugger::parting_series() const {

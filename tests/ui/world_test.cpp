@@ -3,6 +3,7 @@
 
 #include "formats/format.h"
 #include "harness.h"
+#include "overlay/visible_items.h"
 
 namespace talus::world_test {
 
@@ -120,6 +121,32 @@ TEST_F(UiWorld, DrawingAHugeMapCostsWhatIsVisible) {
   key(ctrl('3'));
   frames(2);
   EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, cells * 4 + window);
+}
+
+// The longest map there is: whatever is done with it costs what is seen, or goes on a part at a time.
+TEST_F(UiWorld, TheLongestMapIsOpenedAndSeenWhole) {
+  open_large(1 << 21, 2);
+  int frames_of_lint = 0;
+  for (; session().is_linting() && frames_of_lint < 100'000; ++frames_of_lint) frames();
+  EXPECT_FALSE(session().is_linting());
+  for (int i = 0; i < 100'000 && session().compile_progress(); ++i) frames();
+  ASSERT_FALSE(session().compile_progress());
+  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, true});
+  key(ctrl('3'));  // the map and the play view
+  key(kKeyTab);
+  frames(2);
+  EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, 60'000);
+  int visited = 0;
+  for_each_visible_item(session().scene(), {1e6, -100, 400, 300}, [&](const SceneItem&) { ++visited; });
+  EXPECT_LE(visited, 2 * (400 / 8 + 2));
+  key(kKeyTab);
+  app().ui().view.centre_on = Cell{2'000'000, 1};
+  frames(2);
+  key('=');
+  const Cell far = middle();
+  expect_near(far, {2'000'000, 1}, 3);
+  click(on_map({far.x, 0}));
+  EXPECT_EQ(tile_at({far.x, 0}), 3);
 }
 
 TEST_F(UiWorld, TheGroundOfALargeLevelIsCompiledWhileTheEditorGoesOn) {

@@ -54,6 +54,31 @@ TEST(LintCache, AChangedCellCountsInTheNextBlockToo) {
   }
 }
 
+TEST(LintCache, ALongRowIsLookedAtInParts) {
+  std::mt19937 random(4);
+  Level level = random_slopes(40'000, 3, random);  // blocks of 16,384 cells of one row
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 40'000; ++x) {
+      if (std::abs(x - 16'384) > 30 && std::abs(x - 32'768) > 30) level.map.set({x, y}, 0);
+    }
+  }
+  LintCache cache;
+  int times = 1;
+  for (; !cache.advance(level, {}, 1); ++times) {
+  }
+  EXPECT_EQ(times, 9) << "three blocks in each of three rows";
+  EXPECT_EQ(cache.problems(), lint(level));
+  EXPECT_FALSE(cache.problems().empty());
+  for (int i = 0; i < 60; ++i) {
+    const int border = random() % 2 == 0 ? 16'384 : 32'768;
+    const Cell cell{border - 12 + static_cast<int>(random() % 24), static_cast<int>(random() % 3)};
+    level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
+    cache.note_cell(cell);
+    ASSERT_TRUE(cache.advance(level, {}, 1));
+    ASSERT_EQ(cache.problems(), lint(level)) << i;
+  }
+}
+
 TEST(LintCache, AChangedTileIsLookedAtInAllBlocksALittleAtATime) {
   std::mt19937 random(3);
   Level level = random_slopes(64, 8, random);
