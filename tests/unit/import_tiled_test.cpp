@@ -106,10 +106,14 @@ TEST(ImportTiled, FlagsComeByNumberAndByName) {
       1 | 4 | 128);
   EXPECT_EQ(flags(R"({"name":"flags","value":5},{"name":"solid","value":false})"), 4)
       << "a name says it last";
-  const LoadedLevel named = read(
-      map_text({.tiles = tile_text("", R"({"name":"ladder","value":true},{"name":"flags","value":16})")}));
-  EXPECT_EQ(named.level.flag_names[5], "ladder") << "flag 4 is in use";
-  EXPECT_EQ(named.level.tile_flags(17), 16 | 32);
+  const auto named = [](const std::string& properties) {
+    return read(map_text({.tiles = tile_text("", R"({"name":"ladder","value":true})" + properties)})).level;
+  };
+  EXPECT_EQ(named("").flag_names[4], "ladder") << "the first flag without a role";
+  EXPECT_EQ(named("").tile_flags(17), 16);
+  const Level numbered = named(R"(,{"name":"flags","value":32})");
+  EXPECT_EQ(numbered.flag_names[5], "ladder") << "which the same tiles have by number";
+  EXPECT_EQ(numbered.tile_flags(17), 32);
   EXPECT_EQ(read(map_text({.tiles = tile_text("", R"({"name":"collidable","value":true})")}))
                 .level.tile_shapes[17]
                 .kind,
@@ -335,13 +339,13 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
   used.choices.used_tiles = true;
   const auto loaded = read_level(text, used);
   ASSERT_TRUE(loaded);
-  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(1, 4, 2, 3));
+  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(1, 3, 2, 4));
   using Kind = TileShape::Kind;
   EXPECT_EQ(loaded->level.tile_shapes[1], (TileShape{.kind = Kind::slope, .heights = {0, 4}}));
-  EXPECT_EQ(loaded->level.tile_shapes[4], (TileShape{.kind = Kind::slope, .heights = {4, 0}}));
+  EXPECT_EQ(loaded->level.tile_shapes[3], (TileShape{.kind = Kind::slope, .heights = {4, 0}}));
   EXPECT_EQ(loaded->level.tile_shapes[2],
             (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 4}}));
-  EXPECT_EQ(loaded->level.tile_shapes[3], TileShape()) << "it is steeper than a line over its columns can be";
+  EXPECT_EQ(loaded->level.tile_shapes[4], TileShape()) << "it is steeper than a line over its columns can be";
 }
 
 class ImportTiledFiles : public TiledFilesTest {
