@@ -47,7 +47,9 @@ FormatResult<Exported> export_playable(const ExportRequest& request,
   const FormatResult<Level> cart = playable_cart(request);
   if (!cart) return tl::unexpected(cart.error());
   FormatResult<Exported> written = write({*cart, request.name, request.read_asset});
-  if (written) written->code_bytes = cart->cart->bytes.size();  // a text without sections: code alone
+  if (!written) return written;
+  written->code_bytes = cart->cart->bytes.size();  // a text without sections: code alone
+  for (std::string& what : dropped_solver(request.level)) written->dropped.push_back(std::move(what));
   return written;
 }
 

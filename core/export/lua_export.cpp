@@ -11,7 +11,9 @@ FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   if (!runtime) return tl::unexpected(runtime.error());
   std::string level = lua_level(request.level);
   const std::size_t code = runtime->size() + level.size();
-  return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}}, {}, code};
+  return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}},
+                  dropped_solver(request.level),
+                  code};
 }
 
 FormatResult<Exported> export_love(const ExportRequest& request) {
@@ -20,7 +22,7 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
   Exported out{{{"talus.lua", std::move(*runtime)},
                 {"level.lua", lua_level(request.level)},
                 {"sheet.png", write_png_part(request.level, PngPart::tiles)}},
-               {}};
+               dropped_solver(request.level)};
   for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua"}) {
     FormatResult<std::string> text = request.read_asset("templates/" + name);
     if (!text) return tl::unexpected(text.error());

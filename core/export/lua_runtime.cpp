@@ -15,4 +15,9 @@ FormatResult<std::string> lua_runtime(const ExportRequest& request, bool with_mo
   return join_lua_parts(texts);
 }
 
+std::vector<std::string> dropped_solver(const Level& level) {
+  if (level.tuning.solver == SolverKind::exact) return {};
+  return {"the solver " + std::string(solver_name(level.tuning.solver)) + ": the game moves by exact"};
+}
+
 }  // namespace talus
