@@ -5,19 +5,17 @@
 namespace talus {
 
 FormatResult<Exported> export_lua(const ExportRequest& request) {
-  const std::string head =
-      "-- A level exported by Talus: plain data, lengths in px, y down, lists from 1. The tile at a column "
-      "and\n"
-      "-- row, both from 0, is map[row + 1][column + 1]; its shape, if any, shapes[tile]. floor: how far "
-      "below\n"
-      "-- the tile's top the ground is, in the middle of each column of pixels. polygons: the ground's "
-      "outline,\n"
-      "-- x, y, x, y, ..., clockwise on the screen, holes the other way.\n";
-  return Exported{{{"", head + "return " + print_plain(plain_json(request.level), Dialect::lua) + "\n"}}, {}};
+  const std::string head = R"(-- A level exported by Talus: plain data. Lengths are px, y goes down.
+-- The tile at a column and row, both from 0, is map[row + 1][column + 1], its flags flags.tiles[tile + 1],
+-- and its shape, if it has one, shapes[tile]. floor: how far below the tile's top the ground is, in the
+-- middle of each column of pixels. polygons: the ground's outline, x, y, x, y, ..., clockwise on the screen,
+-- holes the other way. lines: what stops bodies on their left hand side alone, and curves.
+)";
+  return Exported{{{"", head + print_plain(plain_json(request.level), Dialect::lua)}}, {}};
 }
 
 FormatResult<Exported> export_json(const ExportRequest& request) {
-  return Exported{{{"", print_plain(plain_json(request.level), Dialect::json) + "\n"}}, {}};
+  return Exported{{{"", print_plain(plain_json(request.level), Dialect::json)}}, {}};
 }
 
 }  // namespace talus

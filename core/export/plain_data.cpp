@@ -101,6 +101,7 @@ void add_curve_points(Vec2 from, Vec2 to, const Height& height, std::vector<Vec2
     const double y = from.y + (to.y - from.y) * part;
     error = std::max(error, std::abs(height(from.x + (to.x - from.x) * part) - y));
   }
+  error *= (to.x - from.x) / std::hypot(to.x - from.x, to.y - from.y);  // from upright to the line's distance
   const double middle = (from.x + to.x) / 2;
   if (error <= kPlainLineError || !(middle > from.x && middle < to.x)) return points.push_back(to);
   const Vec2 between{middle, height(middle)};

@@ -86,6 +86,26 @@ OrderedJson spawns_of(const Level& level) {
   return spawns;
 }
 
+// Lists of more tables are functions of so many each in Lua: LuaJIT takes no more than 65536 constants, of
+// which each table of numbers is one, in a function.
+constexpr std::size_t kMostEntries = 4096;
+
+constexpr std::string_view kJoin =
+    "local function join(parts)\n"
+    " local all={}\n"
+    " for _,part in ipairs(parts) do for _,entry in ipairs(part()) do all[#all+1]=entry end end\n"
+    " return all\n"
+    "end\n";
+
+bool is_nested(const OrderedJson& list) {
+  return std::any_of(list.begin(), list.end(),
+                     [](const OrderedJson& entry) { return entry.is_structured(); });
+}
+
+bool is_long(const OrderedJson& list) {
+  return list.is_array() && list.size() > kMostEntries && is_nested(list);
+}
+
 class PlainPrinter {
  public:
   explicit PlainPrinter(Dialect dialect) : is_lua_(dialect == Dialect::lua) {}
@@ -94,21 +114,18 @@ class PlainPrinter {
     if (value.is_number_float()) return append_number(text_, value.get<double>());
     if (value.is_string()) return print_string(value.get_ref<const std::string&>());
     if (value.is_primitive()) return void(text_ += value.dump());
-    const bool is_list = value.is_array();
-    const auto is_nested = [](const OrderedJson& v) { return v.is_structured(); };
-    const bool in_lines = depth == 0 || (depth == 1 && std::any_of(value.begin(), value.end(), is_nested));
-    const std::string line_break = "\n" + std::string(static_cast<std::size_t>(depth), ' ');
-    text_ += is_list && !is_lua_ ? '[' : '{';
+    if (is_lua_ && is_long(value)) return print_long(value, depth);
+    text_ += value.is_array() && !is_lua_ ? '[' : '{';
+    const bool in_lines = depth == 0 || (depth == 1 && is_nested(value));
     bool first = true;
-    for (auto it = value.begin(); it != value.end(); ++it) {
+    for (auto entry = value.begin(); entry != value.end(); ++entry, first = false) {
       if (!first) text_ += ',';
-      first = false;
-      if (in_lines) text_ += line_break + ' ';
-      if (!is_list) print_key(it.key());
-      print(*it, depth + 1);
+      if (in_lines) print_line_break(depth + 1);
+      if (value.is_object()) print_key(entry.key());
+      print(*entry, depth + 1);
     }
-    if (in_lines && !value.empty()) text_ += line_break;
-    text_ += is_list && !is_lua_ ? ']' : '}';
+    if (in_lines && !value.empty()) print_line_break(depth);
+    text_ += value.is_array() && !is_lua_ ? ']' : '}';
   }
 
   std::string take() { return std::move(text_); }
@@ -125,6 +142,20 @@ class PlainPrinter {
       text_.append("\"").append(key).append("\":");
     else
       text_.append(is_number ? "[" : "").append(key).append(is_number ? "]=" : "=");
+  }
+
+  void print_line_break(int depth) { text_.append("\n").append(static_cast<std::size_t>(depth), ' '); }
+
+  void print_long(const OrderedJson& list, int depth) {
+    text_ += "join{";
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (i % kMostEntries == 0) text_ += i == 0 ? "function() return {" : "} end,function() return {";
+      if (i % kMostEntries != 0) text_ += ',';
+      print_line_break(depth + 1);
+      print(list[i], depth + 1);
+    }
+    print_line_break(depth);
+    text_ += "} end}";
   }
 
   bool is_lua_;
@@ -158,7 +189,9 @@ OrderedJson plain_json(const Level& level) {
 std::string print_plain(const OrderedJson& value, Dialect dialect) {
   PlainPrinter printer(dialect);
   printer.print(value, 0);
-  return printer.take();
+  if (dialect == Dialect::json) return printer.take() + "\n";
+  const bool joins = std::any_of(value.begin(), value.end(), is_long);
+  return std::string(joins ? kJoin : "") + "return " + printer.take() + "\n";
 }
 
 }  // namespace talus

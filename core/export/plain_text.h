@@ -37,8 +37,8 @@ OrderedJson plain_shape_json(const PlainShape& shape);
 
 enum class Dialect { json, lua };
 
-// A member of the whole a line, and of a list of lists or objects in it an entry a line. Without a line break
-// at the end.
+// A member of the whole a line, and of a list of lists or objects in it an entry a line; in Lua with the
+// `return` before it, and, where lists are too long for LuaJIT, with a function that joins their parts.
 std::string print_plain(const OrderedJson& value, Dialect dialect);
 
 }  // namespace talus
