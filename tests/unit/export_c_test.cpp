@@ -113,9 +113,9 @@ TEST_F(ExportCFloors, TablesAndSpawnsAreRead) {
   level.sheet(SheetId::sprites).flags[255] = 3;
   EXPECT_EQ(run(level, {{12, 0}, {4, 0}, {12, 9}}), "7 129 3 0\n0  0\n2048\n2147483647\n2147483647\n");
   Spawn& spawn = level.spawns.emplace_back();
-  spawn.name = "a\"??/b";
+  spawn.name = "a\"?\?/b";
   spawn.position = {1.5, 0};
-  EXPECT_EQ(run(level, {}), "7 129 3 0\n1 a\"??/b 384\n");
+  EXPECT_EQ(run(level, {}), "7 129 3 0\n1 a\"?\?/b 384\n");
 }
 
 TEST_F(ExportCFloors, AreExactInTheDemo) {
