@@ -66,7 +66,7 @@ local function between(heights, width, x)
   return heights[i + 1] + (heights[i + 2] - heights[i + 1]) * (at - i)
 end
 
-local expected, found, slopes = {}, {}, 0
+local expected, found = {}, {}
 for cell = 0, level.width * level.height - 1 do
   local cx, cy = cell % level.width, math.floor(cell / level.width)
   local shape = level.shapes[level.tiles[cell + 1]]
@@ -87,7 +87,6 @@ for cell = 0, level.width * level.height - 1 do
   local gid = ground.data[cell + 1]
   local properties = gid > 0 and assert(tiles[gid], "no tile").properties or {}
   if properties.collidable and not properties.one_way then
-    if properties.slope then slopes = slopes + 1 end
     local heights = {properties.h0 or 8, properties.h1 or 8}
     if properties.heights then
       heights = {}
@@ -102,4 +101,3 @@ for pixel = 0, level.width * level.height * 64 - 1 do
       math.floor(pixel / (level.width * 8)), tostring(expected[pixel]), tostring(found[pixel])))
   end
 end
-print(slopes .. " cells with slopes as in the level")

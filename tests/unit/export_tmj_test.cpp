@@ -14,7 +14,8 @@ using testing::ElementsAre;
 Json exported() { return Json::parse(tiled_export_of(level_for_tiled(), "tmj", "cave.tmj").files[0].bytes); }
 
 Json tile(int id) {
-  for (const Json& tile : exported()["tilesets"][0]["tiles"]) {
+  const Json map = exported();
+  for (const Json& tile : map["tilesets"][0]["tiles"]) {
     if (tile["id"] == id) return tile;
   }
   return {};
