@@ -20,14 +20,18 @@ struct Chapter {
   bool kept_bodies = false;  // the edit neither added a body nor took one away
 };
 
+// By what a branch was made that the next change of the same kind runs again in place (see Timeline).
+enum class Draft : std::uint8_t { none, level, input };
+
 // Branches share what is before the frame at which they parted, so a copy is cheap.
 struct Branch {
   int id = 0;             // from 1, never used twice
   int parent = 0;         // id of the branch that it left, which may be gone; 0: none
-  std::int64_t fork = 0;  // the frame in which it left its parent
+  std::int64_t fork = 0;  // the last frame that it has from its parent; of a re-run from frame 0, that frame
   int revision = 0;       // grows when frames that have been run are run again in another way
-  bool draft = false;     // made by a re-run: the next one changes it in place (see Timeline)
-  int compared = 0;       // id of the branch that it is shown with; 0: none
+  Draft draft = Draft::none;
+  bool played_on = false;  // frames were played since it became a draft
+  int compared = 0;        // id of the branch that it is shown with; 0: none
 
   std::vector<Chapter> chapters;      // by first frame; at least one
   SharedLog<Input> inputs;            // of the steps that lead to the frames 1, 2...
@@ -47,6 +51,8 @@ struct Branch {
                                        [](std::int64_t f, const Chapter& s) { return f < s.first; });
     return static_cast<std::size_t>(next - chapters.begin()) - 1;
   }
+  // The level as it was there.
+  const VersionPtr& version_at(std::int64_t frame) const { return chapters[chapter_at(frame)].version; }
 };
 
 }  // namespace talus

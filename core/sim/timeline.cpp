@@ -58,6 +58,7 @@ void Timeline::step(const Input& input, bool with_record) {
   record_.clear();
   cursor_.step_by(input, with_record ? &record_ : nullptr);
   branch.inputs.push_back(input);
+  branch.played_on = true;
   branch.hashes.push_back(frame_hash(state()));
   keep(branch, state(), false);
   wanted_ = frame();

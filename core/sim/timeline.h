@@ -10,7 +10,9 @@
 // of its input still to be run, which catch_up() does, a little at a time. Running a draft again changes it
 // in place, so that a stroke of a hundred edits makes one branch; the branch that the first of them left
 // stays as it was, to be compared with. A draft ends being one when another branch, or itself, is switched
-// to.
+// to. A draft of an edited level is none for other input, nor one of other input for an edited level. Frames
+// that were played on a draft are nobody's draft: other input makes a new branch then, and so does the first
+// level edit after begin_series(), within whose strokes frames may be played.
 //
 // Recording never changes a result: solvers step the same states, whether anything is kept of them or not.
 #pragma once
@@ -67,6 +69,7 @@ class Timeline {
   void edit_and_rerun(const Level& level, const std::vector<Cell>* cells, std::int64_t from,
                       ScenePtr compiled = nullptr);
   void rerun(std::int64_t from);  // the same on the level as it is now
+  void begin_series();            // of level edits; the next one leaves what was played as it is
   // With a key held or not in the steps that lead to the frames first..last, clamped to 1..last_frame().
   void set_input(std::int64_t first, std::int64_t last, InputKey key, bool on);
   void set_mouse(std::int64_t first, std::int64_t last, Vec2 position);  // the same with the mouse's place
@@ -109,6 +112,7 @@ class Timeline {
   Recording recording(const Branch& branch, const Level& pictures) const;
 
   const ScenePtr& level_scene() const { return scene_; }  // of the level as it is now
+  const VersionPtr& level_version() const { return version_; }
 
   std::size_t keyframe_bytes() const { return keyframes_.bytes(); }
   // With up to a hundred bodies a seek takes no more steps than this.
@@ -128,7 +132,7 @@ class Timeline {
   bool set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled);
   void begin_chapter();
   void start_over();
-  Branch& draft();
+  Branch& draft(Draft kind, std::int64_t kept);
   void change_inputs(std::int64_t first, std::int64_t last, FunctionRef<void(Input&)> change);
   void renumber_grabs(Branch& branch);
   void run_again_after(Branch& branch, std::int64_t frame);

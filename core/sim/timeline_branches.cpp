@@ -89,7 +89,8 @@ void Timeline::fork_at(std::int64_t frame) {
   Branch branch = current();
   branch.parent = current_;
   branch.fork = frame;
-  branch.draft = false;
+  branch.draft = Draft::none;
+  branch.played_on = false;
   branch.compared = 0;
   branch.inputs.cut(static_cast<std::size_t>(frame));
   branch.hashes.cut(static_cast<std::size_t>(frame + 1));
@@ -115,7 +116,7 @@ void Timeline::restart() {
 
 void Timeline::leave() {
   Branch& branch = now();
-  branch.draft = false;
+  branch.draft = Draft::none;
   if (branch.last_frame() == 0 && branch.marks.empty() && branches_.size() > 1)
     std::erase_if(branches_, [this](const Branch& each) { return each.id == current_; });
 }
@@ -124,7 +125,7 @@ void Timeline::switch_to(int id) {
   if (find(id) == nullptr) return;
   if (id != current_) leave();
   current_ = id;
-  now().draft = false;
+  now().draft = Draft::none;
   run_from_ = current().run_frame();
   seek(wanted_);
 }

@@ -15,7 +15,7 @@ void Timeline::edit_and_rerun(const Level& level, const std::vector<Cell>* cells
 void Timeline::rerun(std::int64_t from) {
   from = std::clamp<std::int64_t>(from, 0, last_frame());
   if (last_frame() == 0) return start_over();
-  Branch& branch = draft();
+  Branch& branch = draft(Draft::level, from);
   if (from == 0) renumber_grabs(branch);
   std::erase_if(branch.chapters, [&](const Chapter& chapter) { return chapter.first >= from; });
   branch.chapters.push_back({from, version_, false});
@@ -41,7 +41,7 @@ void Timeline::change_inputs(std::int64_t first, std::int64_t last, FunctionRef<
   };
   while (first <= last && changed(first) == current().input(first)) ++first;
   if (first > last) return;
-  Branch& branch = draft();
+  Branch& branch = draft(Draft::input, first - 1);
   for (std::int64_t frame = first; frame <= last; ++frame)
     branch.inputs.set(static_cast<std::size_t>(frame - 1), changed(frame));
   run_again_after(branch, first - 1);
@@ -70,16 +70,23 @@ void Timeline::renumber_grabs(Branch& branch) {
   }
 }
 
-// The current branch if it is a draft, or a draft of it.
-Branch& Timeline::draft() {
-  if (current().draft) return now();
-  const int compared = current_;
-  const std::int64_t wanted = wanted_;
-  fork_at(last_frame());
-  wanted_ = wanted;
+void Timeline::begin_series() {
+  if (current().played_on) now().draft = Draft::none;
+}
+
+// The current branch if it is such a draft, or a draft of it. kept: the last frame that stays as it was.
+Branch& Timeline::draft(Draft kind, std::int64_t kept) {
+  const bool is_lost = kind == Draft::input && current().played_on;
+  if (current().draft != kind || is_lost) {
+    const int compared = current_;
+    const std::int64_t wanted = wanted_;
+    fork_at(last_frame());
+    wanted_ = wanted;
+    now().draft = kind;
+    now().compared = compared;
+  }
   Branch& branch = now();
-  branch.draft = true;
-  branch.compared = compared;
+  branch.fork = std::min(branch.fork, kept);
   return branch;
 }
 

@@ -245,6 +245,23 @@ TEST_F(SessionTimeline, TheInputRollIsEdited) {
   EXPECT_GT(session_.state().bodies[1].box.x, 120);
 }
 
+// Painting while it plays: a stroke is one run, however many frames pass, and the next stroke another.
+TEST_F(SessionTimeline, AStrokeWhileItPlaysMakesOneBranchAndTheNextAnother) {
+  steps(20);
+  session_.apply({act::SetEditRule{{.kind = EditRule::Kind::from_start}}, act::Play{}});
+  for (int stroke = 1; stroke <= 2; ++stroke) {
+    for (int x = 0; x < 5; ++x) {
+      paint({10 + x, 8 + stroke}, kSolid, stroke);
+      run_again();
+      session_.advance(2.5 * kFrame);
+    }
+    EXPECT_EQ(timeline().branches().size(), 1u + static_cast<std::size_t>(stroke));
+  }
+  EXPECT_GT(timeline().branches()[1].last_frame(), 20) << "what was played before the second stroke is kept";
+  session_.apply(act::Undo{});
+  EXPECT_EQ(timeline().branches().size(), 4u);
+}
+
 TEST_F(SessionTimeline, TrailsAreOfTheBodyAndMoveOnByAStep) {
   steps(50);
   const auto trail = session_.trail(timeline().current(), 1, 10, 50);

@@ -369,6 +369,79 @@ TEST(Timeline, TheMousesPlaceIsSetOverARangeAndTheRestRunAgain) {
   EXPECT_EQ(timeline.current().run_frame(), 0);
 }
 
+TEST(Timeline, OtherInputLeavesARunOnAnEditedLevelAsItIs) {
+  Timeline timeline(drop());
+  played(timeline, 20);
+  timeline.edit_and_rerun(with_tile(drop(), {0, 3}, 1), nullptr, 0);
+  finish(timeline);
+  const int edited = timeline.current().id;
+  timeline.set_input(5, 6, InputKey::left, true);
+  ASSERT_EQ(timeline.branches().size(), 3u);
+  EXPECT_FALSE(timeline.find(edited)->input(5).left);
+  EXPECT_EQ(timeline.compared()->id, edited);
+  timeline.set_input(9, 9, InputKey::left, true);
+  EXPECT_EQ(timeline.branches().size(), 3u) << "of one series";
+  finish(timeline);
+  timeline.edit_and_rerun(with_tile(drop(), {0, 2}, 1), nullptr, 0);
+  EXPECT_EQ(timeline.branches().size(), 4u) << "nor is other input a draft of an edited level";
+}
+
+TEST(Timeline, OtherInputLeavesWhatWasPlayedOnADraftAsItIs) {
+  Timeline timeline(drop());
+  played(timeline, 20);
+  timeline.set_input(5, 6, InputKey::left, true);
+  finish(timeline);
+  const int draft = timeline.current().id;
+  played(timeline, 10);
+  timeline.set_input(5, 5, InputKey::left, false);
+  ASSERT_EQ(timeline.branches().size(), 3u);
+  EXPECT_EQ(timeline.find(draft)->last_frame(), 30);
+  EXPECT_TRUE(timeline.find(draft)->input(5).left);
+}
+
+TEST(Timeline, AStrokeMayBePlayedThroughButTheNextOneLeavesWhatWasPlayed) {
+  Timeline timeline(drop());
+  played(timeline, 20);
+  Level level = drop();
+  const auto edit = [&](int x) {
+    level.map.set({x, 3}, 1);
+    timeline.edit_and_rerun(level, nullptr, 0);
+    finish(timeline);
+  };
+  timeline.begin_series();
+  for (int x = 0; x < 3; ++x) {
+    edit(x);
+    played(timeline, 1);
+  }
+  EXPECT_EQ(timeline.branches().size(), 2u);
+  const int first = timeline.current().id;
+  timeline.begin_series();
+  edit(3);
+  EXPECT_EQ(timeline.branches().size(), 3u);
+  EXPECT_EQ(timeline.find(first)->last_frame(), 23);
+  timeline.begin_series();
+  edit(4);
+  EXPECT_EQ(timeline.branches().size(), 3u) << "nothing was played on it";
+}
+
+TEST(Timeline, ABranchOfARerunLeavesItsParentWhereItIsRunAgain) {
+  Timeline timeline(drop());
+  played(timeline, 20);
+  timeline.rerun(0);
+  finish(timeline);
+  EXPECT_EQ(timeline.current().fork, 0);
+  timeline.set_input(8, 9, InputKey::left, true);
+  finish(timeline);
+  EXPECT_EQ(timeline.current().fork, 7);
+  timeline.set_input(12, 12, InputKey::left, true);
+  EXPECT_EQ(timeline.current().fork, 7);
+  timeline.set_input(3, 3, InputKey::left, true);
+  EXPECT_EQ(timeline.current().fork, 2);
+  finish(timeline);
+  timeline.rerun(10);
+  EXPECT_EQ(timeline.current().fork, 10);
+}
+
 TEST(Timeline, ManyEditsOfOneFrameAreOneChapterUnlessABodyComesOrGoes) {
   Timeline timeline(drop());
   played(timeline, 5);
