@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "metrics.h"
 #include "number_text.h"
@@ -10,22 +11,12 @@
 namespace talus {
 namespace {
 
-constexpr double kNoMotion = 1e-9;  // px, or share of a step: less is rounding
-
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 bool is_slanted(Vec2 normal) { return normal.x != 0 && normal.y != 0; }
 std::string px(double distance) { return short_text(distance) + " px"; }
 
 std::string place_of(Cell cell) {
   return " at (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
-}
-
-std::string name_of(const Scene& scene, const Obstacle& other) {
-  if (other.body != 0) return "body " + std::to_string(other.body);
-  if (other.curve >= 0) return name_of_curve(scene, other.curve);
-  if (other.role == TileRole::up_slope) return "the up-slope" + place_of(other.cell);
-  if (other.role == TileRole::down_slope) return "the down-slope" + place_of(other.cell);
-  return "the tile" + place_of(other.cell);
 }
 
 // "the left side of the tile at (12, 9)"; of a slope's own line, the slope; of no side, the whole.
@@ -94,7 +85,7 @@ class ContactSentence {
   bool is_cut() const { return is_exact() && tuning().exact.substeps > 1; }  // into parts of a step
 
   std::string when() const {
-    if (contact_.ti < kNoMotion) return " at once";
+    if (contact_.ti < kOnlyRounding) return " at once";
     const bool is_whole = path_ != nullptr && contact_.move == path_->goal - path_->from.position();
     const bool of_step = !is_cut() && (contact_.order == 0 || is_whole);
     const std::string what = of_step ? "the step" : is_cut() ? "a part of the step" : "the motion left";
@@ -130,10 +121,10 @@ class ContactSentence {
     if (contact_.overlaps) return "";
     const double left = length(motion_left());
     const std::optional<Vec2> after = motion_after();
-    if (left < kNoMotion || !after) return "";
+    if (left < kLeastTold || !after) return "";
     const double went = length(*after);
-    if (went < kNoMotion) return "; " + px(left) + " of motion left went into it and is lost";
-    if (rebounds() && dot(*after, contact_.normal) > kNoMotion)
+    if (went < kLeastTold) return "; " + px(left) + " of motion left went into it and is lost";
+    if (rebounds() && dot(*after, contact_.normal) > kOnlyRounding)
       return "; it bounced off and went on " + px(went) + " " + direction_of(*after);
     const std::string slid = " slid " + direction_of(*after);
     if (short_text(went) == short_text(left)) return "; " + px(left) + " of motion left" + slid;
@@ -166,33 +157,48 @@ std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
   const Vec2 wanted = path.goal - path.from.position(), got = path.to.position() - path.from.position();
   std::string text = "Body " + std::to_string(path.body);
   if (frame.state.grabbed == path.body) text += ", held by the mouse,";
-  text += " wanted to go " + short_text(wanted) + " px";
-  return length(wanted - got) < kNoMotion ? text + " and did."
-                                          : text + " and went " + short_text(got) + " px.";
+  text += " wanted to go " + motion_text(wanted) + " px";
+  return length(wanted - got) < kLeastTold ? text + " and did."
+                                           : text + " and went " + motion_text(got) + " px.";
 }
 
+// Whether a contact that the solver left alone took some of the way nevertheless: World slides a body along
+// what it meets, and only then the article asks whether a slope has put the body on its floor.
+bool only_stops(const ContactRecord& contact) {
+  if (contact.handled || contact.response == Response::cross) return false;
+  return dot(contact.move, contact.normal) * (1 - std::clamp(contact.ti, 0.0, 1.0)) <= -kLeastTold;
+}
+
+// The first contact that turned the body, and the first that only stopped it, each in full; the others by
+// their number.
 std::string reasons(const Frame& frame, const BodyPath& path) {
   const auto& contacts = frame.record.contacts;
   std::string text;
+  bool has_met = false, has_turned = false, has_stopped = false;
   std::size_t more = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].body != path.body || !has_effect(contacts[i])) continue;
-    if (!text.empty()) {
+    if (contacts[i].body != path.body) continue;
+    has_met = true;
+    const bool stops = only_stops(contacts[i]);
+    if (!stops && !has_effect(contacts[i])) continue;
+    if (std::exchange(stops ? has_stopped : has_turned, true)) {
       ++more;
       continue;
     }
     const bool was_put = contacts[i].overlaps || contacts[i].response == Response::cross;
-    text = (was_put ? " It " : " It was ") + explain_contact(frame, i).sentence;
+    text += text.empty() ? " It " : ". Then it ";
+    text += (was_put ? "" : "was ") + explain_contact(frame, i).sentence;
   }
   if (more > 0)
     text += "; " + std::to_string(more) + (more == 1 ? " more contact" : " more contacts") + " followed";
   if (!text.empty()) return text + ".";
+  const std::string met = has_met ? " Nothing that it met changed its way" : " It met nothing";
   const Vec2 off = path.to.position() - path.goal;
-  if (length(off) < kNoMotion) return " It met nothing.";
+  if (length(off) < kLeastTold) return met + ".";
   const Body* body = frame.state.find(path.body);
   const bool walks = body->kind == BodyKind::player && body->gait.grounded;
-  if (walks) return " It met nothing, and then was moved by " + short_text(off) + " px, onto its floor.";
-  return " It met nothing, and its speed changed on the way.";
+  if (walks) return met + ", and then it was moved by " + motion_text(off) + " px, onto its floor.";
+  return met + ", and its speed changed on the way.";
 }
 
 }  // namespace
@@ -201,6 +207,14 @@ std::string name_of_curve(const Scene& scene, int curve) {
   const auto number = static_cast<std::size_t>(curve);
   const bool named = number < scene.curve_names.size() && !scene.curve_names[number].empty();
   return "curve " + (named ? '"' + scene.curve_names[number] + '"' : std::to_string(curve));
+}
+
+std::string name_of(const Scene& scene, const Obstacle& other) {
+  if (other.body != 0) return "body " + std::to_string(other.body);
+  if (other.curve >= 0) return name_of_curve(scene, other.curve);
+  if (other.role == TileRole::up_slope) return "the up-slope" + place_of(other.cell);
+  if (other.role == TileRole::down_slope) return "the down-slope" + place_of(other.cell);
+  return "the tile" + place_of(other.cell);
 }
 
 Explanation explain_contact(const Frame& frame, std::size_t index) {
@@ -224,9 +238,9 @@ std::string explain_step(const FrameView& view, int body) {
   text += reasons(frame, *path);
   if (path->capped) text += " It met more contacts than a step handles, and the rest of its motion is lost.";
   if (path->limited) text += " Its way or its speed was cut to the largest allowed.";
-  if (before != nullptr && before->velocity != after->velocity)
-    text += " Its velocity went from " + short_text(before->velocity) + " to " + short_text(after->velocity) +
-            " px/frame.";
+  if (before == nullptr) return text;
+  const std::string was = motion_text(before->velocity), is = motion_text(after->velocity);
+  if (was != is) text += " Its velocity went from " + was + " to " + is + " px/frame.";
   return text;
 }
 

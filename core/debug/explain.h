@@ -16,6 +16,9 @@ struct Explanation {
 // What a curve is called: curve "hill" by its name, or, without one, curve 2 by its number.
 std::string name_of_curve(const Scene& scene, int curve);
 
+// What a body met: "the tile at (12, 9)", "body 3", curve "hill".
+std::string name_of(const Scene& scene, const Obstacle& other);
+
 // What a contact did. index: of the frame's record (asserted).
 Explanation explain_contact(const Frame& frame, std::size_t index);
 

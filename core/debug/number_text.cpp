@@ -26,6 +26,16 @@ std::string short_text(double number) {
   return text;
 }
 
-std::string short_text(Vec2 v) { return "(" + short_text(v.x) + ", " + short_text(v.y) + ")"; }
+std::string short_text(Vec2 v) {
+  const auto part = [](double p) { return short_text(std::abs(p) < kOnlyRounding ? 0 : p); };
+  return "(" + part(v.x) + ", " + part(v.y) + ")";
+}
+
+std::string motion_text(Vec2 v) {
+  const auto part = [](double p) { return std::abs(p) < kLeastTold ? 0 : p; };
+  const Vec2 told{part(v.x), part(v.y)};
+  if (told != Vec2{} || short_text(v) == "(0, 0)") return short_text(told);
+  return "less than " + exact_text(kLeastTold);
+}
 
 }  // namespace talus

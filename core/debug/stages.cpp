@@ -9,11 +9,29 @@
 namespace talus {
 namespace {
 
-constexpr double kNoMotion = 1e-9;  // px: less is rounding
+constexpr std::size_t kMostNames = 4;  // in a sentence
 
-bool is_motion(Vec2 v) { return std::abs(v.x) > kNoMotion || std::abs(v.y) > kNoMotion; }
+bool is_more_than(Vec2 v, double least) { return std::abs(v.x) > least || std::abs(v.y) > least; }
+bool is_told(Vec2 v) { return is_more_than(v, kLeastTold); }
 std::string count_of(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+// "the tile at (12, 9), body 3 and 2 more".
+std::string names_of(const Scene& scene, const std::vector<Obstacle>& all) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), kMostNames); ++i)
+    text += (i == 0 ? "" : ", ") + name_of(scene, all[i]);
+  if (all.size() > kMostNames) text += " and " + std::to_string(all.size() - kMostNames) + " more";
+  return text;
+}
+
+// Whether a box on its way comes as far as another, with their sides at least.
+bool comes_to(const Rect& box, Vec2 motion, const Rect& other) {
+  return other.x <= box.right() + std::max(motion.x, 0.0) &&
+         other.right() >= box.x + std::min(motion.x, 0.0) &&
+         other.y <= box.bottom() + std::max(motion.y, 0.0) &&
+         other.bottom() >= box.y + std::min(motion.y, 0.0);
 }
 
 class StageList {
@@ -24,12 +42,12 @@ class StageList {
   std::vector<Stage> make() {
     const Vec2 wanted = path_.goal - path_.from.position();
     add(StageKind::wanted, wanted,
-        is_motion(wanted) ? "wants to go " + short_text(wanted) + " px" : "wants to stay");
+        is_more_than(wanted, kOnlyRounding) ? "wants to go " + motion_text(wanted) + " px" : "wants to stay");
     const auto& contacts = frame_.record.contacts;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (contacts[i].body == path_.body) add_contact(i);
     }
-    if (!met_) search(wanted);
+    if (!met_) search(wanted, nullptr);
     add_end();
     return std::move(stages_);
   }
@@ -48,7 +66,7 @@ class StageList {
   }
 
   // Exact searches anew for each contact; the others find all of a motion's contacts at once.
-  void search(Vec2 motion) {
+  void search(Vec2 motion, const ContactRecord* found) {
     if (!is_exact() && searched_) return;
     searched_ = true;
     Stage& stage = add(StageKind::searched, motion, {});
@@ -59,13 +77,30 @@ class StageList {
       stage.candidates = std::move(trace.candidates);
       stage.sentence = "looked at " + count_of(stage.cells.size(), "cell") + ", of which " +
                        count_of(stage.candidates.size(), "side") + " faced the motion";
+      add_bodies(stage, found);
       return;
     }
     for (const TestedBox& tested : frame_.record.tested) {
-      if (tested.body == path_.body) stage.cells.push_back(tested.other.cell);
+      if (tested.body == path_.body) stage.tested.push_back(tested.other);
     }
     stage.sentence =
-        "tested " + std::to_string(stage.cells.size()) + (stage.cells.size() == 1 ? " box" : " boxes");
+        stage.tested.empty() ? "no box was in its way" : "tested " + names_of(*frame_.scene, stage.tested);
+  }
+
+  // Exact notes none of the bodies that it tested: they were those that the motion came to. Who has a lower
+  // number had moved by then. found: what the search found; null: nothing.
+  void add_bodies(Stage& stage, const ContactRecord* found) {
+    if (!frame_.scene->features.pairs) return;
+    const int met = found != nullptr ? found->other.body : 0;
+    for (const BodyPath& path : frame_.record.paths) {
+      const Rect& box = path.body < path_.body ? path.to : path.from;
+      const bool near = path.body == met || comes_to(stage.box, stage.motion, box);
+      if (path.body == path_.body || !near) continue;
+      stage.tested.push_back({TileRole::ball, frame_.state.find(path.body)->origin.cell, path.body, box});
+    }
+    if (!stage.tested.empty()) stage.sentence += "; tested " + names_of(*frame_.scene, stage.tested);
+    if (met == 0) return;
+    for (CastCandidate& candidate : stage.candidates) candidate.is_first = false;
   }
 
   void add_contact(std::size_t index) {
@@ -76,7 +111,7 @@ class StageList {
     } else if (is_exact() && index > 0) {
       box_ = at(box_position_);
     }
-    search(contact.move);
+    search(contact.move, &contact);
     const Explanation why = explain_contact(frame_, index);
     Stage& met = add(StageKind::met, contact.move, why.sentence);
     met.numbers = why.numbers;
@@ -87,8 +122,8 @@ class StageList {
     Stage& placed = add(StageKind::placed, {}, "put at " + short_text(box_position_));
     placed.contact = static_cast<int>(index);
     const Vec2 left = motion_after(index);
-    if (!is_motion(left)) return;
-    Stage& on = add(StageKind::went_on, left, "goes on by " + short_text(left) + " px");
+    if (!is_told(left)) return;
+    Stage& on = add(StageKind::went_on, left, "goes on by " + motion_text(left) + " px");
     on.contact = static_cast<int>(index);
   }
 
@@ -105,7 +140,7 @@ class StageList {
   // Where the part of the step was begun that led to a contact; the parts before it may have met nothing.
   Vec2 start_of(const ContactRecord& contact) const {
     const Vec2 start = contact.touch - contact.move * std::clamp(contact.ti, 0.0, 1.0);
-    return is_motion(start - box_position_) ? start : box_position_;
+    return is_more_than(start - box_position_, kOnlyRounding) ? start : box_position_;
   }
 
   // What the next contact began with; after the last one, what it took to get where the body is.
@@ -121,13 +156,13 @@ class StageList {
   // A walker is put on the floor below after all its motion; of the others the last motion leads to the end.
   void add_end() {
     const Vec2 rest = path_.to.position() - box_.position();
-    const bool snaps = is_exact() && !met_ && is_motion(path_.to.position() - path_.goal);
+    const bool snaps = is_exact() && !met_ && is_told(path_.to.position() - path_.goal);
     if (snaps) {
       box_ = at(path_.goal);
       const Vec2 by = path_.to.position() - path_.goal;
-      add(StageKind::snapped, by, "put on the floor that it walks on, " + short_text(by) + " px away");
-    } else if (is_motion(rest) && !met_) {
-      add(StageKind::went_on, rest, "nothing in the way: goes " + short_text(rest) + " px");
+      add(StageKind::snapped, by, "put on the floor that it walks on, " + motion_text(by) + " px away");
+    } else if (is_told(rest) && !met_) {
+      add(StageKind::went_on, rest, "nothing in the way: goes " + motion_text(rest) + " px");
     }
     box_ = path_.to;
     std::string text = "arrives at " + short_text(path_.to.position());

@@ -22,13 +22,15 @@ enum class StageKind {
 
 struct Stage {
   StageKind kind = StageKind::wanted;
-  Rect box;                               // px, the body's at this stage
-  Vec2 motion;                            // px, that it has before it
-  int contact = -1;                       // index into the record's contacts; -1: it is about none
-  std::string sentence;                   // what happened, without a full stop
-  std::string numbers;                    // of a contact, as Explanation::numbers
-  std::vector<Cell> cells;                // of `searched`: looked at
-  std::vector<CastCandidate> candidates;  // of `searched`: tested, with the time of each
+  Rect box;              // px, the body's at this stage
+  Vec2 motion;           // px, that it has before it
+  int contact = -1;      // index into the record's contacts; -1: it is about none
+  std::string sentence;  // what happened, without a full stop
+  std::string numbers;   // of a contact, as Explanation::numbers
+  // Of `searched`. Only exact looks at cells; article and bump test boxes alone, of tiles and of bodies.
+  std::vector<Cell> cells;                // looked at
+  std::vector<CastCandidate> candidates;  // sides that were tested, with the time of each
+  std::vector<Obstacle> tested;           // whose boxes were tested; of exact bodies alone
 };
 
 // In order; none at frame 0, and of a body that did not move in this step.

@@ -47,7 +47,7 @@ class StageDrawer {
   }
 
   void draw_search() {
-    add_visited_cells({&stage_, 1}, out_);
+    add_visited({&stage_, 1}, out_);
     for (const CastCandidate& c : stage_.candidates) {
       const bool is_met = std::isfinite(c.t);
       out_.lines.push_back({.overlay = c.is_first ? OverlayId::touch_points : OverlayId::outline,
@@ -82,15 +82,17 @@ class StageDrawer {
 
 }  // namespace
 
-void add_visited_cells(std::span<const Stage> stages, OverlayDrawing& drawing) {
-  std::vector<Cell> seen;
+void add_visited(std::span<const Stage> stages, OverlayDrawing& drawing) {
+  std::vector<Rect> seen;
+  const auto add = [&](const Rect& box) {
+    if (std::find(seen.begin(), seen.end(), box) != seen.end()) return;
+    seen.push_back(box);
+    drawing.boxes.push_back({OverlayId::tested_tiles, box, true});
+  };
   for (const Stage& stage : stages) {
-    for (const Cell cell : stage.cells) {
-      if (std::find(seen.begin(), seen.end(), cell) != seen.end()) continue;
-      seen.push_back(cell);
-      const Rect box{1.0 * cell.x * kTileSide, 1.0 * cell.y * kTileSide, kTileSide, kTileSide};
-      drawing.boxes.push_back({OverlayId::tested_tiles, box, true});
-    }
+    for (const Cell cell : stage.cells)
+      add({1.0 * cell.x * kTileSide, 1.0 * cell.y * kTileSide, kTileSide, kTileSide});
+    for (const Obstacle& tested : stage.tested) add(tested.box);
   }
 }
 

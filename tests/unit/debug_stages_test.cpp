@@ -169,8 +169,76 @@ TEST(Stages, OfWorldHaveTheBoxesThatWereTestedOnce) {
   EXPECT_EQ(std::count_if(stages.begin(), stages.end(),
                           [](const Stage& s) { return s.kind == StageKind::searched; }),
             1);
-  EXPECT_FALSE(stages[1].cells.empty());
+  const auto floor = std::find_if(stages[1].tested.begin(), stages[1].tested.end(), [](const Obstacle& o) {
+    return o.cell == Cell{1, 11};
+  });
+  ASSERT_NE(floor, stages[1].tested.end());
+  EXPECT_EQ(floor->box, (Rect{8, 88, 8, 8}));
+  EXPECT_THAT(stages[1].sentence, testing::StartsWith("tested the "));
+  EXPECT_THAT(stages[1].sentence, testing::HasSubstr("the tile at (1, 11)"));
   EXPECT_EQ(stages.back().box, frame.state.bodies[0].box);
+}
+
+// Body 2 hangs 1 px below body 1, 40 px from where its number would put it.
+TEST(Stages, OfWorldHaveTheBodiesThatWereTestedWhereTheyAre) {
+  Level level = level_with_a_slope(SolverKind::article);
+  level.sheet(SheetId::tiles).flags[3] = 1 << 1;
+  level.map.set({1, 2}, 3);
+  level.map.set({1, 8}, 3);
+  Frame frame = frame_after(level, 40);
+  const std::vector<Stage> stages = stages_of(frame, 1);
+  ASSERT_GT(stages.size(), 1u);
+  const auto& tested = stages[1].tested;
+  const auto other =
+      std::find_if(tested.begin(), tested.end(), [](const Obstacle& o) { return o.body == 2; });
+  ASSERT_NE(other, tested.end()) << stages[1].sentence;
+  EXPECT_EQ(other->box, frame.state.bodies[1].box);
+  EXPECT_NE(other->box.y, 64) << "it has moved";
+  EXPECT_THAT(stages[1].sentence, testing::HasSubstr("body 2"));
+}
+
+// A ball that flies into another one in the air: no side of the ground is near.
+TEST(Stages, OfExactHaveTheBodiesAmongTheCandidates) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  level.tuning.exact.gravity = 0;
+  level.tuning.article.fall_blend = 0;
+  place(level, {10, 20}, {6, 0});
+  place(level, {21, 20}, {0, 0});
+  place(level, {60, 20}, {0, 0});
+  const Frame frame = frame_after(level, 1);
+  ASSERT_FALSE(frame.record.contacts.empty());
+  ASSERT_EQ(frame.record.contacts[0].other.body, 2);
+  const std::vector<Stage> stages = stages_of(frame, 1);
+  ASSERT_EQ(stages[1].kind, StageKind::searched);
+  ASSERT_EQ(stages[1].tested.size(), 1u) << "the third is far away";
+  EXPECT_EQ(stages[1].tested[0].body, 2);
+  EXPECT_EQ(stages[1].tested[0].box, (Rect{21, 20, 8, 8}));
+  EXPECT_THAT(stages[1].sentence, testing::EndsWith("; tested body 2"));
+  for (const CastCandidate& candidate : stages[1].candidates) EXPECT_FALSE(candidate.is_first);
+}
+
+// It came to rest on the slope: what is left to it is rounding, which is no motion to tell of.
+TEST(Stages, TellNoMotionThatIsTooSmallToBeSeen) {
+  Frame frame = frame_after(level_with_a_slope(SolverKind::article), 0);
+  Body& body = frame.state.bodies.emplace_back();
+  body.id = 1;
+  body.box = {10, 80, 8, 8};
+  frame.record.paths = {{.body = 1, .from = {10, 80, 8, 8}, .goal = {10 - 1e-9, 80.2}, .to = body.box}};
+  ContactRecord& contact = frame.record.contacts.emplace_back();
+  contact.body = 1;
+  contact.other.cell = {1, 11};
+  contact.move = {-1e-9, 0.2};
+  contact.normal = {0, -1};
+  contact.touch = {10, 80};
+  contact.handled = true;
+  frame.record.paths[0].to.x -= 1e-9;
+  const std::vector<Stage> stages = stages_of(frame, 1);
+  EXPECT_THAT(kinds(stages), ElementsAre(StageKind::wanted, StageKind::searched, StageKind::met,
+                                         StageKind::placed, StageKind::arrived));
+  EXPECT_EQ(stages[0].sentence, "wants to go (0, 0.2) px");
+  EXPECT_EQ(
+      stages[2].sentence,
+      "stopped by the top of the tile at (1, 11) at once; 0.2 px of motion left went into it and is lost");
 }
 
 TEST(Stages, ThereAreNoneAtFrameZeroAndOfNoBody) {
