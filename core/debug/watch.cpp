@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 namespace {
@@ -18,6 +19,12 @@ SeriesPoint joined(const SeriesPoint& a, const SeriesPoint& b) {
 }
 
 }  // namespace
+
+double Watch::value(const FrameView& view) const {
+  const bool is_about_none = expression.asks_body() && view.now().state.find(body) == nullptr;
+  if (is_about_none && expression.type() == ValueType::truth) return std::numeric_limits<double>::quiet_NaN();
+  return expression.evaluate(view, body);
+}
 
 Series::Series(std::int64_t first, std::size_t most) : first_(first), most_(most) {
   assert(most >= 2 && most % 2 == 0);
@@ -51,8 +58,7 @@ bool WatchRun::advance(const FrameSource& source, std::int64_t frames) {
   for (; frames > 0 && next_ <= source.last(); --frames, ++next_) {
     history_.go_to(source, next_);
     const FrameView view = history_.view();
-    for (std::size_t i = 0; i < watches_.size(); ++i)
-      series_[i].add(watches_[i].expression.evaluate(view, watches_[i].body));
+    for (std::size_t i = 0; i < watches_.size(); ++i) series_[i].add(watches_[i].value(view));
   }
   return next_ > source.last();
 }

@@ -42,6 +42,10 @@ class Series {
 struct Watch {
   Expression expression;
   int body = 0;  // id
+
+  // In the newest frame of a view. NaN: nothing there, such as the truth about a body that is gone, which
+  // conditions take for false.
+  double value(const FrameView& view) const;
 };
 
 // Makes the series of several watches over frames of a recording, a few frames at a time; goes on when the

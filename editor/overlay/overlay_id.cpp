@@ -10,7 +10,10 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
   // white, lighter ones of their hues, and red for what is wrong.
   static constexpr std::array<OverlayInfo, kOverlayCount> kInfos = {{
       {OverlayId::boxes, "boxes", "boxes",
-       "Outlines of solids, slopes and bodies as the collision sees them.", 0x56b4e9, 0x50aac8},
+       "Outlines of the bodies, and of the solids and slopes that article and bump test: exact has the "
+       "outline "
+       "instead.",
+       0x56b4e9, 0x50aac8},
       {OverlayId::normals, "normals", "contact normals",
        "Arrows out of the touched sides, and out of the slopes that a body was put on.", 0xe69f00, 0x8c8c00},
       {OverlayId::touch_points, "touch_points", "touch points",
@@ -27,8 +30,7 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        0xd55e00, 0xaa8c50},
       {OverlayId::tested_tiles, "tested_tiles", "cells visited",
        "Tinted boxes that the last step tested: of article and bump the tiles in the bodies' ways, of exact "
-       "the "
-       "cells that the chosen body's casts looked at.",
+       "the cells that the chosen body's casts looked at, and the bodies near its way.",
        0xf4f4f4, 0xe4ffc8},
       {OverlayId::answer, "answer", "right answer",
        "Of a hard case: where bodies start, where they should be, and the floor they should keep to.",
@@ -44,8 +46,9 @@ const std::array<OverlayInfo, kOverlayCount>& overlay_infos() {
        0x288c8c},
       {OverlayId::swept_path, "swept_path", "swept path",
        "The way of each body in the last step, with its box at every contact.", 0x8fd3ff, 0x6ee4ff},
-      {OverlayId::trails, "trails", "trails", "Where the bodies' centres were in the last frames.", 0xffb7e0,
-       0xffe48c},
+      {OverlayId::trails, "trails", "trails",
+       "Where the chosen body's centre was in the last frames; with none chosen, those of the first four.",
+       0xffb7e0, 0xffe48c},
       {OverlayId::penetration, "penetration", "penetration",
        "In red, how deep a body is inside of the ground, and the shortest way out.", 0xff6b6b, 0xc850ff},
       {OverlayId::shapes, "shapes", "shapes",

@@ -38,7 +38,7 @@ const Series* Watches::series(const Entry& entry) const {
 
 double Watches::value(const Entry& entry, const FrameView& view, int chosen_body) {
   if (!entry.expression) return std::numeric_limits<double>::quiet_NaN();
-  return entry.expression->evaluate(view, body_of(entry.watch, chosen_body));
+  return Watch{*entry.expression, body_of(entry.watch, chosen_body)}.value(view);
 }
 
 bool Watches::advance(const FrameSource& source, int chosen_body, std::int64_t most_frames) {

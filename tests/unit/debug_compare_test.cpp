@@ -138,4 +138,19 @@ TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
   EXPECT_EQ(steps, (std::vector<double>{3, 5, 7, 9, 0}));
 }
 
+// As a condition it is false, but nothing was measured.
+TEST(Watch, OfTheTruthAboutNoBodyIsNothing) {
+  MadeFrames source({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 0, 0)})});
+  FrameHistory history(1);
+  history.go_to(source, 1);
+  const Expression grounded = *Expression::parse("grounded");
+  EXPECT_TRUE(std::isnan((Watch{grounded, 0}.value(history.view()))));
+  EXPECT_EQ((Watch{grounded, 1}.value(history.view())), 0);
+  EXPECT_EQ((Watch{*Expression::parse("frame > 0"), 0}.value(history.view())), 1) << "asks about no body";
+  WatchRun run({{grounded, 0}, {grounded, 1}}, 0, 16);
+  run.advance(source, 2);
+  EXPECT_TRUE(std::isnan(run.series()[0].points()[1].last));
+  EXPECT_EQ(run.series()[1].points()[1].last, 0);
+}
+
 }  // namespace talus::debug_compare_test
