@@ -1,6 +1,7 @@
 #include "number_label.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace talus {
 
@@ -19,6 +20,11 @@ std::string no_decimals(double value) { return formatted(std::chars_format::fixe
 std::string two_decimals(double value) {
   const std::string text = formatted(std::chars_format::fixed, 2, value);
   return text == "-0.00" ? "0.00" : text;
+}
+
+std::string small_too(double value) {
+  const bool is_small = value != 0 && std::abs(value) < 0.005;
+  return is_small ? formatted(std::chars_format::scientific, 1, value) : two_decimals(value);
 }
 
 std::string one_decimal(double value) {

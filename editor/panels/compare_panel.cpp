@@ -19,7 +19,7 @@ constexpr std::array<const char*, 6> kColumns = {"body", "apart px", "x", "y", "
 
 void draw_cell(double value, Ui& ui) {
   ImGui::TableNextColumn();
-  ui.right_aligned(std::isinf(value) ? "alone" : two_decimals(value));
+  ui.right_aligned(std::isinf(value) ? "alone" : small_too(value));
   ui.tooltip(all_digits(value));
 }
 
@@ -27,16 +27,15 @@ void draw_cell(double value, Ui& ui) {
 
 void ComparePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_choice(session, actions, ui);
-  if (!session.other_state()) {
-    ui.hint(session.debugger().side_by_side().variant()
-                ? "The other side is still being run."
-                : "Choose what to compare with: the same input goes through both, and the other side "
-                  "is drawn as ghosts. Runs on changed levels are compared as branches: see the list "
-                  "beside the timeline.");
+  if (!is_compared(session)) {
+    ui.hint(
+        "Choose what to compare with: the same input goes through both, and the other side is drawn as "
+        "ghosts. Runs on changed levels are compared as branches: see the list beside the timeline.");
     return;
   }
   draw_parting(session, actions, ui);
-  draw_bodies(session, actions, ui);
+  if (session.other_state() != nullptr) return draw_bodies(session, actions, ui);
+  draw_missing(session, actions, ui);
 }
 
 void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui) {
@@ -64,9 +63,9 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   ImGui::TextUnformatted("apart by more than");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ui.px(64));
-  double& parting = ui.view.parting;
-  ImGui::InputDouble("##threshold", &parting, 0, 0, "%.6g");
-  parting = std::isfinite(parting) ? std::max(parting, 0.0) : 0;
+  double parting = session.debugger().parting();
+  if (ImGui::InputDouble("##threshold", &parting, 0, 0, "%.6g"))
+    actions.push_back(action::SetParting{parting});
   ui.item("compare/threshold", "How far apart, px, counts as parted.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
@@ -79,6 +78,19 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   if (const Series* series = session.debugger().parting_series())
     draw_timeline_plot("compare/plot", "How far the chosen body is from its other self, px. ", series,
                        theme::tone(theme::kError), ui.px(44), session, actions, ui);
+}
+
+void ComparePanel::draw_missing(const Session& session, Actions& actions, Ui& ui) {
+  ui.begin_row();
+  ImGui::TextUnformatted((missing_side(session) + ".").c_str());
+  ui.item("compare/missing");
+  ImGui::SameLine();
+  if (session.debugger().comparing_progress(session.timeline()))
+    command_text_button("compare/cancel", "timeline/cancel", session, actions, ui);
+  else if (ui.text_button("compare/end", "Show its last frame", false,
+                          "Shows the last frame that both sides have."))
+    actions.push_back(action::SeekFrame{session.debugger().other_end().value_or(0)});
+  ui.end_row();
 }
 
 void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frame_zoom.h"
 #include "overlay/number_label.h"
 
 namespace talus {
@@ -57,10 +58,10 @@ void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, Im
     has_before = is_number;
   }
   const ImU32 muted = theme::tone(theme::kMuted);
-  list.AddText({min.x + ui.px(3), min.y}, muted, two_decimals(range.greatest).c_str());
+  list.AddText({min.x + ui.px(3), min.y}, muted, small_too(range.greatest).c_str());
   const float text = ImGui::GetTextLineHeight();
   if (max.y - min.y > 2 * text && span > 0)
-    list.AddText({min.x + ui.px(3), max.y - text}, muted, two_decimals(range.least).c_str());
+    list.AddText({min.x + ui.px(3), max.y - text}, muted, small_too(range.least).c_str());
 }
 
 void draw_timeline_plot(const std::string& name, std::string_view help, const Series* series, ImU32 color,
@@ -69,12 +70,17 @@ void draw_timeline_plot(const std::string& name, std::string_view help, const Se
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   const ImVec2 max{std::max(right, min.x + 1), min.y + height};
   ImGui::InvisibleButton(name.c_str(), {max.x - min.x, height});
-  const FrameAxis axis{min.x, max.x - min.x, 0, std::max<std::int64_t>(session.timeline().last_frame(), 1)};
+  const std::int64_t last = session.timeline().last_frame();
+  const FrameAxis axis = axis_of(ui.view.debugger.frames, last, min.x, max.x - min.x);
   const std::int64_t pointed_at = axis.frame_at(ImGui::GetIO().MousePos.x);
-  ui.item(name, std::string(help) + "Frame " + std::to_string(pointed_at) + "; click to show it.");
+  ui.item(name, std::string(help) + "Frame " + std::to_string(pointed_at) + "; click to show it.",
+          "wheel zooms, middle button drags");
+  handle_frame_zoom(axis, last, ui);
   if (ImGui::IsItemActive()) actions.push_back(action::SeekFrame{pointed_at});
-  if (series != nullptr)
-    draw_plot(*ImGui::GetWindowDrawList(), *series, axis, min, max, session.state().frame, color, ui);
+  if (series == nullptr) return;
+  ImGui::PushClipRect(min, max, true);
+  draw_plot(*ImGui::GetWindowDrawList(), *series, axis, min, max, session.state().frame, color, ui);
+  ImGui::PopClipRect();
 }
 
 }  // namespace talus

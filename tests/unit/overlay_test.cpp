@@ -9,6 +9,7 @@
 
 #include "overlay/motion.h"
 #include "overlay/number_label.h"
+#include "overlay/stage_drawing.h"
 
 namespace talus::overlay_test {
 
@@ -375,6 +376,27 @@ TEST(NumberLabel, PartsOfNormalsAreShort) {
   EXPECT_EQ(one_decimal(-1), "-1");
   EXPECT_EQ(one_decimal(-0.04), "0");
   EXPECT_EQ(one_decimal(0.96), "1");
+}
+
+TEST(NumberLabels, OfDifferencesHaveDigitsHoweverSmall) {
+  EXPECT_EQ(small_too(0), "0.00");
+  EXPECT_EQ(small_too(1.234), "1.23");
+  EXPECT_EQ(small_too(-0.005), "-0.01");
+  EXPECT_EQ(small_too(9.5367e-07), "9.5e-07");
+  EXPECT_EQ(small_too(-0.0012), "-1.2e-03");
+}
+
+TEST(VisitedBoxes, AreThoseOfCellsAndOfWhatWasTestedEachOnce) {
+  Stage stage;
+  stage.kind = StageKind::searched;
+  stage.cells = {{2, 3}, {2, 3}};
+  stage.tested = {{.role = TileRole::solid, .cell = {2, 3}, .body = 0, .box = {16, 24, 8, 8}},
+                  {.role = TileRole::ball, .cell = {9, 9}, .body = 3, .box = {18.5, 20, 8, 8}}};
+  OverlayDrawing drawing;
+  add_visited({&stage, 1}, drawing);
+  ASSERT_EQ(drawing.boxes.size(), 2u);
+  EXPECT_EQ(drawing.boxes[0].box, (Rect{16, 24, 8, 8}));
+  EXPECT_EQ(drawing.boxes[1].box, (Rect{18.5, 20, 8, 8})) << "where the body is, and not where it started";
 }
 
 }  // namespace talus::overlay_test
