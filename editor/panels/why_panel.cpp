@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "debug/explain.h"
+#include "wrapped_text.h"
 
 namespace talus {
 namespace {
@@ -30,11 +31,20 @@ std::string_view title_of(StageKind kind) {
   return {};
 }
 
-void wrapped(const std::string& text, ImU32 color) {
+// Broken into lines of up to `width` px.
+std::string wrapped(const std::string& text, float width) {
+  const auto fits = [width](std::string_view line) {
+    return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
+  };
+  std::string lines;
+  for (const std::string_view line : lines_between_words(text, fits))
+    lines.append(lines.empty() ? "" : "\n").append(line);
+  return lines;
+}
+
+void draw_text(const std::string& text, ImU32 color) {
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
@@ -50,7 +60,8 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint("No step yet: F10 makes one, and what happened in it is told here.");
     return;
   }
-  wrapped(explain_step(session.frame_view(), body), theme::tone(theme::kText));
+  draw_text(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
+            theme::tone(theme::kText));
   ImGui::Spacing();
   command_button("why/before", "why/before", Icon::step_back, session, actions, ui);
   ImGui::SameLine();
@@ -70,12 +81,12 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     const Stage& stage = session.stages()[i];
     const bool chosen = ui.view.stage == static_cast<int>(i);
     ImGui::PushID(static_cast<int>(i));
-    const float wrap = ImGui::GetContentRegionAvail().x - indent;
-    const auto height_of = [&](const std::string& text) {
-      return text.empty() ? 0.0f : ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
+    const float width = ImGui::GetContentRegionAvail().x - indent;
+    const std::string sentence = wrapped(stage.sentence, width), numbers = wrapped(stage.numbers, width);
+    const auto height_of = [](const std::string& text) {
+      return text.empty() ? 0.0f : ImGui::CalcTextSize(text.c_str()).y;
     };
-    const float height =
-        std::max(height_of(stage.sentence) + height_of(stage.numbers), ImGui::GetTextLineHeight());
+    const float height = std::max(height_of(sentence) + height_of(numbers), ImGui::GetTextLineHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (chosen && shown_stage_ != ui.view.stage) ImGui::SetScrollHereY();
     if (ImGui::Selectable("##stage", chosen, ImGuiSelectableFlags_None, {0, height}))
@@ -85,10 +96,10 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     ImGui::SetCursorScreenPos(at);
     ui.heading(title_of(stage.kind));
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
-    wrapped(stage.sentence, theme::tone(theme::kText));
-    if (!stage.numbers.empty()) {
-      ImGui::SetCursorScreenPos({at.x + indent, at.y + height_of(stage.sentence)});
-      wrapped(stage.numbers, theme::tone(theme::kMuted));
+    draw_text(sentence, theme::tone(theme::kText));
+    if (!numbers.empty()) {
+      ImGui::SetCursorScreenPos({at.x + indent, at.y + height_of(sentence)});
+      draw_text(numbers, theme::tone(theme::kMuted));
     }
     ImGui::SetCursorScreenPos(next);
     ImGui::Dummy({0, 0});
