@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 namespace talus {
@@ -14,6 +15,20 @@ constexpr float kPull = 12;    // px at scale 1: a label's point further from it
 constexpr float kApart = 3;    // px at scale 1, between labels and what they keep clear of
 constexpr int kRanks = 4;
 constexpr int kSquaresOfWord = 64;
+
+// The top of a list that was moved up until it covers no label.
+float top_above(ScreenBox list, std::span<const PlacedLabel> placed) {
+  const float height = list.max.y - list.min.y;
+  const auto next = [&] {
+    return std::find_if(placed.begin(), placed.end(),
+                        [&](const PlacedLabel& p) { return p.box.meets(list); });
+  };
+  for (auto covered = next(); covered != placed.end(); covered = next()) {
+    list.max.y = covered->box.min.y;
+    list.min.y = list.max.y - height;
+  }
+  return list.min.y;
+}
 
 }  // namespace
 
@@ -29,6 +44,12 @@ ScreenBox ScreenBox::grown(float by) const { return {{min.x - by, min.y - by}, {
 
 ImVec2 ScreenBox::nearest(ImVec2 p) const {
   return {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
+}
+
+bool ScreenBox::is_within(float reach, const ScreenBox& b) const {
+  const float x = std::max({min.x - b.max.x, b.min.x - max.x, 0.0f});
+  const float y = std::max({min.y - b.max.y, b.min.y - max.y, 0.0f});
+  return x * x + y * y <= reach * reach;
 }
 
 float ScreenBox::distance(const ScreenBox& b) const {
@@ -79,19 +100,25 @@ bool TakenBoxes::meet(const ScreenBox& box) const {
 
 std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels) {
   std::vector<PlacedLabel> placed;
-  std::vector<const OverlayLabel*> without_room;
+  std::vector<const OverlayLabel*> chosen, pointed;  // that find no room
+  std::unordered_set<int> crowded;  // bodies with another such label: in a crowd most of the time went there
   for (int rank = 0; rank < kRanks; ++rank) {
     for (const OverlayLabel& label : labels) {
-      if (rank_of(label) != rank) continue;
+      if (rank_of(label) != rank || (rank > 0 && crowded.contains(label.body))) continue;
       if (const auto found = find_room(label)) {
         taken_.add(found->box);
         placed.push_back(*found);
       } else if (label.body == pointed_at_) {
-        without_room.push_back(&label);
+        pointed.push_back(&label);
+      } else if (label.important && body_of(label).meets({view_.min, view_.max})) {
+        chosen.push_back(&label);
+      } else {
+        crowded.insert(label.body);
       }
     }
   }
-  list(without_room, placed);
+  list(pointed, placed);
+  list(chosen, placed);
   return placed;
 }
 
@@ -126,7 +153,7 @@ std::optional<PlacedLabel> LabelPlacer::find_room(const OverlayLabel& label) con
     if (label.overlay == OverlayId::slope_delta) std::swap(corners[0], corners[4]);  // above its bar
     for (ImVec2 corner : corners) {
       const ScreenBox box{corner, {corner.x + size.x, corner.y + size.y}};
-      if (box.inside(canvas) && box.distance(body) <= kLabelReach * scale_ && is_free(box))
+      if (box.inside(canvas) && box.is_within(kLabelReach * scale_, body) && is_free(box))
         return PlacedLabel{&label, box, at};
     }
   }
@@ -135,7 +162,7 @@ std::optional<PlacedLabel> LabelPlacer::find_room(const OverlayLabel& label) con
 
 bool LabelPlacer::is_free(const ScreenBox& box) const { return !taken_.meet(box.grown(kApart * scale_)); }
 
-// Below one another beside the body under the mouse, over whatever else is there.
+// Below one another beside their body, over whatever else is there.
 void LabelPlacer::list(std::span<const OverlayLabel* const> labels, std::vector<PlacedLabel>& placed) const {
   if (labels.empty()) return;
   ImVec2 all{0, 0};
@@ -146,7 +173,10 @@ void LabelPlacer::list(std::span<const OverlayLabel* const> labels, std::vector<
   const ScreenBox body = body_of(*labels.front()).grown(kPull * scale_);
   ImVec2 at{body.max.x, body.min.y - all.y};
   if (at.x + all.x > view_.max.x) at.x = body.min.x - all.x;
+  at.y = top_above({at, {at.x + all.x, at.y + all.y}}, placed);
   if (at.y < view_.min.y) at.y = body.max.y;
+  at.x = std::max(std::min(at.x, view_.max.x - all.x), view_.min.x);
+  at.y = std::max(std::min(at.y, view_.max.y - all.y), view_.min.y);
   for (const OverlayLabel* label : labels) {
     const float height = size_of(*label).y;
     placed.push_back({label, {at, {at.x + all.x, at.y + height}}, {}});

@@ -19,14 +19,15 @@ struct ScreenBox {
   bool meets(const ScreenBox& b) const;
   bool inside(const ScreenBox& b) const;
   ScreenBox grown(float by) const;
-  ImVec2 nearest(ImVec2 p) const;            // its point that is nearest to p
-  float distance(const ScreenBox& b) const;  // 0 when they touch
+  ImVec2 nearest(ImVec2 p) const;                         // its point that is nearest to p
+  float distance(const ScreenBox& b) const;               // 0 when they touch
+  bool is_within(float reach, const ScreenBox& b) const;  // their distance is no more; quicker
 };
 
 struct PlacedLabel {
   const OverlayLabel* label;
   ScreenBox box;                // of the plate below the text
-  std::optional<ImVec2> point;  // to draw a line from; nothing in the list of the body under the mouse
+  std::optional<ImVec2> point;  // to draw a line from; nothing in a list beside its body
 };
 
 inline constexpr float kLabelReach = 40;  // px at scale 1, of labels from their body: no room, no label
@@ -53,8 +54,8 @@ class TakenBoxes {
 
 class LabelPlacer {
  public:
-  // taken: what no label may cover. pointed_at: id of the body under the mouse, whose labels come first and
-  // are listed beside it where they find no room; 0: none.
+  // taken: what no label may cover. pointed_at: id of the body under the mouse, 0: none. Its labels and those
+  // of the chosen body, the important ones, come first, and are listed beside it where they find no room.
   LabelPlacer(const CanvasView& view, float scale, int pointed_at, std::span<const ScreenBox> taken)
       : view_(view),
         scale_(scale),

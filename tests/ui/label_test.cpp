@@ -61,6 +61,40 @@ TEST_F(UiLabels, WithoutRoomAreLeftOutAndListedUnderTheMouse) {
   EXPECT_FALSE(listed[0].point);
 }
 
+// Such as that of a stage, which comes last.
+TEST_F(UiLabels, ThatAreListedCoverNoOther) {
+  const Rect body{40, 40, 8, 8};
+  const CanvasView canvas = view(4);
+  std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {60, 30}, "0.55, 0.00"),
+                                      label(OverlayId::touch_points, 1, body, {48, 40}, "t 0.00")};
+  for (OverlayLabel& each : labels) each.important = true;
+  // Room for one label, beside the body's upper right corner.
+  const std::vector<ScreenBox> taken = {
+      {{0, 0}, {200, 300}}, {{0, 0}, {400, 120}}, {{0, 150}, {400, 300}}, {{320, 0}, {400, 300}}};
+  const auto placed = LabelPlacer(canvas, 1, 0, taken).place(labels);
+  ASSERT_EQ(placed.size(), 2u);
+  EXPECT_TRUE(placed[0].point);
+  EXPECT_FALSE(placed[1].point) << "it is listed";
+  EXPECT_FALSE(placed[0].box.meets(placed[1].box));
+}
+
+// At zoom 16 a ramp and a gauge take all the room beside a body.
+TEST_F(UiLabels, OfTheChosenBodyAreListedToo) {
+  const Rect body{10, 8, 8, 8};
+  const CanvasView canvas = view(16);
+  std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {20, 12}, "5.00, 0.00"),
+                                      label(OverlayId::slope_delta, 1, body, {14, 6}, "delta 0.61")};
+  const std::vector<ScreenBox> everything = {{{0, 0}, {400, 300}}};
+  EXPECT_TRUE(LabelPlacer(canvas, 1, 0, everything).place(labels).empty());
+  for (OverlayLabel& each : labels) each.important = true;
+  const auto listed = LabelPlacer(canvas, 1, 0, everything).place(labels);
+  ASSERT_EQ(listed.size(), 2u);
+  for (const PlacedLabel& placed : listed) EXPECT_TRUE(placed.box.inside({{0, 0}, {400, 300}}));
+  EXPECT_EQ(listed[1].box.min.y, listed[0].box.max.y);
+  for (OverlayLabel& each : labels) each.body_box = {100, 8, 8, 8};
+  EXPECT_TRUE(LabelPlacer(canvas, 1, 0, everything).place(labels).empty()) << "the body is out of sight";
+}
+
 TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasThem) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(1);
