@@ -19,8 +19,8 @@ namespace talus {
 namespace {
 
 constexpr float kFarZoom = 0.25f;
-constexpr float kLeastScreen = 16;          // px of the screen: closer borders would be all that is seen
-constexpr double kSamePlace = 0.005;        // px: closer bodies hide one another
+constexpr float kLeastScreen = 16;    // px of the screen: closer borders would be all that is seen
+constexpr double kSamePlace = 0.005;  // px: closer bodies hide one another
 
 // The corner and the opposite corner of an image on its sheet's texture.
 struct SheetUv {

@@ -7,8 +7,8 @@
 
 #include "canvas_layers.h"
 #include "case_note.h"
-#include "compare_choice.h"
 #include "commands.h"
+#include "compare_choice.h"
 #include "flag_label.h"
 #include "input_roll.h"
 #include "mouse_mark.h"
@@ -63,10 +63,10 @@ std::string flag_caption(const Session& session, FlagPattern pattern, bool paint
 // What the keyboard's cursor is ready for.
 std::string cursor_hint(const Ui& ui) {
   if (ui.view.cursor.pen_down())
-    return "   pen down: " + keys_of(find_command("cursor/pen"), ui) + " lifts it";
+    return "   pen down: " + keys_of(find_command("view/cursor"), ui) + " lifts it";
   return "   " + keys_of(find_command("cursor/press"), ui) + ": left button   " +
-         keys_of(find_command("cursor/pen"), ui) + ": pen down   " + keys_of(find_command("cursor/end"), ui) +
-         ": end";
+         keys_of(find_command("view/cursor"), ui) + ": pen down   " +
+         keys_of(find_command("cursor/end"), ui) + ": end";
 }
 
 Rgb rgb_of(ImU32 color) {
@@ -212,6 +212,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
       ui.view.second_map = is_second_;
     }
   }
+  if (hovered && ImGui::IsMouseClicked(0) && ui.view.hover.cell) ui.view.debugger.clicked_cell = cell;
   const bool is_held = panning_ || holding_ || is_editing();
   if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
   if (pick_cell(session, ui, cell, hovered)) return;
@@ -377,7 +378,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
   if (!ui.view.split_compared) draw_ghosts(list, session, view, ui.scale);
-  std::vector<ScreenBox> covered{{view.min, {view.max.x, captions_end(session, view, ui)}}};
+  std::vector<ScreenBox> covered{captions_box(session, view, ui)};
   if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
   draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage, covered);
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
@@ -423,20 +424,21 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
   return captions;
 }
 
-// y below which nothing is written, where the captions leave no room beside them for the legend.
-float LevelCanvas::captions_end(const Session& session, const CanvasView& view, const Ui& ui) const {
-  const auto lines = captions(session, view, ui);
-  float width = 0;
-  for (const Caption& line : lines)
-    width = std::max(width, ImGui::CalcTextSize(line.text.c_str()).x + 2 * ui.px(6) + 2 * ui.px(4));
-  const float legend = OverlayLegend::width(session.choices(), ui);
-  if (width + legend <= view.max.x - view.min.x) return view.min.y;
-  return view.min.y +
-         static_cast<float>(lines.size()) * (ImGui::GetTextLineHeight() + ui.px(4) + ui.px(4));
+ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& view, const Ui& ui) const {
+  const float gap = ui.px(4), line = ImGui::GetTextLineHeight() + ui.px(4) + gap;
+  ScreenBox box{view.min, view.min};
+  for (const Caption& caption : captions(session, view, ui)) {
+    const float width = ImGui::CalcTextSize(caption.text.c_str()).x + 2 * ui.px(6);
+    box.max = {std::max(box.max.x, view.min.x + gap + width), box.max.y + line};
+  }
+  return box;
 }
 
+// Beside the captions, or below them where they leave no room.
 OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
-  return {session.choices(), view, captions_end(session, view, ui), ui};
+  const ScreenBox captions = captions_box(session, view, ui);
+  const bool beside = captions.max.x + OverlayLegend::width(session.choices(), ui) <= view.max.x;
+  return {session.choices(), view, beside ? view.min.y : captions.max.y, ui};
 }
 
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {

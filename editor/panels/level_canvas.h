@@ -66,7 +66,7 @@ class LevelCanvas {
     std::uint32_t color;
   };
   std::vector<Caption> captions(const Session& session, const CanvasView& view, const Ui& ui) const;
-  float captions_end(const Session& session, const CanvasView& view, const Ui& ui) const;
+  ScreenBox captions_box(const Session& session, const CanvasView& view, const Ui& ui) const;
   OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
   bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
   void follow_body(const Session& session, const Ui& ui);

@@ -32,19 +32,20 @@ void MapTextureCache::update(const Level& level, std::uint64_t revision, Ui& ui)
   revision_ = revision;
 }
 
-std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, int block,
-                                                        const MapLook& look) {
+std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, int block, const MapLook& look,
+                                                        const OtherLevel* other) {
   std::vector<Piece> found;
-  const TileMap& map = level_->map;
+  const OtherLevel shown = other != nullptr ? *other : OtherLevel{level_, revision_, 0};
+  const TileMap& map = shown.level->map;
   const auto part = shared(cells, {0, 0, map.width(), map.height()});
   if (!part) return found;
   const std::int64_t side = std::int64_t{kSide} * block;  // cells
   const auto index = [&](int cell) { return static_cast<int>(cell / side); };
   for (int row = index(part->y); row <= index(part->y + part->h - 1); ++row) {
     for (int column = index(part->x); column <= index(part->x + part->w - 1); ++column) {
-      const Key key{block, look.hide_balls, column, row};
+      const Key key{shown.place, block, look.hide_balls, column, row};
       Texture& texture = textures_[key];
-      if (is_stale(texture, block, look)) draw(texture, key, look);
+      if (is_stale(texture, block, look, shown.number)) draw(texture, key, look, shown);
       texture.used = frame_;
       const Cell from{static_cast<int>(column * side), static_cast<int>(row * side)};
       const int w = static_cast<int>(std::min<std::int64_t>(side, map.width() - from.x));
@@ -61,16 +62,18 @@ std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, i
   return found;
 }
 
-bool MapTextureCache::is_stale(const Texture& texture, int block, const MapLook& look) const {
+bool MapTextureCache::is_stale(const Texture& texture, int block, const MapLook& look,
+                               std::uint64_t revision) const {
   if (texture.name == 0 || texture.look != look) return true;
-  return texture.revision != revision_ && (block == 1 || frame_ - texture.drawn >= kFramesBetween);
+  return texture.revision != revision && (block == 1 || frame_ - texture.drawn >= kFramesBetween);
 }
 
-void MapTextureCache::draw(Texture& texture, const Key& key, const MapLook& look) const {
-  const auto [block, hides_balls, column, row] = key;
+void MapTextureCache::draw(Texture& texture, const Key& key, const MapLook& look,
+                           const OtherLevel& shown) const {
+  const auto [place, block, hides_balls, column, row] = key;
   const Cell from{column * kSide * block, row * kSide * block};
-  auto rgba = map_picture(level_->map, tile_colors(*level_, look), from, block, kSide, kSide);
-  texture.revision = revision_;
+  auto rgba = map_picture(shown.level->map, tile_colors(*shown.level, look), from, block, kSide, kSide);
+  texture.revision = shown.number;
   texture.look = look;
   texture.drawn = frame_;
   if (texture.name != 0 && rgba == texture.rgba) return;

@@ -22,7 +22,8 @@ class MapTextureCache : public MapTextures {
 
   // At the start of a frame. level: until the next call. revision: of the level, as Session counts it.
   void update(const Level& level, std::uint64_t revision, Ui& ui);
-  std::vector<Piece> pieces(const CellRect& cells, int block, const MapLook& look) override;
+  std::vector<Piece> pieces(const CellRect& cells, int block, const MapLook& look,
+                            const OtherLevel* other) override;
 
  private:
   static constexpr int kSide = 256;          // texels of a texture
@@ -37,11 +38,12 @@ class MapTextureCache : public MapTextures {
     std::uint64_t revision = 0;         // of the level that it shows
     std::uint64_t drawn = 0, used = 0;  // frames
   };
-  // Which texture: block, balls hidden, column and row among those of the same kind.
-  using Key = std::tuple<int, bool, int, int>;
+  // Which texture: place of the other level (0: the one that is edited), block, balls hidden, column and row
+  // among those of the same kind.
+  using Key = std::tuple<int, int, bool, int, int>;
 
-  bool is_stale(const Texture& texture, int block, const MapLook& look) const;
-  void draw(Texture& texture, const Key& key, const MapLook& look) const;
+  bool is_stale(const Texture& texture, int block, const MapLook& look, std::uint64_t revision) const;
+  void draw(Texture& texture, const Key& key, const MapLook& look, const OtherLevel& shown) const;
   void forget_oldest();
 
   const Level* level_ = nullptr;

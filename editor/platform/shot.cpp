@@ -71,7 +71,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   draw_tiles(list, session.level(), view, ui, true);
   draw_curves(list, session.level(), view, ui.scale);
-  draw_bodies(list, session, view, ui, 255);
+  draw_bodies(list, session, session.level(), view, ui, 255);
   draw_overlays(list, session, options.overlays, view, ui.scale);
   ImGui::Render();
   const auto picture = draw_picture();

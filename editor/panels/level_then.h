@@ -1,0 +1,41 @@
+// LevelThen: the level as it was at a frame, for views of what was played: its bodies move over what was
+// there then, and not over what was painted since.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "session/session.h"
+
+namespace talus {
+
+class LevelThen {
+ public:
+  // Looks up a frame of a branch. Costs nothing while it is of the level as it is now; else a copy of the
+  // level is kept until a frame with another version of it is looked up, or the level is edited.
+  void show(const Session& session, const Branch& branch, std::int64_t frame);
+
+  // The rest is about the frame that was shown last. Whether its level was another than the session's.
+  bool is_other() const { return is_other_; }
+  // The level to draw: the copy, or the session's.
+  const Level& level(const Session& session) const { return is_other_ ? level_ : session.level(); }
+  std::uint64_t number() const { return number_; }  // of the copy: it grows when that changes
+  // Cells with another tile than now, row by row; none where the maps have not one size.
+  const std::vector<Cell>& changed() const { return changed_; }
+  // "Level as it was at this frame (other: 3 cells, tuning); edits go to the newest".
+  const std::string& caption() const { return caption_; }
+
+ private:
+  void take(const Session& session);
+
+  VersionPtr version_;          // null: none was looked up
+  std::uint64_t revision_ = 0;  // of the session's level that it was compared with
+  bool is_other_ = false;
+  std::uint64_t number_ = 0;
+  Level level_;
+  std::vector<Cell> changed_;
+  std::string caption_;
+};
+
+}  // namespace talus

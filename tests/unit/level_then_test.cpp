@@ -1,0 +1,113 @@
+// The level that a view of what was played shows.
+#include "panels/level_then.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace talus::level_then_test {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr std::uint8_t kSolid = 1, kBall = 2;
+
+Level room() {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.sheet(SheetId::tiles).flags[kSolid] = 1 << 0;
+  level.sheet(SheetId::tiles).flags[kBall] = 1 << 1;
+  level.map.set({2, 1}, kBall);
+  for (int x = 0; x < 30; ++x) level.map.set({x, 12}, kSolid);
+  return level;
+}
+
+class LevelOfAFrame : public testing::Test {
+ protected:
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) session_.apply(action::StepFrame{});
+  }
+  void paint(Cell cell, std::uint8_t tile = kSolid) {
+    session_.apply(action::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}})});
+  }
+  void show() { then_.show(session_, session_.timeline().current(), session_.timeline().frame()); }
+  std::uint8_t tile_at(Cell cell) { return then_.level(session_).map.at(cell); }
+
+  Session session_{room()};
+  LevelThen then_;
+};
+
+TEST_F(LevelOfAFrame, IsTheOneBeforeWhatWasPaintedLater) {
+  steps(10);
+  paint({5, 3});
+  paint({6, 4});
+  steps(10);
+  show();
+  EXPECT_FALSE(then_.is_other());
+  EXPECT_EQ(&then_.level(session_), &session_.level()) << "no copy";
+  session_.apply(action::SeekFrame{9});
+  show();
+  ASSERT_TRUE(then_.is_other());
+  EXPECT_EQ(tile_at({5, 3}), 0);
+  EXPECT_THAT(then_.changed(), ElementsAre(Cell{5, 3}, Cell{6, 4}));
+  EXPECT_EQ(then_.caption(), "Level as it was at this frame (other: 2 cells); edits go to the newest");
+  EXPECT_EQ(session_.level().map.at({5, 3}), kSolid) << "what is edited stays the newest";
+  session_.apply(action::SeekFrame{10});
+  show();
+  EXPECT_FALSE(then_.is_other()) << "from that frame on";
+}
+
+TEST_F(LevelOfAFrame, OfAnOlderBranchIsTheBranchsOwn) {
+  steps(10);
+  const int old = session_.timeline().current().id;
+  session_.apply({action::SetEditRule{{.kind = EditRule::Kind::from_start}}});
+  paint({2, 5});
+  session_.apply(action::SwitchBranch{old});
+  show();
+  ASSERT_TRUE(then_.is_other());
+  EXPECT_EQ(tile_at({2, 5}), 0);
+}
+
+TEST_F(LevelOfAFrame, IsCopiedAgainOnlyWhenItIsAnother) {
+  steps(10);
+  paint({5, 3});
+  steps(10);
+  session_.apply(action::SeekFrame{4});
+  show();
+  const std::uint64_t number = then_.number();
+  const Level* copy = &then_.level(session_);
+  for (int frame = 0; frame < 9; ++frame) {
+    session_.apply(action::SeekFrame{frame});
+    show();
+    EXPECT_EQ(then_.number(), number) << frame;
+    EXPECT_EQ(&then_.level(session_), copy);
+  }
+}
+
+TEST_F(LevelOfAFrame, TellsWhatElseIsOther) {
+  steps(10);
+  Tuning tuning = session_.level().tuning;
+  tuning.article.fall_speed = 3;
+  session_.apply(action::EditLevel{set_tuning(session_.level(), tuning)});
+  steps(1);
+  session_.apply(action::SeekStart{});
+  show();
+  EXPECT_TRUE(then_.is_other());
+  EXPECT_THAT(then_.changed(), IsEmpty());
+  EXPECT_EQ(then_.caption(), "Level as it was at this frame (other: tuning); edits go to the newest");
+}
+
+TEST_F(LevelOfAFrame, ThatWasPaintedAndTakenBackIsTheSessions) {
+  steps(10);
+  paint({5, 3});
+  steps(5);
+  session_.apply(action::Undo{});
+  steps(5);
+  session_.apply(action::SeekStart{});
+  show();
+  EXPECT_FALSE(then_.is_other());
+  session_.apply(action::SeekFrame{12});
+  show();
+  EXPECT_EQ(tile_at({5, 3}), kSolid);
+}
+
+}  // namespace talus::level_then_test
