@@ -71,6 +71,7 @@ template void Actions::push_back(action::SetBreakpoint);
 template void Actions::push_back(action::RemoveBreakpoint);
 template void Actions::push_back(action::RunToStop);
 template void Actions::push_back(action::FindParting);
+template void Actions::push_back(action::SetParting);
 template void Actions::push_back(action::CancelSearch);
 template void Actions::push_back(action::SetWatch);
 template void Actions::push_back(action::RemoveWatch);

@@ -58,6 +58,24 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
   revision_ = branch.revision;
 }
 
+void Debugger::forget_run() {
+  compare_with(std::nullopt);
+  forget_parting();
+  const std::vector<Breakpoint> all = stops_.breakpoints();
+  for (Breakpoint breakpoint : all) {
+    breakpoint.enabled = false;
+    stops_.put(breakpoint);
+  }
+  stops_.forget_frames();
+  stop_.reset();
+  search_failed_ = false;
+  shown_.clear();
+  shown_frame_.forget();
+  other_frames_.clear();
+  other_frame_ = {};
+  branch_ = revision_ = 0;
+}
+
 void Debugger::search(const Timeline& timeline, SearchDirection direction) {
   search_failed_ = false;
   stop_.reset();

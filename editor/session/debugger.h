@@ -28,9 +28,15 @@ class Debugger {
   void search(const Timeline& timeline, SearchDirection direction);
   // The first frame in which a body is further than this, px, from the same one on the other side.
   void search_parting(double threshold);
+  // More than this, px, counts as parted; finite and 0 or more.
+  void set_parting(double threshold);
+  double parting() const { return parting_; }
   void cancel_search() { stops_.cancel_search(); }
 
   // --- While it runs
+  // The timeline is another level's now: nothing is compared any more, and the breakpoints, whose bodies and
+  // cells were the old one's, are switched off.
+  void forget_run();
   // Brings everything up to the timeline; to be called whenever that has changed.
   void follow(const Timeline& timeline, const Level& level);
   // Whether a step may be made: the hits of the breakpoints up to the shown frame are counted. If not, it
@@ -54,19 +60,39 @@ class Debugger {
   // The other side's state in the shown frame; null: there is none, or it has not come that far.
   const State* other_state(const Timeline& timeline) const;
   const Series* parting_series() const;  // px from the other side, of the chosen body; null: there is none
+  // The same frame of the other side, with the step that led there; null as other_state().
+  const Frame* other_frame(const Timeline& timeline) const;
+  // The last frame that the other side has; nothing: there is no other side.
+  std::optional<std::int64_t> other_end() const;
+  // The first frame in which the sides have parted: as far as it is known, of a comparison with a variant by
+  // more than parting(), with a branch at all.
+  std::optional<std::int64_t> parting_frame(const Timeline& timeline) const;
+  // How far a variant has been run, 0 to 1, while it is behind what is shown.
+  std::optional<double> comparing_progress(const Timeline& timeline) const;
 
  private:
   // The shown run with the other side; it must be followed (asserted).
   ComparedFrames source() const { return {*shown_.get(), side_.frames()}; }
   bool advance_plots(const Timeline& timeline, int chosen_body);
+  bool advance_parting();
+  void forget_parting();
 
   Stops stops_;
   Watches watches_, parting_watch_;
   SideBySide side_;
   FollowedFrames shown_;
   int branch_ = 0, revision_ = 0;  // of what is followed
+  int side_run_ = 0;
 
-  mutable ShownFrame shown_frame_;  // a cache
+  double parting_ = 0.01;
+  std::optional<StopSearch> parting_search_;
+  std::int64_t parting_searched_ = -1;  // the last frame that was
+  std::optional<std::int64_t> parting_frame_;
+
+  mutable ShownFrame shown_frame_;  // caches
+  mutable FollowedFrames other_frames_;
+  mutable Frame other_frame_;
+  mutable int other_run_ = 0;  // of that frame
 
   std::optional<Stop> stop_;
   bool search_failed_ = false;

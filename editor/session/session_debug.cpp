@@ -1,4 +1,7 @@
 // Session: stopping, watching and comparing.
+#include <algorithm>
+#include <cmath>
+
 #include "session_impl.h"
 
 namespace talus {
@@ -19,6 +22,10 @@ void Session::Impl::carry_out(const action::FindParting& a) {
   nothing_found = "As far as they have been run, no body is further from its other self.";
   debugger.follow(player.timeline(), level);
   debugger.search_parting(a.threshold);
+}
+
+void Session::Impl::carry_out(const action::SetParting& a) {
+  if (std::isfinite(a.threshold)) debugger.set_parting(std::max(a.threshold, 0.0));
 }
 
 void Session::Impl::play(double seconds) {

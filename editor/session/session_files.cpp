@@ -276,6 +276,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
     format = nullptr;
   }
   note_file();
+  choices.overlays.set(OverlayId::answer, false);
   read_hard_case();
   history.clear();
   ++revision;
@@ -283,7 +284,8 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   handmade_runs.clear();
   lint_cache.note_map();
   reach.forget();
-  trails = {};
+  trails = other_trails = {};
+  debugger.forget_run();
   scene_changes = {};
   choices.body = 0;
   choices.selection.reset();

@@ -19,6 +19,11 @@ FrameView ShownFrame::view(const Timeline& timeline, const FrameSource& source, 
   return history_.view();
 }
 
+void ShownFrame::forget() {
+  key_ = {};
+  history_.clear();
+}
+
 const std::vector<Stage>& ShownFrame::stages(int body) {
   if (staged_body_ != body) stages_ = stages_of(history_.view().now(), body);
   staged_body_ = body;

@@ -14,6 +14,7 @@ class ShownFrame {
   // next call for another frame.
   // other: the run of the other side whose frame is there; 0: none is.
   FrameView view(const Timeline& timeline, const FrameSource& source, int other);
+  void forget();  // the run is of another level now
   // Of the frame that was viewed last.
   const std::vector<Stage>& stages(int body);
 

@@ -20,9 +20,16 @@ void SideBySide::set_variant(std::optional<Variant> variant) {
   if (variant) variant_.emplace(*variant);
 }
 
+const Branch* SideBySide::branch(const Timeline& shown) const {
+  if (!variant_) return shown.compared();
+  return variant_->timeline() != nullptr ? &variant_->timeline()->current() : nullptr;
+}
+
 void SideBySide::follow(const Timeline& shown, const Level& level, std::int64_t most_steps) {
   if (variant_) {
+    const int begun = variant_->begun();
     variant_->follow(shown, level, most_steps);
+    if (variant_->begun() != begun) frames_.clear();  // another run, though its branch has the same number
     frames_.of(variant_->timeline()->current());
   } else if (const Branch* compared = shown.compared()) {
     frames_.of(*compared);

@@ -33,7 +33,10 @@ class SideBySide {
   void follow(const Timeline& shown, const Level& level, std::int64_t most_steps);
   // The other side's frames as they were followed last; null: there is no other side, or it is not begun.
   const BranchFrames* frames() const { return frames_.get(); }
-  int run() const { return frames_.run(); }
+  // A number that every other side has for itself; 0: there is none.
+  int run() const { return frames() != nullptr ? frames_.run() : 0; }
+  // The other side's run; null: there is none, or it is not begun.
+  const Branch* branch(const Timeline& shown) const;
   // Whether it has come to this frame.
   bool has(std::int64_t frame) const { return frames() != nullptr && frames()->last() >= frame; }
 

@@ -42,10 +42,13 @@ std::vector<ArmedBreakpoint> Stops::armed() const {
 
 void Stops::forget_frames() {
   counter_ = HitCounter(armed());
+  forget_hits();
   history_.emplace(counter_.frames_before());
   judged_ = -1;
   search_.reset();
 }
+
+void Stops::forget_hits() { log_.emplace(armed()); }
 
 bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
   if (counter_.empty() || judged_ == frame) return true;
@@ -63,7 +66,11 @@ std::optional<Stop> Stops::judge(const FrameSource& source, std::int64_t frame) 
   if (counter_.empty() || frame > source.last()) return std::nullopt;
   history_->go_to(source, frame);
   judged_ = frame;
-  return counter_.judge(history_->view());
+  log_->note(history_->view());
+  std::optional<Stop> stop = counter_.judge(history_->view());
+  // Without a count to wait for, the counter begins wherever it plays.
+  if (stop && !counter_.counts()) stop->hit = log_->hits(stop->breakpoint, frame).value_or(0);
+  return stop;
 }
 
 void Stops::search(std::int64_t from, SearchDirection direction) {

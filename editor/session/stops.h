@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "debug/stop_search.h"
+#include "hit_log.h"
 
 namespace talus {
 
@@ -17,8 +18,16 @@ class Stops {
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
   void put(Breakpoint breakpoint);  // in the place of the one with its id; id 0: a new one
   void remove(int breakpoint);
-  // Hits up to the last frame that was judged; 0 of one that is not there, or not in order.
-  int hits(int breakpoint) const { return counter_.hits(breakpoint); }
+  // Hits in the frames 0 to this one; 0 of one that is not there, or not in order. Nothing: still to be
+  // counted, by count().
+  std::optional<int> hits(int breakpoint, std::int64_t frame) const {
+    return log_ ? log_->hits(breakpoint, frame) : 0;
+  }
+  // Counts the hits of so many frames more; true when those up to this frame are counted.
+  bool count(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
+    return !log_ || log_->advance(source, frame, most_frames);
+  }
+  void forget_hits();  // what is compared is another run now
 
   // --- While it runs. source: the frames of the run that is shown.
   // Whether the hits up to this frame are counted; if not, counts those of so many frames more. Needed before
@@ -45,6 +54,7 @@ class Stops {
   std::vector<Breakpoint> breakpoints_;
   int last_id_ = 0;
   HitCounter counter_{{}};
+  std::optional<HitLog> log_;            // once there was a breakpoint
   std::optional<FrameHistory> history_;  // while there are breakpoints
   std::int64_t judged_ = -1;             // the last frame that was judged; -1: none
 

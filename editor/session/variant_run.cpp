@@ -41,6 +41,7 @@ void VariantRun::begin(const Timeline& a, const Level& level) {
   branch_ = branch.id;
   revision_ = branch.revision;
   chapters_ = branch.chapters.size();
+  ++begun_;
 }
 
 }  // namespace talus

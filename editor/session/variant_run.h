@@ -23,6 +23,7 @@ class VariantRun {
   // than the one it followed. level: as Timeline::recording has it.
   void follow(const Timeline& a, const Level& level, std::int64_t most_steps);
   const Timeline* timeline() const { return timeline_.get(); }  // null before the first follow()
+  int begun() const { return begun_; }                          // how often it began anew
 
  private:
   void begin(const Timeline& a, const Level& level);
@@ -31,6 +32,7 @@ class VariantRun {
   std::unique_ptr<Timeline> timeline_;
   int branch_ = 0, revision_ = 0;  // that it follows
   std::size_t chapters_ = 0;
+  int begun_ = 0;
 };
 
 }  // namespace talus

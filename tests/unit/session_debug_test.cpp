@@ -100,7 +100,7 @@ TEST_F(SessionDebug, CountedHitsAreTheSameWhileItPlaysAndSearched) {
   session.apply(action::Play{});
   for (int k = 0; k < 400 && session.playback().running; ++k) session.advance(1.0 / 60);
   EXPECT_EQ(frame(), up[1]);
-  EXPECT_EQ(session.debugger().stops().hits(1), 2);
+  EXPECT_EQ(session.debugger().stops().hits(1, frame()), 2);
   step(1);
   session.apply(action::SeekFrame{1});
   session.apply(action::RunToStop{SearchDirection::forwards});
@@ -128,6 +128,60 @@ TEST_F(SessionDebug, AStopIsToldOfAndItsBodyChosenWhereNoneIs) {
   session.apply(action::RunToStop{SearchDirection::backwards});
   settle();
   EXPECT_EQ(session.message()->text, "No breakpoint stops before this frame.");
+}
+
+// What the list of breakpoints shows: the hits up to the shown frame, wherever that is.
+TEST_F(SessionDebug, HitsAreThoseUpToTheShownFrame) {
+  const auto up = bounces(200);
+  ASSERT_GE(up.size(), 2u);
+  step(200);
+  add_breakpoint("vy < 0");
+  const auto hits = [&] { return session.debugger().stops().hits(1, frame()); };
+  EXPECT_EQ(hits(), std::nullopt) << "nothing is counted in the frame that adds it";
+  settle();
+  EXPECT_EQ(hits(), static_cast<int>(up.size()));
+  for (const auto& [at, expected] : {std::pair(std::int64_t{0}, 0), std::pair(up[0] - 1, 0),
+                                     std::pair(up[0], 1), std::pair(up[1], 2), std::pair(up[0], 1)}) {
+    session.apply(action::SeekFrame{at});
+    EXPECT_EQ(hits(), expected) << at << ": what was counted once is known without counting again";
+  }
+  session.apply(action::RunToStop{SearchDirection::forwards});
+  settle();
+  EXPECT_EQ(frame(), up[1]);
+  EXPECT_EQ(hits(), 2);
+}
+
+TEST_F(SessionDebug, HitsOfAnotherBranchAreItsOwn) {
+  const auto up = bounces(200);
+  add_breakpoint("vy < 0");
+  step(static_cast<int>(up[0]) + 1);
+  settle();
+  EXPECT_EQ(session.debugger().stops().hits(1, frame()), 1);
+  session.apply(action::ResetPlay{});
+  step(1);
+  settle();
+  EXPECT_EQ(session.debugger().stops().hits(1, frame()), 0);
+}
+
+// Where the sides of a comparison part is known for a solver as for a branch.
+TEST_F(SessionDebug, FindsWhereAVariantPartsAndHowFarItIsRun) {
+  step(150);
+  EXPECT_EQ(session.debugger().parting_frame(session.timeline()), std::nullopt);
+  session.apply({action::SetParting{0}, action::CompareVariant{Variant{SolverKind::exact, true}}});
+  EXPECT_EQ(session.debugger().comparing_progress(session.timeline()), 16.0 / 150);
+  settle();
+  EXPECT_EQ(session.debugger().comparing_progress(session.timeline()), std::nullopt);
+  EXPECT_EQ(session.debugger().other_end(), 150);
+  const auto parting = session.debugger().parting_frame(session.timeline());
+  ASSERT_TRUE(parting);
+  session.apply(action::FindParting{session.debugger().parting()});
+  settle();
+  EXPECT_EQ(frame(), *parting);
+  session.apply(action::SetParting{1e9});
+  settle();
+  EXPECT_EQ(session.debugger().parting_frame(session.timeline()), std::nullopt) << "never so far";
+  session.apply(action::SetParting{-1});
+  EXPECT_EQ(session.debugger().parting(), 0);
 }
 
 TEST_F(SessionDebug, AComparisonRunsNothingAgainThatItHasRun) {
