@@ -222,7 +222,6 @@ class Merger {
       const double y = turns[i].y;
       int change = 0;
       for (; i < turns.size() && turns[i].y == y; ++i) change += turns[i].change;
-      if (change == 0) continue;
       for (int n = 0; n < depth; ++n) put_edge({x, from}, {x, y}, kWall);
       for (int n = 0; n < -depth; ++n) put_edge({x, y}, {x, from}, kWall);
       depth += change;

@@ -44,6 +44,11 @@ TEST(GroundPolygons, TilesThatTouchInACornerStayApart) {
   EXPECT_EQ(polygons({"1.", ".1"}), (Texts{"0,0 8,0 8,8 0,8", "8,8 16,8 16,16 8,16"}));
 }
 
+TEST(GroundPolygons, WallsThatGoOnPastACornerStayApartToo) {
+  EXPECT_EQ(polygons({"22", "26", "11"}),
+            (Texts{"0,8 8,0 8,8", "0,16 8,8 8,16 16,16 16,24 0,24", "8,8 16,0 16,16"}));
+}
+
 TEST(GroundPolygons, SlopesJoinTheTilesBeneath) {
   EXPECT_EQ(polygons({".23.", "1111"}), Texts{"0,8 8,8 16,0 24,8 32,8 32,16 0,16"});
 }
