@@ -19,7 +19,7 @@ using ::testing::StartsWith;
 Level cave() {
   Level level = level_of_shapes({".7..", ".2..", "1115"});
   level.sheet(SheetId::tiles).flags[1] = 1;
-  level.sheet(SheetId::tiles).flags[255] = 129;
+  level.sheet(SheetId::tiles).flags[255] = 130;
   level.sheet(SheetId::sprites).flags[0] = 255;
   level.curves.push_back({"bow", {Segment{{0, 4}, {4, 2.5}}, Curve::Faces::both}, ""});
   Spawn& spawn = level.spawns.emplace_back();
@@ -40,7 +40,7 @@ TEST(ExportJson, HoldsMapAndFlags) {
   EXPECT_EQ(json["map"], (Json{{0, 7, 0, 0}, {0, 2, 0, 0}, {1, 1, 1, 5}}));
   EXPECT_EQ(json["flags"]["tiles"].size(), 256U);
   EXPECT_EQ(json["flags"]["tiles"][1], 1);
-  EXPECT_EQ(json["flags"]["tiles"][255], 129);
+  EXPECT_EQ(json["flags"]["tiles"][255], 130);
   EXPECT_EQ(json["flags"]["sprites"].size(), 256U);
   EXPECT_EQ(json["flags"]["sprites"][0], 255);
   EXPECT_EQ(json["roles"], (Json{{"solid", 0}, {"ball", 1}, {"up_slope", 2}, {"down_slope", 3}}));
@@ -162,7 +162,7 @@ print(#level.lines, level.lines[1].kind, level.lines[2].name, table.concat(level
 print(#level.spawns, level.spawns[1].name == 'a "b",\nc\\', level.spawns[1].x == 0.1, level.spawns[1].foot)
 )",
              "4\t3\t8\t3\t4\t5\n"
-             "1\t129\t256\t255\n"
+             "1\t130\t256\t255\n"
              "3\tnil\n"
              "slope\tfalse\t7.5 6.5 5.5 4.5 3.5 2.5 1.5 0.5\n"
              "nil\t7.5\ttrue\tnil\n"
@@ -206,7 +206,7 @@ TEST(ExportCsv, HasARowForEachTileAndForEachColumnOfCells) {
   EXPECT_THAT(text, HasSubstr("\n7,0,solid,floor,1,1,0,0,0,0,0,0,0,0,0\n"));
   EXPECT_THAT(text,
               HasSubstr("\n9,0,slope,floor,0,8,7,-48.5,-49.5,-50.5,-51.5,-52.5,-53.5,-54.5,-55.5\n10,"));
-  EXPECT_THAT(text, HasSubstr("\n255,129,none,,,,,,,,,,,,\n"));
+  EXPECT_THAT(text, HasSubstr("\n255,130,none,,,,,,,,,,,,\n"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 256 + 2 + 7 + 1);  // wide tiles 5, 9 and 10
   EXPECT_THAT(exported_file("csv", cave(), "sprite_flags.csv"), StartsWith("sprite,flags\n0,255\n1,0\n"));
 }
