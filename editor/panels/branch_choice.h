@@ -6,7 +6,8 @@
 
 namespace talus {
 
-inline constexpr float kBranchWidth = 150;  // px at scale 1, of each of its two controls
+// px at scale 1, of the choice and of the button that shows and ends long work.
+inline constexpr float kBranchWidth = 176, kProgressWidth = 140;
 
 void draw_branch_choice(const Session& session, Actions& actions, Ui& ui);
 

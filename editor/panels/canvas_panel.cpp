@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands.h"
+#include "compare_choice.h"
 #include "flag_choice.h"
 #include "flag_label.h"
 #include "splitter.h"
@@ -49,7 +50,7 @@ void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
-  if (!ui.view.split_compared || session.other_state() == nullptr)
+  if (!ui.view.split_compared || !is_compared(session))
     return play_.draw(session, actions, ui, size);
   const float gap = ui.px(2), half = (size.x - gap) / 2;
   play_.draw(session, actions, ui, {half, size.y});

@@ -30,6 +30,18 @@ CompareChoice compare_choice(const Session& session) {
   return made != choices.end() ? *made : choices.front();
 }
 
+bool is_compared(const Session& session) {
+  return session.debugger().side_by_side().variant() != nullptr || session.timeline().compared() != nullptr;
+}
+
+std::string missing_side(const Session& session) {
+  if (!is_compared(session) || session.other_state() != nullptr) return {};
+  const std::string name = compare_choice(session).label;
+  if (const auto progress = session.debugger().comparing_progress(session.timeline()))
+    return name + " is run: " + std::to_string(static_cast<int>(*progress * 100)) + " %";
+  return name + " ends at frame " + std::to_string(session.debugger().other_end().value_or(0));
+}
+
 void compare_with(const CompareChoice& choice, Actions& actions) {
   actions.push_back(action::CompareVariant{choice.variant});
   if (!choice.variant) actions.push_back(action::CompareBranch{choice.branch});

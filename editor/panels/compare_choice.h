@@ -20,5 +20,9 @@ struct CompareChoice {
 std::vector<CompareChoice> compare_choices(const Session& session);
 CompareChoice compare_choice(const Session& session);  // the one that is made
 void compare_with(const CompareChoice& choice, Actions& actions);
+bool is_compared(const Session& session);  // with anything
+// Why the other side is not there in the shown frame: "branch 5 ends at frame 12"; empty: it is there, or
+// nothing is compared.
+std::string missing_side(const Session& session);
 
 }  // namespace talus

@@ -14,6 +14,7 @@ class ComparePanel final : public Panel {
  private:
   void draw_choice(const Session& session, Actions& actions, Ui& ui);
   void draw_parting(const Session& session, Actions& actions, Ui& ui);
+  void draw_missing(const Session& session, Actions& actions, Ui& ui);
   void draw_bodies(const Session& session, Actions& actions, Ui& ui);
 };
 
