@@ -12,18 +12,10 @@ namespace {
 
 constexpr float kSwatch = 14;                    // px at scale 1
 constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
-constexpr float kFirstGap = 8, kControls = 310;  // px at scale 1: what is left of the switches on their line
+constexpr float kFirstGap = 8, kControls = 372;  // px at scale 1: what is left of the switches on their line
 
 float text_width(std::string_view text) {
   return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-}
-
-// Decided by the window's width alone, so that the legend and the switches agree.
-bool names_fit(const Ui& ui) {
-  float width = ui.px(kControls + 2 * kBranchWidth);
-  for (const OverlayInfo& info : overlay_infos())
-    width += text_width(info.label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
-  return width <= ImGui::GetIO().DisplaySize.x;
 }
 
 void draw_switch(const OverlayInfo& info, bool named, const Session& session, Actions& actions, Ui& ui) {
@@ -51,34 +43,16 @@ void draw_switch(const OverlayInfo& info, bool named, const Session& session, Ac
 
 }  // namespace
 
-void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
-  const bool named = names_fit(ui);
-  for (const OverlayInfo& info : overlay_infos()) draw_switch(info, named, session, actions, ui);
+bool overlay_names_fit(const Ui& ui) {
+  float width = ui.px(kControls + kBranchWidth + kProgressWidth);
+  for (const OverlayInfo& info : overlay_infos())
+    width += text_width(info.label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
+  return width <= ImGui::GetIO().DisplaySize.x;
 }
 
-void draw_overlay_legend(ImDrawList& list, const Choices& choices, const CanvasView& view, const Ui& ui) {
-  const OverlaySet shown = choices.overlays;
-  if (shown.empty() || names_fit(ui)) return;
-  const float line = ImGui::GetTextLineHeight() + ui.px(2), pad = ui.px(kPad), swatch = ui.px(kSwatch);
-  float width = 0, height = 2 * pad;
-  for (const OverlayInfo& info : overlay_infos()) {
-    if (!shown.has(info.id)) continue;
-    width = std::max(width, text_width(info.label));
-    height += line;
-  }
-  width += swatch + ui.px(kTextGap) + 2 * pad;
-  const ImVec2 at{view.max.x - width - pad, view.min.y + pad};
-  if (at.y + height > view.max.y || width > (view.max.x - view.min.x) / 2) return;  // it would hide too much
-  list.AddRectFilled(at, {at.x + width, at.y + height}, theme::color(theme::kDark, 190), ui.px(3));
-  float y = at.y + pad;
-  for (const OverlayInfo& info : overlay_infos()) {
-    if (!shown.has(info.id)) continue;
-    paint_overlay_swatch(list, info.id, {at.x + pad, y + (line - swatch) / 2}, swatch,
-                         choices.overlay_palette);
-    list.AddText({at.x + pad + swatch + ui.px(kTextGap), y}, theme::color(theme::kMuted), info.label.data(),
-                 info.label.data() + info.label.size());
-    y += line;
-  }
+void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
+  const bool named = overlay_names_fit(ui);
+  for (const OverlayInfo& info : overlay_infos()) draw_switch(info, named, session, actions, ui);
 }
 
 }  // namespace talus

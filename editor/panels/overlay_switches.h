@@ -1,7 +1,6 @@
-// The switches of the overlays, which are their legend too.
+// The switches of the overlays, which are their legend too where their names have room.
 #pragma once
 
-#include "camera.h"
 #include "session/session.h"
 #include "ui.h"
 
@@ -10,7 +9,8 @@ namespace talus {
 // One after another on the current line, with their names where there is room for all of them.
 void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui);
 
-// The names of what is shown, in the canvas's corner, while the switches have no room for them.
-void draw_overlay_legend(ImDrawList& list, const Choices& choices, const CanvasView& view, const Ui& ui);
+// Whether their names have room. Decided by the window's width alone, so that the legend, which has them
+// otherwise, and the switches agree.
+bool overlay_names_fit(const Ui& ui);
 
 }  // namespace talus

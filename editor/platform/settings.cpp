@@ -109,6 +109,7 @@ Settings from_json(const json& root) {
   s.tabs = read_strings(root, "tabs");
   if (s.tabs.size() > kMaxTabs) s.tabs.resize(kMaxTabs);
   read_bool(root, "debugger", s.dock_open);
+  read_bool(root, "legend_folded", s.legend_folded);
   s.breakpoints = read_breakpoints(root);
   s.watches = read_strings(root, "watches");
   if (s.watches.size() > kMaxWatches) s.watches.resize(kMaxWatches);
@@ -136,6 +137,7 @@ json to_json(const Settings& s) {
           {"recent_files", s.recent_files},
           {"tabs", s.tabs},
           {"debugger", s.dock_open},
+          {"legend_folded", s.legend_folded},
           {"breakpoints", to_json(s.breakpoints)},
           {"watches", s.watches},
           {"overlay_palette", s.overlay_palette == OverlayPalette::colour_blind ? kColourBlind : "standard"},

@@ -23,6 +23,7 @@ struct Settings {
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
   bool dock_open = false;                 // the debugger's panels
+  bool legend_folded = false;             // the overlays' legend has no names
   std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
   std::vector<std::string> watches;       // expressions; at most kMaxWatches
   OverlayPalette overlay_palette = OverlayPalette::standard;
