@@ -122,6 +122,11 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
     draw_compiling(*progress, 570, ui);
   } else if (const auto exporting = session.exporting().progress()) {
     draw_exporting(*exporting, 570, ui);
+  } else if (session.playback().running && session.timeline().in_past()) {
+    draw_part(ui, 570, "replaying", theme::kAccent,
+              "What was recorded is shown again. Take over here, beside the timeline, goes on from the shown "
+              "frame instead.");
+    ui.item("status/replaying");
   } else {
     const std::size_t bodies = session.state().bodies.size();
     draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,

@@ -7,12 +7,14 @@
 #include <string>
 
 #include "commands.h"
-#include "frame_axis.h"
+#include "compare_choice.h"
+#include "edit_rule_choice.h"
+#include "frame_zoom.h"
 
 namespace talus {
 namespace {
 
-constexpr float kTrack = 16;  // px at scale 1
+constexpr float kTrack = 24, kTakeOver = 142;  // px at scale 1: its height, and the button's width
 
 // Small triangles below what the axis shows at a frame.
 void draw_pin(ImDrawList& list, float x, float bottom, float size, ImU32 color) {
@@ -29,15 +31,17 @@ class Track {
         list_(*ImGui::GetWindowDrawList()),
         min_(at),
         max_({at.x + size.x, at.y + size.y}),
-        axis_{at.x + ui.px(6), size.x - ui.px(12), 0, std::max<std::int64_t>(branch_.last_frame(), 1)} {}
+        axis_(axis_of(ui.view.debugger.frames, branch_.last_frame(), at.x + ui.px(6), size.x - ui.px(12))) {}
 
   const FrameAxis& axis() const { return axis_; }
 
   void draw() const {
     list_.AddRectFilled(min_, max_, theme::tone(theme::kControl), ui_.px(3));
+    list_.PushClipRect(min_, max_, true);
     // What is still to be run again is empty.
-    const float run = axis_.x_of(static_cast<double>(branch_.run_frame()));
-    list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {axis_.left + axis_.width, middle() + ui_.px(2)},
+    const float end = axis_.left + axis_.width;
+    const float run = std::clamp(axis_.x_of(static_cast<double>(branch_.run_frame())), axis_.left, end);
+    list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {end, middle() + ui_.px(2)},
                         theme::color(theme::kDark));
     list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {run, middle() + ui_.px(2)},
                         theme::tone(theme::kMuted, 150));
@@ -47,10 +51,11 @@ class Track {
     for (const Mark& mark : branch_.marks)
       draw_pin(list_, axis_.x_of(static_cast<double>(mark.frame)), middle(), ui_.px(4),
                theme::tone(theme::kAccent));
-    if (const auto parting = session_.timeline().parting_frame())
+    if (const auto parting = session_.debugger().parting_frame(session_.timeline()))
       draw_pin(list_, axis_.x_of(static_cast<double>(*parting)), middle(), ui_.px(5),
                theme::tone(theme::kError));
     cursor();
+    list_.PopClipRect();
   }
 
   // The mark whose pin is at this place of the screen, or null.
@@ -89,24 +94,47 @@ std::string help_at(const Session& session, const Track& track, ImVec2 mouse) {
     return "Mark at frame " + std::to_string(mark->frame) + (mark->name.empty() ? "" : ": " + mark->name);
   std::string text = "Frame " + std::to_string(track.axis().frame_at(mouse.x)) + " of " +
                      std::to_string(session.timeline().last_frame());
-  if (const auto parting = session.timeline().parting_frame())
-    text += ". The compared branch parts at frame " + std::to_string(*parting) + " (red).";
+  if (const auto parting = session.debugger().parting_frame(session.timeline()))
+    text += ". " + compare_choice(session).label + " parts at frame " + std::to_string(*parting) + " (red).";
   return text;
 }
 
 }  // namespace
 
 void TimelinePanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  draw_track(session, actions, ui, {ImGui::GetContentRegionAvail().x, ui.px(kTrack)});
+  const float gap = ImGui::GetStyle().ItemSpacing.x, controls = ui.px(kEditRuleWidth) + ui.px(kTakeOver);
+  const float room = ImGui::GetContentRegionAvail().x - controls - 2 * gap;
+  draw_track(session, actions, ui, {std::max(room, ui.px(kTrack)), ui.px(kTrack)});
+  ImGui::SameLine();
+  draw_edit_rule_choice(session, actions, ui);
+  ImGui::SameLine();
+  draw_take_over(session, actions, ui);
+}
+
+// What is played in the past is the recording again, which nobody sees from the picture.
+void TimelinePanel::draw_take_over(const Session& session, Actions& actions, Ui& ui) {
+  const bool replays = session.playback().running && session.timeline().in_past();
+  const Command& command = find_command("timeline/fork");
+  if (ui.text_button("timeline/take_over", replays ? "Replaying: take over" : "Take over here", replays,
+                     "At an earlier frame, play shows what was recorded. This leaves the recording at the "
+                     "shown frame: what is played next goes on from there, in a new branch. So do the "
+                     "players' keys, and the mouse on a ball.",
+                     keys_of(command, ui), command.is_enabled(session, ui), ui.px(kTakeOver)))
+    command.run(session, actions, ui);
 }
 
 void TimelinePanel::draw_track(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
+  const std::int64_t last = session.timeline().last_frame();
+  if (shown_ != session.state().frame) show_frame(ui.view.debugger.frames, session.state().frame, last);
+  shown_ = session.state().frame;
   ImGui::InvisibleButton("track", size);
   const Track track(session, at, size, ui);
   track.draw();
   ui.item("timeline/track", help_at(session, track, mouse),
-          keys_of(find_command("timeline/back"), ui) + "  " + keys_of(find_command("play/step"), ui));
+          keys_of(find_command("timeline/back"), ui) + "  " + keys_of(find_command("play/step"), ui) +
+              "; wheel zooms, middle button drags");
+  handle_frame_zoom(track.axis(), last, ui);
   if (!ImGui::IsItemActive()) return;
   const Mark* mark = ImGui::IsItemActivated() ? track.mark_at(mouse) : nullptr;
   const std::int64_t frame = mark != nullptr ? mark->frame : track.axis().frame_at(mouse.x);

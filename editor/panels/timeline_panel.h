@@ -12,7 +12,10 @@ class TimelinePanel final : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  void draw_take_over(const Session& session, Actions& actions, Ui& ui);
   void draw_track(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
+
+  std::int64_t shown_ = -1;  // frame, when it was drawn last
 };
 
 }  // namespace talus

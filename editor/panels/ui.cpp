@@ -98,6 +98,11 @@ bool Ui::begin_combo(std::string_view name, const std::string& shown, float widt
   const float height = px(theme::kButton), padding = (height - ImGui::GetFontSize()) / 2;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(width);
+  if (view.wants_text == name) {
+    view.wants_text.clear();
+    const ImGuiID id = ImGui::GetID(hidden(name).c_str());
+    ImGui::OpenPopupEx(ImHashStr("##ComboPopup", 0, id), ImGuiPopupFlags_None);  // as BeginCombo() does
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), padding));
   const bool open = ImGui::BeginCombo(hidden(name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleVar();

@@ -34,6 +34,7 @@ class Ui {
   // y of the bars at the bottom of the window, px of the screen: the help for what is in them stays above, so
   // that they can be read.
   float bars_top = 0;
+  ImVec2 canvas_min, canvas_max;  // the middle of the window, px of the screen: messages are shown there
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
   // A length of the design, in px at scale 1, on the screen.

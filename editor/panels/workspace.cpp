@@ -15,7 +15,7 @@ namespace {
 
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
-constexpr float kTimeline = 20, kTransport = 30, kStatus = 20;
+constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
 constexpr float kMargin = 6;  // px at scale 1, above and below what is in a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
@@ -115,6 +115,8 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   const float middle = window.x - left - right - 2 * bar;
   const float above = draw_enlarged_pixels(frame, {left + bar, top}, {middle, height});
   draw_region(frame, Region::canvas, {left + bar, top + above}, {middle, height - above});
+  ui.canvas_min = {left + bar, top + above};
+  ui.canvas_max = {left + bar + middle, top + height};
   ImGui::SetCursorScreenPos({window.x - right - bar, top});
   const float moved_right = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
   if (moved_right != 0) layout.right = (right - moved_right) / window.x;
