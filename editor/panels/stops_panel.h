@@ -19,13 +19,17 @@ class StopsPanel final : public Panel {
  private:
   void draw_run(const Session& session, Actions& actions, Ui& ui);
   void draw_add(const Session& session, Actions& actions, Ui& ui);
+  void draw_fields(const StopKindInfo& info, Ui& ui);
+  void fill_in_place(const Session& session, Ui& ui);
+  void put_place(CellRect cells);
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   void draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui);
 
   StopKind kind_ = StopKind::touches_tile;  // of the next one
   std::array<double, 4> fields_{};          // its numbers
   bool fields_set_ = false;
-  std::string new_text_;  // of a condition that is being typed
+  bool fields_typed_ = false;  // by the user, or picked: they no longer follow what is clicked
+  std::string new_text_;       // of a condition that is being typed
   ExpressionField new_field_;
   std::map<int, std::string> texts_;  // by id: as they are being typed
   std::map<int, ExpressionField> condition_fields_;
