@@ -93,14 +93,10 @@ std::vector<Command> file_commands() {
 
 std::vector<Command> view_commands() {
   return {
-      toggle(
-          "view/sprites", KeyChord{kKeyF2}, "Sprites", "Gives the keys to the sheet and the pixels.",
-          show_sprites,
-          [](S, const Ui& ui) { return ui.view.focus == Focus::sprites; }),
-      toggle(
-          "view/map", KeyChord{kKeyF3}, "Map", "Gives the keys to the map, and shows it.",
-          show_map,
-          [](S, const Ui& ui) { return ui.view.focus == Focus::map; }),
+      toggle("view/sprites", KeyChord{kKeyF2}, "Sprites", "Gives the keys to the sheet and the pixels.",
+             show_sprites, [](S, const Ui& ui) { return ui.view.focus == Focus::sprites; }),
+      toggle("view/map", KeyChord{kKeyF3}, "Map", "Gives the keys to the map, and shows it.", show_map,
+             [](S, const Ui& ui) { return ui.view.focus == Focus::map; }),
       command("view/reset_layout", ctrl('0'), "Reset layout",
               "Puts every panel back to its first size, and shows map and play view.",
               [](S, A, U ui) {
@@ -145,7 +141,8 @@ std::vector<Command> canvas_commands() {
           [](S, A, U ui) { ui.view.debugger.legend_folded = !ui.view.debugger.legend_folded; },
           [](S, const Ui& ui) { return !ui.view.debugger.legend_folded; }),
       toggle(
-          "canvas/follow", alt('f'), "Follow the chosen body", "Keeps the chosen body in the play view's sight.",
+          "canvas/follow", alt('f'), "Follow the chosen body",
+          "Keeps the chosen body in the play view's sight.",
           [](S, A, U ui) { ui.view.debugger.follow_body = !ui.view.debugger.follow_body; },
           [](S, const Ui& ui) { return ui.view.debugger.follow_body; }),
       toggle(

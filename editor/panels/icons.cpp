@@ -42,10 +42,19 @@ class Pen {
 
 void draw_play_icon(const Pen& pen, Icon icon) {
   switch (icon) {
-    case Icon::reset:
+    case Icon::first_frame:
       pen.box(.15f, .2f, .27f, .8f);
       pen.solid({{.6f, .25f}, {.6f, .75f}, {.28f, .5f}});
       pen.solid({{.92f, .25f}, {.92f, .75f}, {.6f, .5f}});
+      break;
+    case Icon::last_frame:
+      pen.box(.73f, .2f, .85f, .8f);
+      pen.solid({{.4f, .25f}, {.72f, .5f}, {.4f, .75f}});
+      pen.solid({{.08f, .25f}, {.4f, .5f}, {.08f, .75f}});
+      break;
+    case Icon::restart:
+      pen.arc({.5f, .54f}, .32f, -.4f, 4.4f);
+      pen.solid({{.3f, .04f}, {.62f, .2f}, {.34f, .42f}});
       break;
     case Icon::play:
       pen.solid({{.25f, .15f}, {.85f, .5f}, {.25f, .85f}});

@@ -7,7 +7,9 @@ namespace talus {
 
 enum class Icon {
   none,
-  reset,
+  first_frame,
+  last_frame,
+  restart,
   play,
   pause,
   step,

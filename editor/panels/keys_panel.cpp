@@ -85,7 +85,7 @@ void KeysPanel::draw_table(Ui& ui) {
     ImGui::TableNextColumn();
     const std::string id(command.id);
     if (bindings.changed.contains(command.id) &&
-        ui.icon_button("keys/reset/" + id, Icon::reset, false, "Gives the command its first keys back.", {}))
+        ui.icon_button("keys/reset/" + id, Icon::restart, false, "Gives the command its first keys back.", {}))
       reset_keys(command, bindings);
   }
   ui.end_row();

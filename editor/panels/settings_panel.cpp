@@ -101,7 +101,7 @@ void SettingsPanel::draw_programs(Ui& ui) {
     if (!ImGui::IsItemActive()) typed_[index] = preferences.programs[index];
     ui.item(widget, info.settings);
     ImGui::SameLine();
-    if (ui.icon_button(widget + "_reset", Icon::reset, false, "Puts the first command back.", {},
+    if (ui.icon_button(widget + "_reset", Icon::restart, false, "Puts the first command back.", {},
                        preferences.programs[index] != info.command))
       preferences.programs[index] = std::string(info.command);
   }

@@ -33,7 +33,9 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
 }  // namespace
 
 void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  command_button("transport/reset", "play/reset", Icon::reset, session, actions, ui);
+  command_button("transport/reset", "play/reset", Icon::restart, session, actions, ui);
+  ImGui::SameLine();
+  command_button("transport/first", "timeline/start", Icon::first_frame, session, actions, ui);
   ImGui::SameLine();
   command_button("transport/back", "timeline/back", Icon::step_back, session, actions, ui);
   ImGui::SameLine();
@@ -41,6 +43,8 @@ void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                  session, actions, ui);
   ImGui::SameLine();
   command_button("transport/step", "play/step", Icon::step, session, actions, ui);
+  ImGui::SameLine();
+  command_button("transport/last", "timeline/end", Icon::last_frame, session, actions, ui);
   ImGui::SameLine();
   draw_frame(session, actions, ui);
   ImGui::SameLine();

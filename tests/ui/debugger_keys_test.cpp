@@ -22,7 +22,7 @@ TEST_F(UiDebuggerKeys, SeekByTensAndToBothEnds) {
   key(ctrl(kKeyRight));
   EXPECT_EQ(frame(), 25);
   key(ctrl(kKeyLeft));
-  key(shift(kKeyHome));
+  key(kKeyHome);
   EXPECT_EQ(frame(), 0);
   EXPECT_EQ(timeline().branches().size(), 1u) << "nothing new is begun";
   key(ctrl(kKeyRight));
