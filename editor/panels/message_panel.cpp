@@ -1,14 +1,18 @@
 // A strip over the bottom of the canvas.
 #include "message_panel.h"
 
+#include <algorithm>
+
 namespace talus {
 
 void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!session.message()) return;
   const Message message = *session.message();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, window.y - ui.px(72)}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSizeConstraints({ui.px(240), 0}, {window.x - ui.px(32), window.y / 2});
+  // Over the canvas: there it covers no field and no table.
+  const ImVec2 min = ui.canvas_min, max = ui.canvas_max;
+  const float width = max.x - min.x - ui.px(16);
+  ImGui::SetNextWindowPos({(min.x + max.x) / 2, max.y - ui.px(8)}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSizeConstraints({std::min(ui.px(240), width), 0}, {width, max.y - min.y});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::tone(message.is_error ? theme::kErrorNote : theme::kNote));
   ImGui::PushStyleColor(ImGuiCol_Border, theme::tone(message.is_error ? theme::kError : theme::kAccent));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
@@ -19,7 +23,7 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::DismissMessage{});
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::PushTextWrapPos(window.x - ui.px(64));
+  ImGui::PushTextWrapPos(width - ui.px(8));
   ImGui::TextUnformatted(message.text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
