@@ -4,6 +4,7 @@
 #include "command_table.h"
 #include "compare_choice.h"
 #include "debug/compare.h"
+#include "frame_zoom.h"
 
 namespace talus {
 namespace {
@@ -62,6 +63,8 @@ bool has_branches(S session, const Ui&) { return session.timeline().branches().s
 void cancel(S session, A actions, U) {
   if (session.debugger().searching()) actions.push_back(action::CancelSearch{});
   if (session.timeline().behind()) actions.push_back(action::CancelRerun{});
+  if (session.debugger().comparing_progress(session.timeline()))
+    actions.push_back(action::CompareVariant{std::nullopt});
 }
 
 void next_edit_rule(S session, A actions, U) {
@@ -99,14 +102,18 @@ void switch_all_stops(S session, A actions, U) {
 void compare_with_next(S session, A actions, U) {
   const auto choices = compare_choices(session);
   const auto now = std::find(choices.begin(), choices.end(), compare_choice(session));
-  compare_with(now + 1 < choices.end() ? *(now + 1) : choices.front(), actions);
+  const CompareChoice next = now + 1 < choices.end() ? *(now + 1) : choices.front();
+  compare_with(next, actions);
+  const bool none = next == choices.front();
+  actions.push_back(
+      action::ShowMessage{none ? "Compared with nothing." : "Compared with " + next.label + "."});
 }
-bool has_other(S session, const Ui&) { return session.other_state() != nullptr; }
+bool has_other(S session, const Ui&) { return is_compared(session); }
 
 std::vector<Command> seek_commands() {
   return {
-      command("timeline/start", shift(kKeyHome), "To the first frame", "Shows frame 0 of what is recorded.",
-              emit<action::SeekStart>, after_start),
+      command("timeline/start", KeyChord{kKeyHome}, "To the first frame",
+              "Shows frame 0 of what is recorded.", emit<action::SeekStart>, after_start),
       command("timeline/end", KeyChord{kKeyEnd}, "To the last frame", "Shows the last recorded frame.",
               emit<action::SeekEnd>, in_past),
       repeating(command("timeline/back", shift(kKeyF10), "Step back one frame",
@@ -124,6 +131,27 @@ std::vector<Command> seek_commands() {
               jump_to_mark<true>, has_marks),
       command("timeline/previous_mark", alt(kKeyLeft), "Previous mark",
               "Shows the marked frame before this one.", jump_to_mark<false>, has_marks),
+  };
+}
+
+template <int steps>
+void zoom_timeline(S session, A, U ui) {
+  zoom_frames(ui.view.debugger.frames, static_cast<double>(session.state().frame), steps,
+              session.timeline().last_frame());
+}
+
+std::vector<Command> frame_zoom_commands() {
+  return {
+      repeating(command("timeline/zoom_in", alt('='), "Zoom the timeline in",
+                        "Shows fewer frames in the timeline and the plots; the wheel does it at the mouse.",
+                        zoom_timeline<3>, has_frames)),
+      repeating(command("timeline/zoom_out", alt('-'), "Zoom the timeline out",
+                        "Shows more frames in the timeline and the plots; the wheel does it at the mouse.",
+                        zoom_timeline<-3>, has_frames)),
+      command(
+          "timeline/fit", alt('0'), "Fit the timeline", "Shows all frames in the timeline and the plots.",
+          [](S, A, U ui) { ui.view.debugger.frames = {}; },
+          [](S, const Ui& ui) { return ui.view.debugger.frames != FrameZoom{}; }),
   };
 }
 
@@ -151,8 +179,13 @@ std::vector<Command> branch_commands() {
           [](S, A actions, U) { actions.push_back(action::Rerun{0}); }, after_start),
       command(
           "timeline/cancel", shift(kKeyF5), "Stop running again or searching",
-          "The branch ends where it has come to; a search leaves the shown frame.", cancel,
-          [](S session, const Ui&) { return session.debugger().searching() || session.timeline().behind(); }),
+          "The branch ends where it has come to; a search leaves the shown frame; a comparison whose other "
+          "side is still being run ends.",
+          cancel,
+          [](S session, const Ui&) {
+            return session.debugger().searching() || session.timeline().behind() ||
+                   session.debugger().comparing_progress(session.timeline()).has_value();
+          }),
       command(
           "file/save_recording", ctrl_shift('e'), "Save recording...",
           "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
@@ -184,6 +217,34 @@ std::vector<Command> stop_commands() {
   };
 }
 
+// Gives the keys to a control of a panel that is always there.
+void choose_in(std::string_view panel, std::string_view control, U ui) {
+  ui.view.wants_tab = panel;
+  ui.view.wants_text = control;
+}
+
+std::vector<Command> choice_commands() {
+  return {
+      command("stops/kind", alt('k'), "What to stop at...",
+              "Opens the list of what a breakpoint can stop at; Tab goes on to its numbers.",
+              [](S, A, U ui) { type_into("stops", "stops/kind", ui); }),
+      command("stops/add", alt('a'), "Add the chosen breakpoint",
+              "Adds a breakpoint of the kind and with the numbers that are chosen in its panel.",
+              [](S, A, U ui) { type_into("stops", "stops/add", ui); }),
+      command("stops/pick", alt('i'), "Pick a breakpoint's cell on the map",
+              "The next click on the map or the play view chooses the cell that a breakpoint is about.",
+              [](S, A, U ui) {
+                type_into("stops", "", ui);
+                ui.view.debugger.picks_cell = true;
+              }),
+      command("tuning/solver", alt_shift('t'), "Choose the solver...", "Opens the list of solvers.",
+              [](S, A, U ui) { choose_in("tuning", "tuning/solver", ui); }),
+      command("tuning/fields", alt('t'), "Change the tuning...",
+              "Gives the keys to the first number of the tuning; Tab goes to the next.",
+              [](S, A, U ui) { choose_in("tuning", "tuning/" + tuning_fields()[0].path(), ui); }),
+  };
+}
+
 std::vector<Command> watch_commands() {
   return {
       toggle(
@@ -211,12 +272,16 @@ std::vector<Command> watch_commands() {
       command(
           "compare/first", ctrl(kKeyF7), "First parting frame",
           "Shows the first frame in which a body is further than that from its other self.",
-          [](S, A actions, U ui) { actions.push_back(action::FindParting{ui.view.parting}); }, has_other),
+          [](S session, A actions, U) {
+            actions.push_back(action::FindParting{session.debugger().parting()});
+          },
+          has_other),
       command(
           "compare/stop", ctrl_shift(kKeyF7), "Stop where they part",
           "Adds a breakpoint that stops a run where they part.",
-          [](S, A actions, U ui) {
-            actions.push_back(action::SetBreakpoint{{.condition = parting_condition(ui.view.parting)}});
+          [](S session, A actions, U) {
+            actions.push_back(
+                action::SetBreakpoint{{.condition = parting_condition(session.debugger().parting())}});
           },
           has_other),
   };
@@ -225,7 +290,8 @@ std::vector<Command> watch_commands() {
 }  // namespace
 
 std::vector<Command> debug_commands() {
-  return joined({seek_commands(), branch_commands(), stop_commands(), watch_commands()});
+  return joined({seek_commands(), frame_zoom_commands(), branch_commands(), stop_commands(),
+                 choice_commands(), watch_commands()});
 }
 
 }  // namespace talus

@@ -20,6 +20,8 @@ constexpr MouseHelp kMouse[] = {
     {"right button, or Space and left", "drags the view; with a player, Space jumps in the play view"},
     {"wheel on the map or play view", "zooms at the mouse"},
     {"left button on a ball in the play view", "chooses it and holds it"},
+    {"left button on the overlays' legend", "folds its names away, or shows them again"},
+    {"wheel on the timeline or a plot", "zooms at the mouse; the middle button drags"},
     {"left and right button on the pixels", "draw with their two colours"},
     {"middle button on the pixels", "picks the colour"},
     {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},

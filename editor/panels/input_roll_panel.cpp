@@ -80,7 +80,10 @@ void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui
     if (frame == session.state().frame)
       list.AddRectFilled({x, at.y}, {x + column - 1, at.y + ui.px(kRow)}, theme::tone(theme::kAccent, 150));
     if (frame % kRulerStep != 0) continue;
-    list.AddText({x, at.y}, theme::tone(theme::kMuted), std::to_string(frame).c_str());
+    const std::string number = std::to_string(frame);
+    const float end = at.x + column * static_cast<float>(view.count);
+    list.AddText({std::min(x, end - ImGui::CalcTextSize(number.c_str()).x), at.y}, theme::tone(theme::kMuted),
+                 number.c_str());
   }
 }
 

@@ -177,7 +177,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   if (begin_menu("Play", ui)) {
     draw_commands({"play/toggle", "play/step", "play/run", "play/reset", "", "play/slower", "play/faster", "",
-                   "canvas/paint_in_play", "play/no_body", ""},
+                   "canvas/paint_in_play", "canvas/follow", "play/no_body", "", "canvas/legend"},
                   session, actions, ui);
     for (const OverlayInfo& info : overlay_infos())
       draw_command("overlay/" + std::string(info.key), session, actions, ui);
@@ -192,14 +192,17 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     };
     draw_menu("Timeline", {"timeline/start", "timeline/back_10", "timeline/back", "play/step",
                            "timeline/on_10", "timeline/end", "timeline/go_to", "", "timeline/mark",
-                           "timeline/previous_mark", "timeline/next_mark"});
+                           "timeline/previous_mark", "timeline/next_mark", "", "timeline/zoom_in",
+                           "timeline/zoom_out", "timeline/fit"});
     draw_menu("Branches", {"timeline/fork", "timeline/previous_branch", "timeline/next_branch",
                            "timeline/drop_branch", "", "timeline/rerun", "timeline/cancel"});
     draw_menu("Compare", {"compare/next", "compare/split", "", "compare/first", "compare/stop"});
     draw_menu("Plots", {"watch/new_watch", "watch/choose_times"});
     draw_menu("Reach", {"reach/find", "reach/cancel", "reach/show_way"});
-    draw_commands({"", "stops/forwards", "stops/back", "stops/new", "stops/switch_all", "", "why/next",
-                   "why/before", "", "file/save_recording"},
+    draw_menu("Breakpoints", {"stops/forwards", "stops/back", "", "stops/new", "stops/kind", "stops/pick",
+                              "stops/add", "", "stops/switch_all"});
+    draw_menu("Tuning", {"tuning/solver", "tuning/fields"});
+    draw_commands({"", "why/next", "why/before", "", "file/save_recording"},
                   session, actions, ui);
     draw_edit_rule(session, actions, ui);
     ImGui::EndMenu();

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "commands.h"
+#include "text_focus.h"
+
 namespace talus {
 namespace {
 
@@ -30,7 +33,8 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
   const bool open =
       ui.begin_combo("tuning/solver", std::string(solver_name(tuning.solver)), ui.px(120),
                      "Which solver moves the bodies: the article's own, with its defects; bump, "
-                     "with slopes as one more response; or exact, the default.");
+                     "with slopes as one more response; or exact, the default.",
+                     keys_of(find_command("tuning/solver"), ui));
   if (!open) return;
   for (const SolverKind solver : solver_kinds()) {
     const std::string name(solver_name(solver));
@@ -65,7 +69,7 @@ void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void TuningPanel::draw_group(std::string_view group, Ui& ui) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::TableNextColumn();
-  ui.heading(group.empty() ? "balls, of every solver" : group);
+  ui.heading(group.empty() ? "every solver" : group);
 }
 
 void TuningPanel::draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {
@@ -79,13 +83,14 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   ui.tooltip(help_of(field));
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
+  take_text_focus("tuning/" + key, ui);
   const double range = field.max - field.min;
   const bool changed =
       ImGui::DragScalar(("##" + key).c_str(), ImGuiDataType_Double, &value, static_cast<float>(range / 1000),
                         &field.min, &field.max, field.whole ? "%.0f" : "%.6g", ImGuiSliderFlags_AlwaysClamp);
   if (field.whole) value = std::round(value);
   if (ImGui::IsItemActivated()) stroke_ = session.next_stroke();
-  ui.item("tuning/" + key, help_of(field), "drag, or double click to type");
+  ui.item("tuning/" + key, help_of(field), "drag, or double click to type; Tab: the next one");
   if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
   ImGui::TableNextColumn();
   ui.heading(field.unit);

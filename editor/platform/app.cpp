@@ -30,6 +30,8 @@ constexpr double kNoteTime = 4;      // s
 // Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
 // in an opened one the text field has the focus one frame later.
 constexpr int kFramesOfADialogsChange = 2;
+// Until a field that is to get the keys is drawn and has them, where its panel is to be shown first.
+constexpr int kFramesOfATextsFocus = 5;
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -66,6 +68,9 @@ std::string absolute_path(const std::string& path) {
   const auto absolute = std::filesystem::absolute(path, error);
   return error ? path : absolute.lexically_normal().string();
 }
+
+// A list or a menu.
+bool is_popup_open() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
 
 }  // namespace
 
@@ -255,7 +260,7 @@ void App::draw(Actions& actions) {
   if (guard_) guard_->draw(*session_, ui_);
 }
 
-// Where a dialog opens or closes, or a field is to get the keys, what is pressed next is meant for what comes: it waits until that is drawn
+// Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
   const std::array<bool, 9> wanted = {ui_.view.dialog != FileDialog::none,
@@ -267,7 +272,7 @@ void App::hold_presses_while_dialogs_change() {
                                       ui_.view.program.recovery_open,
                                       session_->png_import().has_value(),
                                       ui_.view.resize_open};
-  if (wanted != std::exchange(wanted_dialogs_, wanted) || !ui_.view.wants_text.empty())
+  if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
     --frames_to_hold_;
@@ -300,14 +305,14 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   const KeyChord chord = chord_of(key.keysym);
   if (!chord || capture_key(chord) || keys_are_taken(chord) || steer(chord, actions)) return;
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
-  ui_.view.cursor.held_by(chord.key);
+  if (!ui_.view.wants_text.empty()) frames_to_hold_ = kFramesOfATextsFocus;
 }
 
 // The window about the program that was opened last, as far as is known.
 void App::close_window() {
   if (ImGui::GetIO().WantTextInput || ImGui::GetTopMostPopupModal() != nullptr) return;
   for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open,
-                     &ui_.view.exports.open}) {
+                     &ui_.view.exports.open, &ui_.view.debugger.picks_cell}) {
     if (std::exchange(*open, false)) return;
   }
 }
@@ -352,7 +357,7 @@ void App::release(const SDL_Event& event, Actions& actions) {
 // While a dialog is open or a text is typed, keys belong there.
 bool App::keys_are_taken(KeyChord chord) const {
   if (ImGui::GetTopMostPopupModal() != nullptr) return true;
-  // An open list or menu has the keys that go through it; Dear ImGui gives them to it.
+  // An open list or menu is gone through by keys.
   if (is_popup_open() && !chord.ctrl && !chord.alt && chord.key < kKeyF1) return true;
   const bool types = ImGui::GetIO().WantTextInput;
   const bool moves_cursor = chord.key >= kKeyTab;
@@ -396,6 +401,9 @@ void App::note_changes() {
       session_->history().edits().empty()) {
     ++ui_.view.level_number;
     ui_.view.marked_cell.reset();
+    const DebuggerView before = std::exchange(ui_.view.debugger, {});  // what was about the old one
+    ui_.view.debugger.legend_folded = before.legend_folded;
+    ui_.view.debugger.follow_body = before.follow_body;
   }
   if (ui_.view.preferences != noted_preferences_) {
     noted_preferences_ = ui_.view.preferences;

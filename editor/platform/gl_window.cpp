@@ -8,6 +8,7 @@
 #endif
 #include <SDL_opengl.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -142,6 +143,20 @@ void GlWindow::set_style(const WindowStyle& style) {
 
 void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
+// Lists and menus are gone through by the arrows, and Enter takes what is chosen, as Space does. Elsewhere the
+// keys are the commands'.
+void GlWindow::give_keys_to_popups() {
+  ImGuiIO& io = ImGui::GetIO();
+  const bool is_open = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 &&
+                       ImGui::GetTopMostPopupModal() == nullptr && !io.WantTextInput;
+  if (!is_open) {
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    return;
+  }
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
+}
+
 void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
@@ -163,6 +178,7 @@ void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorP
   static_cast<void>(events);
   static_cast<void>(pointer);
 #endif
+  give_keys_to_popups();
   ImGui::NewFrame();
 }
 

@@ -53,6 +53,7 @@ class GlWindow {
   void present();
 
  private:
+  void give_keys_to_popups();
   GlWindow() = default;
   std::string start(const WindowOptions& options);  // the error, or nothing
 
