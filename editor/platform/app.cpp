@@ -26,12 +26,18 @@ constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and what
 constexpr int kFrameBudget = 8;      // ms: the least time of a frame where the driver does not wait itself
 constexpr double kIdleWait = 3600;   // s
 constexpr double kBlinkWait = 0.25;  // s: while something changes slowly, such as a text cursor
-constexpr double kNoteTime = 4;      // s
+constexpr double kNoteTime = 4;      // s; of good news that are short
 // Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
 // in an opened one the text field has the focus one frame later.
 constexpr int kFramesOfADialogsChange = 2;
 // Until a field that is to get the keys is drawn and has them, where its panel is to be shown first.
 constexpr int kFramesOfATextsFocus = 5;
+
+// s. A long note tells what a file holds that a level does not, which is to be read to its end.
+double note_time(const std::string& note) {
+  constexpr double kShort = 100, kReadingTime = 0.2;  // letters; s for each more
+  return kNoteTime + std::max(0.0, static_cast<double>(note.size()) - kShort) * kReadingTime;
+}
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -216,7 +222,7 @@ bool App::wait() {
     return true;
   }
   double next_frame = now + kIdleWait;
-  if (!note_.empty()) next_frame = std::min(next_frame, note_since_ + kNoteTime);
+  if (!note_.empty()) next_frame = std::min(next_frame, note_since_ + note_time(note_));
   if (ImGui::GetIO().WantTextInput) next_frame = std::min(next_frame, last_time_ + kBlinkWait);
   const double until = guard_ ? std::min(next_frame, guard_->due()) : next_frame;
   const double ms = std::ceil(std::max(0.0, until - now) * 1000);
@@ -427,7 +433,7 @@ void App::dismiss_old_note() {
   if (text != note_) {
     note_ = text;
     note_since_ = last_time_;
-  } else if (!note_.empty() && last_time_ - note_since_ > kNoteTime) {
+  } else if (!note_.empty() && last_time_ - note_since_ > note_time(note_)) {
     session_->apply(action::DismissMessage{});
   }
 }
