@@ -221,14 +221,14 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t
     fail(node, "data", tiled_count_problem(data->is_array() ? data->size() : 0, count));
   } else {
     for (const Json& cell : *data) {
-      const bool fits =
-          cell.is_number_integer() && cell >= 0 && cell <= std::numeric_limits<std::uint32_t>::max();
+      const std::int64_t number = cell.is_number_integer() ? cell.get<std::int64_t>() : -1;
+      const bool fits = number >= 0 && number <= std::numeric_limits<std::uint32_t>::max();
       if (!fits) {
         fail(node, "data",
              "has something else than a number in place of cell " + std::to_string(cells.size() + 1));
         break;
       }
-      cells.push_back(cell.get<std::uint32_t>());
+      cells.push_back(static_cast<std::uint32_t>(number));
     }
   }
   return cells;
