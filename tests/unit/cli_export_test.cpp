@@ -89,12 +89,33 @@ class CliExport : public ::testing::Test {
     words.insert(words.begin(), {"export", TALUS_SOURCE_DIR "/assets/demo.talus.json", "--to"});
     const int status = run_cli(words, out, err);
     errors_ = err.str();
+    printed_ = out.str();
     return status;
   }
 
   fs::path folder_;
-  std::string errors_;
+  std::string errors_, printed_;
 };
+
+TEST_F(CliExport, OneFileGoesToStandardOutput) {
+  const std::pair<const char*, const char*> beginnings[] = {{"lua", "-- A level exported by Talus"},
+                                                            {"json", "{\n \"width\":240,"},
+                                                            {"c", "/* A level exported by Talus"},
+                                                            {"png", "\x89PNG\r\n"},
+                                                            {"svg", "<?xml version=\"1.0\"?>\n<svg "}};
+  for (const auto& [format, beginning] : beginnings) {
+    EXPECT_EQ(run({format, "-o", "-"}), 0) << errors_;
+    EXPECT_EQ(printed_.substr(0, std::string(beginning).size()), beginning) << format;
+  }
+}
+
+TEST_F(CliExport, TablesAreAFolder) {
+  ASSERT_EQ(run({"csv", "-o", folder_.string()}), 0) << errors_;
+  for (const char* name : {"map.csv", "flags.csv", "polygons.csv", "lines.csv", "spawns.csv"})
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_EQ(run({"csv", "-o", "-"}), 1);
+  EXPECT_NE(errors_.find("is a folder: name one"), std::string::npos) << errors_;
+}
 
 TEST_F(CliExport, LoveIsAFolder) {
   ASSERT_EQ(run({"love", "-o", folder_.string()}), 0) << errors_;
