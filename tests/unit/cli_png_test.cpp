@@ -52,7 +52,7 @@ TEST(CliPng, AnOutputMustHaveAPicturesName) {
   const PngAnswer answer = run_png({"export", level_path(), "--to", "tiles-png", "-o", png_path("a.tic")});
   EXPECT_EQ(answer.status, kExitBad);
   EXPECT_EQ(answer.err, png_path("a.tic") +
-                            ": error: is no name of a PNG picture, which would be written: it "
+                            ": error: is no name of a PNG picture of the tiles, which would be written: it "
                             "must end with .png\n");
 }
 
