@@ -16,6 +16,7 @@
 #include "overlay_painter.h"
 #include "play_keys.h"
 #include "shape_drawing.h"
+#include "wrapped_text.h"
 
 namespace talus {
 namespace {
@@ -44,6 +45,16 @@ float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 col
                      theme::color(theme::kDark, 205), ui.px(3));
   list.AddText({at.x + pad.x, at.y + pad.y}, color, text.c_str());
   return size.x + 2 * pad.x;
+}
+
+// A text as lines that a plate each has room for.
+std::vector<std::string> plate_lines(const std::string& text, const CanvasView& view, const Ui& ui) {
+  const float width = view.max.x - view.min.x - ui.px(4 + 12 + 4);
+  const auto fits = [width](std::string_view line) {
+    return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
+  };
+  const auto lines = lines_between_words(text, fits);
+  return {lines.begin(), lines.end()};
 }
 
 std::string zoom_text(float zoom) {
@@ -126,12 +137,14 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   const std::string missing = missing_side(session);
   const std::string title = missing.empty() ? other_side_name(session) : missing;
   const float plate = ImGui::GetTextLineHeight() + ui.px(8);
-  const ScreenBox covered{view.min, {view.max.x, at.y + plate}};
+  const auto then =
+      other_then_.is_other() ? plate_lines(other_then_.caption(), view, ui) : std::vector<std::string>();
+  const ScreenBox covered{view.min, {view.max.x, at.y + plate * static_cast<float>(1 + then.size())}};
   draw_other_overlays(list, session, view, ui.scale, std::span(&covered, 1));
   draw_plate(list, at, title, theme::color(theme::kMuted), ui);
-  if (other_then_.is_other())
-    draw_plate(list, {at.x, at.y + ui.px(8) + ImGui::GetTextLineHeight()}, other_then_.caption(),
-               theme::color(theme::kWarning), ui);
+  for (std::size_t i = 0; i < then.size(); ++i)
+    draw_plate(list, {at.x, at.y + plate * static_cast<float>(i + 1)}, then[i], theme::color(theme::kWarning),
+               ui);
   list.PopClipRect();
 }
 
@@ -420,7 +433,9 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
     title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
   std::vector<Caption> captions{{title, theme::kMuted}};
   if (const std::string note = case_note(session); !note.empty()) captions.push_back({note, theme::kMuted});
-  if (then_.is_other()) captions.push_back({then_.caption(), theme::kWarning});
+  if (!then_.is_other()) return captions;
+  for (std::string& line : plate_lines(then_.caption(), view, ui))
+    captions.push_back({std::move(line), theme::kWarning});
   return captions;
 }
 
