@@ -66,16 +66,16 @@ std::string c_list(const Range& values) {
   return text + '}';
 }
 
-// The floors of a tile, or of further columns of its shape: 24.8, or NO_FLOOR.
-std::string floor_row(const PlainShape* shape, int column, const std::string& none) {
+// The floors of a shape's tile, or of a further column of it: 24.8, or `none`.
+std::string floor_row(const PlainShape& shape, int column, const std::string& none) {
   std::string text = "{";
   for (int x = 0; x < kTileSide; ++x) {
     if (x > 0) text += ',';
-    const double y = shape == nullptr ? 0 : shape->columns[static_cast<std::size_t>(column * kTileSide + x)];
-    if (shape == nullptr || !shape->has_floor_at(y))
-      text += none;
+    const double y = shape.columns[static_cast<std::size_t>(column * kTileSide + x)];
+    if (shape.has_floor_at(y))
+      append_number(text, fixed(shape.is_ceiling ? 0 : y));
     else
-      append_number(text, fixed(shape->is_ceiling ? 0 : y));
+      text += none;
   }
   return text + '}';
 }
@@ -131,14 +131,13 @@ class CHeader {
 
 void CHeader::put_head() {
   line(
-      "/* A level exported by Talus, in C99. Lengths are px in 24.8 fixed point (256 is 1 px), x to the "
-      "right,");
-  line("   y down. The floor of a tile is measured from the tile's top. */");
-  line("#ifndef ^_INCLUDED");
-  line("#define ^_INCLUDED");
-  line("");
-  line("#include <stdint.h>");
-  line("");
+      R"(/* A level exported by Talus, in C99. Lengths are px in 24.8 fixed point (256 is 1 px), x to the right,
+   y down. The floor of a tile is measured from the tile's top. */
+#ifndef ^_INCLUDED
+#define ^_INCLUDED
+
+#include <stdint.h>
+)");
   define("WIDTH", level_.map.width());
   define("HEIGHT", level_.map.height());
   define("TILE_SIZE", kTileSide);
@@ -174,27 +173,19 @@ void CHeader::put_map() {
 
 void CHeader::put_shapes() {
   line(
-      "/* Shapes by tile. kind: 0 none, 1 solid, 2 slope, 3 profile. is_ceiling: ground is above the line, "
-      "from");
-  line(
-      "   the tile's top; else below it, to its bottom. one_way: the line alone stops bodies. tiles: width; "
-      "what");
-  line(
-      "   is beyond the first reaches over the cells to the right, as does more: the row of @_floors for "
-      "the");
-  line(
-      "   second of them. The line goes through heights at equal distances, @_ys[first] to @_ys[first + "
-      "parts].");
-  line(
-      "   A slope is also y = y0 + (slope * x >> 8), x from the tile's left side: both are rounded to 1/256, "
-      "so");
-  line("   that it is off by up to 1/512 for each px of x; @_line_y is not. */");
-  line("typedef struct @_shape {");
-  line("  uint8_t kind, is_ceiling, one_way, tiles;");
-  line("  uint16_t more, first, parts;");
-  line("  int32_t slope, y0;");
-  line("} @_shape;");
-  line("static const @_shape @_shapes[256] = {");
+      R"(/* Shapes by tile. kind: 0 none, 1 solid, 2 slope, 3 profile. is_ceiling: ground is above the line, from
+   the tile's top; else below it, to its bottom. one_way: the line alone stops bodies. tiles: its width; what
+   is beyond the first tile reaches over the cells to the right. more: the row of @_floors for the second tile
+   of a wide shape, which those of the others follow; else 0. The line goes through heights at equal distances,
+   @_ys[first] to @_ys[first + parts]. A slope is also y = y0 + (slope * x >> 8), x from the tile's left side:
+   both numbers are rounded, so that it is off by up to 1/512 px for each px of x; @_line_y is not.
+   ^_WIDEST and ^_HIGHEST: how many tiles a shape reaches over, at most. */
+typedef struct @_shape {
+  uint8_t kind, is_ceiling, one_way, tiles;
+  uint16_t more, first, parts;
+  int32_t slope, y0;
+} @_shape;
+static const @_shape @_shapes[256] = {)");
   std::size_t more = kTileCount, first = 0;
   std::vector<std::int64_t> ys;
   for (const PlainShape* shape : by_tile_) {
@@ -221,16 +212,17 @@ void CHeader::put_shapes() {
 
 void CHeader::put_floors() {
   line(
-      "/* By tile, then the further columns of wide shapes: where bodies can stand, in the middle of each "
-      "column");
-  line("   of pixels. ^_NO_FLOOR: nowhere. */");
+      R"(/* By tile, then the further columns of wide shapes: where bodies can stand, in the middle of each column
+   of pixels. ^_NO_FLOOR: nowhere. */
+#define ^_NO_FLOORS \
+  {^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR})");
   std::string rows, more;
   std::size_t count = kTileCount;
   const std::string none = macro_ + "_NO_FLOOR";
   for (const PlainShape* shape : by_tile_) {
-    rows += floor_row(shape, 0, none) + ",\n";
+    rows += (shape == nullptr ? none + "S" : floor_row(*shape, 0, none)) + ",\n";
     for (int column = 1; shape != nullptr && column < shape->tiles; ++column, ++count)
-      more += floor_row(shape, column, none) + ",\n";
+      more += floor_row(*shape, column, none) + ",\n";
   }
   line("static const int32_t @_floors[" + std::to_string(count) + "][8] = {");
   text_ += rows + more;
@@ -238,12 +230,12 @@ void CHeader::put_floors() {
 }
 
 void CHeader::put_spawns() {
-  line("/* Bodies placed by hand: the top left corner, the size, the velocity in px a frame. */");
-  line("typedef struct @_spawn {");
-  line("  const char *name;");
-  line("  int32_t is_player, x, y, w, h, vx, vy;");
-  line("} @_spawn;");
-  line("static const @_spawn @_spawns[^_SPAWNS + 1] = { /* the last one is empty */");
+  line(R"(/* Bodies placed by hand: the top left corner, the size, the velocity in px a frame. */
+typedef struct @_spawn {
+  const char *name;
+  int32_t is_player, x, y, w, h, vx, vy;
+} @_spawn;
+static const @_spawn @_spawns[^_SPAWNS + 1] = { /* the last one is empty */)");
   for (const Spawn& s : level_.spawns) {
     const std::vector<std::int64_t> numbers = {s.kind == BodyKind::player,
                                                fixed(s.position.x),
