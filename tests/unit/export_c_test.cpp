@@ -129,12 +129,12 @@ TEST_F(ExportCFloors, AreExactInTheDemo) {
 TEST_F(ExportCFloors, AreWithinA256thOnRandomGround) {
   Dice dice(6);
   int floors = 0;
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 5; ++round) {
     Level level = level_of_shapes(std::vector<std::string>(12, std::string(16, '.')));
     for (std::uint8_t& cell : level.map.cells())
       if (dice.one_in(4)) cell = static_cast<std::uint8_t>(dice.up_to(12));
     std::vector<Vec2> points;
-    for (int i = 0; i < 500; ++i)
+    for (int i = 0; i < 1000; ++i)
       points.push_back({dice.up_to(127) + dice.up_to(254) / 256.0 + 1 / 256.0, dice.step(0, 96, 256)});
     floors += expect_floors_of_the_core(level, points, 1.0 / 256);
   }
