@@ -34,10 +34,12 @@ class SeamFinder {
         least_body_(tiles.player() ? std::min<double>(tiles.player()->y, kTileSize) : kTileSize) {}
 
   void find(std::array<Cell, 2> area) {
-    const Cell first{std::max(area[0].x - 1, 0), std::max(area[0].y - 1, 0)};
+    // A floor that goes on may be a row higher or lower, and the ceiling over it another one.
+    const Cell first{std::max(area[0].x - 1, 0), std::max(area[0].y - 2, 0)};
     const Cell last{std::min(area[1].x + 1, level_.map.width() - 1),
-                    std::min(area[1].y + 1, level_.map.height() - 1)};
+                    std::min(area[1].y + 2, level_.map.height() - 1)};
     compiler_.enter({first, last});
+    for (Compiled& known : compiled_) known.cell = {-1, -1};
     around_ = {first, last};
     const std::size_t cells =
         static_cast<std::size_t>(last.x - first.x + 1) * static_cast<std::size_t>(last.y - first.y + 1);
@@ -75,14 +77,23 @@ class SeamFinder {
     }
   }
 
+  // What is compiled is asked for again beside it and below.
+  const std::vector<Piece<double>>& pieces_at(Cell cell) {
+    for (const Compiled& known : compiled_)
+      if (known.cell == cell) return known.pieces;
+    Compiled& next = compiled_[next_++ % compiled_.size()];
+    next.cell = cell;
+    next.pieces.clear();
+    compiler_.compile(cell, {}, next.pieces);
+    return next.pieces;
+  }
+
   // The exposed ends of floors and ceilings at one side of a cell.
   void ends_of(Cell cell, bool right, std::vector<End>& ends) {
     if (!ground_[index_of(cell)]) return;
-    pieces_.clear();
-    compiler_.compile(cell, {}, pieces_);
     const double x = (cell.x + (right ? 1.0 : 0.0)) * kTileSize;
     const double row0 = cell.y * 1.0 * kTileSize, row1 = row0 + kTileSize;
-    for (const Piece<double>& piece : pieces_) {
+    for (const Piece<double>& piece : pieces_at(cell)) {
       const bool ends_here = right ? piece.x1 == x : piece.x0 == x;
       if (piece.is_wall() || !ends_here) continue;
       // A steep piece is in several cells: its end counts in one of them.
@@ -143,9 +154,9 @@ class SeamFinder {
     return false;
   }
 
-  // Told once, at its left end if that is one.
+  // Told at each end that begins at once.
   void check_crack(Cell cell) {
-    if (!ground_[index_of(cell)]) return;
+    if (cell.y == 0 || !ground_[index_of(cell)] || !ground_[index_of({cell.x, cell.y - 1})]) return;
     const auto left = slit_at(cell, false), right = slit_at(cell, true);
     if (!left || !right) return;
     const bool begins = !goes_on(cell, false, *left);
@@ -202,7 +213,12 @@ class SeamFinder {
   std::array<Cell, 2> around_{};  // the area and its neighbours
   // By cell around the area: whether a slope or the like may change the outline; and whether there is ground.
   std::vector<bool> touched_, ground_;
-  std::vector<Piece<double>> pieces_;
+  struct Compiled {
+    Cell cell{-1, -1};
+    std::vector<Piece<double>> pieces;
+  };
+  std::array<Compiled, 16> compiled_;  // the cells compiled last
+  std::size_t next_ = 0;               // place of the next one there
   std::vector<End> here_, there_, slit_ends_;
 };
 
