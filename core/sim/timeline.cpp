@@ -71,7 +71,7 @@ void Timeline::edit(const Level& level, const std::vector<Cell>* cells, ScenePtr
 }
 
 // Whether the simulation sees a difference. Spawns count though they look the same to it: their order tells
-// which body is whose after the next edit.
+// which body is whose after the next edit; and so does the size of the map, by which later cells are found.
 bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
   const bool is_known = compiled != nullptr;
   ScenePtr scene = std::move(compiled);
@@ -81,7 +81,10 @@ bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, Sce
   auto version = std::make_shared<const LevelVersion>(cells != nullptr ? version_of(level, *version_, *cells)
                                                                        : version_of(level, version_.get()));
   // What was compiled elsewhere is large, and shares nothing that would make it quick to compare.
-  if (!is_known && *scene == *scene_ && version->spawns == version_->spawns) return false;
+  const auto size = [](const LevelVersion& v) { return std::pair(v.rows.size(), v.rows.front()->size()); };
+  if (!is_known && *scene == *scene_ && version->spawns == version_->spawns &&
+      size(*version) == size(*version_))
+    return false;
   version_ = std::move(version);
   scene_ = std::move(scene);
   scenes_.put(version_, scene_);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "edit/map_resize.h"
 #include "session/session.h"
 
 namespace talus::session_timeline_test {
@@ -340,6 +341,19 @@ TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutAndABadFileChangesNothing) {
   session_.apply(act::AnswerQuestion{act::Answer::discard});
   EXPECT_THAT(message(), testing::HasSubstr("missing.talusrec"));
   fs::remove(path);
+}
+
+// The solvers without a ground of their own see nothing of empty cells.
+TEST_F(SessionTimeline, AMapThatGrewByEmptyCellsIsPaintedInThem) {
+  Tuning tuning = session_.level().tuning;
+  tuning.solver = SolverKind::article;
+  session_.apply(act::EditLevel{set_tuning(session_.level(), tuning)});
+  session_.apply(act::EditLevel{resize_map(session_.level(), {.width = 60, .height = 40}, std::nullopt)});
+  paint({55, 35});
+  EXPECT_EQ(session_.level().map.at({55, 35}), kSolid);
+  const Branch& branch = timeline().current();
+  EXPECT_EQ(branch.chapters.back().version->rows.size(), 40u);
+  EXPECT_EQ(branch.chapters.back().version->rows[35]->at(55), kSolid);
 }
 
 }  // namespace talus::session_timeline_test
