@@ -223,6 +223,13 @@ void choose_in(std::string_view panel, std::string_view control, U ui) {
   ui.view.wants_text = control;
 }
 
+void pick_cell(S, A actions, U ui) {
+  type_into("stops", "", ui);
+  bool& picks = ui.view.debugger.picks_cell;
+  picks = !picks;
+  if (picks) actions.push_back(action::ShowMessage{"Click a cell on the map or the play view; Esc: none."});
+}
+
 std::vector<Command> choice_commands() {
   return {
       command("stops/kind", alt('k'), "What to stop at...",
@@ -231,12 +238,9 @@ std::vector<Command> choice_commands() {
       command("stops/add", alt('a'), "Add the chosen breakpoint",
               "Adds a breakpoint of the kind and with the numbers that are chosen in its panel.",
               [](S, A, U ui) { type_into("stops", "stops/add", ui); }),
-      command("stops/pick", alt('i'), "Pick a breakpoint's cell on the map",
-              "The next click on the map or the play view chooses the cell that a breakpoint is about.",
-              [](S, A, U ui) {
-                type_into("stops", "", ui);
-                ui.view.debugger.picks_cell = true;
-              }),
+      toggle("stops/pick", alt('i'), "Pick a breakpoint's cell on the map",
+             "The next click on the map or the play view chooses the cell that a breakpoint is about.",
+             pick_cell, [](S, const Ui& ui) { return ui.view.debugger.picks_cell; }),
       command("tuning/solver", alt_shift('t'), "Choose the solver...", "Opens the list of solvers.",
               [](S, A, U ui) { choose_in("tuning", "tuning/solver", ui); }),
       command("tuning/fields", alt('t'), "Change the tuning...",

@@ -94,7 +94,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
     }
     ImGui::EndCombo();
   }
-  draw_fields(info, ui);
+  draw_fields(info, session, actions, ui);
   ui.same_line_if_fits(ui.px(48), ui.px(8));
   const int body = session.choices().body;
   const bool by_key = ui.view.wants_text == "stops/add";
@@ -120,7 +120,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
 }
 
 // The numbers of the kind that is chosen.
-void StopsPanel::draw_fields(const StopKindInfo& info, Ui& ui) {
+void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui) {
   for (std::size_t i = 0; i < field_count(info); ++i) {
     const StopField& field = info.fields[i];
     const std::string name = "stops/field" + std::to_string(i);
@@ -137,11 +137,7 @@ void StopsPanel::draw_fields(const StopKindInfo& info, Ui& ui) {
   }
   if (!is_about_place(kind_)) return;
   ui.same_line_if_fits(ui.px(theme::kButton));
-  if (ui.icon_button("stops/pick", Icon::pick, ui.view.debugger.picks_cell,
-                     ui.view.debugger.picks_cell ? "Click a cell on the map or the play view."
-                                                 : "Pick the cell on the map or the play view.",
-                     keys_of(find_command("stops/pick"), ui)))
-    ui.view.debugger.picks_cell = !ui.view.debugger.picks_cell;
+  command_button("stops/pick", "stops/pick", Icon::pick, session, actions, ui);
 }
 
 // A kind begins with its defaults; one about a place with what is selected or was clicked last.
@@ -234,7 +230,7 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   ui.item(name + "/count", "Stops at this hit and those after it; hits are counted from frame 0.");
   ImGui::TableNextColumn();
   const auto hits = session.debugger().stops().hits(breakpoint.id, session.state().frame);
-  ui.right_aligned(hits ? std::to_string(*hits) : "...");
+  ui.right_aligned(!breakpoint.enabled ? "-" : hits ? std::to_string(*hits) : "...");
   ui.item(name + "/hits", hits ? "Its hits from frame 0 to the shown frame." : "Its hits are being counted.");
   ImGui::TableNextColumn();
   if (ImGui::SmallButton("x")) actions.push_back(action::RemoveBreakpoint{breakpoint.id});

@@ -19,7 +19,7 @@ class StopsPanel final : public Panel {
  private:
   void draw_run(const Session& session, Actions& actions, Ui& ui);
   void draw_add(const Session& session, Actions& actions, Ui& ui);
-  void draw_fields(const StopKindInfo& info, Ui& ui);
+  void draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui);
   void fill_in_place(const Session& session, Ui& ui);
   void put_place(CellRect cells);
   void draw_list(const Session& session, Actions& actions, Ui& ui);

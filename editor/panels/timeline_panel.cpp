@@ -55,6 +55,7 @@ class Track {
       draw_pin(list_, axis_.x_of(static_cast<double>(*parting)), middle(), ui_.px(5),
                theme::tone(theme::kError));
     cursor();
+    ends();
     list_.PopClipRect();
   }
 
@@ -72,6 +73,15 @@ class Track {
   void tick(std::int64_t frame, ImU32 color) const {
     const float x = std::round(axis_.x_of(static_cast<double>(frame)));
     list_.AddRectFilled({x, middle() - ui_.px(5)}, {x + ui_.px(1), middle() + ui_.px(5)}, color);
+  }
+  // Which frames they are, while it shows not all of them.
+  void ends() const {
+    if (ui_.view.debugger.frames == FrameZoom{}) return;
+    const std::string first = std::to_string(axis_.first), last = std::to_string(axis_.last);
+    const float y = max_.y - ImGui::GetTextLineHeight();
+    const ImU32 color = theme::tone(theme::kMuted);
+    list_.AddText({min_.x + ui_.px(3), y}, color, first.c_str());
+    list_.AddText({max_.x - ui_.px(3) - ImGui::CalcTextSize(last.c_str()).x, y}, color, last.c_str());
   }
   void cursor() const {
     const float x = std::round(axis_.x_of(static_cast<double>(session_.state().frame)));
