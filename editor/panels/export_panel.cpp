@@ -126,9 +126,9 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
               ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
   }
   ImGui::End();
-  // One at a time: a preview of each frame of a stroke would be of no use.
-  const ExportTask task{count > 0 ? chosen_preset(session, ui) : ExportPreset(), session.path()};
-  if (count > 0 && !session.exporting().is_busy() && !session.exporting().previews(session.revision(), task))
+  if (view.preset >= count) return;  // it was added in this frame
+  const ExportTask task{chosen_preset(session, ui), session.path()};
+  if (!session.exporting().previews(session.revision(), task) && session.exporting().takes_preview(task))
     actions.push_back(action::PreviewExport{view.preset});
 }
 

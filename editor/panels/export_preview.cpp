@@ -114,6 +114,19 @@ float fraction_of(const ExportProgress& progress, double time) {
                              : static_cast<float>(progress.bytes_done) / static_cast<float>(progress.bytes);
 }
 
+void draw_bar(const ExportProgress& progress, float width, Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ui.px(theme::kButton);
+  const float done = fraction_of(progress, ui.time) * width;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + height}, theme::tone(theme::kControl));
+  list.AddRectFilled(at, {at.x + done, at.y + height}, theme::tone(theme::kAccent, 110));
+  list.AddText({at.x + ui.px(8), at.y + (height - ImGui::GetTextLineHeight()) / 2}, theme::tone(theme::kText),
+               progress_text(progress).c_str());
+  ImGui::Dummy({width, height});
+  ui.item("export/progress");
+}
+
 }  // namespace
 
 std::string size_text(std::size_t bytes) {
@@ -169,10 +182,7 @@ void draw_export_notes(const Session& session, Ui& ui) {
 void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
   if (const auto progress = session.exporting().progress()) {
     const float width = ui.px(88);
-    ImGui::ProgressBar(fraction_of(*progress, ui.time),
-                       {ImGui::GetContentRegionAvail().x - width - ui.px(8), ui.px(theme::kButton)},
-                       progress_text(*progress).c_str());
-    ui.item("export/progress");
+    draw_bar(*progress, ImGui::GetContentRegionAvail().x - width - ui.px(8), ui);
     ImGui::SameLine();
     const Command& cancel = find_command("file/export_cancel");
     if (ui.text_button("export/cancel", "Cancel", false, cancel.help, keys_of(cancel, ui), true, width))

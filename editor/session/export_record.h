@@ -13,7 +13,7 @@ class ExportRecord {
   static constexpr std::size_t kMostFiles = 10'000;
 
   // file: where it is kept between starts; empty: nowhere. One that cannot be read counts as empty.
-  explicit ExportRecord(std::string file);
+  explicit ExportRecord(std::string file = {});
   // Whether an export wrote what the file holds now. path: absolute.
   bool has(const std::string& path, std::uint64_t content) const;
   void note(const std::string& path, std::uint64_t content);  // content_hash

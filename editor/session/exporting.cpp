@@ -1,4 +1,5 @@
-// One thread at a time: the next job waits for the one before, even where that was given up.
+// Making the files of a huge level may take a minute, and exporters know no way to stop: what is cancelled
+// meanwhile is left to itself, at most one at a time. What writes is waited for.
 #include "exporting.h"
 
 #include <algorithm>
@@ -32,9 +33,18 @@ Exporting::Exporting(ExportTools tools) : tools_(std::move(tools)), record_(tool
 }
 
 Exporting::~Exporting() {
-  next_preview_.reset();
-  if (job_ && !job_->is_run) job_->wanted = false;
+  if (job_ && !job_->is_run) give_up_job();
   if (thread_.joinable()) thread_.join();
+}
+
+// False: it has to be waited for, as it writes, or as another one was given up already.
+bool Exporting::give_up_job() {
+  job_->wanted = false;
+  if (job_->writing || !given_up_.expired()) return false;
+  given_up_ = job_;
+  job_.reset();
+  thread_.detach();
+  return true;
 }
 
 std::shared_ptr<const Level> Exporting::snapshot(const Level& level) {
@@ -45,33 +55,43 @@ std::shared_ptr<const Level> Exporting::snapshot(const Level& level) {
 
 void Exporting::preview(const Level& level, std::uint64_t revision, ExportTask task) {
   next_preview_ = NextPreview{snapshot(level), revision, std::move(task)};
+  if (job_ && !job_->is_run && job_->run.tasks.front() != next_preview_->task) give_up_job();
   start_next();
+}
+
+bool Exporting::takes_preview(const ExportTask& task) const {
+  if (job_ == nullptr) return true;
+  return !job_->is_run && job_->run.tasks.front() != task && given_up_.expired();
 }
 
 void Exporting::run(ExportRun run) {
   if (running() || run.tasks.empty()) return;
-  if (job_) job_->wanted = false;  // a preview, or a run that was given up
+  if (job_) give_up_job();  // a preview, or a run that was cancelled
   next_run_ = std::move(run);
   start_next();
 }
 
 void Exporting::cancel() {
-  next_run_.reset();
-  if (job_ && job_->is_run) job_->wanted = false;
+  if (!running()) return;
+  if (next_run_)
+    cancelled_ = FinishedRun{*std::exchange(next_run_, std::nullopt), {}, true, false};
+  else if (ExportRun run = job_->run; give_up_job())
+    cancelled_ = FinishedRun{std::move(run), {}, true, false};
 }
 
 std::optional<FinishedRun> Exporting::advance() {
-  std::optional<FinishedRun> finished;
-  if (job_ && job_->done) {
+  std::optional<FinishedRun> finished = std::exchange(cancelled_, std::nullopt);
+  if (!finished && job_ && job_->done) {
     thread_.join();
     const auto job = std::exchange(job_, nullptr);
+    record_ = job->record;
     if (job->is_run) {
-      const bool cancelled = !job->wanted && !job->asks &&
-                             std::none_of(job->outcomes.begin(), job->outcomes.end(),
-                                          [](const ExportOutcome& outcome) { return outcome.written; });
+      const bool cancelled = !job->wanted && std::none_of(job->outcomes.begin(), job->outcomes.end(),
+                                                          [](const ExportOutcome& o) { return o.written; });
       last_run_ = job->outcomes;
-      preview_.reset();  // what is at the places is something else now
-      finished = FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled, job->asks};
+      if (!job->asks) preview_.reset();  // what is at the places is something else now
+      finished =
+          FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled, job->asks && !cancelled};
     } else if (job->wanted) {
       preview_ = ExportPreview{job->revision, std::move(job->outcomes.front())};
     }
@@ -102,22 +122,21 @@ bool Exporting::previews(std::uint64_t revision, const ExportTask& task) const {
 }
 
 void Exporting::start_next() {
-  if (job_) return;
-  auto job = std::make_unique<Job>();
+  if (job_ || (!next_run_ && !next_preview_)) return;
+  job_ = std::make_shared<Job>();
   if (next_run_) {
-    job->is_run = true;
-    job->run = *std::exchange(next_run_, std::nullopt);
-  } else if (next_preview_) {
-    NextPreview next = *std::exchange(next_preview_, std::nullopt);
-    job->revision = next.revision;
-    job->run = {.tasks = {std::move(next.task)}, .level = std::move(next.level), .may_replace = {}};
+    job_->is_run = true;
+    job_->run = *std::exchange(next_run_, std::nullopt);
   } else {
-    return;
+    NextPreview next = *std::exchange(next_preview_, std::nullopt);
+    job_->revision = next.revision;
+    job_->run = {.tasks = {std::move(next.task)}, .level = std::move(next.level), .may_replace = {}};
   }
-  job_ = std::move(job);
-  thread_ = std::thread([this, started = job_.get()] {
-    carry_out(*started);
-    started->done = true;
+  job_->read_asset = tools_.read_asset;
+  job_->record = record_;
+  thread_ = std::thread([job = job_] {
+    carry_out(*job);
+    job->done = true;
   });
 }
 
@@ -128,7 +147,9 @@ void Exporting::carry_out(Job& job) {
     job.asks = job.asks || !std::includes(job.run.may_replace.begin(), job.run.may_replace.end(),
                                           outcome.foreign.begin(), outcome.foreign.end());
   }
-  if (!job.asks) write(job, plans);
+  if (job.asks) return;
+  job.writing = true;  // before it looks whether it is wanted: from here on it is waited for
+  if (job.wanted) write(job, plans);
 }
 
 // The plans are those of the outcomes without a problem. False: it was given up.
@@ -138,12 +159,12 @@ bool Exporting::make(Job& job, std::vector<ExportPlan>& plans) {
     const ExportTask& task = job.run.tasks[i];
     const auto output = output_of(task.preset, task.level_file);
     const std::string to = output.value_or("");
-    auto plan = plan_export(*job.run.level, task.preset.exporter, to, tools_.read_asset);
+    auto plan = plan_export(*job.run.level, task.preset.exporter, to, job.read_asset);
     if (!plan) {
       job.outcomes.push_back({.task = task, .output = to, .problem = plan.error()});
       continue;
     }
-    job.outcomes.push_back(outcome_of(task, to, *plan, record_));
+    job.outcomes.push_back(outcome_of(task, to, *plan, job.record));
     if (!output)
       job.outcomes.back().problem = output.error();
     else
@@ -172,9 +193,9 @@ void Exporting::write(Job& job, const std::vector<ExportPlan>& plans) {
     if (!written && job.wanted) outcome.problem = written.error();
     if (!written) continue;
     for (std::size_t f = 0; f < plan.files.size(); ++f)
-      record_.note(plan.files[f].path, content_hash(plan.content.files[f].bytes));
+      job.record.note(plan.files[f].path, content_hash(plan.content.files[f].bytes));
   }
-  record_.save();
+  job.record.save();
 }
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Exporting: makes and writes exports beside the editor, on a thread, one after the other.
+// Exporting: makes and writes exports beside the editor, on a thread.
 #pragma once
 
 #include <atomic>
@@ -70,7 +70,7 @@ struct ExportProgress {
 class Exporting {
  public:
   explicit Exporting(ExportTools tools);
-  ~Exporting();  // waits for a run to end, and for what was given up
+  ~Exporting();  // waits for a run to end
   Exporting(const Exporting&) = delete;
   Exporting& operator=(const Exporting&) = delete;
 
@@ -78,16 +78,18 @@ class Exporting {
   static std::shared_ptr<const Level> snapshot(const Level& level);
   // Looks at what a task would write; once, in place of the preview before.
   void preview(const Level& level, std::uint64_t revision, ExportTask task);
+  // Whether a preview would begin at once: of the same task, the one before has to end first, so that a level
+  // that is being painted on is not copied in vain.
+  bool takes_preview(const ExportTask& task) const;
   // Writes all tasks that have no problem, or nothing where one of them asks. Goes before a preview. While
   // another run is under way nothing happens: see running().
   void run(ExportRun run);
-  // Ends the run: what it has not put in place yet stays as it was. In the middle of making files it ends
-  // for the user, and the thread when they are made.
+  // Ends the run: what it has not put in place yet stays as it was.
   void cancel();
   // Takes what is done, and goes on with what waits. A run that has ended is returned once.
   std::optional<FinishedRun> advance();
 
-  bool is_busy() const { return job_ != nullptr || next_run_ || next_preview_; }
+  bool is_busy() const { return job_ != nullptr || next_run_ || next_preview_ || cancelled_; }
   bool running() const { return next_run_.has_value() || (job_ && job_->is_run && job_->wanted); }
   std::optional<ExportProgress> progress() const;  // of the run that is under way
   const std::optional<ExportPreview>& preview() const { return preview_; }
@@ -101,25 +103,31 @@ class Exporting {
     std::uint64_t revision = 0;
     ExportTask task;
   };
+  // All that a thread works with, so that one that is given up can go on to its end alone.
   struct Job {
     bool is_run = false;
     ExportRun run;               // of a preview: its one task
     std::uint64_t revision = 0;  // of a preview
-    std::atomic<bool> wanted = true, done = false;
+    ReadAsset read_asset;
+    ExportRecord record;
+    std::atomic<bool> wanted = true, writing = false, done = false;
     std::atomic<std::size_t> task = 0, files_done = 0, files = 0, bytes_done = 0, bytes = 0;
     // Written before `done`.
     std::vector<ExportOutcome> outcomes;
     bool asks = false;
   };
   void start_next();
-  void carry_out(Job& job);
-  bool make(Job& job, std::vector<ExportPlan>& plans);
-  void write(Job& job, const std::vector<ExportPlan>& plans);
+  bool give_up_job();
+  static void carry_out(Job& job);
+  static bool make(Job& job, std::vector<ExportPlan>& plans);
+  static void write(Job& job, const std::vector<ExportPlan>& plans);
 
   ExportTools tools_;
-  ExportRecord record_;  // the thread's alone while there is a job
-  std::unique_ptr<Job> job_;
+  ExportRecord record_;
+  std::shared_ptr<Job> job_;
   std::thread thread_;
+  std::weak_ptr<Job> given_up_;  // still making files that nobody wants
+  std::optional<FinishedRun> cancelled_;
   std::optional<ExportRun> next_run_;
   std::optional<NextPreview> next_preview_;
   std::optional<ExportPreview> preview_;

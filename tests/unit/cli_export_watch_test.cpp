@@ -122,6 +122,10 @@ class CliWatch : public CliPresets {
       status_ = run_cli(words, out, err);
     });
   }
+  void TearDown() override {
+    if (thread_.joinable()) interrupt();
+    CliPresets::TearDown();
+  }
   // As Ctrl+C does. To be called after it has written something: until then it would end the tests.
   void interrupt() {
     pthread_kill(thread_.native_handle(), SIGINT);

@@ -37,13 +37,7 @@ TEST(NativeExports, ComeBackAsTheyWere) {
   const auto text = write_native(level, {}).value().bytes;
   EXPECT_NE(text.find(R"(
   "exports": [
-    {
-      "name": "game",
-      "to": "love",
-      "path": "export/love",
-      "on_save": true,
-      "colour": "red"
-    },
+    {"name": "game", "to": "love", "path": "export/love", "on_save": true, "colour": "red"},
     {"name": "", "to": "no-such-target", "path": "/tmp/x y.zip"}
   ],)"),
             std::string::npos)
