@@ -187,7 +187,7 @@ TEST_F(CliWatch, ExportsAtOnceAndAfterEachSave) {
 }
 
 TEST_F(CliWatch, AfterABadFileItGoesOn) {
-  save(kTwo);
+  save({});
   watch({"--to", "tic", "-o", path("b.tic")});
   wait_for(out_text_, 1);
   std::ofstream(path("cave.talus.json"), std::ios::binary) << "{\"talus\": 1, \"palette\": 3}";
@@ -196,7 +196,7 @@ TEST_F(CliWatch, AfterABadFileItGoesOn) {
   fs::remove(path("cave.talus.json"));
   const std::string gone = wait_for(err_text_, 2);
   EXPECT_NE(gone.find("is not there; waiting for it\n"), std::string::npos) << gone;
-  save(kTwo, 5);
+  save({}, 5);
   wait_for(out_text_, 2);
   interrupt();
   EXPECT_EQ(status_, 0);
