@@ -16,10 +16,10 @@ struct FrameZoom {
 
 struct DebuggerView {
   FrameZoom frames;
-  bool legend_folded = false;       // the overlays' legend has no names
-  bool follow_body = false;         // the play view scrolls with the chosen body
-  bool picks_cell = false;          // the next click on a canvas chooses a cell for a breakpoint
-  std::optional<Cell> picked_cell;  // that was chosen so; taken by the panel
+  bool legend_folded = false;        // the overlays' legend has no names
+  bool follow_body = false;          // the play view scrolls with the chosen body
+  bool picks_cell = false;           // the next click on a canvas chooses a cell for a breakpoint
+  std::optional<Cell> picked_cell;   // that was chosen so; taken by the panel
   std::optional<Cell> clicked_cell;  // of the map, with the left button, last
 };
 

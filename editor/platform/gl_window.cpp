@@ -143,8 +143,8 @@ void GlWindow::set_style(const WindowStyle& style) {
 
 void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
-// Lists and menus are gone through by the arrows, and Enter takes what is chosen, as Space does. Elsewhere the
-// keys are the commands'.
+// Lists and menus are gone through by the arrows, and Enter takes what is chosen, as Space does. Elsewhere
+// the keys are the commands'.
 void GlWindow::give_keys_to_popups() {
   ImGuiIO& io = ImGui::GetIO();
   const bool is_open = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 &&
