@@ -92,7 +92,9 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
       found = &command;
   }
   if (found == nullptr) return false;
+  ui.view.cursor.work_by(chord.key);
   if ((!repeated || found->repeats) && found->is_enabled(session, ui)) found->run(session, actions, ui);
+  ui.view.cursor.work_by(kNoKey);
   return true;
 }
 

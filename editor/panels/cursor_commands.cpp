@@ -9,9 +9,9 @@ using A = Actions&;
 using U = Ui&;
 using Stride = KeyCursor::Stride;
 
-void show_cursor(S, A, U ui) {
+void show_or_draw(S, A, U ui) {
   View& view = ui.view;
-  if (view.cursor.on()) return view.cursor.hide();
+  if (view.cursor.on()) return view.cursor.toggle_pen();
   if (view.focus == Focus::sprites) return view.cursor.go_to({"pixels"});
   if (view.canvas == CanvasMode::two_maps && view.second_map) return view.cursor.go_to({"second_map"});
   view.cursor.go_to({"map", "play"});
@@ -61,11 +61,6 @@ std::vector<Command> cursor_keys() {
       with_any_modifiers(command("cursor/press_right", KeyChord{kKeyBackspace}, "Press the right button",
                                  "Does what the right button does there, until the key goes up.",
                                  press_button<KeyCursor::kRight>)),
-      with_any_modifiers(toggle(
-          "cursor/pen", KeyChord{kKeyEnter}, "Pen down",
-          "Holds the left button down, until it is pressed again: so one hand draws.",
-          [](S, A, U ui) { ui.view.cursor.toggle_pen(); },
-          [](S, const Ui& ui) { return ui.view.cursor.pen_down(); })),
       command("cursor/next", ctrl(kKeyTab), "To the next canvas",
               "Takes it to the next of the map, the play view, the sheet, the pixels and the shape.",
               [](S, A, U ui) { ui.view.cursor.go_to_next(); }),
@@ -79,10 +74,13 @@ std::vector<Command> cursor_keys() {
 }  // namespace
 
 std::vector<Command> cursor_commands() {
-  std::vector<Command> all = {toggle(
-      "view/cursor", KeyChord{kKeyEnter}, "Keyboard's cursor",
-      "Shows a cursor on the map or the pixels that the arrows move; Space does what the left button does.",
-      show_cursor, [](S, const Ui& ui) { return ui.view.cursor.on(); })};
+  std::vector<Command> all = {
+      with_any_modifiers(toggle("view/cursor", KeyChord{kKeyEnter}, "Keyboard's cursor, pen down and up",
+                                "Shows a cursor on the map or the pixels that the arrows move, and where "
+                                "Space does what the left button "
+                                "does. While it is shown, takes the pen down, which holds that button, and "
+                                "up again: so one hand draws.",
+                                show_or_draw, [](S, const Ui& ui) { return ui.view.cursor.on(); }))};
   const std::vector<Command> own = in_scope(
       Scope::cursor,
       joined({arrows<Stride::cell>({"cursor/left", "cursor/right", "cursor/up", "cursor/down"},

@@ -56,18 +56,15 @@ void KeyCursor::move(Cell by, Stride stride) {
   stride_ = stride;
 }
 
-void KeyCursor::press(int button) { buttons_[static_cast<std::size_t>(button)] = {true, 0}; }
-
-void KeyCursor::held_by(int key) {
-  for (Button& button : buttons_)
-    if (button.wanted && button.key == 0) button.key = key;
+void KeyCursor::press(int button) {
+  buttons_[static_cast<std::size_t>(button)] = {.wanted = true, .key = key_};
 }
 
 // What no frame has seen yet stays down for one.
 void KeyCursor::release(int key) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     if (buttons_[i].key != key || key == 0) continue;
-    buttons_[i] = {!given_ || !given_->down[i], 0};
+    buttons_[i] = {.wanted = !given_ || !given_->down[i]};
   }
 }
 
@@ -81,6 +78,12 @@ std::optional<CursorPointer> KeyCursor::begin_frame() {
     given_->down = {};
     return given_;
   }
+  if (given_ && std::any_of(buttons_.begin(), buttons_.end(), [](const Button& b) { return b.ends; })) {
+    for (std::size_t i = 0; i < buttons_.size(); ++i) {
+      if (std::exchange(buttons_[i].ends, false)) given_->down[i] = wants_down(static_cast<int>(i));
+    }
+    return given_;
+  }
   if (!on_) given_.reset();
   if (!on_ || !screen_) return given_;
   if (!given_ || !is_same(given_->at, *screen_)) {
@@ -89,7 +92,7 @@ std::optional<CursorPointer> KeyCursor::begin_frame() {
   }
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     given_->down[i] = wants_down(static_cast<int>(i));
-    if (buttons_[i].key == 0) buttons_[i].wanted = false;
+    if (buttons_[i].wanted && buttons_[i].key == 0) buttons_[i] = {.ends = true};
   }
   return given_;
 }

@@ -48,12 +48,12 @@ class KeyCursor {
   void go_to_next();  // canvas of those that are there, in the order in which they are drawn
   void hide();        // the buttons are let go first, where it is
   void move(Cell by, Stride stride);
-  // Holds a button down until held_by()'s key goes up; without one, for a click.
+  // Holds a button down until the key goes up that is at work; without one, for a click.
   void press(int button);
   void toggle_pen() { pen_ = !pen_; }
 
   // --- For the window
-  void held_by(int key);  // the key whose command has pressed a button
+  void work_by(int key) { key_ = key; }  // the key whose command runs; kNoKey: none
   void release(int key);
   void lift();  // the pen, and whatever is pressed
   // What the mouse is in the frame that begins; nothing: what it is.
@@ -69,7 +69,8 @@ class KeyCursor {
  private:
   struct Button {
     bool wanted = false;
-    int key = 0;  // that holds it; 0: a click
+    int key = 0;        // that holds it; 0: a click
+    bool ends = false;  // the click is done, and ends where it was
   };
   Vec2 moved(Vec2 place) const;
   Vec2 kept_inside(Vec2 place) const;
@@ -88,6 +89,7 @@ class KeyCursor {
   std::vector<std::string> drawn_, there_;           // canvases of this frame so far, and of the last one
   std::optional<ImVec2> screen_;                     // px of the screen, where it is drawn
   std::array<Button, 2> buttons_;
+  int key_ = 0;                         // at work
   std::optional<CursorPointer> given_;  // in this frame
 };
 

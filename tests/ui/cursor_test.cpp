@@ -118,12 +118,10 @@ TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
   // With Shift its outline alone.
   press_key(ctrl('z'));
   go_to({3, 2});
-  hold(' ');
+  press_key(kKeyEnter);
   go_to({6, 4});
-  hold_modifiers(shift(kKeyF1));
-  let_go(' ');
-  hold_modifiers({});
-  frames(2);
+  press_key(shift(kKeyEnter));
+  EXPECT_FALSE(cursor().pen_down());
   EXPECT_EQ(tile_at({3, 2}), 1);
   EXPECT_EQ(tile_at({4, 3}), 0);
 }
