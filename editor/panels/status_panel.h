@@ -1,9 +1,14 @@
 // The status bar: what is under the mouse, the stamp, the file, the problems.
 #pragma once
 
+#include <string>
+
 #include "panel.h"
 
 namespace talus {
+
+// What the mouse is on, in words: "(12, 9)  tile 34 flags 0,2   px 98.00, 74.00"; empty: on nothing.
+std::string hover_text(const Session& session, const Hover& hover);
 
 class StatusPanel : public Panel {
  public:

@@ -2,6 +2,7 @@
 #include <SDL_clipboard.h>
 
 #include "harness.h"
+#include "panels/status_panel.h"
 #include "panels/edit_text.h"
 
 namespace talus::map_test {
@@ -265,6 +266,12 @@ TEST_F(UiMap, StatusBarTellsTileFlagsAndPlace) {
   move(on_map({4, 5}));
   EXPECT_EQ(app().ui().view.hover.cell, (Cell{4, 5}));
   EXPECT_NE(find("status/mouse"), nullptr);
+  const auto told = [&] { return hover_text(session(), app().ui().view.hover); };
+  EXPECT_EQ(told().substr(0, told().find("px")), "(4, 5)  tile 1 flags 0   ");
+  move(on_canvas("map", {36, 44}));
+  EXPECT_EQ(told(), "(4, 5)  tile 1 flags 0   px 36.00, 44.00");
+  move(on_sheet(3));
+  EXPECT_EQ(told(), "tile 3");
 }
 
 TEST_F(UiMap, ShiftShowsTheSheetOverTheMap) {

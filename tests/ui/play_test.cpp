@@ -175,6 +175,18 @@ TEST_F(UiPlay, RightAndInPlayMiddleDragMoveTheView) {
   EXPECT_FALSE(session().modified());
 }
 
+TEST_F(UiPlay, SpaceAndTheLeftButtonMoveTheView) {
+  key(kKeyF3);
+  const ImVec2 from = on_map({8, 8}), to{from.x + 40, from.y + 24};
+  move(from);
+  hold(' ');
+  drag(from, to);
+  let_go(' ');
+  move(to);
+  EXPECT_EQ(app().ui().view.hover.cell, (Cell{8, 8}));
+  EXPECT_FALSE(session().modified()) << "nothing was painted";
+}
+
 TEST_F(UiPlay, ArrowsScrollAndTabShowsTheWholeMap) {
   key(kKeyF3);
   const ImVec2 before = on_map({8, 8});
