@@ -2,6 +2,7 @@
 #include "overlay_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -81,8 +82,9 @@ class Painter {
     if (length < 1) return;
     const float head = std::min((is_low_ ? 3.5f : 6.0f) * scale_, length * 0.7f);
     const float ux = dx / length * head, uy = dy / length * head;
-    list_.AddLine(to, {to.x - ux + uy * 0.6f, to.y - uy - ux * 0.6f}, color, width);
-    list_.AddLine(to, {to.x - ux - uy * 0.6f, to.y - uy + ux * 0.6f}, color, width);
+    const std::array<ImVec2, 3> points = {
+        {{to.x - ux + uy * 0.6f, to.y - uy - ux * 0.6f}, to, {to.x - ux - uy * 0.6f, to.y - uy + ux * 0.6f}}};
+    list_.AddPolyline(points.data(), static_cast<int>(points.size()), color, ImDrawFlags_None, width);
   }
 
   void paint_mark(const OverlayMark& mark) {
