@@ -55,6 +55,7 @@ TEST_F(UiLevelThen, FromAfarToo) {
   wheel(-8);
   const Cell middle{16, 8};
   const Rgb solid = level().palette[13];
+  ASSERT_NEAR(middle_of("play", {17, 8}).x - middle_of("play", middle).x, 2, 0.01) << "px of a cell: far";
   EXPECT_EQ(color_in("play", middle), solid);
   session().apply(action::SeekFrame{4});
   EXPECT_NE(color_in("play", middle), solid);
