@@ -26,9 +26,9 @@ constexpr Layout ready_sizes(double left, double right, double sheet) {
 }
 constexpr ReadyLayout kDrawLayout{ready_sizes(0.34, 0.22, 0.5), CanvasMode::map, Focus::sprites, false,
                                   "problems"};
-constexpr ReadyLayout kPlayLayout{ready_sizes(0.215, 0.22, 0.49), CanvasMode::play, Focus::map, false,
+constexpr ReadyLayout kPlayLayout{ready_sizes(0.215, 0.22, 0.5), CanvasMode::play, Focus::map, false,
                                   "tuning"};
-constexpr ReadyLayout kDebugLayout{ready_sizes(0.215, 0.305, 0.49), CanvasMode::play, Focus::map, true,
+constexpr ReadyLayout kDebugLayout{ready_sizes(0.215, 0.305, 0.5), CanvasMode::play, Focus::map, true,
                                    "inspector"};
 
 template <const ReadyLayout& ready>

@@ -41,7 +41,7 @@ enum class FileDialog {
 struct Layout {
   double left = 0.215;        // width of the left column
   double right = 0.305;       // width of the right column
-  double sheet = 0.49;        // height of the sheet, of the left column
+  double sheet = 0.5;         // height of the sheet, of the left column
   double right_split = 0.68;  // height of the inspector, of the right column
   double pixels = 0.55;       // height of the enlarged pixel canvas, of the middle
   double canvas_split = 0.5;  // height of the map, of the middle, when map and play are both shown
