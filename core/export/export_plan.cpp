@@ -89,6 +89,10 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
 }
 
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress) {
+  std::error_code failure;
+  const fs::path folder = fs::path(plan.output).parent_path();
+  if (!folder.empty()) fs::create_directories(folder, failure);
+  if (failure) return problem_at(Field::path, folder.string() + " cannot be made: " + failure.message());
   const auto written = write_exported(*plan.exporter, plan.content, plan.output, progress);
   if (!written) return tl::unexpected(ExportProblem{Field::path, written.error()});
   return {};

@@ -132,7 +132,8 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     if (progress && !progress(i, bytes)) return tl::unexpected(FormatError{"", "was cancelled"});
     std::error_code failure;
     const fs::path folder = fs::path(paths[i]).parent_path();
-    if (!folder.empty()) fs::create_directories(folder, failure);
+    // Of a single file that was named on a command line, a missing folder is more likely a slip.
+    if (!file.name.empty() && !folder.empty()) fs::create_directories(folder, failure);
     if (failure)
       return tl::unexpected(FormatError{file.name, "the folder cannot be made: " + failure.message()});
     auto written = StagedFile::write(paths[i], file.bytes);
