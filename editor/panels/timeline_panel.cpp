@@ -54,8 +54,8 @@ class Track {
     if (const auto parting = session_.debugger().parting_frame(session_.timeline()))
       draw_pin(list_, axis_.x_of(static_cast<double>(*parting)), middle(), ui_.px(5),
                theme::tone(theme::kError));
-    cursor();
     ends();
+    cursor();
     list_.PopClipRect();
   }
 
@@ -78,10 +78,14 @@ class Track {
   void ends() const {
     if (ui_.view.debugger.frames == FrameZoom{}) return;
     const std::string first = std::to_string(axis_.first), last = std::to_string(axis_.last);
-    const float y = max_.y - ImGui::GetTextLineHeight();
-    const ImU32 color = theme::tone(theme::kMuted);
-    list_.AddText({min_.x + ui_.px(3), y}, color, first.c_str());
-    list_.AddText({max_.x - ui_.px(3) - ImGui::CalcTextSize(last.c_str()).x, y}, color, last.c_str());
+    plate(min_.x + ui_.px(6), first);
+    plate(max_.x - ui_.px(6) - ImGui::CalcTextSize(last.c_str()).x, last);
+  }
+  void plate(float x, const std::string& text) const {
+    const float pad = ui_.px(2), y = (min_.y + max_.y - ImGui::GetTextLineHeight()) / 2;
+    list_.AddRectFilled({x - pad, min_.y}, {x + ImGui::CalcTextSize(text.c_str()).x + pad, max_.y},
+                        theme::tone(theme::kControl));
+    list_.AddText({x, y}, theme::tone(theme::kMuted), text.c_str());
   }
   void cursor() const {
     const float x = std::round(axis_.x_of(static_cast<double>(session_.state().frame)));
