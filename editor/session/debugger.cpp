@@ -120,9 +120,10 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
-    const bool plotted = advance_plots(timeline, chosen_body), parted = advance_parting();
-    const bool counted = stops_.count(source(), timeline.frame(), kFrames);
-    is_busy_ = !plotted || !parted || !counted || searching();
+    // One after another: frames that are read in order take a step each, others a seek.
+    const bool done = stops_.count(source(), timeline.frame(), kFrames) &&
+                      advance_plots(timeline, chosen_body) && advance_parting();
+    is_busy_ = !done || searching();
   } while (is_busy_ && !clock.is_up());
   return std::nullopt;
 }
