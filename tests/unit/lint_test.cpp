@@ -84,15 +84,18 @@ TEST(Lint, AShapeReachesOverTheMapsEdge) {
   level.map.set({5, 0}, 102);
   level.map.set({6, 2}, 101);
   level.map.set({7, 2}, 102);
-  EXPECT_THAT(problems(level), ElementsAre("W shape-leaves-map (4, 0) 101: tile 101 at (4, 0) reaches over "
-                                           "the map's upper edge, where it stops nothing",
-                                           "W shape-leaves-map (3, 1) 100: tile 100 at (3, 1) reaches over "
-                                           "the map's right edge, where it stops nothing",
-                                           "W seam (6, 1): floor jumps 3 px between (6, 1) and (7, 1)",
-                                           "W shape-leaves-map (7, 2) 102: tile 102 at (7, 2) reaches over "
-                                           "the map's lower edge, where it stops nothing",
-                                           "W shape-leaves-map (9, 2) 100: tile 100 at (9, 2) reaches over "
-                                           "the map's right edge, where it stops nothing"));
+  EXPECT_THAT(problems(level),
+              ElementsAre("W shape-leaves-map (4, 0) 101: tile 101 at (4, 0) reaches over "
+                          "the map's upper edge, where it stops nothing",
+                          "W shape-leaves-map (3, 1) 100: tile 100 at (3, 1) reaches over "
+                          "the map's right edge, where it stops nothing",
+                          "W interior-edge (4, 1): the ground above (4, 1) stays open by 6 px, "
+                          "too little for a body: edges inside it can catch what comes along",
+                          "W seam (6, 1): floor jumps 3 px between (6, 1) and (7, 1)",
+                          "W shape-leaves-map (7, 2) 102: tile 102 at (7, 2) reaches over "
+                          "the map's lower edge, where it stops nothing",
+                          "W shape-leaves-map (9, 2) 100: tile 100 at (9, 2) reaches over "
+                          "the map's right edge, where it stops nothing"));
 }
 
 TEST(Lint, HalfOfASlopeIsNotDrawn) {

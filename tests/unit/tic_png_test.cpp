@@ -24,11 +24,13 @@ std::string with_chunk(const std::string& content, const std::string& type = "ca
   return picture.substr(0, picture.size() - end.size()) + png_chunk(type, content) + end;
 }
 
-// A picture of `width` px whose bytes' low bits hold a header and `hidden`, all other bits 1.
+// A picture of `width` px whose bytes' low bits hold a header and as much of `hidden` as fits, all other
+// bits 1.
 std::string with_hidden(const std::string& hidden, std::uint32_t bits, std::uint32_t width,
                         std::size_t rows) {
   std::string pixels(4 * width * rows, '\xff');
   const auto put = [&](std::size_t byte, std::size_t bit, bool on) {
+    if (byte >= pixels.size()) return;
     const int mask = 1 << bit;
     pixels[byte] = static_cast<char>(on ? pixels[byte] | mask : pixels[byte] & ~mask);
   };
