@@ -180,6 +180,9 @@ void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorP
 #endif
   give_keys_to_popups();
   ImGui::NewFrame();
+  // A mouse that is nowhere is as far as a float goes, which is no pixel's number; this is as invalid to ImGui.
+  constexpr float kNowhere = -300'000;
+  if (!ImGui::IsMousePosValid()) ImGui::GetIO().MousePos = {kNowhere, kNowhere};
 }
 
 void GlWindow::begin_picture(ImVec2 size) {
