@@ -60,6 +60,13 @@ void load_fonts(const WindowStyle& style, float pixel_ratio) {
   io.FontGlobalScale = 1 / pixel_ratio;
 }
 
+// ImGui's mouse that is nowhere is as far away as a float goes, which is no pixel's number.
+void new_frame() {
+  ImGui::NewFrame();
+  constexpr float kNowhere = -300'000;  // just as invalid
+  if (!ImGui::IsMousePosValid()) ImGui::GetIO().MousePos = {kNowhere, kNowhere};
+}
+
 }  // namespace
 
 tl::expected<std::unique_ptr<GlWindow>, std::string> GlWindow::open(const WindowOptions& options) {
@@ -179,17 +186,14 @@ void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorP
   static_cast<void>(pointer);
 #endif
   give_keys_to_popups();
-  ImGui::NewFrame();
-  // A mouse that is nowhere is as far as a float goes, which is no pixel's number; this is as invalid to ImGui.
-  constexpr float kNowhere = -300'000;
-  if (!ImGui::IsMousePosValid()) ImGui::GetIO().MousePos = {kNowhere, kNowhere};
+  new_frame();
 }
 
 void GlWindow::begin_picture(ImVec2 size) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::GetIO().DisplaySize = size;
   ImGui::GetIO().DisplayFramebufferScale = {1, 1};
-  ImGui::NewFrame();
+  new_frame();
 }
 
 void GlWindow::end_frame() {
