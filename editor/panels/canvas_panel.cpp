@@ -50,8 +50,7 @@ void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
-  if (!ui.view.split_compared || !is_compared(session))
-    return play_.draw(session, actions, ui, size);
+  if (!ui.view.split_compared || !is_compared(session)) return play_.draw(session, actions, ui, size);
   const float gap = ui.px(2), half = (size.x - gap) / 2;
   play_.draw(session, actions, ui, {half, size.y});
   ImGui::SameLine(0, gap);

@@ -84,8 +84,8 @@ void KeysPanel::draw_table(Ui& ui) {
     }
     ImGui::TableNextColumn();
     const std::string id(command.id);
-    if (bindings.changed.contains(command.id) &&
-        ui.icon_button("keys/reset/" + id, Icon::restart, false, "Gives the command its first keys back.", {}))
+    if (bindings.changed.contains(command.id) && ui.icon_button("keys/reset/" + id, Icon::restart, false,
+                                                                "Gives the command its first keys back.", {}))
       reset_keys(command, bindings);
   }
   ui.end_row();

@@ -58,8 +58,8 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_commands({"", "file/save", "file/save_as", "file/recover", "", "program/tic80", "program/love",
                    "program/tiled", ""},
                   session, actions, ui);
-    draw_commands({"file/export", "file/export_all", "", "picture/import", "picture/export_tiles", "picture/export_sprites",
-                   "picture/export_palette", "", "file/quit"},
+    draw_commands({"file/export", "file/export_all", "", "picture/import", "picture/export_tiles",
+                   "picture/export_sprites", "picture/export_palette", "", "file/quit"},
                   session, actions, ui);
     ImGui::EndMenu();
   }
@@ -190,10 +190,10 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       draw_commands(ids, session, actions, ui);
       ImGui::EndMenu();
     };
-    draw_menu("Timeline", {"timeline/start", "timeline/back_10", "timeline/back", "play/step",
-                           "timeline/on_10", "timeline/end", "timeline/go_to", "", "timeline/mark",
-                           "timeline/previous_mark", "timeline/next_mark", "", "timeline/zoom_in",
-                           "timeline/zoom_out", "timeline/fit"});
+    draw_menu("Timeline",
+              {"timeline/start", "timeline/back_10", "timeline/back", "play/step", "timeline/on_10",
+               "timeline/end", "timeline/go_to", "", "timeline/mark", "timeline/previous_mark",
+               "timeline/next_mark", "", "timeline/zoom_in", "timeline/zoom_out", "timeline/fit"});
     draw_menu("Branches", {"timeline/fork", "timeline/previous_branch", "timeline/next_branch",
                            "timeline/drop_branch", "", "timeline/rerun", "timeline/cancel"});
     draw_menu("Compare", {"compare/next", "compare/split", "", "compare/first", "compare/stop"});
@@ -202,8 +202,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_menu("Breakpoints", {"stops/forwards", "stops/back", "", "stops/new", "stops/kind", "stops/pick",
                               "stops/add", "", "stops/switch_all"});
     draw_menu("Tuning", {"tuning/solver", "tuning/fields"});
-    draw_commands({"", "why/next", "why/before", "", "file/save_recording"},
-                  session, actions, ui);
+    draw_commands({"", "why/next", "why/before", "", "file/save_recording"}, session, actions, ui);
     draw_edit_rule(session, actions, ui);
     ImGui::EndMenu();
   }

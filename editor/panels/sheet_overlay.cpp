@@ -33,8 +33,7 @@ bool paints_with_stamp(MapTool tool) {
 bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
                           bool hovered, bool busy) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool asked =
-      io.KeyShift && !io.KeyCtrl && !io.KeyAlt && !io.WantTextInput && !ui.view.cursor.on();
+  const bool asked = io.KeyShift && !io.KeyCtrl && !io.KeyAlt && !io.WantTextInput && !ui.view.cursor.on();
   shown_ = from_ || (asked && hovered && !busy);
   const Place place = place_of(view, ui);
   const Cell tile{static_cast<int>(std::floor((io.MousePos.x - place.min.x) / place.cell)),

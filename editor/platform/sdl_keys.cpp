@@ -11,16 +11,16 @@ struct Row {
   SDL_Keycode sdl;
 };
 constexpr std::array<Row, 11> kRows = {{{kKeyTab, SDLK_TAB},
-                                       {kKeyDelete, SDLK_DELETE},
-                                       {kKeyEscape, SDLK_ESCAPE},
-                                       {kKeyHome, SDLK_HOME},
-                                       {kKeyEnd, SDLK_END},
-                                       {kKeyLeft, SDLK_LEFT},
-                                       {kKeyRight, SDLK_RIGHT},
-                                       {kKeyUp, SDLK_UP},
-                                       {kKeyDown, SDLK_DOWN},
-                                       {kKeyEnter, SDLK_RETURN},
-                                       {kKeyBackspace, SDLK_BACKSPACE}}};
+                                        {kKeyDelete, SDLK_DELETE},
+                                        {kKeyEscape, SDLK_ESCAPE},
+                                        {kKeyHome, SDLK_HOME},
+                                        {kKeyEnd, SDLK_END},
+                                        {kKeyLeft, SDLK_LEFT},
+                                        {kKeyRight, SDLK_RIGHT},
+                                        {kKeyUp, SDLK_UP},
+                                        {kKeyDown, SDLK_DOWN},
+                                        {kKeyEnter, SDLK_RETURN},
+                                        {kKeyBackspace, SDLK_BACKSPACE}}};
 
 int key_of(SDL_Keycode sdl) {
   for (const Row& row : kRows)

@@ -323,13 +323,13 @@ using Action = std::variant<
     action::SetMark, action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch,
     action::DropBranch, action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule,
     action::Rerun, action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
-    action::FindParting, action::SetParting, action::CancelSearch, action::SetWatch, action::RemoveWatch, action::CompareVariant,
-    action::SelectBody, action::SelectSpawn, action::SelectCurve, action::SetCurveKind, action::SelectTiles,
-    action::SetStamp, action::SetRandomStamp, action::SelectCells, action::SetPasted, action::SetMapTool,
-    action::SetSpriteTool, action::SetBrush, action::SelectPixels, action::MovePixels, action::TurnPixels,
-    action::PastePixels, action::SetColor, action::SetOverlay, action::SetFlagOverlay,
-    action::SetOverlayPalette, action::FindReach, action::CancelReach, action::ShowWay,
-    action::SetLintOptions, action::SetGrid, action::SetScreenBorders>;
+    action::FindParting, action::SetParting, action::CancelSearch, action::SetWatch, action::RemoveWatch,
+    action::CompareVariant, action::SelectBody, action::SelectSpawn, action::SelectCurve,
+    action::SetCurveKind, action::SelectTiles, action::SetStamp, action::SetRandomStamp, action::SelectCells,
+    action::SetPasted, action::SetMapTool, action::SetSpriteTool, action::SetBrush, action::SelectPixels,
+    action::MovePixels, action::TurnPixels, action::PastePixels, action::SetColor, action::SetOverlay,
+    action::SetFlagOverlay, action::SetOverlayPalette, action::FindReach, action::CancelReach,
+    action::ShowWay, action::SetLintOptions, action::SetGrid, action::SetScreenBorders>;
 
 // What was done since it was last looked at, in order.
 class Actions {

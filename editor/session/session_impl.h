@@ -187,8 +187,8 @@ struct Session::Impl {
 
   Player player;
   Debugger debugger;
-  bool plays_on = false;      // when the search that is under way finds nothing
-  std::string nothing_found;  // what is said then, unless it plays on
+  bool plays_on = false;        // when the search that is under way finds nothing
+  std::string nothing_found;    // what is said then, unless it plays on
   Trails trails, other_trails;  // of the timeline, and of a variant's
   SceneChanges scene_changes;
   SceneCompiler compiler;

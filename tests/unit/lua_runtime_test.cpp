@@ -8,9 +8,9 @@
 #include <map>
 #include <random>
 
+#include "export/lua_level.h"
 #include "formats/format.h"
 #include "formats/hard_case.h"
-#include "export/lua_level.h"
 #include "property/random_ground.h"
 #include "sim/case_input.h"
 #include "sim/solver.h"
