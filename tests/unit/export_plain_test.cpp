@@ -141,7 +141,8 @@ TEST(PlainLines, CurvesStayNear) {
 
 // What both Luas print of the level with a script that has it as `level`.
 void expect_lua(const Level& level, const std::string& script, const std::string& expected) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "talus_lua_data";
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto folder = std::filesystem::path(::testing::TempDir()) / ("talus_lua_data_" + test);
   std::filesystem::create_directories(folder);
   put_file(folder / "cave.lua", exported_file("lua", level));
   put_file(folder / "script.lua", "local level = dofile('cave.lua')\n" + script);
