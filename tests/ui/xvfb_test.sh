@@ -33,9 +33,15 @@ export DISPLAY=:$(cat "$folder/display")
 
 "$program" "$folder/level.talus.json" &
 editor=$!
-window=$(timeout 30 xdotool search --sync --onlyvisible --name 'Talus' | head -n 1) || fail "no window appears"
+# SDL may open a window before its last one, and a search that meets it as it goes fails.
+find_window() { xdotool search --onlyvisible --name 'Talus' 2>/dev/null | head -n 1; }
+for _ in $(seq 60); do
+  window=$(find_window || true)
+  sleep 1
+  [ -n "$window" ] && [ "$window" = "$(find_window || true)" ] && break
+done
+[ -n "$window" ] || fail "no window appears"
 xdotool windowfocus "$window" || true
-sleep 1
 
 # A tile of the sheet's first row, then a stroke on the map, which lies in the upper half of the window's middle.
 xdotool mousemove --window "$window" 36 62 click 1
