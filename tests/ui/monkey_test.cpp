@@ -2,6 +2,7 @@
 // TALUS_MONKEY_SEED choose how many and which.
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <random>
 
 #include "formats/format.h"
@@ -11,6 +12,7 @@
 namespace talus::monkey_test {
 
 constexpr int kEvents = 1500;  // as many as a build with sanitizers makes in less than a minute
+constexpr int kTold = 10000;   // how far a long run is, is told each time after so many events
 
 int number_from(const char* variable, int standard) {
   const char* text = std::getenv(variable);
@@ -99,6 +101,7 @@ TEST_F(UiMonkey, BreaksNothingAndAllIsUndone) {
     do_something();
     keep_in_the_cage();
     if (HasFailure()) return;
+    if ((i + 1) % kTold == 0) std::cout << i + 1 << " events" << std::endl;
   }
   if (down_ != 0) release(down_);
   session().apply({action::AnswerQuestion{}, action::CancelRerun{}, action::Pause{}});
