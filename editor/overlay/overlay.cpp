@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
-#include <set>
-#include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "collision/ground_queries.h"
@@ -44,6 +44,14 @@ Vec2 touched_point(const ContactRecord& contact, const Rect& body) {
   if (n.x != 0) point.x = n.x < 0 ? o.x : o.right();
   if (n.y != 0) point.y = n.y < 0 ? o.y : o.bottom();
   return point;
+}
+
+// Of a body or of a tile's cell: one number, as thousands of them are looked up in a frame.
+std::uint64_t key_of(const Obstacle& obstacle) {
+  const auto number = [](int n) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(n)); };
+  constexpr std::uint64_t kBody = std::uint64_t{1} << 63;  // the row of no cell, which is in the upper half
+  if (obstacle.body != 0) return kBody | number(obstacle.body);
+  return number(obstacle.cell.y) << 32 | number(obstacle.cell.x);
 }
 
 // The two ends of a slope's surface, left to right.
@@ -105,11 +113,11 @@ class Drawer {
   }
 
   void draw_tested() {
-    std::set<std::tuple<int, int, int>> drawn;  // several bodies may have tested the same box
+    std::unordered_set<std::uint64_t> drawn;  // several bodies may have tested the same box
     for (const TestedBox& tested : record_.tested) {
       const Obstacle& other = tested.other;
-      const bool is_new = drawn.insert({other.body, other.cell.y, other.cell.x}).second;
-      if (is_new) box(OverlayId::tested_tiles, other.box, true);
+      if (sees(other.box) && drawn.insert(key_of(other)).second)
+        box(OverlayId::tested_tiles, other.box, true);
     }
   }
 
