@@ -15,6 +15,7 @@
 #include "native_cart.h"
 #include "native_exports.h"
 #include "native_flags.h"
+#include "native_members.h"
 #include "native_objects.h"
 
 namespace talus {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "native_objects.h"
+#include "native_members.h"
 
 namespace talus {
 namespace {

@@ -22,10 +22,4 @@ FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::str
 FormatResult<std::vector<Spawn>> take_spawns(Json& list, const std::string& path);
 FormatResult<Json> json_of(const std::vector<Spawn>& spawns, const std::string& path);
 
-// "must be a number from -64 to 64 px/frame", or "a whole number".
-std::string range_text(double min, double max, std::string_view unit, bool whole = false);
-
-// Unknown keys as a level keeps them; an object in any case.
-FormatResult<Json> parse_extra(const std::string& extra);
-
 }  // namespace talus
