@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../formats/json_text.h"
 #include "../formats/number_text.h"
 #include "../formats/png_sheet.h"
 #include "../level/ground.h"
@@ -170,27 +169,19 @@ OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
   return all;
 }
 
-struct BodyField {
-  const char* name;
-  OrderedJson value;  // a text or a number
-};
-
-std::vector<BodyField> body_fields(const Spawn& spawn) {
-  return {{"name", spawn.name},
-          {"x", json_number(spawn.position.x)},
-          {"y", json_number(spawn.position.y)},
-          {"w", json_number(spawn.size.x)},
-          {"h", json_number(spawn.size.y)},
-          {"vx", json_number(spawn.velocity.x)},
-          {"vy", json_number(spawn.velocity.y)},
-          {"foot", foot_word(spawn.used_foot())}};
+// By their names, texts and numbers.
+OrderedJson body_fields(const Spawn& spawn) {
+  OrderedJson fields = plain_spawn_json(spawn);
+  fields.erase("kind");  // which entity it is says that
+  return fields;
 }
 
-OrderedJson entity_def(const char* name, int uid, const char* color) {
-  OrderedJson entity = filled(kEntityDef, {{"identifier", name}, {"uid", uid}, {"color", color}});
-  for (const BodyField& field : body_fields(Spawn())) {
-    const bool is_text = field.value.is_string();
-    entity["fieldDefs"].push_back(filled(kFieldDef, {{"identifier", field.name},
+OrderedJson entity_def(const char* identifier, int uid, const char* color) {
+  OrderedJson entity = filled(kEntityDef, {{"identifier", identifier}, {"uid", uid}, {"color", color}});
+  const OrderedJson fields = body_fields(Spawn());
+  for (const auto& [name, value] : fields.items()) {
+    const bool is_text = value.is_string();
+    entity["fieldDefs"].push_back(filled(kFieldDef, {{"identifier", name},
                                                      {"__type", is_text ? "String" : "Float"},
                                                      {"uid", ++uid},
                                                      {"type", is_text ? "F_String" : "F_Float"}}));
@@ -220,13 +211,14 @@ OrderedJson entity(const Spawn& spawn, int number) {
                           {"defUid", uid},
                           {"px", {x, y}},
                           {"fieldInstances", OrderedJson::array()}};
-  for (const BodyField& field : body_fields(spawn)) {
-    const bool is_text = field.value.is_string();
+  const OrderedJson fields = body_fields(spawn);
+  for (const auto& [name, value] : fields.items()) {
+    const bool is_text = value.is_string();
     const OrderedJson edited = {{"id", is_text ? "V_String" : "V_Float"},
-                                {"params", OrderedJson::array({field.value})}};
-    instance["fieldInstances"].push_back({{"__identifier", field.name},
+                                {"params", OrderedJson::array({value})}};
+    instance["fieldInstances"].push_back({{"__identifier", name},
                                           {"__type", is_text ? "String" : "Float"},
-                                          {"__value", field.value},
+                                          {"__value", value},
                                           {"__tile", nullptr},
                                           {"defUid", ++uid},
                                           {"realEditorValues", OrderedJson::array({edited})}});

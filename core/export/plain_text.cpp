@@ -72,17 +72,7 @@ OrderedJson lines_of(const Level& level) {
 
 OrderedJson spawns_of(const Level& level) {
   OrderedJson spawns = OrderedJson::array();
-  for (const Spawn& spawn : level.spawns) {
-    spawns.push_back({{"name", spawn.name},
-                      {"kind", body_word(spawn.kind)},
-                      {"x", number(spawn.position.x)},
-                      {"y", number(spawn.position.y)},
-                      {"w", number(spawn.size.x)},
-                      {"h", number(spawn.size.y)},
-                      {"vx", number(spawn.velocity.x)},
-                      {"vy", number(spawn.velocity.y)},
-                      {"foot", foot_word(spawn.used_foot())}});
-  }
+  for (const Spawn& spawn : level.spawns) spawns.push_back(plain_spawn_json(spawn));
   return spawns;
 }
 
@@ -169,6 +159,18 @@ OrderedJson plain_shape_json(const PlainShape& shape) {
           {"one_way", shape.one_way},
           {"tiles", shape.tiles},
           {shape.is_ceiling ? "ceiling" : "floor", numbers(shape.columns)}};
+}
+
+OrderedJson plain_spawn_json(const Spawn& spawn) {
+  return {{"name", spawn.name},
+          {"kind", body_word(spawn.kind)},
+          {"x", number(spawn.position.x)},
+          {"y", number(spawn.position.y)},
+          {"w", number(spawn.size.x)},
+          {"h", number(spawn.size.y)},
+          {"vx", number(spawn.velocity.x)},
+          {"vy", number(spawn.velocity.y)},
+          {"foot", foot_word(spawn.used_foot())}};
 }
 
 OrderedJson plain_json(const Level& level) {

@@ -32,8 +32,9 @@ namespace talus {
 using OrderedJson = nlohmann::ordered_json;  // keeps members as they were put
 
 OrderedJson plain_json(const Level& level);
-// One of its shapes.
+// One of its shapes, and one of its spawns.
 OrderedJson plain_shape_json(const PlainShape& shape);
+OrderedJson plain_spawn_json(const Spawn& spawn);
 
 enum class Dialect { json, lua };
 
