@@ -33,12 +33,25 @@ constexpr MouseHelp kMouse[] = {
     {"a file dropped on the window", "is opened"},
 };
 
-bool begin_help_table(const char* id, Ui& ui, float first) {
+// Of three columns: keys, what they do, and more of it.
+bool begin_help_table(const char* id, Ui& ui) {
   if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg)) return false;
-  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ui.px(first));
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ui.px(150));
   ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, ui.px(170));
   ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
   return true;
+}
+
+void draw_help_row(std::string_view keys, std::string_view does, std::string_view help, Ui& ui) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
+  ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
+  ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(does.data(), does.data() + does.size());
+  ImGui::TableNextColumn();
+  ui.hint(help);
 }
 
 void draw_scope(Scope scope, Ui& ui) {
@@ -46,18 +59,10 @@ void draw_scope(Scope scope, Ui& ui) {
   std::string title(scope_label(scope));
   if (scope != Scope::everywhere) title += " (" + keys_of(focus_command(scope), ui) + ")";
   ui.heading(title);
-  if (!begin_help_table(scope_label(scope).data(), ui, 150)) return;
+  if (!begin_help_table(scope_label(scope).data(), ui)) return;
   for (const Command& command : commands()) {
     if (command.scope != scope) continue;
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
-    ImGui::TextUnformatted(keys_of(command, ui).c_str());
-    ImGui::PopStyleColor();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(command.label.data(), command.label.data() + command.label.size());
-    ImGui::TableNextColumn();
-    ui.hint(command.help);
+    draw_help_row(keys_of(command, ui), command.label, command.help, ui);
   }
   ImGui::EndTable();
 }
@@ -80,24 +85,14 @@ void draw_mouse(Ui& ui) {
 void draw_player_keys(Ui& ui) {
   ImGui::Spacing();
   ui.heading("Players (of the exact solver), while it plays or after the play view was clicked");
-  if (!begin_help_table("players", ui, 150)) return;
+  if (!begin_help_table("players", ui)) return;
   struct Row {
     std::string_view keys, does, help;
   };
   constexpr std::array<Row, 2> kRows = {
       {{kRunKeys, "Run", "Those that are held count in the next step, also when it is made by hand."},
        {kJumpKeys, "Jump", "Let go early for a lower jump."}}};
-  for (const Row& row : kRows) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
-    ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
-    ImGui::PopStyleColor();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.does.data(), row.does.data() + row.does.size());
-    ImGui::TableNextColumn();
-    ui.hint(row.help);
-  }
+  for (const Row& row : kRows) draw_help_row(row.keys, row.does, row.help, ui);
   ImGui::EndTable();
 }
 
