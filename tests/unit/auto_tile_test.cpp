@@ -317,23 +317,24 @@ TEST(AutoTileProposal, TellsSidesAndCornersByTheirPixels) {
   EXPECT_EQ(proposed_auto_tiles(sheet_of_ground(), all_tiles()), expected);
 }
 
+// Solid, with a top of its own.
+void draw_rock(Level& level, std::uint8_t tile, const std::string& row) {
+  level.sheet(SheetId::tiles).flags[tile] = kSolidFlag;
+  std::vector<std::string> rock(8, row);
+  rock[0] = "66666666";
+  draw_tile(level, tile, rock);
+}
+
 TEST(AutoTileProposal, TakesTheEdgesThatLookLikeTheInside) {
   Level level = sheet_of_ground();
-  level.sheet(SheetId::tiles).flags[5] = kSolidFlag;  // a rock with a top of its own
-  std::vector<std::string> rock(8, "77777777");
-  rock[0] = "66666666";
-  draw_tile(level, 5, rock);
+  draw_rock(level, 5, "77777777");
   EXPECT_EQ(proposed_auto_tiles(level, all_tiles()).of(GroundPart::top), 11);
 }
 
 TEST(AutoTileProposal, LeavesOutEdgesOfOtherGround) {
   Level level = sheet_of_ground();
-  auto& flags = level.sheet(SheetId::tiles).flags;
-  flags[11] = 0;          // no top of this ground,
-  flags[5] = kSolidFlag;  // but one of rock, with some pixels of the ground's colour
-  std::vector<std::string> rock(8, "77777733");
-  rock[0] = "66666666";
-  draw_tile(level, 5, rock);
+  level.sheet(SheetId::tiles).flags[11] = 0;  // no top of this ground,
+  draw_rock(level, 5, "77777733");            // but one of rock, with some pixels of the ground's colour
   EXPECT_EQ(proposed_auto_tiles(level, all_tiles()).of(GroundPart::top), 0);
 }
 

@@ -21,6 +21,12 @@ Level random_slopes(int width, int height, std::mt19937& random) {
   return level;
 }
 
+// Puts some tile into the cell.
+void change_cell(Level& level, Cell cell, std::mt19937& random, LintCache& cache) {
+  level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
+  cache.note_cell(cell);
+}
+
 TEST(LintCache, AChangedCellIsLookedAtWithItsSurroundings) {
   std::mt19937 random(1);
   Level level = random_slopes(48, 16, random);
@@ -29,8 +35,7 @@ TEST(LintCache, AChangedCellIsLookedAtWithItsSurroundings) {
   for (int i = 0; i < 200; ++i) {
     for (int n = 0; n <= i % 3; ++n) {
       const Cell cell{static_cast<int>(random() % 48), static_cast<int>(random() % 16)};
-      level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
-      cache.note_cell(cell);
+      change_cell(level, cell, random, cache);
     }
     ASSERT_TRUE(cache.advance(level, {}, 1));
     ASSERT_EQ(cache.problems(), lint(level)) << i;
@@ -47,8 +52,7 @@ TEST(LintCache, AChangedCellCountsInTheNextBlockToo) {
   cache.advance(level, {}, kAll);
   for (int i = 0; i < 12; ++i) {
     const Cell cell{static_cast<int>(random() % 40), 13 + static_cast<int>(random() % 6)};
-    level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
-    cache.note_cell(cell);
+    change_cell(level, cell, random, cache);
     ASSERT_TRUE(cache.advance(level, {}, 1));
     ASSERT_EQ(cache.problems(), lint(level)) << i;
   }
@@ -72,8 +76,7 @@ TEST(LintCache, ALongRowIsLookedAtInParts) {
   for (int i = 0; i < 60; ++i) {
     const int border = random() % 2 == 0 ? 16'384 : 32'768;
     const Cell cell{border - 12 + static_cast<int>(random() % 24), static_cast<int>(random() % 3)};
-    level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
-    cache.note_cell(cell);
+    change_cell(level, cell, random, cache);
     ASSERT_TRUE(cache.advance(level, {}, 1));
     ASSERT_EQ(cache.problems(), lint(level)) << i;
   }

@@ -35,15 +35,20 @@ Level empty_level() {
   return level;
 }
 
-std::vector<Ends> outline(const Level& level, Rect visible = kEverything) {
-  OverlayDrawing drawing;
-  add_outline(Terrain(ground_of(level)), only(OverlayId::outline), visible, drawing);
+// All lines must be the overlay's.
+std::vector<Ends> ends_of_lines(const OverlayDrawing& drawing, OverlayId overlay) {
   std::vector<Ends> lines;
   for (const OverlayLine& l : drawing.lines) {
-    EXPECT_EQ(l.overlay, OverlayId::outline);
+    EXPECT_EQ(l.overlay, overlay);
     lines.push_back(ends(l.from.x, l.from.y, l.to.x, l.to.y));
   }
   return lines;
+}
+
+std::vector<Ends> outline(const Level& level, Rect visible = kEverything) {
+  OverlayDrawing drawing;
+  add_outline(Terrain(ground_of(level)), only(OverlayId::outline), visible, drawing);
+  return ends_of_lines(drawing, OverlayId::outline);
 }
 
 TEST(Outline, NormalsAreDetails) {
@@ -124,12 +129,7 @@ TEST(Outline, OneWaySidesHaveArrowsTheWayThatBodiesPass) {
 std::vector<Ends> removed(const Level& level) {
   OverlayDrawing drawing;
   add_removed_edges(Terrain(ground_of(level)), kEverything, drawing);
-  std::vector<Ends> lines;
-  for (const OverlayLine& l : drawing.lines) {
-    EXPECT_EQ(l.overlay, OverlayId::removed_edges);
-    lines.push_back(ends(l.from.x, l.from.y, l.to.x, l.to.y));
-  }
-  return lines;
+  return ends_of_lines(drawing, OverlayId::removed_edges);
 }
 
 TEST(RemovedEdges, AreTheSidesThatTilesShare) {
