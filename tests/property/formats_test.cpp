@@ -1,13 +1,13 @@
 // Random carts and levels: what every format must keep, whatever the content.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
-#include <zlib.h>
 
 #include <algorithm>
 
 #include "formats/native.h"
 #include "formats/tic_cart.h"
 #include "formats/tic_text.h"
+#include "unit/zipped.h"
 
 namespace talus::formats_test {
 
@@ -32,15 +32,6 @@ std::string random_code() {
   for (const int piece : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 8)))
     code += kPieces[piece];
   return code;
-}
-
-std::string zipped(const std::string& text) {
-  uLongf size = compressBound(text.size());
-  std::string out(size, '\0');
-  compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-           text.size());
-  out.resize(size);
-  return out;
 }
 
 // Any chunk that a reader takes: of every type and bank, several of a kind, with trailing zeros.

@@ -12,28 +12,19 @@
 #include <filesystem>
 #include <fstream>
 
+#include "folder_test.h"
 #include "formats/atomic_file.h"
 
 namespace talus::atomic_test {
 
 namespace fs = std::filesystem;
 
-class AtomicFileTest : public testing::Test {
+class AtomicFileTest : public FolderTest {
  protected:
-  AtomicFileTest() {
-    std::string name = testing::TempDir() + "talus_atomic_XXXXXX";
-    directory_ = mkdtemp(name.data());
-  }
-  ~AtomicFileTest() override {
-    fs::permissions(directory_, fs::perms::owner_all);
-    fs::remove_all(directory_);
-  }
-  std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  ~AtomicFileTest() override { fs::permissions(folder_, fs::perms::owner_all); }
   std::ptrdiff_t files() const {
-    return std::distance(fs::directory_iterator(directory_), fs::directory_iterator());
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
-
-  fs::path directory_;
 };
 
 TEST_F(AtomicFileTest, ReadsWhatItWrites) {
@@ -47,7 +38,7 @@ TEST_F(AtomicFileTest, ReadsWhatItWrites) {
 
 TEST_F(AtomicFileTest, UnreadableThingsAreErrors) {
   EXPECT_EQ(read_file(path("none")).error().message, "cannot be opened: No such file or directory");
-  EXPECT_EQ(read_file(directory_.string()).error().message, "cannot be read: Is a directory");
+  EXPECT_EQ(read_file(folder_.string()).error().message, "cannot be read: Is a directory");
 }
 
 TEST_F(AtomicFileTest, LargeAndEndlessFilesAreRefused) {
@@ -88,7 +79,7 @@ TEST_F(AtomicFileTest, LinksAreFollowed) {
 }
 
 TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenTo) {
-  EXPECT_EQ(write_file_atomic(directory_.string(), "x").error().message, "cannot be written: Is a directory");
+  EXPECT_EQ(write_file_atomic(folder_.string(), "x").error().message, "cannot be written: Is a directory");
   EXPECT_EQ(write_file_atomic(path("none/x"), "x").error().message,
             "cannot be written: No such file or directory");
   ASSERT_TRUE(write_file_atomic("/dev/null", "x"));
@@ -119,11 +110,11 @@ int in_child(Body body) {
 
 TEST_F(AtomicFileTest, ProtectedFilesAndDirectoriesAreErrors) {
   ASSERT_TRUE(write_file_atomic(path("x"), "old"));
-  fs::permissions(directory_, fs::perms{0777});
+  fs::permissions(folder_, fs::perms{0777});
   fs::permissions(path("x"), fs::perms{0444});
   EXPECT_EQ(in_child([&] { return write_file_atomic(path("x"), "new") ? 1 : 0; }), 0);
   fs::permissions(path("x"), fs::perms{0666});
-  fs::permissions(directory_, fs::perms{0555});
+  fs::permissions(folder_, fs::perms{0555});
   EXPECT_EQ(in_child([&] { return write_file_atomic(path("x"), "new") ? 1 : 0; }), 0);
   fs::permissions(path("x"), fs::perms{0200});
   EXPECT_EQ(in_child([&] { return read_file(path("x")) ? 1 : 0; }), 0);
@@ -134,7 +125,7 @@ TEST_F(AtomicFileTest, ProtectedFilesAndDirectoriesAreErrors) {
 
 TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
   ASSERT_TRUE(write_file_atomic(path("x"), "old"));
-  fs::permissions(directory_, fs::perms{0777});
+  fs::permissions(folder_, fs::perms{0777});
   fs::permissions(path("x"), fs::perms{0666});
   const int status = in_child([&] {
     signal(SIGXFSZ, SIG_IGN);

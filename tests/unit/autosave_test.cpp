@@ -12,20 +12,15 @@
 #include <thread>
 
 #include "edit/map_tools.h"
+#include "folder_test.h"
 
 namespace talus::autosave_test {
 
 namespace fs = std::filesystem;
 
-class AutosaveTest : public ::testing::Test {
+class AutosaveTest : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("talus-autosave-" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string folder() const { return (folder_ / "state").string(); }
+  std::string folder() const { return path("state"); }
   static void paint(Session& session, std::uint8_t tile) {
     Edit edit{"Paint", {CellChange{{1, 1}, session.level().map.at({1, 1}), tile}}};
     session.apply(action::EditLevel{edit});
@@ -35,28 +30,32 @@ class AutosaveTest : public ::testing::Test {
     const fs::directory_iterator all(folder(), error);
     return error ? 0 : static_cast<int>(std::distance(begin(all), end(all)));
   }
-  // Runs in a child that is killed, without any farewell, `wait` after it said that it had come so far.
+  // A child process that runs run(say), which ends by being killed; waits until it has said something.
   template <class F>
-  static void killed(F run) {
+  static pid_t child_of(F run) {
     int pipe[2];
-    ASSERT_EQ(::pipe(pipe), 0);
+    EXPECT_EQ(::pipe(pipe), 0);
     const pid_t child = ::fork();
     if (child == 0) {
-      run();
-      if (::write(pipe[1], "x", 1) != 1) ::_exit(1);
-      for (;;) ::pause();
+      const auto say = [&] {
+        if (::write(pipe[1], "x", 1) != 1) ::_exit(1);
+      };
+      run(say);
+      ::_exit(1);
     }
-    char ready = 0;
-    ASSERT_EQ(::read(pipe[0], &ready, 1), 1);
-    ::close(pipe[0]);
     ::close(pipe[1]);
+    char ready = 0;
+    EXPECT_EQ(::read(pipe[0], &ready, 1), 1);
+    ::close(pipe[0]);
+    return child;
+  }
+  // Without any farewell.
+  static void kill_child(pid_t child) {
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_TRUE(WIFSIGNALED(status));
   }
-
-  fs::path folder_;
 };
 
 TEST_F(AutosaveTest, NothingIsWrittenWithoutChanges) {
@@ -84,12 +83,14 @@ TEST_F(AutosaveTest, AChangeIsWrittenWithinFiveSecondsAndOnceOnly) {
 }
 
 TEST_F(AutosaveTest, WhatAKilledProcessLeftIsFoundWhole) {
-  killed([&] {
+  kill_child(child_of([&](auto say) {
     Session session(Level(), "/some where/le\"vel.talus.json", "level.talus.json");
     Autosave autosave(folder());
     paint(session, 5);
     if (!autosave.save_now(session)) ::_exit(1);
-  });
+    say();
+    ::pause();
+  }));
   Autosave later(folder());
   const std::vector<SavedWork> works = later.left_behind();
   ASSERT_EQ(works.size(), 1u);
@@ -107,25 +108,18 @@ TEST_F(AutosaveTest, WhatAKilledProcessLeftIsFoundWhole) {
 
 TEST_F(AutosaveTest, AKillWhileItIsWritingLeavesTheWorkBeforeWhole) {
   for (int round = 0; round < 12; ++round) {
-    fs::remove_all(folder_);
-    int pipe[2];
-    ASSERT_EQ(::pipe(pipe), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
+    fs::remove_all(folder());
+    const pid_t child = child_of([&](auto say) {
       Session session;
       Autosave autosave(folder());
       for (int tile = 1;; tile = tile % 255 + 1) {
         paint(session, static_cast<std::uint8_t>(tile));
-        if (!autosave.save_now(session) || ::write(pipe[1], "x", 1) != 1) ::_exit(1);
+        if (!autosave.save_now(session)) ::_exit(1);
+        say();
       }
-    }
-    char ready = 0;
-    ASSERT_EQ(::read(pipe[0], &ready, 1), 1);
+    });
     ::usleep(static_cast<useconds_t>(700 * round));
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-    ::close(pipe[0]);
-    ::close(pipe[1]);
+    kill_child(child);
     const std::vector<SavedWork> works = Autosave(folder()).left_behind();
     ASSERT_EQ(works.size(), 1u);
     EXPECT_NE(works[0].level->map.at({1, 1}), 0);
@@ -133,25 +127,18 @@ TEST_F(AutosaveTest, AKillWhileItIsWritingLeavesTheWorkBeforeWhole) {
 }
 
 TEST_F(AutosaveTest, WhatARunningProcessHasIsNotOffered) {
-  int pipe[2];
-  ASSERT_EQ(::pipe(pipe), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
+  const pid_t child = child_of([&](auto say) {
     Session session;
     Autosave autosave(folder());
     paint(session, 5);
-    if (!autosave.save_now(session) || ::write(pipe[1], "x", 1) != 1) ::_exit(1);
-    for (;;) ::pause();
-  }
-  char ready = 0;
-  ASSERT_EQ(::read(pipe[0], &ready, 1), 1);
+    if (!autosave.save_now(session)) ::_exit(1);
+    say();
+    ::pause();
+  });
   EXPECT_EQ(files(), 2);
   EXPECT_TRUE(Autosave(folder()).left_behind().empty());
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
+  kill_child(child);
   EXPECT_EQ(Autosave(folder()).left_behind().size(), 1u);
-  ::close(pipe[0]);
-  ::close(pipe[1]);
 }
 
 TEST_F(AutosaveTest, SavingAndUndoRemoveIt) {
@@ -164,14 +151,14 @@ TEST_F(AutosaveTest, SavingAndUndoRemoveIt) {
   EXPECT_EQ(files(), 0);
   paint(session, 6);
   ASSERT_TRUE(autosave.save_now(session));
-  session.apply(action::SaveFileAs{(folder_ / "level.talus.json").string()});
+  session.apply(action::SaveFileAs{path("level.talus.json")});
   EXPECT_FALSE(autosave.follow(session, 2));
   EXPECT_EQ(files(), 0);
 }
 
 TEST_F(AutosaveTest, DamagedFilesAreLeftAlone) {
   fs::create_directories(folder());
-  const std::string file = (fs::path(folder()) / "1-0.talus-autosave").string();
+  const std::string file = path("state/1-0.talus-autosave");
   for (const char* bytes :
        {"", "{}", "{}\n", "[]\n{\"talus\":1}", "\xff\n{\"talus\":1}", "{}\n{\"talus\":"}) {
     std::ofstream(file, std::ios::binary) << bytes;
@@ -182,36 +169,34 @@ TEST_F(AutosaveTest, DamagedFilesAreLeftAlone) {
 }
 
 TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
-  std::ofstream(folder_) << "a file in the folder's place";
+  put("state", "a file in the folder's place");
   Session session;
   Autosave autosave(folder());
   paint(session, 5);
   EXPECT_FALSE(autosave.follow(session, 0));
   EXPECT_TRUE(autosave.follow(session, 10));
   EXPECT_FALSE(autosave.follow(session, 20));
-  fs::remove(folder_);
 }
 
-TEST(Recovery, ComesAsAChangeOfTheFileThatCanBeUndone) {
-  const fs::path file =
-      fs::path(::testing::TempDir()) / ("talus-recover-" + std::to_string(::getpid()) + ".talus.json");
+class Recovery : public FolderTest {};
+
+TEST_F(Recovery, ComesAsAChangeOfTheFileThatCanBeUndone) {
+  const std::string file = path("level.talus.json");
   Level on_disk;
   on_disk.map.set({2, 2}, 1);
-  ASSERT_TRUE(save_level(on_disk, *find_format("native"), file.string()));
+  ASSERT_TRUE(save_level(on_disk, *find_format("native"), file));
   Level unsaved = on_disk;
   unsaved.map.set({2, 2}, 9);
   Session session;
-  session.apply(
-      action::RecoverLevel{std::make_shared<const Level>(unsaved), file.string(), file.filename().string()});
+  session.apply(action::RecoverLevel{std::make_shared<const Level>(unsaved), file, "level.talus.json"});
   EXPECT_EQ(session.level(), unsaved);
-  EXPECT_EQ(session.path(), file.string());
+  EXPECT_EQ(session.path(), file);
   EXPECT_TRUE(session.modified());
   session.apply(action::Undo{});
   EXPECT_EQ(session.level(), on_disk);
-  fs::remove(file);
 }
 
-TEST(Recovery, WorksWithoutAFile) {
+TEST_F(Recovery, WorksWithoutAFile) {
   Level unsaved;
   unsaved.map.set({2, 2}, 9);
   Session session;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "edit/auto_tile.h"
-#include "formats/native.h"
+#include "native_text.h"
 
 namespace talus::brushes_test {
 
@@ -108,13 +108,8 @@ TEST(Brushes, AFullListTakesNoMore) {
 
 // --- Files
 
-std::string brush_text(const Level& level) { return write_native(level, {}).value().bytes; }
-
 void expect_brush_error(const std::string& members, const std::string& place, const std::string& message) {
-  const auto level = read_native(R"({"talus": 1, )" + members + "}", {});
-  ASSERT_FALSE(level) << members;
-  EXPECT_EQ(level.error().place, place) << members;
-  EXPECT_EQ(level.error().message, message) << members;
+  expect_native_error(native_with(members), place, message);
 }
 
 TEST(NativeBrushes, ComeBackAsTheyWereWithUnknownKeys) {
@@ -123,10 +118,10 @@ TEST(NativeBrushes, ComeBackAsTheyWereWithUnknownKeys) {
                    {"", 3, 1, {0, 255, 0}, false, R"({"colour":"red"})"}};
   level.auto_tiles.of(GroundPart::inside) = 16;
   level.auto_tiles.of(GroundPart::slope_down_right) = 255;
-  const std::string text = brush_text(level);
-  const Level read = read_native(text, {}).value();
+  const std::string text = native_of_level(level);
+  const Level read = level_of_native(text);
   EXPECT_EQ(read, level);
-  EXPECT_EQ(brush_text(read), text);
+  EXPECT_EQ(native_of_level(read), text);
   EXPECT_NE(text.find(R"(
   "brushes": [
     {
@@ -151,14 +146,14 @@ TEST(NativeBrushes, ComeBackAsTheyWereWithUnknownKeys) {
 }
 
 TEST(NativeBrushes, AreNotWrittenWhereThereAreNone) {
-  const std::string text = brush_text(Level());
+  const std::string text = native_of_level(Level());
   EXPECT_EQ(text.find("brushes"), std::string::npos);
   EXPECT_EQ(text.find("auto_tiles"), std::string::npos);
 }
 
 TEST(NativeBrushes, PartsOfTheFutureAreKept) {
   const std::string text = R"({"talus": 1, "auto_tiles": {"inside": 3, "inner_corner": 4}})";
-  const std::string again = brush_text(read_native(text, {}).value());
+  const std::string again = native_of_level(level_of_native(text));
   EXPECT_NE(again.find(R"("auto_tiles": {"inside": 3, "inner_corner": 4})"), std::string::npos) << again;
 }
 

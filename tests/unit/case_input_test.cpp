@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "folder_test.h"
 #include "session/session.h"
 
 namespace talus::case_input_test {
@@ -34,7 +35,9 @@ TEST(CaseInput, LiveInputIsAdded) {
   EXPECT_EQ(added({}, Input{.mouse = {3, 4}, .left = true}), (Input{.mouse = {3, 4}, .left = true}));
 }
 
-TEST(SessionHardCase, PlaysWithItsInput) {
+class SessionHardCase : public FolderTest {};
+
+TEST_F(SessionHardCase, PlaysWithItsInput) {
   Session session;
   session.apply(act::OpenFile{kRamp, true});
   for (int i = 0; i < 120; ++i) session.apply(act::StepFrame{});
@@ -45,7 +48,7 @@ TEST(SessionHardCase, PlaysWithItsInput) {
   EXPECT_NEAR(session.state().bodies[0].box.right(), 96, 1e-9);
 }
 
-TEST(SessionHardCase, KeysOfTheUserAreAdded) {
+TEST_F(SessionHardCase, KeysOfTheUserAreAdded) {
   Session session;
   session.apply(act::OpenFile{kRamp, true});
   session.apply(act::StepFrame{});
@@ -56,8 +59,8 @@ TEST(SessionHardCase, KeysOfTheUserAreAdded) {
   EXPECT_GT(session.state().bodies[0].box.x, 40);
 }
 
-TEST(SessionHardCase, AnotherLevelHasNoneOfIt) {
-  const std::string file = testing::TempDir() + "talus_no_case.talus.json";
+TEST_F(SessionHardCase, AnotherLevelHasNoneOfIt) {
+  const std::string file = path("no_case.talus.json");
   auto loaded = load_level(kRamp);
   ASSERT_TRUE(loaded);
   loaded->level.extra.clear();

@@ -1,16 +1,12 @@
 // talus export to folders: what is written, and what is refused.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <sstream>
-
-#include "cli/cli.h"
+#include "cli_answer.h"
 #include "export/exporter.h"
 #include "export/lua_level.h"
+#include "folder_test.h"
 
 namespace talus::cli_export_test {
-
-namespace fs = std::filesystem;
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -75,26 +71,15 @@ TEST(Exporters, AMissingPartIsAnErrorAndWritesNothing) {
   EXPECT_EQ(exported.error().place, "runtime/base.lua");
 }
 
-class CliExport : public ::testing::Test {
+class CliExport : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("talus_export_") + test->name());
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   int run(std::vector<std::string> words) {
-    std::ostringstream out, err;
     words.insert(words.begin(), {"export", TALUS_SOURCE_DIR "/assets/demo.talus.json", "--to"});
-    const int status = run_cli(words, out, err);
-    errors_ = err.str();
-    printed_ = out.str();
-    return status;
+    answer_ = cli_answer(words);
+    return answer_.status;
   }
 
-  fs::path folder_;
-  std::string errors_, printed_;
+  CliAnswer answer_;
 };
 
 TEST_F(CliExport, OneFileGoesToStandardOutput) {
@@ -104,34 +89,34 @@ TEST_F(CliExport, OneFileGoesToStandardOutput) {
                                                             {"png", "\x89PNG\r\n"},
                                                             {"svg", "<?xml version=\"1.0\"?>\n<svg "}};
   for (const auto& [format, beginning] : beginnings) {
-    EXPECT_EQ(run({format, "-o", "-"}), 0) << errors_;
-    EXPECT_EQ(printed_.substr(0, std::string(beginning).size()), beginning) << format;
+    EXPECT_EQ(run({format, "-o", "-"}), 0) << answer_.err;
+    EXPECT_EQ(answer_.out.substr(0, std::string(beginning).size()), beginning) << format;
   }
 }
 
 TEST_F(CliExport, TablesAreAFolder) {
-  ASSERT_EQ(run({"csv", "-o", folder_.string()}), 0) << errors_;
+  ASSERT_EQ(run({"csv", "-o", path("tables")}), 0) << answer_.err;
   for (const char* name : {"map.csv", "flags.csv", "polygons.csv", "lines.csv", "spawns.csv"})
-    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+    EXPECT_TRUE(exists(std::string("tables/") + name)) << name;
   EXPECT_EQ(run({"csv", "-o", "-"}), 1);
-  EXPECT_NE(errors_.find("is a folder: name one"), std::string::npos) << errors_;
+  EXPECT_NE(answer_.err.find("is a folder: name one"), std::string::npos) << answer_.err;
 }
 
 TEST_F(CliExport, LoveIsAFolder) {
-  ASSERT_EQ(run({"love", "-o", folder_.string()}), 0) << errors_;
+  ASSERT_EQ(run({"love", "-o", path("game")}), 0) << answer_.err;
   for (const char* name : {"main.lua", "conf.lua", "talus.lua", "level.lua", "sheet.png"})
-    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+    EXPECT_TRUE(exists(std::string("game/") + name)) << name;
 }
 
 TEST_F(CliExport, AFolderIsNoStandardOutput) {
   EXPECT_EQ(run({"love", "-o", "-"}), 1);
-  EXPECT_NE(errors_.find("is a folder: name one"), std::string::npos) << errors_;
+  EXPECT_NE(answer_.err.find("is a folder: name one"), std::string::npos) << answer_.err;
 }
 
 TEST_F(CliExport, AFolderUnderAFileIsRefused) {
   const std::string file = TALUS_SOURCE_DIR "/README.md/game";
   EXPECT_EQ(run({"lua-runtime", "-o", file}), 1);
-  EXPECT_NE(errors_.find("cannot be made"), std::string::npos) << errors_;
+  EXPECT_NE(answer_.err.find("cannot be made"), std::string::npos) << answer_.err;
 }
 
 }  // namespace talus::cli_export_test

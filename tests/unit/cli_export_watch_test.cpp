@@ -7,15 +7,13 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <set>
 #include <sstream>
 #include <thread>
 
-#include "cli/cli.h"
-#include "formats/atomic_file.h"
+#include "cli_answer.h"
+#include "folder_test.h"
 #include "formats/format.h"
 
 namespace talus::cli_export_watch_test {
@@ -42,18 +40,8 @@ class SharedText : public std::streambuf {
   std::string text_;
 };
 
-class CliPresets : public testing::Test {
+class CliPresets : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("talus_presets_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string bytes_of(const std::string& name) const { return read_file(path(name)).value_or("(none)"); }
   // A level with these presets, whose tile at (0, 0) is `tile`.
   void save(std::vector<ExportPreset> presets, std::uint8_t tile = 0) const {
     Level level;
@@ -62,16 +50,12 @@ class CliPresets : public testing::Test {
     ASSERT_TRUE(save_level(level, *find_format("native"), path("cave.talus.json")));
   }
   int run(std::vector<std::string> words) {
-    std::ostringstream out, err;
     words.insert(words.begin(), {"export", path("cave.talus.json")});
-    const int status = run_cli(words, out, err);
-    out_ = out.str();
-    err_ = err.str();
-    return status;
+    answer_ = cli_answer(words);
+    return answer_.status;
   }
 
-  fs::path folder_;
-  std::string out_, err_;
+  CliAnswer answer_;
 };
 
 const std::vector<ExportPreset> kTwo = {{"cart", "tic", "out/a.tic", false, ""},
@@ -79,33 +63,33 @@ const std::vector<ExportPreset> kTwo = {{"cart", "tic", "out/a.tic", false, ""},
 
 TEST_F(CliPresets, AllAreWrittenBesideTheLevel) {
   save(kTwo);
-  EXPECT_EQ(run({"--all"}), 0) << err_;
-  EXPECT_EQ(err_, "");
-  EXPECT_TRUE(fs::exists(path("out/a.tic")));
-  EXPECT_TRUE(fs::exists(path("out/a.lua")));
+  EXPECT_EQ(run({"--all"}), 0) << answer_.err;
+  EXPECT_EQ(answer_.err, "");
+  EXPECT_TRUE(exists("out/a.tic"));
+  EXPECT_TRUE(exists("out/a.lua"));
   const std::string size = std::to_string(fs::file_size(path("out/a.tic")));
-  EXPECT_EQ(out_.find(path("out/a.tic") + ": 1 file, " + size + " bytes, "), 0u) << out_;
+  EXPECT_EQ(answer_.out.find(path("out/a.tic") + ": 1 file, " + size + " bytes, "), 0u) << answer_.out;
 }
 
 TEST_F(CliPresets, OneIsChosenByItsName) {
   save(kTwo);
-  EXPECT_EQ(run({"--preset", "text"}), 0) << err_;
-  EXPECT_FALSE(fs::exists(path("out/a.tic")));
-  EXPECT_TRUE(fs::exists(path("out/a.lua")));
+  EXPECT_EQ(run({"--preset", "text"}), 0) << answer_.err;
+  EXPECT_FALSE(exists("out/a.tic"));
+  EXPECT_TRUE(exists("out/a.lua"));
 }
 
 TEST_F(CliPresets, WhatCannotBeDoneIsSaid) {
   save(kTwo);
   EXPECT_EQ(run({"--preset", "game"}), 1);
-  EXPECT_EQ(err_, path("cave.talus.json") +
-                      ": error: there is no preset \"game\"; the level has \"cart\", \"text\"\n");
+  EXPECT_EQ(answer_.err, path("cave.talus.json") +
+                             ": error: there is no preset \"game\"; the level has \"cart\", \"text\"\n");
   save({{"odd", "gameboy", "a.gb", false, ""}, {"own", "native", "cave.talus.json", false, ""}});
   EXPECT_EQ(run({"--all"}), 1);
-  EXPECT_EQ(err_, path("cave.talus.json") +
-                      ":preset \"odd\": error: \"gameboy\" is no target of this version\n" +
-                      path("cave.talus.json") +
-                      ":preset \"own\": error: this is the level's own file, which saving writes: name "
-                      "another one\n");
+  EXPECT_EQ(answer_.err,
+            path("cave.talus.json") + ":preset \"odd\": error: \"gameboy\" is no target of this version\n" +
+                path("cave.talus.json") +
+                ":preset \"own\": error: this is the level's own file, which saving writes: name "
+                "another one\n");
   save({});
   EXPECT_EQ(run({"--all"}), 1);
   EXPECT_EQ(run({}), 2);

@@ -1,20 +1,18 @@
 // talus import of maps of Tiled: choices, warnings and errors.
-#include <sstream>
-
-#include "cli/cli.h"
+#include "cli_answer.h"
+#include "folder_test.h"
 #include "tiled_files.h"
 
 namespace talus::cli_import_test {
 
-class CliImportTest : public TiledFilesTest {
+class CliImportTest : public FolderTest {
  protected:
   void SetUp() override {
-    TiledFilesTest::SetUp();
-    write("two.tmx",
-          "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
-          "<tileset firstgid=\"1\" tilewidth=\"8\" tileheight=\"8\" columns=\"16\" tilecount=\"300\"/>"
-          "<layer name=\"front\"><data encoding=\"csv\">290</data></layer>"
-          "<layer name=\"back\"><data encoding=\"csv\">7</data></layer></map>");
+    put("two.tmx",
+        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+        "<tileset firstgid=\"1\" tilewidth=\"8\" tileheight=\"8\" columns=\"16\" tilecount=\"300\"/>"
+        "<layer name=\"front\"><data encoding=\"csv\">290</data></layer>"
+        "<layer name=\"back\"><data encoding=\"csv\">7</data></layer></map>");
   }
 
   // Runs `talus import two.tmx OPTIONS -o two.talus.json`.
@@ -22,10 +20,9 @@ class CliImportTest : public TiledFilesTest {
     std::vector<std::string> words = {"import", path("two.tmx")};
     words.insert(words.end(), options.begin(), options.end());
     words.insert(words.end(), {"-o", path("two.talus.json")});
-    std::ostringstream out, err;
-    const int status = run_cli(words, out, err);
-    errors_ = err.str();
-    return status;
+    const CliAnswer answer = cli_answer(words);
+    errors_ = answer.err;
+    return answer.status;
   }
   // What was said, without the folder.
   std::string errors() const {
@@ -49,7 +46,7 @@ TEST_F(CliImportTest, AsksForAChoice) {
             "two.tmx: error: has a tileset of 300 tiles, and a level has 256: `talus import --tiles-used` "
             "takes those "
             "that are shown\n");
-  EXPECT_FALSE(std::filesystem::exists(path("two.talus.json")));
+  EXPECT_FALSE(exists("two.talus.json"));
 }
 
 TEST_F(CliImportTest, TakesTheChoiceAndWarnsOfTheRest) {

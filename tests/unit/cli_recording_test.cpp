@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
-#include "cli/cli.h"
+#include "cli_answer.h"
+#include "folder_test.h"
 #include "formats/recording.h"
 #include "level_text.h"
 #include "sim/timeline.h"
@@ -16,16 +16,9 @@ namespace talus::cli_recording_test {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Answer {
-  int status;
-  std::string out, err;
-};
-
-Answer sim(std::vector<std::string> arguments) {
+CliAnswer sim(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "sim");
-  std::ostringstream out, err;
-  const int status = run_cli(arguments, out, err);
-  return {status, out.str(), err.str()};
+  return cli_answer(arguments);
 }
 
 // A ball that is thrown, over a floor that gets a step after 30 frames.
@@ -42,34 +35,36 @@ Recording sample() {
   return timeline.recording(timeline.current(), level_of({"o.......", "........", "........", "########"}));
 }
 
-std::string saved(const std::string& name, const Recording& recording) {
-  const std::string path = testing::TempDir() + "talus_cli_" + name;
-  EXPECT_TRUE(save_recording(recording, path));
-  return path;
-}
+class CliRecording : public FolderTest {
+ protected:
+  std::string saved(const std::string& name, const Recording& recording) const {
+    EXPECT_TRUE(save_recording(recording, path(name)));
+    return path(name);
+  }
+};
 
-TEST(CliRecording, VerifiesWhatComesOutAsItWas) {
-  const Answer answer = sim({saved("good.talusrec", sample()), "--verify"});
+TEST_F(CliRecording, VerifiesWhatComesOutAsItWas) {
+  const CliAnswer answer = sim({saved("good.talusrec", sample()), "--verify"});
   EXPECT_EQ(answer.status, kExitGood) << answer.err;
   EXPECT_EQ(answer.out, "passed 60 frames\n");
 }
 
-TEST(CliRecording, NamesTheFirstFrameThatDiffers) {
+TEST_F(CliRecording, NamesTheFirstFrameThatDiffers) {
   Recording recording = sample();
   recording.hashes[42] ^= 1;
   recording.hashes[50] ^= 1;
-  const Answer tampered = sim({saved("tampered.talusrec", recording), "--verify"});
+  const CliAnswer tampered = sim({saved("tampered.talusrec", recording), "--verify"});
   EXPECT_EQ(tampered.status, kExitBad);
   EXPECT_THAT(tampered.out, StartsWith("failed frame 42: hash "));
   EXPECT_EQ(std::count(tampered.out.begin(), tampered.out.end(), '\n'), 1);
 
-  const Answer other = sim({saved("good.talusrec", sample()), "--verify", "--set", "fall_speed=4"});
+  const CliAnswer other = sim({saved("good.talusrec", sample()), "--verify", "--set", "fall_speed=4"});
   EXPECT_EQ(other.status, kExitBad);
   EXPECT_THAT(other.out, StartsWith("failed frame 10: hash ")) << "the first in which the ball falls";
 }
 
-TEST(CliRecording, PlaysWithItsOwnInputAndEdits) {
-  const std::string path = saved("good.talusrec", sample());
+TEST_F(CliRecording, PlaysWithItsOwnInputAndEdits) {
+  const std::string file = saved("good.talusrec", sample());
   Timeline timeline(sample());
   timeline.catch_up(60);
   const auto hash = [&](std::int64_t frame) {
@@ -78,32 +73,31 @@ TEST(CliRecording, PlaysWithItsOwnInputAndEdits) {
          << state_hash(timeline.state_at(timeline.current(), frame)) << '\n';
     return text.str();
   };
-  EXPECT_EQ(sim({path, "--hash"}).out, hash(60));
-  EXPECT_EQ(sim({path, "--hash", "--frames", "12"}).out, hash(12));
-  EXPECT_EQ(sim({path, "--hash", "--frames", "1000"}).out, hash(60)) << "no further than it goes";
-  const Answer traced = sim({path, "--trace", "-"});
+  EXPECT_EQ(sim({file, "--hash"}).out, hash(60));
+  EXPECT_EQ(sim({file, "--hash", "--frames", "12"}).out, hash(12));
+  EXPECT_EQ(sim({file, "--hash", "--frames", "1000"}).out, hash(60)) << "no further than it goes";
+  const CliAnswer traced = sim({file, "--trace", "-"});
   EXPECT_EQ(std::count(traced.out.begin(), traced.out.end(), '\n'), 60);
   EXPECT_THAT(traced.out, StartsWith("{\"frame\":1,"));
   EXPECT_THAT(traced.out, HasSubstr("\"contacts\":["));
-  EXPECT_THAT(sim({path, "--trace", "-", "--no-contacts"}).out, testing::Not(HasSubstr("contacts")));
+  EXPECT_THAT(sim({file, "--trace", "-", "--no-contacts"}).out, testing::Not(HasSubstr("contacts")));
 }
 
-TEST(CliRecording, IsToldByItsContentToo) {
+TEST_F(CliRecording, IsToldByItsContentToo) {
   EXPECT_EQ(sim({saved("good.json", sample()), "--verify"}).out, "passed 60 frames\n");
 }
 
-TEST(CliRecording, RefusesOtherInputAndBadFiles) {
-  const std::string path = saved("good.talusrec", sample());
-  const Answer input = sim({path, "--input", "x.jsonl"});
+TEST_F(CliRecording, RefusesOtherInputAndBadFiles) {
+  const std::string file = saved("good.talusrec", sample());
+  const CliAnswer input = sim({file, "--input", "x.jsonl"});
   EXPECT_EQ(input.status, kExitBad);
   EXPECT_THAT(input.err, HasSubstr("has its own input"));
-  const std::string bad = testing::TempDir() + "talus_cli_bad.talusrec";
-  std::ofstream(bad) << "{\"talus_recording\": 2}";
-  const Answer answer = sim({bad, "--verify"});
+  const std::string bad = put("bad.talusrec", "{\"talus_recording\": 2}");
+  const CliAnswer answer = sim({bad, "--verify"});
   EXPECT_EQ(answer.status, kExitBad);
   EXPECT_THAT(answer.err, StartsWith(bad + ":key talus_recording: error: is of a newer Talus"));
   EXPECT_EQ(answer.out, "");
-  EXPECT_EQ(sim({testing::TempDir() + "no_such.talusrec"}).status, kExitBad);
+  EXPECT_EQ(sim({path("no_such.talusrec")}).status, kExitBad);
 }
 
 }  // namespace talus::cli_recording_test

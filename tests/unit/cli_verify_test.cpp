@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "cli/cli.h"
+#include "cli_answer.h"
 
 namespace talus::cli_verify_test {
 
@@ -15,34 +14,27 @@ using testing::StartsWith;
 
 const std::string kStep = TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json";
 
-struct Answer {
-  int status;
-  std::string out, err;
-};
-
-Answer verify(const std::string& file, const std::vector<std::string>& more) {
+CliAnswer verify(const std::string& file, const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {"sim", file, "--verify"};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  std::ostringstream out, err;
-  const int status = run_cli(arguments, out, err);
-  return {status, out.str(), err.str()};
+  return cli_answer(arguments);
 }
 
 TEST(CliVerify, PassesWhereEveryCheckPasses) {
-  const Answer answer = verify(kStep, {"--solver", "bump"});
+  const CliAnswer answer = verify(kStep, {"--solver", "bump"});
   EXPECT_EQ(answer.status, kExitGood) << answer.err;
   EXPECT_THAT(answer.out, StartsWith("passed reaches body 1: 0, bound 0\n"));
   EXPECT_THAT(answer.out, testing::Not(HasSubstr("failed")));
 }
 
 TEST(CliVerify, FailsWithWhatWasMeasured) {
-  const Answer answer = verify(kStep, {"--solver", "article"});
+  const CliAnswer answer = verify(kStep, {"--solver", "article"});
   EXPECT_EQ(answer.status, kExitBad);
   EXPECT_THAT(answer.out, HasSubstr("failed sink body 1: 2, bound 1e-09\n"));
 }
 
 TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
-  const Answer none = verify(TALUS_SOURCE_DIR "/assets/demo.talus.json", {});
+  const CliAnswer none = verify(TALUS_SOURCE_DIR "/assets/demo.talus.json", {});
   EXPECT_EQ(none.status, kExitBad);
   EXPECT_THAT(none.err, HasSubstr("hard_case"));
   EXPECT_EQ(verify(kStep, {"--frames", "3"}).status, kExitUsage);
@@ -50,10 +42,10 @@ TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
 
 // A player that runs right by the case's keys alone stands at the wall, its right side at 96.
 TEST(CliSim, PlaysAHardCaseWithItsInput) {
-  std::ostringstream out, err;
   const std::string ramp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
-  ASSERT_EQ(run_cli({"sim", ramp, "--frames", "120", "--trace", "-", "--no-contacts"}, out, err), kExitGood);
-  const std::string text = out.str();
+  const CliAnswer answer = cli_answer({"sim", ramp, "--frames", "120", "--trace", "-", "--no-contacts"});
+  ASSERT_EQ(answer.status, kExitGood) << answer.err;
+  const std::string& text = answer.out;
   const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
   const auto frame = nlohmann::json::parse(last);
   EXPECT_EQ(frame["frame"], 120);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "collision/ground_queries.h"
+#include "folder_test.h"
 #include "level/ground.h"
 #include "property/random_ground.h"
 #include "unit/exported_level.h"
@@ -13,7 +14,6 @@
 
 namespace talus::export_c_test {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 std::string header(const Level& level, const std::string& name = "cave.h") {
@@ -60,22 +60,14 @@ TEST(ExportC, AMapTooLongForFixedPointIsRefused) {
 }
 
 // Compiles the header of a level into a program that prints floors.
-class ExportCFloors : public ::testing::Test {
+class ExportCFloors : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("talus_c_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // What the program prints; of its compiler, if that says anything.
   std::string run(const Level& level, const std::vector<Vec2>& points) {
-    put_file(folder_ / "cave.h", header(level));
+    put("cave.h", header(level));
     std::string input;
     for (const Vec2 p : points) input += std::to_string(fixed(p.x)) + " " + std::to_string(fixed(p.y)) + "\n";
-    put_file(folder_ / "input", input);
+    put("input", input);
     return output_of("cd '" + folder_.string() +
                      "' && cc -std=c99 -Wall -Wextra -pedantic -Werror -I. -o floors '" TALUS_SOURCE_DIR
                      "/tests/games/c_header_main.c' 2>&1 && ./floors <input");
@@ -104,7 +96,6 @@ class ExportCFloors : public ::testing::Test {
   }
 
   static std::int64_t fixed(double px) { return std::llround(px * 256); }
-  fs::path folder_;
 };
 
 TEST_F(ExportCFloors, TablesAndSpawnsAreRead) {

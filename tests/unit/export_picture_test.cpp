@@ -4,6 +4,7 @@
 
 #include <pugixml.hpp>
 
+#include "folder_test.h"
 #include "formats/png_picture.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
@@ -42,7 +43,7 @@ TEST(ExportPng, ALargeMapIsRefused) {
 }
 
 // The drawing, read as XML.
-class ExportSvg : public ::testing::Test {
+class ExportSvg : public FolderTest {
  protected:
   pugi::xml_node draw(const Level& level) {
     const std::string text = exported_file("svg", level);
@@ -50,7 +51,7 @@ class ExportSvg : public ::testing::Test {
     EXPECT_TRUE(parsed) << parsed.description();
     return document_.child("svg");
   }
-  std::string path(const char* id) {
+  std::string drawn(const char* id) {
     return document_.child("svg").find_child_by_attribute("path", "id", id).attribute("d").value();
   }
 
@@ -65,25 +66,23 @@ TEST_F(ExportSvg, HoldsThePictureOfTheMap) {
   EXPECT_STREQ(root.attribute("viewBox").value(), "0 0 16 16");
   const std::string data = root.child("image").attribute("xlink:href").value();
   ASSERT_THAT(data, StartsWith("data:image/png;base64,"));
-  const auto folder = std::filesystem::path(::testing::TempDir());
-  put_file(folder / "talus_svg_base64", data.substr(data.find(',') + 1));
-  EXPECT_EQ(output_of("base64 -d '" + (folder / "talus_svg_base64").string() + "'"),
-            exported_file("png", level));
+  const std::string file = put("base64", data.substr(data.find(',') + 1));
+  EXPECT_EQ(output_of("base64 -d '" + file + "'"), exported_file("png", level));
 }
 
 TEST_F(ExportSvg, DrawsOutlineAndNormals) {
   draw(level_of_shapes({"2", "1"}));
-  EXPECT_EQ(path("ground"), "M0 8L8 0L8 16L0 16Z");
-  EXPECT_THAT(path("normals"), StartsWith("M4 4l-1.414213562373095"));
-  EXPECT_THAT(path("normals"), HasSubstr("M8 8l2 0M4 16l0 2M0 12l-2 0"));
-  EXPECT_EQ(path("one-way"), "");
-  EXPECT_EQ(path("curves"), "");
+  EXPECT_EQ(drawn("ground"), "M0 8L8 0L8 16L0 16Z");
+  EXPECT_THAT(drawn("normals"), StartsWith("M4 4l-1.414213562373095"));
+  EXPECT_THAT(drawn("normals"), HasSubstr("M8 8l2 0M4 16l0 2M0 12l-2 0"));
+  EXPECT_EQ(drawn("one-way"), "");
+  EXPECT_EQ(drawn("curves"), "");
 }
 
 TEST_F(ExportSvg, DashesOneWayLines) {
   const pugi::xml_node root = draw(level_of_shapes({"77"}));
-  EXPECT_EQ(path("one-way"), "M0 0L16 0");
-  EXPECT_EQ(path("normals"), "M8 0l0 -2");
+  EXPECT_EQ(drawn("one-way"), "M0 0L16 0");
+  EXPECT_EQ(drawn("normals"), "M8 0l0 -2");
   EXPECT_STREQ(root.find_child_by_attribute("path", "id", "one-way").attribute("stroke-dasharray").value(),
                "2 1");
 }
@@ -94,19 +93,19 @@ TEST_F(ExportSvg, DrawsCurvesExactly) {
     level.map = TileMap(5, 5);
     level.curves.push_back({"", {form, faces}, ""});
     draw(level);
-    return path("curves");
+    return drawn("curves");
   };
   EXPECT_EQ(curve(Segment{{0, 8}, {8, 4}}), "M0 8L8 4");
   EXPECT_EQ(curve(Segment{{8, 0}, {8, 4}}), "M8 4L8 0");
   EXPECT_EQ(curve(Polyline{0, 8, {4, 6, 4}}, Curve::Faces::both), "M0 4L4 6L8 4");
-  const std::string normals = path("normals");  // on both sides of both lines
+  const std::string normals = drawn("normals");  // on both sides of both lines
   EXPECT_THAT(normals, StartsWith("M2 5l"));
   EXPECT_EQ(std::count(normals.begin(), normals.end(), 'M'), 4);
   EXPECT_EQ(curve(Arc{{20, 20}, 10, 10, 30, true}), "M10 20A10 10 0 0 1 30 20");
   EXPECT_EQ(curve(Arc{{20, 20}, 10, 14, 26, false}), "M14 28A10 10 0 0 0 26 28");
   EXPECT_EQ(curve(Parabola{{0, 8}, {16, 12}, -4}), "M0 8Q8 -4 16 12");
   EXPECT_EQ(curve(Cubic{{0, 8}, {12, 8}, -1, 1}), "M0 8C4 4 8 4 12 8");
-  EXPECT_THAT(path("normals"), StartsWith("M3 5.75l-0.894427190"));  // it turns at 6,5
+  EXPECT_THAT(drawn("normals"), StartsWith("M3 5.75l-0.894427190"));  // it turns at 6,5
 
   const std::string sine = curve(Sine{0, 16, 20, 4, 16, 0});
   EXPECT_THAT(sine, StartsWith("M0 20C"));
@@ -128,7 +127,7 @@ TEST_F(ExportSvg, DrawsBodies) {
   EXPECT_STREQ(box.attribute("x").value(), "1.5");
   EXPECT_STREQ(box.attribute("height").value(), "12");
   EXPECT_STREQ(box.child("title").text().get(), "a <b> & \"c\" ");
-  EXPECT_EQ(path("ground"), "");
+  EXPECT_EQ(drawn("ground"), "");
 }
 
 }  // namespace talus::export_picture_test

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "export/plain_data.h"
+#include "folder_test.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
 
@@ -139,19 +140,18 @@ TEST(PlainLines, CurvesStayNear) {
 
 // ---- Lua ----
 
-// What both Luas print of the level with a script that has it as `level`.
-void expect_lua(const Level& level, const std::string& script, const std::string& expected) {
-  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("talus_lua_data_" + test);
-  std::filesystem::create_directories(folder);
-  put_file(folder / "cave.lua", exported_file("lua", level));
-  put_file(folder / "script.lua", "local level = dofile('cave.lua')\n" + script);
-  for (const char* lua : {"lua5.3", "luajit"})
-    EXPECT_EQ(output_of("cd '" + folder.string() + "' && " + lua + " script.lua 2>&1"), expected) << lua;
-  std::filesystem::remove_all(folder);
-}
+class ExportLuaData : public FolderTest {
+ protected:
+  // What both Luas print of the level with a script that has it as `level`.
+  void expect_lua(const Level& level, const std::string& script, const std::string& expected) const {
+    put("cave.lua", exported_file("lua", level));
+    put("script.lua", "local level = dofile('cave.lua')\n" + script);
+    for (const char* lua : {"lua5.3", "luajit"})
+      EXPECT_EQ(output_of("cd '" + folder_.string() + "' && " + lua + " script.lua 2>&1"), expected) << lua;
+  }
+};
 
-TEST(ExportLuaData, RunsInLuaAndLuaJit) {
+TEST_F(ExportLuaData, RunsInLuaAndLuaJit) {
   expect_lua(cave(), R"(
 print(level.width, level.height, level.tile_size, #level.map, #level.map[3], level.map[3][4])
 print(level.flags.tiles[1 + 1], level.flags.tiles[255 + 1], #level.flags.sprites, level.flags.sprites[1])
@@ -172,7 +172,7 @@ print(#level.spawns, level.spawns[1].name == 'a "b",\nc\\', level.spawns[1].x ==
              "1\ttrue\ttrue\tcentre\n");
 }
 
-TEST(ExportLuaData, MoreTablesThanLuaJitTakesInAFunctionAreRead) {
+TEST_F(ExportLuaData, MoreTablesThanLuaJitTakesInAFunctionAreRead) {
   Level level;
   level.map = TileMap(400, 200);
   level.tile_shapes = test_shapes();

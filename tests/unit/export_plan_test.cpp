@@ -1,14 +1,12 @@
 // Presets of exports: how a level keeps them, where their paths lead, what would be written, and writing it.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <algorithm>
 
 #include "export/export_plan.h"
-#include "formats/atomic_file.h"
-#include "formats/native.h"
+#include "folder_test.h"
 #include "formats/tic_cart.h"
+#include "native_text.h"
 
 namespace talus::export_plan_test {
 
@@ -25,16 +23,13 @@ FormatResult<std::string> no_asset(const std::string& name) {
 }
 
 void expect_error(const std::string& exports, const std::string& place, const std::string& message) {
-  const auto read = read_native(R"({"talus": 1, "exports": )" + exports + "}", {});
-  ASSERT_FALSE(read) << exports;
-  EXPECT_EQ(read.error().place, place);
-  EXPECT_EQ(read.error().message, message);
+  expect_native_error(native_with("\"exports\": " + exports), place, message);
 }
 
 TEST(NativeExports, ComeBackAsTheyWere) {
   const Level level = level_with({{"game", "love", "export/love", true, R"({"colour":"red"})"},
                                   {"", "no-such-target", "/tmp/x y.zip", false, ""}});
-  const auto text = write_native(level, {}).value().bytes;
+  const auto text = native_of_level(level);
   EXPECT_NE(text.find(R"(
   "exports": [
     {"name": "game", "to": "love", "path": "export/love", "on_save": true, "colour": "red"},
@@ -42,8 +37,8 @@ TEST(NativeExports, ComeBackAsTheyWere) {
   ],)"),
             std::string::npos)
       << text;
-  EXPECT_EQ(read_native(text, {}).value(), level) << "a target that is not known is kept";
-  EXPECT_EQ(write_native(Level(), {}).value().bytes.find("exports"), std::string::npos);
+  EXPECT_EQ(level_of_native(text), level) << "a target that is not known is kept";
+  EXPECT_EQ(native_of_level(Level()).find("exports"), std::string::npos);
 }
 
 TEST(NativeExports, WhatIsWrongIsSaidWithItsPlace) {
@@ -95,30 +90,14 @@ TEST(ExportPath, FollowsTheTarget) {
   EXPECT_EQ(path_for_other("mine/game", love, tic, "cave"), "mine/game.tic");
 }
 
-class ExportPlans : public testing::Test {
+class ExportPlans : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("talus_plan_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string put(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-  static std::string bytes_of(const std::string& file) { return read_file(file).value(); }
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     return names;
   }
-
-  fs::path folder_;
 };
 
 TEST_F(ExportPlans, TellWhatIsAtThePlace) {
@@ -129,7 +108,7 @@ TEST_F(ExportPlans, TellWhatIsAtThePlace) {
   EXPECT_EQ(plan->files[0].path, output);
   EXPECT_EQ(plan->files[0].name, "a.tic");
   EXPECT_EQ(plan->files[0].place, PlannedFile::Place::empty);
-  EXPECT_FALSE(fs::exists(path("out"))) << "nothing is written yet";
+  EXPECT_FALSE(exists("out")) << "nothing is written yet";
   ASSERT_TRUE(write_plan(*plan));
   EXPECT_EQ(fs::file_size(output), plan->files[0].size);
   EXPECT_EQ(plan_export(Level(), "tic", output, no_asset)->files[0].place, PlannedFile::Place::same);
@@ -167,7 +146,7 @@ TEST_F(ExportPlans, AreWrittenAsAWhole) {
   const auto written = write_exported(folder_target(), content, folder_.string());
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().place, "b");
-  EXPECT_EQ(bytes_of(path("a")), "old a");
+  EXPECT_EQ(bytes_of("a"), "old a");
   EXPECT_EQ(names(), (std::vector<std::string>{"a", "b"})) << "no temporary is left";
 }
 
@@ -183,12 +162,12 @@ TEST_F(ExportPlans, AreCancelledAsAWhole) {
                                           return files < last;
                                         });
     ASSERT_FALSE(written);
-    EXPECT_EQ(bytes_of(path("a")), "old a");
+    EXPECT_EQ(bytes_of("a"), "old a");
   }
   EXPECT_EQ(bytes, (std::vector<std::size_t>{0, 5, 10}));
   ASSERT_TRUE(write_exported(folder_target(), content, folder_.string()));
-  EXPECT_EQ(bytes_of(path("a")), "new a");
-  EXPECT_EQ(bytes_of(path("sub/b")), "new b");
+  EXPECT_EQ(bytes_of("a"), "new a");
+  EXPECT_EQ(bytes_of("sub/b"), "new b");
 }
 
 }  // namespace talus::export_plan_test

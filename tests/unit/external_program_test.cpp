@@ -5,9 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include "folder_test.h"
 
 namespace talus::external_program_test {
 
@@ -34,28 +32,19 @@ TEST(SplitCommand, SaysWhatIsWrong) {
   EXPECT_FALSE(split_command("x {file", "f"));
 }
 
-class ExternalProgramTest : public ::testing::Test {
+class ExternalProgramTest : public FolderTest {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("talus programs " + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     // Writes its arguments, one a line, in place at once.
-    std::ofstream script(path("program"));
-    script << "#!/bin/sh\nprintf '%s\\n' \"$@\" > \"" << path("part") << "\"\nmv \"" << path("part")
-           << "\" \"" << path("told") << "\"\n";
-    script.close();
+    put("program", "#!/bin/sh\nprintf '%s\\n' \"$@\" > \"" + path("part") + "\"\nmv \"" + path("part") +
+                       "\" \"" + path("told") + "\"\n");
     ASSERT_EQ(::chmod(path("program").c_str(), 0755), 0);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   // What the program was given; waits for it.
   std::string told() const {
-    for (int i = 0; i < 500 && !fs::exists(path("told")); ++i) ::usleep(10'000);
-    std::ifstream in(path("told"));
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
+    for (int i = 0; i < 500 && !exists("told"); ++i) ::usleep(10'000);
+    return bytes_of("told");
   }
   ProgramCommands commands() const {
     ProgramCommands all = default_program_commands();
@@ -63,8 +52,6 @@ class ExternalProgramTest : public ::testing::Test {
     all[1] = "\"" + path("program") + "\" {folder}";
     return all;
   }
-
-  fs::path folder_;
 };
 
 TEST_F(ExternalProgramTest, StartsWithItsArguments) {
@@ -108,7 +95,7 @@ TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
   EXPECT_EQ(told(), path("copies/level.tmj") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
   EXPECT_TRUE(load_level(path("copies/level.tmj"))->level == session.level());
-  EXPECT_TRUE(fs::exists(path("copies/level.png")));
+  EXPECT_TRUE(exists("copies/level.png"));
 }
 
 TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {

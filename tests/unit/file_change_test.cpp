@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "edit/map_tools.h"
+#include "folder_test.h"
 #include "formats/atomic_file.h"
 #include "session/file_stamp.h"
 #include "session/session.h"
@@ -16,18 +17,15 @@ namespace talus::file_change_test {
 
 namespace fs = std::filesystem;
 
-class FileChangeTest : public ::testing::Test {
+class FileChangeTest : public FolderTest {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("talus-file-change-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     write(level_with(1));
     session_.apply(action::OpenFile{file()});
     ASSERT_EQ(session_.path(), file());
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  std::string file() const { return (folder_ / "level.talus.json").string(); }
+  std::string file() const { return path("level.talus.json"); }
   // A level with a tile in its first cell.
   static Level level_with(std::uint8_t tile) {
     Level level;
@@ -42,7 +40,6 @@ class FileChangeTest : public ::testing::Test {
   }
   std::uint8_t first_tile() const { return session_.level().map.at({0, 0}); }
 
-  fs::path folder_;
   Session session_;
 };
 
@@ -160,7 +157,7 @@ TEST_F(FileChangeTest, ADamagedFileIsToldAndChangesNothing) {
 }
 
 TEST_F(FileChangeTest, SavingACartGivesItANewTimeAtOnce) {
-  const std::string cart = (folder_ / "game.tic").string();
+  const std::string cart = path("game.tic");
   session_.apply(action::SaveFileAs{cart});
   ASSERT_EQ(session_.path(), cart);
   struct stat first = {};
@@ -178,17 +175,19 @@ TEST_F(FileChangeTest, SavingACartGivesItANewTimeAtOnce) {
   EXPECT_FALSE(session_.question()) << "the same content at another time is no change";
 }
 
-TEST(FileStamp, TellsContentFromTime) {
-  const fs::path path = fs::path(::testing::TempDir()) / ("talus-stamp-" + std::to_string(::getpid()));
-  ASSERT_TRUE(write_file_atomic(path.string(), "one"));
-  FileStamp stamp = *stamp_of_file(path.string());
+class FileStamps : public FolderTest {};
+
+TEST_F(FileStamps, TellsContentFromTime) {
+  const std::string file = path("stamped");
+  ASSERT_TRUE(write_file_atomic(file, "one"));
+  FileStamp stamp = *stamp_of_file(file);
   EXPECT_EQ(stamp.size, 3);
-  EXPECT_EQ(file_change(path.string(), stamp), FileChange::none);
-  ASSERT_TRUE(write_file_atomic(path.string(), "two"));
-  EXPECT_EQ(file_change(path.string(), stamp), FileChange::content);
-  fs::remove(path);
-  EXPECT_EQ(file_change(path.string(), stamp), FileChange::gone);
-  EXPECT_FALSE(stamp_of_file(path.string()));
+  EXPECT_EQ(file_change(file, stamp), FileChange::none);
+  ASSERT_TRUE(write_file_atomic(file, "two"));
+  EXPECT_EQ(file_change(file, stamp), FileChange::content);
+  fs::remove(file);
+  EXPECT_EQ(file_change(file, stamp), FileChange::gone);
+  EXPECT_FALSE(stamp_of_file(file));
 }
 
 }  // namespace talus::file_change_test

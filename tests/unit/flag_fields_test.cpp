@@ -4,23 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "formats/cart_content.h"
-#include "formats/native.h"
 #include "level/flag_search.h"
 #include "level_text.h"
+#include "native_text.h"
 
 namespace talus::flag_fields_test {
 
 FlagField slope_kind() { return {"slope kind", 2, 2, {"none", "up", "down"}, ""}; }
 
-FormatResult<Level> read_with_fields(const std::string& fields) {
-  return read_native(R"({"talus": 1, "flag_fields": )" + fields + "}", {});
-}
-
 void expect_field_error(const std::string& fields, const std::string& place, const std::string& message) {
-  const auto level = read_with_fields(fields);
-  ASSERT_FALSE(level) << fields;
-  EXPECT_EQ(level.error().place, place);
-  EXPECT_EQ(level.error().message, message);
+  expect_native_error(native_with("\"flag_fields\": " + fields), place, message);
 }
 
 TEST(FlagField, ReadsItsFlagsAsANumber) {

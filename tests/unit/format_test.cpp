@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include "formats/atomic_file.h"
+#include "folder_test.h"
 #include "formats/format.h"
 
 namespace talus::format_test {
@@ -50,25 +48,27 @@ TEST(Formats, TheNameDecidesWhenTheContentDoesNot) {
             "is no Talus level, TIC-80 cartridge, TIC-80 text project or map of Tiled");
 }
 
-TEST(Formats, SaveAndLoad) {
-  const std::string path = testing::TempDir() + "talus_format_test.tic";
+class FormatFiles : public FolderTest {};
+
+TEST_F(FormatFiles, SaveAndLoad) {
+  const std::string file = path("level.tic");
   Level level;
   level.map.set({2, 3}, 4);
   level.spawns.resize(1);
-  EXPECT_THAT(save_level(level, *format_for_file(path), path).value(), testing::ElementsAre("1 spawn"));
-  const LoadedLevel loaded = load_level(path).value();
+  EXPECT_THAT(save_level(level, *format_for_file(file), file).value(), testing::ElementsAre("1 spawn"));
+  const LoadedLevel loaded = load_level(file).value();
   EXPECT_EQ(loaded.format->id, "tic");
   EXPECT_EQ(loaded.level.map, level.map);
-  std::filesystem::remove(path);
-  EXPECT_EQ(load_level(path).error().message, "cannot be opened: No such file or directory");
+  std::filesystem::remove(file);
+  EXPECT_EQ(load_level(file).error().message, "cannot be opened: No such file or directory");
 }
 
-TEST(Formats, AFailedSaveWritesNothing) {
-  const std::string path = testing::TempDir() + "talus_format_test.lua";
+TEST_F(FormatFiles, AFailedSaveWritesNothing) {
+  const std::string file = path("level.lua");
   Level level;
   level.map = TileMap(300, 1);
-  EXPECT_FALSE(save_level(level, *format_for_file(path), path));
-  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(save_level(level, *format_for_file(file), file));
+  EXPECT_FALSE(exists("level.lua"));
 }
 
 }  // namespace talus::format_test

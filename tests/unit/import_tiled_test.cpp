@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include "folder_test.h"
 #include "formats/png_picture.h"
 #include "formats/png_sheet.h"
 #include "tiled_files.h"
@@ -348,7 +349,7 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
   EXPECT_EQ(loaded->level.tile_shapes[4], TileShape()) << "it is steeper than a line over its columns can be";
 }
 
-class ImportTiledFiles : public TiledFilesTest {
+class ImportTiledFiles : public FolderTest {
  protected:
   // Writes an export of the level as cave.EXTENSION, and reads it.
   LoadedLevel there_and_back(const Level& level, const std::string& format) {
@@ -418,8 +419,8 @@ TEST_F(ImportTiledFiles, EmptyCellsBesideADrawnTile0GetAnother) {
   std::string text = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
   const std::string row = "2,2,2,2,2,2";
   text.replace(text.find(row), row.size(), "2,2,0,2,2,2");
-  write("cave.tmj", text);
-  write("cave.png", write_png_part(level, PngPart::tiles));
+  put("cave.tmj", text);
+  put("cave.png", write_png_part(level, PngPart::tiles));
   const auto loaded = load_level(path("cave.tmj"));
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->level.map.at({2, 3}), 0);
@@ -443,16 +444,16 @@ std::string numbered_png() {
 
 TEST_F(ImportTiledFiles, FindsTilesetsAndPicturesBesideTheMap) {
   std::filesystem::create_directories(folder_ / "sets");
-  write("map.tmx",
-        "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
-        "<tileset firstgid=\"5\" source=\"sets/t.tsx\"/><layer name=\"l\"><data "
-        "encoding=\"csv\">10,0</data></layer></map>");
-  write("sets/t.tsx",
-        "<tileset name=\"t\" tilewidth=\"8\" tileheight=\"8\"><image source=\"..\\t.png\" width=\"32\" "
-        "height=\"32\"/>"
-        "<tile id=\"5\"><objectgroup><object x=\"0\" y=\"0\" width=\"8\" "
-        "height=\"8\"/></objectgroup></tile></tileset>");
-  write("t.png", numbered_png());
+  put("map.tmx",
+      "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+      "<tileset firstgid=\"5\" source=\"sets/t.tsx\"/><layer name=\"l\"><data "
+      "encoding=\"csv\">10,0</data></layer></map>");
+  put("sets/t.tsx",
+      "<tileset name=\"t\" tilewidth=\"8\" tileheight=\"8\"><image source=\"..\\t.png\" width=\"32\" "
+      "height=\"32\"/>"
+      "<tile id=\"5\"><objectgroup><object x=\"0\" y=\"0\" width=\"8\" "
+      "height=\"8\"/></objectgroup></tile></tileset>");
+  put("t.png", numbered_png());
   const auto loaded = load_level(path("map.tmx"));
   ASSERT_TRUE(loaded) << to_string(loaded.error(), "map");
   EXPECT_THAT(loaded->dropped, ElementsAre());
@@ -468,10 +469,10 @@ TEST_F(ImportTiledFiles, FindsTilesetsAndPicturesBesideTheMap) {
 
 TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
   const auto error_with = [&](const std::string& source) {
-    write("map.tmx",
-          "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
-          "<tileset firstgid=\"1\" source=\"" +
-              source + "\"/><layer name=\"l\"><data encoding=\"csv\">0</data></layer></map>");
+    put("map.tmx",
+        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+        "<tileset firstgid=\"1\" source=\"" +
+            source + "\"/><layer name=\"l\"><data encoding=\"csv\">0</data></layer></map>");
     const auto loaded = load_level(path("map.tmx"));
     return loaded ? "" : to_string(loaded.error(), "map");
   };
@@ -481,19 +482,19 @@ TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
   EXPECT_EQ(error_with("C:\\t.tsx"),
             "map:file C:/t.tsx: error: is not looked for: only paths from the folder of the map are");
   EXPECT_EQ(error_with("."), "map:file .: error: is no file");
-  write("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"8\"/>");
+  put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"8\"/>");
   EXPECT_EQ(error_with("t.tsx"),
             "map:file t.tsx, line 1: error: has tiles of 16x8 px, and those of a level are 8x8 px");
-  write("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
-  write("t.jpg", "JPEG");
+  put("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
+  put("t.jpg", "JPEG");
   EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is no PNG picture");
 }
 
 TEST_F(ImportTiledFiles, PicturesOfManyColoursGetTheNearest) {
   std::vector<std::uint8_t> bytes;
   for (int i = 0; i < 32 * 32; ++i) bytes.insert(bytes.end(), {static_cast<std::uint8_t>(i % 32 * 8), 0, 0});
-  write("t.png", encode_png(32, 32, 3, bytes.data()));
-  write("map.tmj", map_text({.tileset = R"("image":"t.png","imagewidth":32,"imageheight":32,)"}));
+  put("t.png", encode_png(32, 32, 3, bytes.data()));
+  put("map.tmj", map_text({.tileset = R"("image":"t.png","imagewidth":32,"imageheight":32,)"}));
   const auto loaded = load_level(path("map.tmj"));
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->level.palette, default_palette());

@@ -3,12 +3,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <random>
 
 #include "export/lua_level.h"
+#include "folder_test.h"
 #include "formats/format.h"
 #include "formats/hard_case.h"
 #include "property/random_ground.h"
@@ -20,22 +19,9 @@ namespace talus::lua_runtime_test {
 
 namespace fs = std::filesystem;
 
-std::string bytes_at(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // Levels that the solver and both Luas run.
-class LuaRuntime : public ::testing::Test {
+class LuaRuntime : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("talus_lua_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // Runs a level by the solver, and writes what the Luas need to run it.
   void add(Level level, std::int64_t frames, const std::vector<CaseInput>& entries, const std::string& name) {
     level.tuning.solver = SolverKind::exact;
@@ -53,20 +39,21 @@ class LuaRuntime : public ::testing::Test {
     }
     std::vector<std::string> texts;
     for (const std::string& part : lua_runtime_parts(level, !entries.empty()))
-      texts.push_back(bytes_at(fs::path(TALUS_SOURCE_DIR "/assets/runtime") / (part + ".lua")));
+      texts.push_back(bytes_of(TALUS_SOURCE_DIR "/assets/runtime/" + part + ".lua"));
     const std::string number = std::to_string(levels_++);
     list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames);
     const std::string runtime = join_lua_parts(texts);
     const auto same = runtimes_.emplace(runtime, runtimes_.size()).first;  // most levels need the same parts
-    list_ += put("runtime", std::to_string(same->second), runtime) + put("level", number, lua_level(level));
-    list_ += put("input", number, inputs + "}") + "},\n";
+    list_ += put_part("runtime", std::to_string(same->second), runtime) +
+             put_part("level", number, lua_level(level));
+    list_ += put_part("input", number, inputs + "}") + "},\n";
     frames_ += frames;
     body_frames_ += frames * static_cast<std::int64_t>(state.bodies.size());
   }
 
   // Runs them, and says how many frames were compared.
   void expect_same_bits() {
-    put_file(folder_ / "list.lua", "return {" + list_ + "}");
+    put("list.lua", "return {" + list_ + "}");
     // LuaJIT is told to compile later than it would: it meets a thousand short runs.
     for (const std::string lua : {"lua5.3", "luajit -Ohotloop=500,hotexit=100"}) {
       const std::string out = output_of("cd '" + folder_.string() + "' && " + lua +
@@ -104,13 +91,12 @@ class LuaRuntime : public ::testing::Test {
     return out.substr(level, out.find('\n', level) - level) + ": " + out.substr(line, 200) +
            "\ninstead of\n" + expected.substr(line, 200);
   }
-  std::string put(const std::string& kind, const std::string& number, const std::string& text) const {
+  std::string put_part(const std::string& kind, const std::string& number, const std::string& text) const {
     const std::string file = kind + number + ".lua";
-    put_file(folder_ / file, text);
+    put(file, text);
     return "," + kind + "='" + file + "'";
   }
 
-  fs::path folder_;
   std::string expected_, list_;
   std::map<std::string, std::size_t> runtimes_;  // the numbers of their files
   int levels_ = 0;

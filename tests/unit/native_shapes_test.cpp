@@ -5,22 +5,15 @@
 #include <limits>
 
 #include "formats/format.h"
-#include "formats/native.h"
+#include "native_text.h"
 
 namespace talus::native_shapes_test {
 
 using testing::HasSubstr;
 using testing::Not;
 
-Level read(const std::string& text) { return read_native(text, {}).value(); }
-std::string write(const Level& level) { return write_native(level, {}).value().bytes; }
-std::string with(const std::string& members) { return R"({"talus": 1, )" + members + "}"; }
-
 void expect_error(const std::string& members, const std::string& place, const std::string& message) {
-  const auto level = read_native(with(members), {});
-  ASSERT_FALSE(level) << members;
-  EXPECT_EQ(level.error().place, place) << members;
-  EXPECT_EQ(level.error().message, message) << members;
+  expect_native_error(native_with(members), place, message);
 }
 
 Level level_with_everything() {
@@ -47,7 +40,7 @@ Level level_with_everything() {
 }
 
 TEST(NativeShapes, LookLikeThis) {
-  const std::string text = write(level_with_everything());
+  const std::string text = native_of_level(level_with_everything());
   EXPECT_THAT(text, HasSubstr(R"(
   "flag_shapes": {
     "6": {"kind": "profile", "heights": [0, 2.5, 0]}
@@ -78,35 +71,36 @@ TEST(NativeShapes, LookLikeThis) {
 
 TEST(NativeShapes, AreReadAsWritten) {
   const Level level = level_with_everything();
-  const std::string text = write(level);
-  EXPECT_EQ(read(text), level);
-  EXPECT_EQ(write(read(text)), text);
+  const std::string text = native_of_level(level);
+  EXPECT_EQ(level_of_native(text), level);
+  EXPECT_EQ(native_of_level(level_of_native(text)), text);
 }
 
 TEST(NativeShapes, TheFuzzersSeedIsGood) {
   const Level level = load_level(TALUS_SOURCE_DIR "/tests/fuzz/seeds/shapes.talus.json")->level;
   EXPECT_EQ(level.curves.size(), 7u);
-  EXPECT_EQ(read(write(level)), level);
+  EXPECT_EQ(level_of_native(native_of_level(level)), level);
 }
 
 TEST(NativeShapes, DefaultsAreLeftOut) {
-  const std::string text = write(Level());
+  const std::string text = native_of_level(Level());
   for (const char* key : {"tile_shapes", "flag_shapes", "curves", "one_way", "ceiling", "exact", "player"})
     EXPECT_THAT(text, Not(HasSubstr("\"" + std::string(key) + "\":"))) << key;
 }
 
 TEST(NativeShapes, UnknownKeysAreKept) {
-  const std::string text = with(R"("tile_shapes": {"7": {"kind": "solid", "sound": 3}, "9": {"later": 1}},
+  const std::string text =
+      native_with(R"("tile_shapes": {"7": {"kind": "solid", "sound": 3}, "9": {"later": 1}},
       "curves": [{"kind": "segment", "from": [0, 0], "to": [8, 8], "radius": 5}],
       "tuning": {"exact": {"wind": 2}})");
-  const Level level = read(text);
+  const Level level = level_of_native(text);
   EXPECT_EQ(level.curves.at(0).extra, R"({"radius":5})");
-  const std::string written = write(level);
+  const std::string written = native_of_level(level);
   EXPECT_THAT(written, HasSubstr(R"("7": {"kind": "solid", "sound": 3})"));
   EXPECT_THAT(written, HasSubstr(R"("9": {"later": 1})"));
   EXPECT_THAT(written, HasSubstr(R"("exact": {"wind": 2})"));
   EXPECT_THAT(written, HasSubstr(R"("to": [8, 8], "radius": 5})"));
-  EXPECT_EQ(write(read(written)), written);
+  EXPECT_EQ(native_of_level(level_of_native(written)), written);
 }
 
 TEST(NativeShapes, ShapeErrorsSayWhere) {
@@ -162,7 +156,7 @@ TEST(NativeShapes, NumbersThatNoDoubleHoldsSayWhere) {
 
 TEST(NativeShapes, TheMapMayStandBehindItsCurves) {
   const std::string curve = R"("curves": [{"kind": "segment", "from": [0, 0], "to": [2400, 1]}])";
-  EXPECT_EQ(read(with(curve + R"(, "map": {"width": 300})")).curves.size(), 1u);
+  EXPECT_EQ(level_of_native(native_with(curve + R"(, "map": {"width": 300})")).curves.size(), 1u);
 }
 
 TEST(NativeShapes, SpawnAndTuningErrorsSayWhere) {

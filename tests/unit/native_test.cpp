@@ -5,27 +5,14 @@
 #include <limits>
 
 #include "formats/format.h"
-#include "formats/native.h"
 #include "formats/tic_cart.h"
 #include "formats/tic_text.h"
+#include "native_text.h"
 
 namespace talus::native_test {
 
 using testing::HasSubstr;
 using testing::Not;
-
-Level read(const std::string& text) { return read_native(text, {}).value(); }
-std::string write(const Level& level) { return write_native(level, {}).value().bytes; }
-
-// A level with these members besides its version.
-std::string with(const std::string& members) { return R"({"talus": 1, )" + members + "}"; }
-
-void expect_error(const std::string& text, const std::string& place, const std::string& message) {
-  const auto level = read_native(text, {});
-  ASSERT_FALSE(level) << text;
-  EXPECT_EQ(level.error().place, place) << text;
-  EXPECT_EQ(level.error().message, message) << text;
-}
 
 Level small_level() {
   Level level;
@@ -111,11 +98,11 @@ constexpr const char* kSmallLevel = R"({
 }
 )";
 
-TEST(Native, LooksLikeThis) { EXPECT_EQ(write(small_level()), kSmallLevel); }
+TEST(Native, LooksLikeThis) { EXPECT_EQ(native_of_level(small_level()), kSmallLevel); }
 
-TEST(Native, ReadsWhatItWrites) { EXPECT_EQ(read(kSmallLevel), small_level()); }
+TEST(Native, ReadsWhatItWrites) { EXPECT_EQ(level_of_native(kSmallLevel), small_level()); }
 
-TEST(Native, MissingKeysMeanTheDefaults) { EXPECT_EQ(read(R"({"talus": 1})"), Level()); }
+TEST(Native, MissingKeysMeanTheDefaults) { EXPECT_EQ(level_of_native(R"({"talus": 1})"), Level()); }
 
 TEST(Native, OneChangedCellIsOneChangedLine) {
   Level level = small_level();
@@ -123,7 +110,7 @@ TEST(Native, OneChangedCellIsOneChangedLine) {
   std::string expected = kSmallLevel;
   const std::string row = "      \"\",\n      \"..2a\"";
   expected.replace(expected.find(row), row.size(), "      \"....01\",\n      \"..2a\"");
-  EXPECT_EQ(write(level), expected);
+  EXPECT_EQ(native_of_level(level), expected);
 }
 
 TEST(Native, KeepsUnknownKeysWhereTheyWere) {
@@ -136,83 +123,90 @@ TEST(Native, KeepsUnknownKeysWhereTheyWere) {
     "tiles": {"7": {"flags": [1], "sound": 3}, "300th": true},
     "map": {"width": 2, "height": 2, "rows": ["01"], "wraps": true}
   })";
-  const Level level = read(text);
+  const Level level = level_of_native(text);
   EXPECT_EQ(level.spawns[0].extra, R"({"worth":"coin"})");
-  const std::string written = write(level);
+  const std::string written = native_of_level(level);
   for (const char* part : {R"("a": [)", R"("b": null)", R"("c": 0.1)", R"("ladder": 5)", R"("wind": "west")",
                            R"("worth": "coin")", R"("sound": 3)", R"("300th": true)", R"("wraps": true)"}) {
     EXPECT_THAT(written, HasSubstr(part));
   }
-  EXPECT_EQ(read(written), level);
-  EXPECT_EQ(write(read(written)), written);
+  EXPECT_EQ(level_of_native(written), level);
+  EXPECT_EQ(native_of_level(level_of_native(written)), written);
 }
 
 TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
-  Level level = read(with(R"("tiles": {"7": {"flags": [1], "sound": 3}}, "cart": {"label": "x"})"));
+  Level level =
+      level_of_native(native_with(R"("tiles": {"7": {"flags": [1], "sound": 3}}, "cart": {"label": "x"})"));
   level.sheet(SheetId::tiles).flags[7] = 0;
-  const std::string written = write(level);
+  const std::string written = native_of_level(level);
   EXPECT_THAT(written, HasSubstr(R"("7": {"sound": 3})"));
   EXPECT_THAT(written, HasSubstr(R"("cart": {"label": "x"})"));
-  EXPECT_EQ(read(written), level);
+  EXPECT_EQ(level_of_native(written), level);
 }
 
 TEST(Native, ANewerVersionIsRefused) {
-  expect_error(R"({"talus": 2, "palette": 7})", "key talus",
-               "this level has version 2, and this Talus reads up to version 1");
-  expect_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
-  expect_error(R"({"map": {}})", "key talus", "is missing, so this is no Talus level");
-  expect_error("[]", "", "is JSON, but no Talus level");
+  expect_native_error(R"({"talus": 2, "palette": 7})", "key talus",
+                      "this level has version 2, and this Talus reads up to version 1");
+  expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
+  expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is no Talus level");
+  expect_native_error("[]", "", "is JSON, but no Talus level");
 }
 
 TEST(Native, ErrorsSayWhere) {
-  expect_error("{\n\"talus\": 1,\n]", "line 3, column 1", "this is not valid JSON");
-  expect_error("{\"talus\": 1e999}", "line 1, key talus", "has a number that is too large");
-  expect_error(with(R"("tuning": {"fall_speed": 900})"), "key tuning.fall_speed",
-               "must be a number from -64 to 64 px/frame");
-  expect_error(with(R"("tuning": {"fall_blend": "x"})"), "key tuning.fall_blend",
-               "must be a number from 0 to 1");
-  expect_error(with(R"("tuning": {"solver": "magic"})"), "key tuning.solver",
-               R"(must be "article", "bump" or "exact")");
-  expect_error(with(R"("tuning": [])"), "key tuning", "must be an object");
-  expect_error(with(R"("roles": {"solid": 8})"), "key roles.solid", "must be a flag from 0 to 7, or null");
-  expect_error(with(R"("palette": ["000000"])"), "key palette", "must be a list of 16 colours");
-  expect_error(with(R"("flag_names": [1])"), "key flag_names", "must be a list of up to 8 strings");
-  expect_error(with(R"("spawns": [{}, {"x": 200000000}])"), "key spawns[1].x",
-               "must be a number from -100000000 to 100000000");
-  expect_error(with(R"("spawns": [7])"), "key spawns[0]", "must be an object");
-  expect_error(with(R"("tiles": {"256": {}})"), "key tiles.256", "is no tile number from 0 to 255");
-  expect_error(with(R"("tiles": {"01": {}})"), "key tiles.01", "is no tile number from 0 to 255");
-  expect_error(with(R"("tiles": {"1": {"flags": [8]}})"), "key tiles.1.flags",
-               "must be a list of flags from 0 to 7");
-  expect_error(with(R"("sprites": {"9": {"pixels": "0"}})"), "key sprites.9.pixels",
-               "must be eight rows of eight hexadecimal digits");
+  expect_native_error("{\n\"talus\": 1,\n]", "line 3, column 1", "this is not valid JSON");
+  expect_native_error("{\"talus\": 1e999}", "line 1, key talus", "has a number that is too large");
+  expect_native_error(native_with(R"("tuning": {"fall_speed": 900})"), "key tuning.fall_speed",
+                      "must be a number from -64 to 64 px/frame");
+  expect_native_error(native_with(R"("tuning": {"fall_blend": "x"})"), "key tuning.fall_blend",
+                      "must be a number from 0 to 1");
+  expect_native_error(native_with(R"("tuning": {"solver": "magic"})"), "key tuning.solver",
+                      R"(must be "article", "bump" or "exact")");
+  expect_native_error(native_with(R"("tuning": [])"), "key tuning", "must be an object");
+  expect_native_error(native_with(R"("roles": {"solid": 8})"), "key roles.solid",
+                      "must be a flag from 0 to 7, or null");
+  expect_native_error(native_with(R"("palette": ["000000"])"), "key palette", "must be a list of 16 colours");
+  expect_native_error(native_with(R"("flag_names": [1])"), "key flag_names",
+                      "must be a list of up to 8 strings");
+  expect_native_error(native_with(R"("spawns": [{}, {"x": 200000000}])"), "key spawns[1].x",
+                      "must be a number from -100000000 to 100000000");
+  expect_native_error(native_with(R"("spawns": [7])"), "key spawns[0]", "must be an object");
+  expect_native_error(native_with(R"("tiles": {"256": {}})"), "key tiles.256",
+                      "is no tile number from 0 to 255");
+  expect_native_error(native_with(R"("tiles": {"01": {}})"), "key tiles.01",
+                      "is no tile number from 0 to 255");
+  expect_native_error(native_with(R"("tiles": {"1": {"flags": [8]}})"), "key tiles.1.flags",
+                      "must be a list of flags from 0 to 7");
+  expect_native_error(native_with(R"("sprites": {"9": {"pixels": "0"}})"), "key sprites.9.pixels",
+                      "must be eight rows of eight hexadecimal digits");
 }
 
 TEST(Native, MapErrorsSayInWhichRow) {
-  expect_error(with(R"("map": {"width": 2097153})"), "key map.width",
-               "must be a whole number from 1 to 2097152");
-  expect_error(with(R"("map": {"height": 0})"), "key map.height", "must be a whole number from 1 to 2097152");
-  expect_error(with(R"("map": {"width": 2097152, "height": 9})"), "key map",
-               "has a width times a height of more than 16777216 cells");
-  expect_error(with(R"("map": {"width": 2097152, "height": 2097152})"), "key map",
-               "has a width times a height of more than 16777216 cells");
-  expect_error(with(R"("map": {"height": 1, "rows": ["", ""]})"), "key map.rows",
-               "has 2 rows, more than the map's height of 1");
-  expect_error(with(R"("map": {"width": 2, "rows": ["", "010101"]})"), "map row 1",
-               "is longer than the map's width of 2 cells");
-  expect_error(with(R"("map": {"rows": ["010"]})"), "map row 0", "must have two characters a cell");
-  expect_error(with(R"("map": {"rows": ["", "", "01.1"]})"), "map row 2",
-               "has a cell, number 1, that is no two hexadecimal digits");
+  expect_native_error(native_with(R"("map": {"width": 2097153})"), "key map.width",
+                      "must be a whole number from 1 to 2097152");
+  expect_native_error(native_with(R"("map": {"height": 0})"), "key map.height",
+                      "must be a whole number from 1 to 2097152");
+  expect_native_error(native_with(R"("map": {"width": 2097152, "height": 9})"), "key map",
+                      "has a width times a height of more than 16777216 cells");
+  expect_native_error(native_with(R"("map": {"width": 2097152, "height": 2097152})"), "key map",
+                      "has a width times a height of more than 16777216 cells");
+  expect_native_error(native_with(R"("map": {"height": 1, "rows": ["", ""]})"), "key map.rows",
+                      "has 2 rows, more than the map's height of 1");
+  expect_native_error(native_with(R"("map": {"width": 2, "rows": ["", "010101"]})"), "map row 1",
+                      "is longer than the map's width of 2 cells");
+  expect_native_error(native_with(R"("map": {"rows": ["010"]})"), "map row 0",
+                      "must have two characters a cell");
+  expect_native_error(native_with(R"("map": {"rows": ["", "", "01.1"]})"), "map row 2",
+                      "has a cell, number 1, that is no two hexadecimal digits");
 }
 
 TEST(Native, DeepAndEndlessJsonIsRefused) {
-  expect_error(std::string(100'000, '['), "line 1", "JSON is nested deeper here than 64 levels");
-  expect_error(with("\n\"x\": " + std::string(100'000, '[') + std::string(100'000, ']')), "line 2",
-               "JSON is nested deeper here than 64 levels");
+  expect_native_error(std::string(100'000, '['), "line 1", "JSON is nested deeper here than 64 levels");
+  expect_native_error(native_with("\n\"x\": " + std::string(100'000, '[') + std::string(100'000, ']')),
+                      "line 2", "JSON is nested deeper here than 64 levels");
   std::string many = "[0";
   for (int i = 0; i < 5'000'001; ++i) many += ",0";
-  expect_error(many, "line 1", "JSON has too many values");
-  EXPECT_EQ(read(with(R"("x": "[[[[\"[[[")")).extra, R"({"x":"[[[[\"[[["})");
+  expect_native_error(many, "line 1", "JSON has too many values");
+  EXPECT_EQ(level_of_native(native_with(R"("x": "[[[[\"[[[")")).extra, R"({"x":"[[[[\"[[["})");
 }
 
 TEST(Native, TheLargestMapsComeBack) {
@@ -221,16 +215,16 @@ TEST(Native, TheLargestMapsComeBack) {
     level.map = TileMap(width, kMaxTerrainCells / width);
     for (std::size_t i = 0; i < level.map.cells().size(); ++i)
       level.map.cells()[i] = static_cast<std::uint8_t>(i * 7 + 1);
-    const std::string text = write(level);
+    const std::string text = native_of_level(level);
     EXPECT_LT(text.size(), width == 8 ? 55'000'000u : 34'000'000u);
-    EXPECT_EQ(read(text), level);
+    EXPECT_EQ(level_of_native(text), level);
   }
 }
 
 TEST(Native, NumbersKeepEveryBit) {
   Level level;
   level.spawns.push_back({"", {0.1, -0.0}, {1.0 / 3, 1e-300}, ""});
-  const Level again = read(write(level));
+  const Level again = level_of_native(native_of_level(level));
   EXPECT_EQ(again, level);
   EXPECT_TRUE(std::signbit(again.spawns[0].position.y));
 }
@@ -259,30 +253,30 @@ std::string sample_cart() {
 }
 
 TEST(Native, ACartIsReadable) {
-  const std::string text = write(read_tic(sample_cart(), {}).value());
+  const std::string text = native_of_level(read_tic(sample_cart(), {}).value());
   EXPECT_THAT(text, HasSubstr(R"({"chunk": "MAP", "data": "level"})"));
   EXPECT_THAT(text,
               HasSubstr("\"code\": [\n          \"-- \\\"code\\\"\",\n          \"\\treturn\"\n        ]"));
   EXPECT_THAT(text, HasSubstr("\"chunk\": 27,\n        \"data\": [\n          \"3f\"\n        ]"));
   EXPECT_THAT(text, HasSubstr("\"chunk\": \"SAMPLES\",\n        \"bank\": 2,\n        \"reserved\": 7,"));
-  EXPECT_EQ(write_tic(read(text), {})->bytes, sample_cart());
+  EXPECT_EQ(write_tic(level_of_native(text), {})->bytes, sample_cart());
 }
 
 TEST(Native, AnEditOfACartLevelIsOneLine) {
   Level level = read_tic(sample_cart(), {}).value();
-  const std::string before = write(level);
+  const std::string before = native_of_level(level);
   level.map.set({1, 0}, 0x11);
   std::string expected = before;
   expected.replace(expected.find("\"616263\""), 8, "\"611163\"");
-  EXPECT_EQ(write(level), expected);
-  EXPECT_EQ(write_tic(read(expected), {})->bytes, write_tic(level, {})->bytes);
+  EXPECT_EQ(native_of_level(level), expected);
+  EXPECT_EQ(write_tic(level_of_native(expected), {})->bytes, write_tic(level, {})->bytes);
 }
 
 TEST(Native, AMapTooLargeForItsCartKeepsTheCarts) {
   Level level = read_tic(sample_cart(), {}).value();
   level.map = TileMap(300, 300);
-  const std::string text = write(level);
-  const Level again = read(text);
+  const std::string text = native_of_level(level);
+  const Level again = level_of_native(text);
   EXPECT_EQ(again, level);
   EXPECT_EQ(again.cart->bytes, sample_cart());
 }
@@ -291,23 +285,24 @@ TEST(Native, ATextProjectIsKeptLineByLine) {
   const std::string rows = "-- 000:1" + std::string(511, '0');
   const std::string project = "code \"x\"\r\n\n-- <FLAGS>\n" + rows + "\n-- </FLAGS>\n-- <SFX>\n-- </SFX>";
   const Level level = read_text(project, {"lua"}).value();
-  EXPECT_EQ(read(write(level)), level);
+  EXPECT_EQ(level_of_native(native_of_level(level)), level);
   std::string plain = project;
   std::erase(plain, '\r');
-  const std::string text = write(read_text(plain, {"lua"}).value());
+  const std::string text = native_of_level(read_text(plain, {"lua"}).value());
   EXPECT_THAT(text, HasSubstr("{\"level\": \"FLAGS\"}"));
   EXPECT_THAT(text, Not(HasSubstr(rows)));
-  EXPECT_EQ(write_text(read(text), {"lua"})->bytes, plain);
+  EXPECT_EQ(write_text(level_of_native(text), {"lua"})->bytes, plain);
 }
 
 TEST(Native, ATextProjectThatIsNoUtf8IsKept) {
   const std::string project = "-- \xff\xfe\n-- <MAP>\n-- </MAP>\n";
-  EXPECT_EQ(write_text(read(write(read_text(project, {"lua"}).value())), {"lua"})->bytes, project);
+  EXPECT_EQ(write_text(level_of_native(native_of_level(read_text(project, {"lua"}).value())), {"lua"})->bytes,
+            project);
 }
 
 TEST(Native, CartErrorsSayWhere) {
   const auto expect = [](const std::string& cart, const std::string& place, const std::string& message) {
-    expect_error(with("\"cart\": {" + cart + "}"), place, message);
+    expect_native_error(native_with("\"cart\": {" + cart + "}"), place, message);
   };
   expect(R"("kind": "png")", "key cart.kind", "must be \"tic\" or \"text\"");
   expect(R"("kind": "tic")", "key cart.chunks", "must be a list");

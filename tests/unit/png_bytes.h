@@ -1,14 +1,13 @@
 // PNG files made by hand, with palettes and mistakes that no encoder would write.
 #pragma once
 
-#include <zlib.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "level/tileset.h"
+#include "zipped.h"
 
 namespace talus {
 
@@ -23,15 +22,6 @@ inline std::string png_chunk(const std::string& type, const std::string& content
   const auto crc = crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
   return png_u32(static_cast<std::uint32_t>(content.size())) + body +
          png_u32(static_cast<std::uint32_t>(crc));
-}
-
-inline std::string png_packed(const std::string& bytes) {
-  uLongf length = compressBound(static_cast<uLong>(bytes.size()));
-  std::string packed(length, '\0');
-  compress(reinterpret_cast<Bytef*>(packed.data()), &length, reinterpret_cast<const Bytef*>(bytes.data()),
-           static_cast<uLong>(bytes.size()));
-  packed.resize(length);
-  return packed;
 }
 
 // color_type: 2 RGB, 3 indices of a palette, 6 RGB and opacity; 8 bits each.
@@ -49,7 +39,7 @@ inline std::string png_of(std::uint32_t width, char color_type, const std::vecto
     colors += {static_cast<char>(c.r), static_cast<char>(c.g), static_cast<char>(c.b)};
   if (!palette.empty()) bytes += png_chunk("PLTE", colors);
   for (const std::string& row : rows) pixels += '\0' + row;
-  return bytes + png_chunk("IDAT", png_packed(pixels)) + png_chunk("IEND", "");
+  return bytes + png_chunk("IDAT", zipped(pixels)) + png_chunk("IEND", "");
 }
 
 // Opaque pixels, row by row.

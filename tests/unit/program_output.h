@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 namespace talus {
@@ -17,10 +15,6 @@ inline std::string output_of(const std::string& command) {
   while (const std::size_t count = std::fread(part, 1, sizeof part, pipe)) out.append(part, count);
   pclose(pipe);
   return out;
-}
-
-inline void put_file(const std::filesystem::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
 }
 
 }  // namespace talus

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "folder_test.h"
 #include "formats/format.h"
 #include "level_text.h"
 #include "sim/timeline.h"
@@ -189,14 +190,14 @@ TEST(RecordingFile, TruncatedAtAnyByteItIsRefused) {
     EXPECT_FALSE(read_recording(text.substr(0, length))) << length;
 }
 
-TEST(RecordingFile, IsSavedAndLoaded) {
-  const std::string path = testing::TempDir() + "talus_recording_test.talusrec";
-  ASSERT_TRUE(save_recording(sample(), path));
-  const auto loaded = load_recording(path);
+class SavedRecording : public FolderTest {};
+
+TEST_F(SavedRecording, IsLoadedAgain) {
+  ASSERT_TRUE(save_recording(sample(), path("run.talusrec")));
+  const auto loaded = load_recording(path("run.talusrec"));
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->hashes, sample().hashes);
-  EXPECT_FALSE(save_recording(sample(), testing::TempDir() + "no/such/folder.talusrec"));
-  std::filesystem::remove(path);
+  EXPECT_FALSE(save_recording(sample(), path("no/such/folder.talusrec")));
 }
 
 }  // namespace talus::recording_test

@@ -5,12 +5,11 @@
 
 #include <limits>
 #include <map>
-#include <sstream>
 
-#include "cli/cli.h"
 #include "cli/report/measure.h"
 #include "cli/report/reference.h"
 #include "cli/report/table.h"
+#include "cli_answer.h"
 
 namespace talus::report_cli_test {
 
@@ -112,10 +111,10 @@ TEST(ReportTable, EveryRowHasEveryColumn) {
 }
 
 TEST(ReportCommand, SaysWhenItCannotWrite) {
-  std::ostringstream out, err;
-  EXPECT_EQ(run_cli({"report"}, out, err), kExitUsage);
-  EXPECT_EQ(run_cli({"report", "--quick", "-o", "/dev/null/there"}, out, err), kExitBad);
-  EXPECT_THAT(err.str(), testing::HasSubstr("/dev/null/there: error: cannot be made a folder"));
+  EXPECT_EQ(cli_answer({"report"}).status, kExitUsage);
+  const CliAnswer answer = cli_answer({"report", "--quick", "-o", "/dev/null/there"});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(answer.err, testing::HasSubstr("/dev/null/there: error: cannot be made a folder"));
 }
 
 }  // namespace talus::report_cli_test

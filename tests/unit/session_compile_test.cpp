@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <filesystem>
 #include <thread>
 
 #include "edit/map_tools.h"
 #include "edit/spawn_tools.h"
+#include "folder_test.h"
 #include "formats/format.h"
 #include "session/session.h"
 
@@ -43,7 +43,9 @@ void expect_scene_of_level(const Session& session) {
   EXPECT_TRUE(session.scene() == compile_scene(session.level()));
 }
 
-TEST(SessionCompile, AnEditOfALargeGroundIsSeenWhenItIsCompiled) {
+class SessionCompile : public FolderTest {};
+
+TEST_F(SessionCompile, AnEditOfALargeGroundIsSeenWhenItIsCompiled) {
   Session session(large_level());
   const Scene* before = &session.scene();
   session.apply(clear_solid_flag());
@@ -56,7 +58,7 @@ TEST(SessionCompile, AnEditOfALargeGroundIsSeenWhenItIsCompiled) {
   EXPECT_EQ(session.state().frame, 1);
 }
 
-TEST(SessionCompile, WhatIsPaintedMeanwhileComesWithIt) {
+TEST_F(SessionCompile, WhatIsPaintedMeanwhileComesWithIt) {
   Session session(large_level());
   session.apply(clear_solid_flag());
   session.apply(action::EditLevel{paint_stamp(session.level(), {7, 7}, {1, 1, {5}})});
@@ -66,7 +68,7 @@ TEST(SessionCompile, WhatIsPaintedMeanwhileComesWithIt) {
   EXPECT_EQ(session.level().map.at({7, 7}), 5);
 }
 
-TEST(SessionCompile, UndoMeanwhileEndsWithTheLevelAsItWas) {
+TEST_F(SessionCompile, UndoMeanwhileEndsWithTheLevelAsItWas) {
   Session session(large_level());
   session.apply(clear_solid_flag());
   session.apply(action::Undo{});
@@ -74,7 +76,7 @@ TEST(SessionCompile, UndoMeanwhileEndsWithTheLevelAsItWas) {
   expect_scene_of_level(session);
 }
 
-TEST(SessionCompile, TuningAndBodiesNeedNoGround) {
+TEST_F(SessionCompile, TuningAndBodiesNeedNoGround) {
   Session session(large_level());
   Tuning tuning = session.level().tuning;
   tuning.exact.substeps = 3;
@@ -89,9 +91,8 @@ TEST(SessionCompile, TuningAndBodiesNeedNoGround) {
   EXPECT_EQ(session.state().bodies.size(), 2u);
 }
 
-TEST(SessionCompile, ALargeLevelIsOpenedAtOnceAndPlaysWhenItIsCompiled) {
-  const std::string file =
-      (std::filesystem::temp_directory_path() / "talus_session_compile.talus.json").string();
+TEST_F(SessionCompile, ALargeLevelIsOpenedAtOnceAndPlaysWhenItIsCompiled) {
+  const std::string file = path("large.talus.json");
   ASSERT_TRUE(save_level(large_level(), *find_format("native"), file));
   Session session;
   session.apply(action::OpenFile{file});
@@ -102,13 +103,12 @@ TEST(SessionCompile, ALargeLevelIsOpenedAtOnceAndPlaysWhenItIsCompiled) {
     EXPECT_EQ(session.state().frame, 0) << "there is nothing to fall on yet";
   }
   wait_for_scene(session);
-  std::filesystem::remove(file);
   expect_scene_of_level(session);
   for (int i = 0; i < 200; ++i) session.apply(action::StepFrame{});
   EXPECT_EQ(session.state().bodies.at(0).box.bottom(), 24) << "on the first floor";
 }
 
-TEST(SessionCompile, AnotherLevelGivesUpTheOneThatIsCompiled) {
+TEST_F(SessionCompile, AnotherLevelGivesUpTheOneThatIsCompiled) {
   Session session(large_level());
   session.apply(clear_solid_flag());
   session.apply(action::NewLevel{});

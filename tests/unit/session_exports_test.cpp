@@ -7,7 +7,7 @@
 #include <future>
 
 #include "edit/export_presets.h"
-#include "formats/atomic_file.h"
+#include "folder_test.h"
 #include "session/session.h"
 
 namespace talus::session_exports_test {
@@ -15,19 +15,12 @@ namespace talus::session_exports_test {
 namespace act = action;
 namespace fs = std::filesystem;
 
-class SessionExports : public testing::Test {
+class SessionExports : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("talus_exports_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    start();
-  }
+  void SetUp() override { start(); }
   void TearDown() override {
     if (gate_) gate_->set_value();
     session_.reset();
-    fs::remove_all(folder_);
   }
 
   // A session on a saved level. Assets are read when the gate is open, if there is one.
@@ -46,8 +39,6 @@ class SessionExports : public testing::Test {
 
   Session& session() { return *session_; }
   const Exporting& exporting() { return session().exporting(); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string bytes_of(const std::string& name) const { return read_file(path(name)).value_or("(none)"); }
   std::string message() { return session().message() ? session().message()->text : ""; }
 
   void add(const std::string& name, const std::string& exporter, const std::string& to,
@@ -71,7 +62,6 @@ class SessionExports : public testing::Test {
     wait();
   }
 
-  fs::path folder_;
   std::optional<std::promise<void>> gate_;
   std::unique_ptr<Session> session_;
 };
@@ -82,7 +72,7 @@ TEST_F(SessionExports, ThePreviewIsWhatIsWritten) {
   ASSERT_FALSE(shown.problem);
   EXPECT_EQ(shown.output, path("out/game"));
   EXPECT_GE(shown.files.size(), 5u);
-  EXPECT_FALSE(fs::exists(path("out")));
+  EXPECT_FALSE(exists("out"));
   run();
   EXPECT_EQ(message(), "Exported game: " + std::to_string(shown.files.size()) + " files to out/game.");
   for (const PlannedFile& file : shown.files) {
@@ -143,8 +133,8 @@ TEST_F(SessionExports, SavingExportsWhatIsMarked) {
   add("text", "tic-text", "out/a.lua");
   session().apply(act::SaveFile{});
   wait();
-  EXPECT_TRUE(fs::exists(path("out/a.tic")));
-  EXPECT_FALSE(fs::exists(path("out/a.lua")));
+  EXPECT_TRUE(exists("out/a.tic"));
+  EXPECT_FALSE(exists("out/a.lua"));
   EXPECT_EQ(message(), "Saved cave.talus.json.\nExported cart: 1 file to out/a.tic.");
 }
 
@@ -155,7 +145,7 @@ TEST_F(SessionExports, OneProblemDoesNotHoldUpTheOthers) {
   EXPECT_EQ(message(),
             "Export of odd: \"gameboy\" is no target of this version.\nExported cart: 1 file to out/a.tic.");
   EXPECT_TRUE(session().message()->is_error);
-  EXPECT_TRUE(fs::exists(path("out/a.tic")));
+  EXPECT_TRUE(exists("out/a.tic"));
   EXPECT_EQ(session().level().exports[0].exporter, "gameboy");
 }
 
@@ -173,9 +163,9 @@ TEST_F(SessionExports, ACancelledOneWritesNothing) {
   gate_.reset();
   wait();
   EXPECT_EQ(message(), "The export was cancelled: nothing was written.");
-  EXPECT_FALSE(fs::exists(path("out")));
+  EXPECT_FALSE(exists("out"));
   run();
-  EXPECT_TRUE(fs::exists(path("out/game/main.lua")));
+  EXPECT_TRUE(exists("out/game/main.lua"));
 }
 
 TEST_F(SessionExports, APreviewDoesNotHoldUpARun) {
@@ -184,7 +174,7 @@ TEST_F(SessionExports, APreviewDoesNotHoldUpARun) {
   session().apply(act::RunExports{0});
   EXPECT_TRUE(exporting().running());
   wait();
-  EXPECT_TRUE(fs::exists(path("out/a.tic")));
+  EXPECT_TRUE(exists("out/a.tic"));
   EXPECT_FALSE(exporting().preview()) << "of what was there before";
 }
 

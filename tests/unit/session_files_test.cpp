@@ -1,10 +1,7 @@
 // Session: opening, saving, and the questions before changes are lost. Works on real files.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
+#include "folder_test.h"
 #include "png_bytes.h"
 #include "session/session.h"
 
@@ -13,26 +10,8 @@ namespace talus::session_files_test {
 namespace act = action;
 namespace fs = std::filesystem;
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-class SessionFiles : public testing::Test {
+class SessionFiles : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("talus_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-
   // A session with the level's tile (1, 1) painted, and so modified.
   void paint(std::uint8_t tile) {
     session_.apply(act::EditLevel{paint_stamp(session_.level(), {1, 1}, {1, 1, {tile}}), 0});
@@ -41,44 +20,41 @@ class SessionFiles : public testing::Test {
   std::string other_file(const std::string& name, std::uint8_t tile) {
     Level level;
     level.map.set({1, 1}, tile);
-    EXPECT_TRUE(save_level(level, *format_for_file(name), file(name)));
-    return file(name);
+    EXPECT_TRUE(save_level(level, *format_for_file(name), path(name)));
+    return path(name);
   }
   int painted() const { return session_.level().map.at({1, 1}); }
   std::string message() const { return session_.message() ? session_.message()->text : ""; }
 
   Session session_;
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(SessionFiles, SaveAsTakesTheNameAndTheFormatOfItsExtension) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("a.talus.json")});
+  session_.apply(act::SaveFileAs{path("a.talus.json")});
   EXPECT_EQ(session_.file_name(), "a.talus.json");
   EXPECT_FALSE(session_.modified());
   EXPECT_EQ(message(), "Saved a.talus.json.");
   EXPECT_FALSE(session_.message()->is_error);
-  const auto loaded = load_level(file("a.talus.json"));
+  const auto loaded = load_level(path("a.talus.json"));
   ASSERT_TRUE(loaded);
   EXPECT_TRUE(loaded->level == session_.level());
 }
 
 TEST_F(SessionFiles, SaveWritesToTheSameFile) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   paint(6);
   EXPECT_TRUE(session_.modified());
   session_.apply(act::SaveFile{});
   EXPECT_FALSE(session_.modified());
   EXPECT_FALSE(session_.wants_save_as());
-  EXPECT_EQ(load_level(file("a.tic"))->level.map.at({1, 1}), 6);
+  EXPECT_EQ(load_level(path("a.tic"))->level.map.at({1, 1}), 6);
 }
 
 TEST_F(SessionFiles, HistoryOutlivesSaving) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   session_.apply(act::Undo{});
   EXPECT_EQ(painted(), 0);
   EXPECT_TRUE(session_.modified()) << "the file has the tile";
@@ -88,14 +64,14 @@ TEST_F(SessionFiles, HistoryOutlivesSaving) {
 
 TEST_F(SessionFiles, SaveTellsWhatTheFormatCannotHold) {
   session_.apply(act::EditLevel{set_spawns(session_.level(), {Spawn{}, Spawn{}}, "Place spawns"), 0});
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   EXPECT_EQ(message(), "Saved a.tic. Not stored in this format: 2 spawns.");
   EXPECT_FALSE(session_.message()->is_error);
 }
 
 TEST_F(SessionFiles, SaveAsWithAnUnknownExtensionNamesTheKnownOnes) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("a.xyz")});
+  session_.apply(act::SaveFileAs{path("a.xyz")});
   EXPECT_TRUE(session_.message()->is_error);
   EXPECT_TRUE(message().starts_with("Cannot save a.xyz: ")) << message();
   EXPECT_NE(message().find(".tic"), std::string::npos) << message();
@@ -106,7 +82,7 @@ TEST_F(SessionFiles, SaveAsWithAnUnknownExtensionNamesTheKnownOnes) {
 
 TEST_F(SessionFiles, SaveThatFailsKeepsTheNameAndTheChanges) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("missing/a.tic")});
+  session_.apply(act::SaveFileAs{path("missing/a.tic")});
   EXPECT_TRUE(session_.message()->is_error);
   EXPECT_EQ(session_.path(), "");
   EXPECT_TRUE(session_.modified());
@@ -119,18 +95,18 @@ TEST_F(SessionFiles, SaveOfAnUnnamedLevelAsksForAName) {
   session_.apply(act::CancelSaveAs{});
   EXPECT_FALSE(session_.wants_save_as());
   session_.apply(act::SaveFile{});
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   EXPECT_FALSE(session_.wants_save_as());
   EXPECT_TRUE(exists("a.tic"));
 }
 
 TEST_F(SessionFiles, OpenReplacesTheLevelAndStopsPlay) {
-  const std::string path = other_file("b.tic", 9);
+  const std::string cart = other_file("b.tic", 9);
   session_.apply({act::Play{}, act::SetGrid{false}});
   session_.advance(0.5);
-  session_.apply(act::OpenFile{path});
+  session_.apply(act::OpenFile{cart});
   EXPECT_EQ(painted(), 9);
-  EXPECT_EQ(session_.path(), path);
+  EXPECT_EQ(session_.path(), cart);
   EXPECT_FALSE(session_.modified());
   EXPECT_TRUE(session_.history().edits().empty());
   EXPECT_FALSE(session_.playback().running);
@@ -141,22 +117,22 @@ TEST_F(SessionFiles, OpenReplacesTheLevelAndStopsPlay) {
 }
 
 TEST_F(SessionFiles, AnUntouchedCartIsSavedByteForByte) {
-  const std::string path = other_file("b.tic", 9);
-  const std::string before = bytes_of(path);
-  session_.apply({act::OpenFile{path}, act::SaveFile{}});
+  const std::string cart = other_file("b.tic", 9);
+  const std::string before = bytes_of(cart);
+  session_.apply({act::OpenFile{cart}, act::SaveFile{}});
   EXPECT_EQ(message(), "Saved b.tic.");
-  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ(bytes_of(cart), before);
 }
 
 TEST_F(SessionFiles, SaveKeepsTheFormatThatTheContentWasIn) {
-  const std::string path = file("cart.bin");
-  fs::rename(other_file("b.talus.json", 9), path);
-  session_.apply(act::OpenFile{path});
+  const std::string cart = path("cart.bin");
+  fs::rename(other_file("b.talus.json", 9), cart);
+  session_.apply(act::OpenFile{cart});
   ASSERT_EQ(painted(), 9) << message();
   paint(8);
   session_.apply(act::SaveFile{});
   EXPECT_EQ(message(), "Saved cart.bin.");
-  EXPECT_EQ(load_level(path)->level.map.at({1, 1}), 8);
+  EXPECT_EQ(load_level(cart)->level.map.at({1, 1}), 8);
 }
 
 // Only read: saving must not put a cart into the picture's place.
@@ -164,56 +140,56 @@ TEST_F(SessionFiles, APngCartBecomesALevelWithoutAFile) {
   other_file("a.tic", 7);
   const std::string picture = rgb_png(1, {{1, 2, 3}});
   const std::string png = picture.substr(0, picture.size() - 12) +
-                          png_chunk("caRt", png_packed(bytes_of(file("a.tic")))) + png_chunk("IEND", "");
-  std::ofstream(file("cart.png"), std::ios::binary) << png;
-  session_.apply(act::OpenFile{file("cart.png")});
+                          png_chunk("caRt", zipped(bytes_of("a.tic"))) + png_chunk("IEND", "");
+  put("cart.png", png);
+  session_.apply(act::OpenFile{path("cart.png")});
   EXPECT_EQ(painted(), 7);
   EXPECT_EQ(session_.file_name(), "cart.png");
   EXPECT_EQ(session_.path(), "");
   EXPECT_FALSE(session_.modified());
   session_.apply(act::SaveFile{});
   EXPECT_TRUE(session_.wants_save_as());
-  session_.apply(act::SaveFileAs{file("cart.png")});
+  session_.apply(act::SaveFileAs{path("cart.png")});
   EXPECT_EQ(message().substr(0, 58), "Cannot save cart.png: its extension is none of .talus.json");
-  EXPECT_EQ(bytes_of(file("cart.png")), png);
-  session_.apply(act::SaveFileAs{file("b.tic")});
-  EXPECT_EQ(bytes_of(file("b.tic")), bytes_of(file("a.tic")));
+  EXPECT_EQ(bytes_of("cart.png"), png);
+  session_.apply(act::SaveFileAs{path("b.tic")});
+  EXPECT_EQ(bytes_of("b.tic"), bytes_of("a.tic"));
   session_.apply(act::CheckFile{});
   EXPECT_EQ(message(), "Saved b.tic.");
 }
 
 TEST_F(SessionFiles, AFileThatCannotBeReadLeavesTheLevelAlone) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("a.tic")});
-  std::ofstream(file("bad.talus.json")) << "{ nonsense";
-  session_.apply(act::OpenFile{file("bad.talus.json")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  put("bad.talus.json", "{ nonsense");
+  session_.apply(act::OpenFile{path("bad.talus.json")});
   ASSERT_TRUE(session_.message());
   EXPECT_TRUE(session_.message()->is_error);
-  EXPECT_EQ(message(), to_string(load_level(file("bad.talus.json")).error(), file("bad.talus.json")));
+  EXPECT_EQ(message(), to_string(load_level(path("bad.talus.json")).error(), path("bad.talus.json")));
   EXPECT_EQ(painted(), 5);
   EXPECT_EQ(session_.file_name(), "a.tic");
   EXPECT_EQ(session_.history().edits().size(), 1u);
 }
 
 TEST_F(SessionFiles, AFileThatIsNotThereIsAnError) {
-  session_.apply(act::OpenFile{file("missing.tic")});
+  session_.apply(act::OpenFile{path("missing.tic")});
   ASSERT_TRUE(session_.message());
   EXPECT_TRUE(session_.message()->is_error);
-  EXPECT_TRUE(message().starts_with(file("missing.tic"))) << message();
+  EXPECT_TRUE(message().starts_with(path("missing.tic"))) << message();
 }
 
 TEST_F(SessionFiles, OpeningClearsAnOldError) {
-  session_.apply(act::OpenFile{file("missing.tic")});
+  session_.apply(act::OpenFile{path("missing.tic")});
   session_.apply(act::OpenFile{other_file("b.tic", 9)});
   EXPECT_FALSE(session_.message());
 }
 
 TEST_F(SessionFiles, UnsavedChangesAreAskedAbout) {
   paint(5);
-  session_.apply(act::SaveFileAs{file("a.tic")});
-  const std::string path = other_file("b.tic", 9);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  const std::string cart = other_file("b.tic", 9);
   paint(6);
-  for (const Action& losing : std::vector<Action>{act::OpenFile{path}, act::NewLevel{}, act::Quit{}}) {
+  for (const Action& losing : std::vector<Action>{act::OpenFile{cart}, act::NewLevel{}, act::Quit{}}) {
     session_.apply(losing);
     ASSERT_TRUE(session_.question());
     EXPECT_EQ(session_.question()->text, "Save the changes to a.tic?");
@@ -240,12 +216,12 @@ TEST_F(SessionFiles, DiscardGoesOnWithoutSaving) {
 }
 
 TEST_F(SessionFiles, SaveGoesOnAfterSaving) {
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   paint(5);
   session_.apply({act::NewLevel{}, act::AnswerQuestion{act::Answer::save}});
   EXPECT_EQ(painted(), 0);
   EXPECT_EQ(session_.file_name(), "untitled");
-  EXPECT_EQ(load_level(file("a.tic"))->level.map.at({1, 1}), 5);
+  EXPECT_EQ(load_level(path("a.tic"))->level.map.at({1, 1}), 5);
   EXPECT_EQ(message(), "Saved a.tic.") << "also tells what was dropped";
 }
 
@@ -254,9 +230,9 @@ TEST_F(SessionFiles, SaveOfAnUnnamedLevelGoesOnAfterItsName) {
   session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}});
   EXPECT_TRUE(session_.wants_save_as());
   EXPECT_FALSE(session_.wants_quit());
-  session_.apply(act::SaveFileAs{file("a.xyz")});
+  session_.apply(act::SaveFileAs{path("a.xyz")});
   EXPECT_TRUE(session_.wants_save_as()) << "the name was no good; another may be given";
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   EXPECT_FALSE(session_.wants_save_as());
   EXPECT_TRUE(session_.wants_quit());
 }
@@ -265,14 +241,14 @@ TEST_F(SessionFiles, CancellingTheNameForgetsWhatWasToFollow) {
   paint(5);
   session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}, act::CancelSaveAs{}});
   EXPECT_FALSE(session_.wants_save_as());
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   EXPECT_FALSE(session_.wants_quit());
 }
 
 TEST_F(SessionFiles, AFailedSaveForgetsWhatWasToFollow) {
-  session_.apply(act::SaveFileAs{file("a.tic")});
+  session_.apply(act::SaveFileAs{path("a.tic")});
   paint(5);
-  fs::remove_all(fs::path(file("a.tic")).parent_path());
+  fs::remove_all(folder_);
   session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}});
   EXPECT_TRUE(session_.message()->is_error);
   EXPECT_FALSE(session_.wants_quit());

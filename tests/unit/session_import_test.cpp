@@ -1,13 +1,13 @@
 // A map of Tiled in the editor: a new level, so that saving never writes over the map.
 #include <gmock/gmock.h>
 
-#include "formats/atomic_file.h"
+#include "folder_test.h"
 #include "session/session.h"
 #include "tiled_files.h"
 
 namespace talus::session_import_test {
 
-class SessionImportTest : public TiledFilesTest {};
+class SessionImportTest : public FolderTest {};
 
 TEST_F(SessionImportTest, AMapBecomesANewLevelThatHasNoFile) {
   const Exported exported = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj");
@@ -22,14 +22,14 @@ TEST_F(SessionImportTest, AMapBecomesANewLevelThatHasNoFile) {
   session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
   session.apply(action::SaveFile{});
   EXPECT_TRUE(session.wants_save_as());
-  EXPECT_EQ(read_file(path("cave.tmj")).value(), exported.files[0].bytes);
+  EXPECT_EQ(bytes_of("cave.tmj"), exported.files[0].bytes);
 }
 
 TEST_F(SessionImportTest, TellsWhatIsNotInIt) {
-  write("room.tmx",
-        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
-        "<layer name=\"l\"><data encoding=\"csv\">0</data></layer><objectgroup name=\"things\">"
-        "<object x=\"0\" y=\"0\" type=\"door\"/></objectgroup><imagelayer name=\"sky\"/></map>");
+  put("room.tmx",
+      "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+      "<layer name=\"l\"><data encoding=\"csv\">0</data></layer><objectgroup name=\"things\">"
+      "<object x=\"0\" y=\"0\" type=\"door\"/></objectgroup><imagelayer name=\"sky\"/></map>");
   Session session;
   session.apply(action::OpenFile{path("room.tmx")});
   ASSERT_TRUE(session.message());
@@ -40,8 +40,8 @@ TEST_F(SessionImportTest, TellsWhatIsNotInIt) {
 }
 
 TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
-  write("room.tmx",
-        "<map orientation=\"isometric\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"/>");
+  put("room.tmx",
+      "<map orientation=\"isometric\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"/>");
   Session session;
   session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
   session.apply(action::OpenFile{path("room.tmx")});

@@ -1,8 +1,7 @@
 // Pictures opened in a session, and what becomes of them.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
+#include "folder_test.h"
 #include "png_bytes.h"
 #include "session/session.h"
 
@@ -10,27 +9,28 @@ namespace talus::session_pictures_test {
 
 namespace act = action;
 
-// Red, of this size.
-std::string red_png(const std::string& name, std::uint32_t width, std::size_t height) {
-  const std::string path = testing::TempDir() + "session_pictures_" + name;
-  std::ofstream(path, std::ios::binary) << rgb_png(width, std::vector<Rgb>(width * height, {255, 0, 0}));
-  return path;
-}
+class SessionPictures : public FolderTest {
+ protected:
+  // A file of a red picture of this size.
+  std::string red_png(const std::string& name, std::uint32_t width, std::size_t height) const {
+    return put(name, rgb_png(width, std::vector<Rgb>(width * height, {255, 0, 0})));
+  }
+};
 
-TEST(SessionPictures, WaitForApplyOrCancel) {
+TEST_F(SessionPictures, WaitForApplyOrCancel) {
   Session session;
   session.apply(act::SelectTiles{{SheetId::sprites, {2, 1, 1, 1}}});
-  const std::string path = red_png("good.png", 8, 16);
-  session.apply(act::OpenPng{path});
+  const std::string red = red_png("good.png", 8, 16);
+  session.apply(act::OpenPng{red});
   ASSERT_TRUE(session.png_import());
-  EXPECT_EQ(session.png_import()->path, path);
+  EXPECT_EQ(session.png_import()->path, red);
   EXPECT_EQ(session.png_import()->options, (PngImportOptions{PngPart::sprites, 18, false}));
   EXPECT_FALSE(session.modified());
   session.apply(act::CancelPngImport{});
   EXPECT_FALSE(session.png_import());
   session.apply(act::ApplyPngImport{});
   EXPECT_FALSE(session.modified()) << "there is none";
-  session.apply({act::OpenPng{path}, act::SetPngImport{{PngPart::tiles, 5, true}}, act::ApplyPngImport{}});
+  session.apply({act::OpenPng{red}, act::SetPngImport{{PngPart::tiles, 5, true}}, act::ApplyPngImport{}});
   EXPECT_FALSE(session.png_import());
   EXPECT_EQ(session.level().palette[0], (Rgb{255, 0, 0}));
   EXPECT_EQ(session.history().edits().size(), 1u);
@@ -38,7 +38,7 @@ TEST(SessionPictures, WaitForApplyOrCancel) {
   EXPECT_EQ(session.level(), Level());
 }
 
-TEST(SessionPictures, GoWhereTheyFit) {
+TEST_F(SessionPictures, GoWhereTheyFit) {
   Session session;
   session.apply(act::SelectTiles{{SheetId::tiles, {15, 0, 1, 1}}});
   session.apply(act::OpenPng{red_png("wide.png", 16, 8)});
@@ -51,7 +51,7 @@ TEST(SessionPictures, GoWhereTheyFit) {
   EXPECT_FALSE(session.modified());
 }
 
-TEST(SessionPictures, BadOnesAreOneSentence) {
+TEST_F(SessionPictures, BadOnesAreOneSentence) {
   Session session;
   const std::string odd = red_png("odd.png", 12, 8);
   session.apply(act::OpenPng{odd});

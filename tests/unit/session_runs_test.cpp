@@ -1,9 +1,7 @@
 // What of the runs the user has made by hand is asked about before it is lost, and saved by itself.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-
+#include "folder_test.h"
 #include "formats/recording.h"
 #include "platform/autosave.h"
 #include "slope_level.h"
@@ -11,18 +9,10 @@
 namespace talus::session_runs_test {
 
 namespace act = action;
-namespace fs = std::filesystem;
 
-class SessionRuns : public testing::Test {
+class SessionRuns : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / ("talus_runs_" + std::to_string(::getpid()) + "_" +
-                                              testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    play(session_, 20);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { play(session_, 20); }
 
   static Level level() { return slope_level({"o.....", "......", "...ab#", "######"}); }
   static void play(Session& session, int frames) {
@@ -32,10 +22,8 @@ class SessionRuns : public testing::Test {
     for (int i = 0; i < 1000 && session.timeline().behind(); ++i) session.advance(0.01);
     ASSERT_FALSE(session.timeline().behind());
   }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
   void answer(act::Answer answer) { session_.apply(act::AnswerQuestion{answer}); }
 
-  fs::path folder_;
   Session session_{level(), "", "slopes"};
 };
 
@@ -63,10 +51,10 @@ TEST_F(SessionRuns, AMarkIsAskedAboutAndKept) {
   answer(act::Answer::save);
   EXPECT_TRUE(session_.wants_save_recording());
   EXPECT_FALSE(session_.wants_quit());
-  session_.apply(act::SaveRecording{file("run.talusrec")});
+  session_.apply(act::SaveRecording{path("run.talusrec")});
   EXPECT_TRUE(session_.wants_quit());
   EXPECT_FALSE(session_.wants_save_recording());
-  const auto saved = load_recording(file("run.talusrec"));
+  const auto saved = load_recording(path("run.talusrec"));
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->frames, 20);
   EXPECT_EQ(saved->marks, (std::vector<Mark>{{7, "sticks"}}));
@@ -117,12 +105,12 @@ TEST_F(SessionRuns, SavedByItselfAndRecovered) {
   session_.apply(act::SetMark{7, "sticks"});
   ASSERT_FALSE(session_.modified());
   {
-    Autosave autosave(file("state"));
+    Autosave autosave(path("state"));
     EXPECT_FALSE(autosave.follow(session_, 0));
     EXPECT_EQ(autosave.due(), Autosave::kDelay);
     ASSERT_TRUE(autosave.save_now(session_));
   }
-  const auto left = Autosave(file("state")).left_behind();
+  const auto left = Autosave(path("state")).left_behind();
   ASSERT_EQ(left.size(), 1u);
   ASSERT_NE(left[0].recording, nullptr);
   EXPECT_EQ(left[0].recording->frames, 20);
@@ -140,9 +128,9 @@ TEST_F(SessionRuns, SavedByItselfAndRecovered) {
 }
 
 TEST_F(SessionRuns, WhatIsNotMarkedIsNotSavedByItself) {
-  Autosave autosave(file("state"));
+  Autosave autosave(path("state"));
   for (int second = 0; second < 20; ++second) EXPECT_FALSE(autosave.follow(session_, second));
-  EXPECT_FALSE(fs::exists(file("state")));
+  EXPECT_FALSE(exists("state"));
 }
 
 }  // namespace talus::session_runs_test

@@ -53,7 +53,7 @@ constexpr const char* kNoCart =
     "--into take its pixels";
 
 TEST(TicPng, ReadsTheCartInTheChunk) {
-  const auto level = read_tic_png(with_chunk(png_packed(small_cart())), {"png"});
+  const auto level = read_tic_png(with_chunk(zipped(small_cart())), {"png"});
   ASSERT_TRUE(level);
   EXPECT_EQ(level->map.at({2, 0}), 7);
   EXPECT_EQ(level->sheet(SheetId::tiles).flags[1], 5);
@@ -62,7 +62,7 @@ TEST(TicPng, ReadsTheCartInTheChunk) {
 }
 
 TEST(TicPng, ReadsTheCartInTheLowBitsOfThePixels) {
-  const std::string packed = png_packed(small_cart());
+  const std::string packed = zipped(small_cart());
   for (const std::uint32_t bits : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}) {
     const auto level = read_tic_png(with_hidden(packed, bits, 16, 16), {"png"});
     ASSERT_TRUE(level) << bits;
@@ -82,15 +82,15 @@ TEST(TicPng, TheLowBitsAreThoseOfTic80) {
 }
 
 TEST(TicPng, TheChunkWinsOverThePixels) {
-  const std::string hidden = with_hidden(png_packed("x"), 8, 16, 16);
+  const std::string hidden = with_hidden(zipped("x"), 8, 16, 16);
   const std::string end = png_chunk("IEND", "");
   const std::string both =
-      hidden.substr(0, hidden.size() - end.size()) + png_chunk("caRt", png_packed(small_cart())) + end;
+      hidden.substr(0, hidden.size() - end.size()) + png_chunk("caRt", zipped(small_cart())) + end;
   EXPECT_EQ(write_tic(read_tic_png(both, {"png"}).value(), {"tic"})->bytes, small_cart());
 }
 
 TEST(TicPng, IsReadByItsContentAndNeverWritten) {
-  const auto loaded = read_level(with_chunk(png_packed(small_cart())), {"tic"});
+  const auto loaded = read_level(with_chunk(zipped(small_cart())), {"tic"});
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->format->id, "tic-png");
   EXPECT_EQ(loaded->format->write, nullptr);
@@ -101,7 +101,7 @@ TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
   EXPECT_EQ(error_of(rgb_png(2, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {1, 1, 1}})), kNoCart);
   EXPECT_EQ(error_of(rgb_png(1, {{1, 2, 3}})), kNoCart);  // too small for a header
   EXPECT_EQ(error_of(with_chunk("")), kNoCart);
-  EXPECT_EQ(error_of(with_chunk(png_packed(small_cart()), "caRd")), kNoCart);
+  EXPECT_EQ(error_of(with_chunk(zipped(small_cart()), "caRd")), kNoCart);
   EXPECT_EQ(error_of(with_hidden("no zlib", 2, 16, 16)), kNoCart);
   EXPECT_EQ(error_of(with_hidden("", 1, 16, 16)), kNoCart);
   EXPECT_EQ(error_of(with_hidden("\x78\x9c" + std::string(126, 'x'), 8, 8, 4)),
@@ -111,15 +111,15 @@ TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
 }
 
 TEST(TicPng, DamagedOnesAreErrors) {
-  const std::string packed = png_packed(small_cart());
+  const std::string packed = zipped(small_cart());
   EXPECT_EQ(error_of(with_chunk("no zlib")),
             "x.png: error: has a damaged cartridge in it, which cannot be unpacked");
   EXPECT_EQ(error_of(with_chunk(packed.substr(0, packed.size() - 5))),
             "x.png: error: has a damaged cartridge in it, which cannot be unpacked");
-  EXPECT_EQ(error_of(with_chunk(png_packed(std::string((4 << 20) + 1, '\0')))),
+  EXPECT_EQ(error_of(with_chunk(zipped(std::string((4 << 20) + 1, '\0')))),
             "x.png: error: has a cartridge in it that unpacks to more than 4 MB");
-  EXPECT_EQ(error_of(with_chunk(png_packed(""))), "x.png: error: has an empty cartridge in it");
-  EXPECT_EQ(error_of(with_chunk(png_packed(small_cart().substr(0, 9)))),
+  EXPECT_EQ(error_of(with_chunk(zipped(""))), "x.png: error: has an empty cartridge in it");
+  EXPECT_EQ(error_of(with_chunk(zipped(small_cart().substr(0, 9)))),
             "x.png:byte 7 of the cartridge in it: error: the file ends inside a chunk's header");
   const std::string whole = with_chunk(packed);
   for (std::size_t size = 1; size + 12 < whole.size(); ++size)
@@ -129,7 +129,7 @@ TEST(TicPng, DamagedOnesAreErrors) {
 // A picture of few pixels must not unpack to much more than they are.
 TEST(TicPng, APictureThatUnpacksToTooMuchIsRefused) {
   const std::string bytes =
-      png_header(8, 8, 6) + png_chunk("IDAT", png_packed(std::string(1 << 20, '\0'))) + png_chunk("IEND", "");
+      png_header(8, 8, 6) + png_chunk("IDAT", zipped(std::string(1 << 20, '\0'))) + png_chunk("IEND", "");
   EXPECT_EQ(error_of(bytes), "x.png: error: has more data than a picture of its size can have");
 }
 

@@ -1,9 +1,9 @@
 // Cartridges chunk by chunk: what is kept, what an edit changes, and what is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include "formats/tic_cart.h"
+#include "zipped.h"
 
 namespace talus::tic_test {
 
@@ -146,15 +146,6 @@ TEST(Tic, ALevelWithoutCartIsWrittenAsTic80WouldWriteIt) {
 TEST(Tic, CodeIsReadFromTheHighestBankDown) {
   const std::string full(65536, 'a');
   EXPECT_EQ(tic_content(chunk(kCode, "end", 0) + chunk(kCode, full, 1))->code, full + "end");
-}
-
-std::string zipped(const std::string& text) {
-  uLongf size = compressBound(text.size());
-  std::string out(size, '\0');
-  compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-           text.size());
-  out.resize(size);
-  return out;
 }
 
 TEST(Tic, CompressedCodeIsReadAndKept) {

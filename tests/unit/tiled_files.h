@@ -1,11 +1,7 @@
-// A level with something of everything that maps of Tiled hold, and files of them in a folder of their own.
+// A level with something of everything that maps of Tiled hold, and maps of it.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "export/exporter.h"
 
@@ -44,22 +40,6 @@ inline Level level_for_tiled() {
   level.tuning.article.fall_blend = 0.125;
   return level;
 }
-
-class TiledFilesTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) / ("talus tiled " + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-  }
-
-  std::filesystem::path folder_;
-};
 
 inline Exported tiled_export_of(const Level& level, const std::string& exporter, const std::string& name) {
   const ReadAsset no_asset;

@@ -1,0 +1,39 @@
+// Tests of what works on files: each has an empty folder of its own, which is gone when it ends.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "formats/atomic_file.h"
+
+namespace talus {
+
+class FolderTest : public ::testing::Test {
+ protected:
+  // No other test has the folder, as tests run side by side. Its name has spaces, as names of users have.
+  FolderTest() {
+    std::string name = ::testing::TempDir() + "talus test XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + name);
+    folder_ = name;
+  }
+  ~FolderTest() override { std::filesystem::remove_all(folder_); }
+
+  // Of a file in the folder.
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+  std::string bytes_of(const std::string& name) const { return read_file(path(name)).value_or("(none)"); }
+  // Writes a file, and returns its path.
+  std::string put(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace talus
