@@ -4,35 +4,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ball_room.h"
+
 namespace talus::level_then_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-constexpr std::uint8_t kSolid = 1, kBall = 2;
-
-Level room() {
-  Level level;
-  level.map = TileMap(30, 17);
-  level.sheet(SheetId::tiles).flags[kSolid] = 1 << 0;
-  level.sheet(SheetId::tiles).flags[kBall] = 1 << 1;
-  level.map.set({2, 1}, kBall);
-  for (int x = 0; x < 30; ++x) level.map.set({x, 12}, kSolid);
-  return level;
-}
 
 class LevelOfAFrame : public testing::Test {
  protected:
   void steps(int count) {
     for (int i = 0; i < count; ++i) session_.apply(action::StepFrame{});
   }
-  void paint(Cell cell, std::uint8_t tile = kSolid) {
+  void paint(Cell cell, std::uint8_t tile = kRoomSolid) {
     session_.apply(action::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}})});
   }
   void show() { then_.show(session_, session_.timeline().current(), session_.timeline().frame()); }
   std::uint8_t tile_at(Cell cell) { return then_.level(session_).map.at(cell); }
 
-  Session session_{room()};
+  Session session_{ball_room()};
   LevelThen then_;
 };
 
@@ -50,7 +40,7 @@ TEST_F(LevelOfAFrame, IsTheOneBeforeWhatWasPaintedLater) {
   EXPECT_EQ(tile_at({5, 3}), 0);
   EXPECT_THAT(then_.changed(), ElementsAre(Cell{5, 3}, Cell{6, 4}));
   EXPECT_EQ(then_.caption(), "Level as it was at this frame (other: 2 cells); edits go to the newest");
-  EXPECT_EQ(session_.level().map.at({5, 3}), kSolid) << "what is edited stays the newest";
+  EXPECT_EQ(session_.level().map.at({5, 3}), kRoomSolid) << "what is edited stays the newest";
   session_.apply(action::SeekFrame{10});
   show();
   EXPECT_FALSE(then_.is_other()) << "from that frame on";
@@ -107,7 +97,7 @@ TEST_F(LevelOfAFrame, ThatWasPaintedAndTakenBackIsTheSessions) {
   EXPECT_FALSE(then_.is_other());
   session_.apply(action::SeekFrame{12});
   show();
-  EXPECT_EQ(tile_at({5, 3}), kSolid);
+  EXPECT_EQ(tile_at({5, 3}), kRoomSolid);
 }
 
 }  // namespace talus::level_then_test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ball_room.h"
 #include "edit/shape_tools.h"
 #include "edit/spawn_tools.h"
 #include "session/session.h"
@@ -12,19 +13,14 @@ namespace talus::playback_test {
 
 namespace act = action;
 
-constexpr std::uint8_t kSolid = 1, kBall = 2, kPlain = 3, kOtherSolid = 4;
+constexpr std::uint8_t kPlain = 3, kOtherSolid = 4;
 constexpr double kFrame = 1.0 / 60;
 
 // A ball of the article high above a floor: a body at (16, 8), the floor's top at 64.
 Level ball_over_floor() {
-  Level level;
+  Level level = ball_room(8);
   level.tuning.solver = SolverKind::article;
-  level.map = TileMap(30, 17);
-  level.sheet(SheetId::tiles).flags[kSolid] = 1 << 0;
   level.sheet(SheetId::tiles).flags[kOtherSolid] = 1 << 0;
-  level.sheet(SheetId::tiles).flags[kBall] = 1 << 1;
-  level.map.set({2, 1}, kBall);
-  for (int x = 0; x < 30; ++x) level.map.set({x, 8}, kSolid);
   return level;
 }
 
@@ -180,7 +176,7 @@ TEST(Playback, AnEditIsInTheNextStep) {
   const Body falling = session.state().bodies.at(0);
   ASSERT_EQ(session.state().frame, 15);
   ASSERT_LT(falling.box.bottom(), 64);
-  session.apply(painted(session, {2, 6}, kSolid));
+  session.apply(painted(session, {2, 6}, kRoomSolid));
   EXPECT_EQ(session.state().frame, 15);
   EXPECT_EQ(session.state().bodies.at(0), falling) << "the body goes on from where it is";
   EXPECT_EQ(session.scene(), compile_scene(session.level()));
@@ -193,14 +189,14 @@ TEST(Playback, AnEditIsInTheNextStep) {
 TEST(Playback, AnEditInTheSameBatchIsInTheStepAfterIt) {
   Session session(ball_over_floor());
   session.apply(act::StepFrame{});
-  session.apply({painted(session, {2, 2}, kSolid), act::StepFrame{}});
+  session.apply({painted(session, {2, 2}, kRoomSolid), act::StepFrame{}});
   EXPECT_EQ(session.record().contacts.at(0).other.cell, (Cell{2, 2}));
 }
 
 TEST(Playback, UndoIsInTheNextStepToo) {
   Session session(ball_over_floor());
   const Scene before = session.scene();
-  session.apply(painted(session, {2, 6}, kSolid));
+  session.apply(painted(session, {2, 6}, kRoomSolid));
   EXPECT_NE(session.scene(), before);
   session.apply(act::Undo{});
   EXPECT_EQ(session.scene(), before);
@@ -232,8 +228,8 @@ TEST(Playback, EveryKindOfEditThatThePhysicsSeesRecompiles) {
     EXPECT_EQ(session.scene(), compile_scene(session.level()));
   };
   const Level& level = session.level();
-  expect_recompiled(paint_stamp(level, {5, 5}, {1, 1, {kSolid}}));
-  expect_recompiled(set_flag(level, {SheetId::tiles, {kBall, 0, 1, 1}}, 0, true));
+  expect_recompiled(paint_stamp(level, {5, 5}, {1, 1, {kRoomSolid}}));
+  expect_recompiled(set_flag(level, {SheetId::tiles, {kRoomBall, 0, 1, 1}}, 0, true));
   expect_recompiled(erase_cells(level, {0, 8, 30, 1}));
   expect_recompiled(set_roles(level, {7, 1, 2, 3}));
   expect_recompiled(set_spawns(level, {Spawn{"", {100, 8}, {}, ""}}, "Place a spawn"));
@@ -241,7 +237,7 @@ TEST(Playback, EveryKindOfEditThatThePhysicsSeesRecompiles) {
   tuning.article.fall_speed = 1;
   expect_recompiled(set_tuning(level, tuning));
   TileMap small(4, 4);
-  small.set({1, 1}, kBall);
+  small.set({1, 1}, kRoomBall);
   expect_recompiled(Edit{"Resize", {MapChange{level.map, small}}});
 }
 
@@ -273,7 +269,7 @@ TEST(Playback, UnderTheExactSolverEditsOfCellsGiveTheSceneOfTheEditedLevel) {
   level.tuning.solver = SolverKind::exact;
   Session session(level);
   for (const Cell cell : {Cell{2, 6}, Cell{3, 6}, Cell{2, 2}, Cell{2, 6}}) {
-    session.apply(painted(session, cell, session.level().map.at(cell) == kSolid ? kPlain : kSolid));
+    session.apply(painted(session, cell, session.level().map.at(cell) == kRoomSolid ? kPlain : kRoomSolid));
     EXPECT_EQ(session.scene(), compile_scene(session.level()));
     session.apply(act::StepFrame{});
   }
@@ -297,11 +293,11 @@ TEST(Playback, TheChosenBodySurvivesEdits) {
   Session session(ball_over_floor());
   session.apply(act::SelectBody{1});
   EXPECT_EQ(session.choices().body, 1);
-  session.apply(painted(session, {1, 1}, kBall));  // comes first in map order and takes id 1
+  session.apply(painted(session, {1, 1}, kRoomBall));  // comes first in map order and takes id 1
   EXPECT_EQ(session.choices().body, 2);
   EXPECT_EQ(session.state().find(2)->origin.cell, (Cell{2, 1}));
   session.apply(act::StepFrame{});
-  session.apply(painted(session, {0, 1}, kBall));
+  session.apply(painted(session, {0, 1}, kRoomBall));
   EXPECT_EQ(session.choices().body, 2) << "later edits leave ids alone";
   session.apply(act::ResetPlay{});
   EXPECT_EQ(session.choices().body, 3) << "and a reset numbers them anew";

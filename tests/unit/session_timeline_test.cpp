@@ -2,28 +2,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
+#include "ball_room.h"
 #include "edit/map_resize.h"
+#include "folder_test.h"
 #include "session/session.h"
 
 namespace talus::session_timeline_test {
 
 namespace act = action;
-namespace fs = std::filesystem;
 
 constexpr double kFrame = 1.0 / kStepsPerSecond;
-constexpr std::uint8_t kSolid = 1, kBall = 2;
 
-// A ball high above a floor, at (16, 8), and a player on the floor.
+// A ball high above a floor, and a player on the floor.
 Level playground() {
-  Level level;
-  level.map = TileMap(30, 17);
-  level.sheet(SheetId::tiles).flags[kSolid] = 1 << 0;
-  level.sheet(SheetId::tiles).flags[kBall] = 1 << 1;
-  level.map.set({2, 1}, kBall);
-  for (int x = 0; x < 30; ++x) level.map.set({x, 12}, kSolid);
+  Level level = ball_room();
   Spawn player;
   player.position = {120, 88};
   player.kind = BodyKind::player;
@@ -31,7 +23,7 @@ Level playground() {
   return level;
 }
 
-class SessionTimeline : public testing::Test {
+class SessionTimeline : public FolderTest {
  protected:
   void steps(int count) {
     for (int i = 0; i < count; ++i) session_.apply(act::StepFrame{});
@@ -39,15 +31,12 @@ class SessionTimeline : public testing::Test {
   void run_again() {
     while (timeline().behind()) session_.advance(kFrame);
   }
-  void paint(Cell cell, std::uint8_t tile = kSolid, int stroke = 0) {
+  void paint(Cell cell, std::uint8_t tile = kRoomSolid, int stroke = 0) {
     session_.apply(act::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}}), stroke});
   }
   std::int64_t frame() const { return session_.state().frame; }
   const Timeline& timeline() const { return session_.timeline(); }
   std::string message() const { return session_.message() ? session_.message()->text : ""; }
-  std::string file(const std::string& name) const {
-    return (fs::path(testing::TempDir()) / ("talus_timeline_" + name)).string();
-  }
 
   Session session_{playground()};
 };
@@ -185,7 +174,7 @@ TEST_F(SessionTimeline, AnEditRunsTheRecordingAgainAndAStrokeMakesOneBranch) {
   session_.apply(act::SetEditRule{{EditRule::Kind::from_start, 0}});
   const int old = timeline().current().id, stroke = session_.next_stroke();
   for (int x = 1; x < 5; ++x) {
-    paint({x, 4}, kSolid, stroke);
+    paint({x, 4}, kRoomSolid, stroke);
     session_.advance(0);
   }
   run_again();
@@ -252,7 +241,7 @@ TEST_F(SessionTimeline, AStrokeWhileItPlaysMakesOneBranchAndTheNextAnother) {
   session_.apply({act::SetEditRule{{.kind = EditRule::Kind::from_start}}, act::Play{}});
   for (int stroke = 1; stroke <= 2; ++stroke) {
     for (int x = 0; x < 5; ++x) {
-      paint({10 + x, 8 + stroke}, kSolid, stroke);
+      paint({10 + x, 8 + stroke}, kRoomSolid, stroke);
       run_again();
       session_.advance(2.5 * kFrame);
     }
@@ -287,13 +276,13 @@ TEST_F(SessionTimeline, ARecordingIsSavedAndOpened) {
   session_.apply(act::SetMark{7, "look"});
   const State end = session_.state();
   const Level level = session_.level();
-  const std::string path = file("saved.talusrec");
-  session_.apply(act::SaveRecording{path});
-  EXPECT_EQ(message(), "Saved talus_timeline_saved.talusrec, 40 frames.");
+  const std::string file = path("saved.talusrec");
+  session_.apply(act::SaveRecording{file});
+  EXPECT_EQ(message(), "Saved saved.talusrec, 40 frames.");
   EXPECT_FALSE(session_.message()->is_error);
 
   Session other;
-  other.apply(act::OpenFile{path});  // tells by its content what it is
+  other.apply(act::OpenFile{file});  // tells by its content what it is
   EXPECT_EQ(other.state().frame, 0);
   EXPECT_TRUE(other.timeline().behind());
   while (other.timeline().behind()) other.advance(kFrame);
@@ -304,43 +293,37 @@ TEST_F(SessionTimeline, ARecordingIsSavedAndOpened) {
   EXPECT_EQ(other.timeline().current().marks, (std::vector<Mark>{{7, "look"}}));
   other.apply(act::StepFrame{});
   EXPECT_EQ(other.timeline().current().chapters.size(), 2u) << "played on on the level that it ended with";
-  EXPECT_EQ(other.file_name(), "talus_timeline_saved.talusrec");
+  EXPECT_EQ(other.file_name(), "saved.talusrec");
   EXPECT_EQ(other.path(), "") << "saving the level asks for a name";
-  fs::remove(path);
 }
 
 TEST_F(SessionTimeline, ARecordingThatComesOutOtherwiseIsToldOf) {
   steps(30);
-  const std::string path = file("other.talusrec");
-  session_.apply(act::SaveRecording{path});
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  std::string text = bytes.str();
+  const std::string file = path("other.talusrec");
+  session_.apply(act::SaveRecording{file});
+  std::string text = bytes_of("other.talusrec");
   const std::size_t hash = text.find("\"hashes\"") + 20 + 17 * 5;
   text[hash] = text[hash] == '0' ? '1' : '0';
-  std::ofstream(path, std::ios::binary) << text;
-  session_.apply(act::OpenFile{path});
+  put("other.talusrec", text);
+  session_.apply(act::OpenFile{file});
   run_again();
   EXPECT_EQ(message(), "Frame 5 is not as it was recorded, nor may be later ones.");
   EXPECT_TRUE(session_.message()->is_error);
-  fs::remove(path);
 }
 
 TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutAndABadFileChangesNothing) {
   steps(3);
   paint({9, 9});
-  const std::string path = file("bad.talusrec");
-  std::ofstream(path) << "{\"talus_recording\": 1}";
-  session_.apply(act::OpenFile{path});
+  const std::string file = put("bad.talusrec", "{\"talus_recording\": 1}");
+  session_.apply(act::OpenFile{file});
   ASSERT_TRUE(session_.question());
   session_.apply(act::AnswerQuestion{act::Answer::discard});
-  EXPECT_EQ(message(), path + ":key hashes: error: is missing");
-  EXPECT_EQ(session_.level().map.at({9, 9}), kSolid);
+  EXPECT_EQ(message(), file + ":key hashes: error: is missing");
+  EXPECT_EQ(session_.level().map.at({9, 9}), kRoomSolid);
   EXPECT_EQ(timeline().last_frame(), 3);
-  session_.apply(act::OpenFile{file("missing.talusrec")});
+  session_.apply(act::OpenFile{path("missing.talusrec")});
   session_.apply(act::AnswerQuestion{act::Answer::discard});
   EXPECT_THAT(message(), testing::HasSubstr("missing.talusrec"));
-  fs::remove(path);
 }
 
 // The solvers without a ground of their own see nothing of empty cells.
@@ -350,10 +333,10 @@ TEST_F(SessionTimeline, AMapThatGrewByEmptyCellsIsPaintedInThem) {
   session_.apply(act::EditLevel{set_tuning(session_.level(), tuning)});
   session_.apply(act::EditLevel{resize_map(session_.level(), {.width = 60, .height = 40}, std::nullopt)});
   paint({55, 35});
-  EXPECT_EQ(session_.level().map.at({55, 35}), kSolid);
+  EXPECT_EQ(session_.level().map.at({55, 35}), kRoomSolid);
   const Branch& branch = timeline().current();
   EXPECT_EQ(branch.chapters.back().version->rows.size(), 40u);
-  EXPECT_EQ(branch.chapters.back().version->rows[35]->at(55), kSolid);
+  EXPECT_EQ(branch.chapters.back().version->rows[35]->at(55), kRoomSolid);
 }
 
 }  // namespace talus::session_timeline_test
