@@ -6,17 +6,34 @@
 
 namespace talus::answer_test {
 
-TEST(AnswerOverlay, DrawsTheStartTheGhostAndTheFloor) {
+// What is drawn for a body with this start and check.
+OverlayDrawing drawn_answer(HardCase hard, Vec2 start, const CaseCheck& check) {
   Level level;
-  level.spawns.emplace_back().position = {10, 20};
-  HardCase hard;
-  hard.floor.parts.emplace_back(Segment{{0, 64}, {80, 64}});
-  CaseCheck check;
-  check.right = 48;
-  check.bottom = 64;
+  level.spawns.emplace_back().position = start;
   hard.checks = {check};
   OverlayDrawing drawing;
   add_answer(hard, level, drawing);
+  return drawing;
+}
+
+HardCase on_a_floor() {
+  HardCase hard;
+  hard.floor.parts.emplace_back(Segment{{0, 64}, {80, 64}});
+  return hard;
+}
+
+CaseCheck reaching(double x) {
+  CaseCheck check;
+  check.measure = CaseCheck::Measure::reaches;
+  check.x = x;
+  return check;
+}
+
+TEST(AnswerOverlay, DrawsTheStartTheGhostAndTheFloor) {
+  CaseCheck check;
+  check.right = 48;
+  check.bottom = 64;
+  const OverlayDrawing drawing = drawn_answer(on_a_floor(), {10, 20}, check);
   ASSERT_EQ(drawing.boxes.size(), 2u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{10, 20, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{40, 56, 8, 8}));
@@ -29,16 +46,7 @@ TEST(AnswerOverlay, DrawsTheStartTheGhostAndTheFloor) {
 }
 
 TEST(AnswerOverlay, AWayKeepsToTheFloor) {
-  Level level;
-  level.spawns.emplace_back().position = {0, 56};
-  HardCase hard;
-  hard.floor.parts.emplace_back(Segment{{0, 64}, {80, 64}});
-  CaseCheck check;
-  check.measure = CaseCheck::Measure::reaches;
-  check.x = 24;
-  hard.checks = {check};
-  OverlayDrawing drawing;
-  add_answer(hard, level, drawing);
+  const OverlayDrawing drawing = drawn_answer(on_a_floor(), {0, 56}, reaching(24));
   ASSERT_EQ(drawing.lines.size(), 4u);  // the floor, and three parts of the way
   EXPECT_EQ(drawing.lines[3].to, (Vec2{28, 60}));
   EXPECT_TRUE(drawing.lines[3].arrow);
@@ -46,15 +54,7 @@ TEST(AnswerOverlay, AWayKeepsToTheFloor) {
 }
 
 TEST(AnswerOverlay, AWayWithoutAFloorIsStraight) {
-  Level level;
-  level.spawns.emplace_back().position = {40, 56};
-  HardCase hard;
-  CaseCheck check;
-  check.measure = CaseCheck::Measure::reaches;
-  check.x = 16;
-  hard.checks = {check};
-  OverlayDrawing drawing;
-  add_answer(hard, level, drawing);
+  const OverlayDrawing drawing = drawn_answer({}, {40, 56}, reaching(16));
   ASSERT_EQ(drawing.lines.size(), 3u);
   EXPECT_EQ(drawing.lines[2].to, (Vec2{20, 60}));
   EXPECT_TRUE(drawing.lines[2].arrow);

@@ -46,6 +46,11 @@ class ExternalProgramTest : public FolderTest {
     for (int i = 0; i < 500 && !exists("told"); ++i) ::usleep(10'000);
     return bytes_of("told");
   }
+  // Gives the session this file, and then a change that is not in it.
+  void save_and_paint(Session& session, const std::string& name) const {
+    session.apply(action::SaveFileAs{path(name)});
+    session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  }
   ProgramCommands commands() const {
     ProgramCommands all = default_program_commands();
     all[0] = all[2] = "\"" + path("program") + "\" {file}";
@@ -67,8 +72,7 @@ TEST_F(ExternalProgramTest, AMissingOneIsAnError) {
 
 TEST_F(ExternalProgramTest, ACartIsSavedAndOpenedItself) {
   Session session;
-  session.apply(action::SaveFileAs{path("my game.tic")});
-  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  save_and_paint(session, "my game.tic");
   open_in_program(session, ProgramId::tic80, commands(), path("copies"));
   EXPECT_EQ(told(), path("my game.tic") + "\n");
   EXPECT_FALSE(session.modified());
@@ -79,8 +83,7 @@ TEST_F(ExternalProgramTest, ACartIsSavedAndOpenedItself) {
 
 TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
   Session session;
-  session.apply(action::SaveFileAs{path("level.talus.json")});
-  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  save_and_paint(session, "level.talus.json");
   open_in_program(session, ProgramId::tic80, commands(), path("copies"));
   EXPECT_EQ(told(), path("copies/level.tic") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
@@ -89,8 +92,7 @@ TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
 
 TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
   Session session;
-  session.apply(action::SaveFileAs{path("level.talus.json")});
-  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  save_and_paint(session, "level.talus.json");
   open_in_program(session, ProgramId::tiled, commands(), path("copies"));
   EXPECT_EQ(told(), path("copies/level.tmj") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
@@ -110,8 +112,7 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
 
 TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {
   Session session;
-  session.apply(action::SaveFileAs{path("game.tic")});
-  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  save_and_paint(session, "game.tic");
   ProgramCommands wrong = commands();
   wrong[0] = "tic80 {fil}";
   open_in_program(session, ProgramId::tic80, wrong, path("copies"));
