@@ -41,7 +41,7 @@ TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
 }
 
 // A player that runs right by the case's keys alone stands at the wall, its right side at 96.
-TEST(CliSim, PlaysAHardCaseWithItsInput) {
+TEST(CliHardCase, IsPlayedWithItsInput) {
   const std::string ramp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
   const CliAnswer answer = cli_answer({"sim", ramp, "--frames", "120", "--trace", "-", "--no-contacts"});
   ASSERT_EQ(answer.status, kExitGood) << answer.err;
