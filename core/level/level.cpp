@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "curve_span.h"
 
 namespace talus {
 namespace {
@@ -35,29 +36,6 @@ TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
     if (has_flag(flags, flag) && shape.kind != TileShape::Kind::none) return shape;
   }
   return {};
-}
-
-struct Ends {
-  Vec2 from, to;
-};
-Ends ends_of(const Segment& s) { return {s.from, s.to}; }
-Ends ends_of(const Parabola& p) { return {p.from, p.to}; }
-Ends ends_of(const Cubic& c) { return {c.from, c.to}; }
-Ends ends_of(const Polyline& p) { return {{p.x0, p.ys.front()}, {p.x1, p.ys.back()}}; }
-Ends ends_of(const Arc& a) {
-  const auto at = [&](double x) {
-    const double u = x - a.center.x;
-    const double height = std::sqrt(std::max(0.0, (a.radius - u) * (a.radius + u)));
-    return Vec2{x, a.center.y + (a.upper ? -height : height)};
-  };
-  return {at(a.x0), at(a.x1)};
-}
-Ends ends_of(const Sine& s) {
-  const auto at = [&](double x) {
-    const double turns = (x - s.origin) / s.wavelength;
-    return Vec2{x, s.middle + s.amplitude * std::sin(2 * std::numbers::pi * (turns - std::round(turns)))};
-  };
-  return {at(s.x0), at(s.x1)};
 }
 
 }  // namespace
@@ -93,7 +71,7 @@ std::optional<std::string> problem_of(const Curve& curve, const TileMap& map) {
     return p.x >= -kCurveEndSlack && p.y >= -kCurveEndSlack && p.x <= width + kCurveEndSlack &&
            p.y <= height + kCurveEndSlack;
   };
-  const Ends ends = std::visit([](const auto& form) { return ends_of(form); }, curve.form);
+  const CurveSpan ends = span_of(curve);
   if (!is_on_map(ends.from)) return "has its first end off the map";
   if (!is_on_map(ends.to)) return "has its last end off the map";
   return {};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../collision/ground_queries.h"
+#include "curve_span.h"
 #include "lint_parts.h"
 #include "lint_text.h"
 #include "local_ground.h"
@@ -64,10 +65,11 @@ class LevelLinter {
       const LevelCurve& curve = level_.curves[i];
       const std::string name = curve.name.empty() ? std::to_string(i) : "\"" + curve.name + "\"";
       const int number = static_cast<int>(i);
+      const std::optional<Cell> cell = nearest_cell(span_of(curve.curve).from);
       if (const auto problem = problem_of(curve.curve, level_.map))
-        add(Severity::error, "bad-curve", "curve " + name + " " + *problem, {}, -1, number);
+        add(Severity::error, "bad-curve", "curve " + name + " " + *problem, cell, -1, number);
       else if (leaves_map(curve.curve))
-        add(Severity::warning, "curve-leaves-map", "curve " + name + " leaves the map between its ends", {},
+        add(Severity::warning, "curve-leaves-map", "curve " + name + " leaves the map between its ends", cell,
             -1, number);
     }
     if (level_.curves.empty() || level_.tuning.solver == SolverKind::exact) return;
@@ -87,19 +89,28 @@ class LevelLinter {
     });
   }
 
+  // The cell of the map where a place is, or that is nearest to it; nothing if the map has no cells, or the
+  // place is no number.
+  std::optional<Cell> nearest_cell(Vec2 at) const {
+    const int width = level_.map.width(), height = level_.map.height();
+    if (width == 0 || height == 0 || std::isnan(at.x) || std::isnan(at.y)) return std::nullopt;
+    const auto clamped = [](double px, int cells) {  // far away it may be no int
+      return static_cast<int>(std::clamp(std::floor(px / kTileSize), 0.0, cells - 1.0));
+    };
+    return Cell{clamped(at.x, width), clamped(at.y, height)};
+  }
+
   void check_spawn(int index) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
     const Vec2 corner = spawn.position, size = spawn.size;
     const std::string subject =
-        "spawn " + spawn_name(level_, index) + " at " + px_text(corner.x) + ", " + px_text(corner.y) + " px";
+        spawn_name(level_, index) + " at " + px_text(corner.x) + ", " + px_text(corner.y) + " px";
     const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
     const bool inside =
         corner.x >= 0 && corner.y >= 0 && corner.x + size.x <= width && corner.y + size.y <= height;
     // Farther away there are no tiles, and perhaps no int for the cell either.
     const bool touches = corner.x > -size.x && corner.y > -size.y && corner.x < width && corner.y < height;
-    const Cell corner_cell = touches ? Cell{cell_of(corner.x), cell_of(corner.y)} : Cell{-1, -1};
-    const std::optional<Cell> cell =
-        level_.map.contains(corner_cell) ? std::optional(corner_cell) : std::nullopt;
+    const std::optional<Cell> cell = nearest_cell(corner);
     if (!inside)
       add(Severity::warning, "spawn-outside", subject + " is not wholly on the map", cell, -1, index);
     if (touches && !check_solids(index, subject, cell) && !check_slopes(index, subject, cell))

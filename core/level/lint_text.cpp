@@ -31,7 +31,12 @@ std::string role_with_article(TileRole role) {
 
 std::string spawn_name(const Level& level, int index) {
   const std::string& name = level.spawns[static_cast<std::size_t>(index)].name;
-  return name.empty() ? std::to_string(index) : "\"" + name + "\"";
+  return name.empty() ? kind_and_number(level, index) : "spawn \"" + name + "\"";
+}
+
+std::string kind_and_number(const Level& level, int index) {
+  const bool is_player = level.spawns[static_cast<std::size_t>(index)].kind == BodyKind::player;
+  return (is_player ? "player " : "ball ") + std::to_string(index + 1);
 }
 
 }  // namespace talus

@@ -11,27 +11,56 @@
 namespace talus {
 namespace {
 
-constexpr int kMostUp = 16;  // cells
+constexpr int kMostUp = 16;    // cells
+constexpr int kMostAway = 16;  // cells
 
 std::string position_text(Vec2 at) { return px_text(at.x) + ", " + px_text(at.y) + " px"; }
 
+bool is_on_map(const Level& level, const Rect& box) {
+  return box.x >= 0 && box.y >= 0 && box.right() <= level.map.width() * kTileSize &&
+         box.bottom() <= level.map.height() * kTileSize;
+}
+
+// The nearest place free of the ground and on the map, of those at corners of cells.
+std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, const LocalGround& ground,
+                                        Foot foot) {
+  std::optional<Vec2> nearest;
+  double least = 0;
+  for (int y = -kMostAway; y <= kMostAway; ++y) {
+    for (int x = -kMostAway; x <= kMostAway; ++x) {
+      const Rect there{(std::floor(box.x / kTileSize) + x) * kTileSize,
+                       (std::floor(box.y / kTileSize) + y) * kTileSize, box.w, box.h};
+      const Vec2 way = there.position() - box.position();
+      const double squared = way.x * way.x + way.y * way.y;
+      if ((nearest && squared >= least) || !is_on_map(level, there)) continue;
+      if (overlaps_ground(ground.terrain, ground.to_local(there), foot)) continue;
+      nearest = there.position();
+      least = squared;
+    }
+  }
+  return nearest;
+}
+
 // The nearest place straight above in which the body stands, or hangs, free of the ground; else the shortest
-// way out of it.
+// way out of it that stays on the map; else the nearest free one.
 std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
   const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
-  const LocalGround ground = ground_around(level, box, kMostUp + 1);
+  const LocalGround ground = ground_around(level, box, std::max(kMostUp, kMostAway) + 1);
   const Foot foot = spawn.used_foot();
   for (int i = 0; i <= kMostUp; ++i) {
     Rect up = box;
     up.y = (std::floor(box.bottom() / kTileSize) - i) * kTileSize - box.h;
     const Rect local = ground.to_local(up);
-    if (up.y >= box.y || up.y < 0 || overlaps_ground(ground.terrain, local, foot)) continue;
+    if (up.y >= box.y || !is_on_map(level, up) || overlaps_ground(ground.terrain, local, foot)) continue;
     if (const auto floor = floor_below(ground.terrain, local, box.y - up.y, foot))
       up.y = floor->y - box.h + ground.corner.y;
     return up.position();
   }
-  if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) return box.position() + *out;
-  return std::nullopt;
+  if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) {
+    const Vec2 there = box.position() + *out;
+    if (is_on_map(level, {there.x, there.y, box.w, box.h})) return there;
+  }
+  return nearest_free_corner(level, box, ground, foot);
 }
 
 void move_spawn(const Level& level, int index, Vec2 to, std::vector<Edit>& out) {
@@ -41,7 +70,7 @@ void move_spawn(const Level& level, int index, Vec2 to, std::vector<Edit>& out) 
   const bool straight = spawn.position.x == to.x && up > 0;
   spawn.position = to;
   out.push_back(change_spawn(level, index, spawn,
-                             "Move spawn " + spawn_name(level, index) +
+                             "Move " + spawn_name(level, index) +
                                  (straight ? " up by " + px_text(up) + " px" : "") + " to " +
                                  position_text(to)));
 }

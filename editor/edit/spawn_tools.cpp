@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "level/lint_text.h"
 #include "sprite_tools.h"
 
 namespace talus {
@@ -40,9 +41,8 @@ Edit duplicate_spawn(const Level& level, int index) {
 
 std::string title_of_spawn(const Level& level, int index) {
   assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
-  const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
-  if (!spawn.name.empty()) return spawn.name;
-  return (spawn.kind == BodyKind::player ? "player " : "ball ") + std::to_string(index + 1);
+  const std::string& name = level.spawns[static_cast<std::size_t>(index)].name;
+  return name.empty() ? kind_and_number(level, index) : name;
 }
 
 int spawn_at(const Level& level, Vec2 point) {

@@ -138,15 +138,21 @@ TEST(Fixes, BodiesAreMovedOutOfTheGround) {
   // On the slope, where its middle is.
   level.spawns[0].position = {28, 15};
   level.spawns[0].name.clear();
-  EXPECT_THAT(labels_of(level, "spawn-in-slope"), ElementsAre("Move spawn 0 up by 3 px to 28, 12 px"));
+  EXPECT_THAT(labels_of(level, "spawn-in-slope"), ElementsAre("Move player 1 up by 3 px to 28, 12 px"));
   level.spawns[0].position = {44, 1};
-  EXPECT_THAT(labels_of(level, "spawn-outside"), ElementsAre("Move spawn 0 to 40, 1 px"));
+  EXPECT_THAT(labels_of(level, "spawn-outside"), ElementsAre("Move player 1 to 40, 1 px"));
 }
 
 TEST(Fixes, ABodyBelowTheMapsTopLeavesSideways) {
   Level level = slope_level({"#..", "#..", "###"});
   level.spawns = {{"", {6, 1}, {}, ""}};
-  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move spawn 0 to 8, 1 px"));
+  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move ball 1 to 8, 1 px"));
+}
+
+TEST(Fixes, ABodyAboveTheMapGetsToTheNearestFreePlaceOnIt) {
+  Level level = slope_level({"##.", "##.", "###"});
+  level.spawns = {{"", {3, -5}, {}, ""}};
+  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move ball 1 to 16, 0 px"));
 }
 
 TEST(Fixes, ABallIsMovedOutOfASlope) {

@@ -184,7 +184,7 @@ TEST(LintTiles, AFlagChangesNothing) {
 TEST(LintSpawns, ABodyInAShapeOfItsOwn) {
   Level level = slope_level({"....", "....", ".ab.", "####"});
   level.spawns = {{"", {16, 12}, {}, "", BodyKind::player, {8, 8}}};  // b's floor is at 18 below its middle
-  EXPECT_THAT(lint_lines(level), ElementsAre("spawn-in-slope: spawn 0 at 16, 12 px starts 2 px inside the "
+  EXPECT_THAT(lint_lines(level), ElementsAre("spawn-in-slope: player 1 at 16, 12 px starts 2 px inside the "
                                              "shape of a tile"));
   level.spawns[0].position.y = 10;
   EXPECT_THAT(lint_lines(level), IsEmpty());

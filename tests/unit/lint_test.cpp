@@ -166,7 +166,7 @@ TEST(Lint, ASpawnInASolid) {
       problems(level),
       ElementsAre(
           "E spawn-in-solid (0, 0): spawn \"hero\" at 0.5, 0.5 px starts inside the solid tile at (1, 1)",
-          "E spawn-in-solid (2, 1): spawn 2 at 16, 15.5 px starts inside the solid tile at (2, 1)"));
+          "E spawn-in-solid (2, 1): ball 3 at 16, 15.5 px starts inside the solid tile at (2, 1)"));
 }
 
 TEST(Lint, ASpawnInASlope) {
@@ -177,7 +177,7 @@ TEST(Lint, ASpawnInASlope) {
   EXPECT_THAT(
       problems(level),
       ElementsAre(
-          "E spawn-in-slope (1, 0): spawn 2 at 12, 4.25 px starts 0.25 px inside the up-slope at (1, 1)"));
+          "E spawn-in-slope (1, 0): ball 3 at 12, 4.25 px starts 0.25 px inside the up-slope at (1, 1)"));
 }
 
 TEST(Lint, ASpawnOutsideTheMap) {
@@ -185,11 +185,12 @@ TEST(Lint, ASpawnOutsideTheMap) {
   level.spawns.push_back({"", {9, 0}, {}, ""});
   level.spawns.push_back({"", {-4, 2}, {}, ""});
   level.spawns.push_back({"", {-1e6, 1e6}, {}, ""});
-  EXPECT_THAT(problems(level),
-              ElementsAre("E spawn-in-solid: spawn 1 at -4, 2 px starts inside the solid tile at (0, 0)",
-                          "W spawn-outside: spawn 1 at -4, 2 px is not wholly on the map",
-                          "W spawn-outside: spawn 2 at -1000000, 1000000 px is not wholly on the map",
-                          "W spawn-outside (1, 0): spawn 0 at 9, 0 px is not wholly on the map"));
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre("E spawn-in-solid (0, 0): ball 2 at -4, 2 px starts inside the solid tile at (0, 0)",
+                  "W spawn-outside (0, 0): ball 2 at -4, 2 px is not wholly on the map",
+                  "W spawn-outside (1, 0): ball 1 at 9, 0 px is not wholly on the map",
+                  "W spawn-outside (0, 1): ball 3 at -1000000, 1000000 px is not wholly on the map"));
 }
 
 TEST(Lint, BadShapesAndCurves) {
@@ -199,10 +200,11 @@ TEST(Lint, BadShapesAndCurves) {
   level.curves = {{"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""},
                   {"", {Segment{{8, 0}, {0, 8}}, Curve::Faces::up}, ""},
                   {"hill", {Segment{{0, 0}, {17, 8}}, Curve::Faces::up}, ""}};
-  EXPECT_THAT(problems(level), ElementsAre("E bad-curve: curve 1 has its right end left of its left end",
-                                           "E bad-curve: curve \"hill\" has its last end off the map",
-                                           "E bad-shape: the shape of flag 5 must be 1 to 8 tiles wide",
-                                           "E bad-shape 200: the shape of tile 200 must have 2 heights"));
+  EXPECT_THAT(problems(level), ElementsAre("E bad-shape: the shape of flag 5 must be 1 to 8 tiles wide",
+                                           "E bad-shape 200: the shape of tile 200 must have 2 heights",
+                                           "E bad-curve (0, 0): curve \"hill\" has its last end off the map",
+                                           "E bad-curve (1, 0): curve 1 has its right end left of its left "
+                                           "end"));
 }
 
 TEST(Lint, ACurveLeavesTheMapBetweenItsEnds) {
@@ -210,8 +212,9 @@ TEST(Lint, ACurveLeavesTheMapBetweenItsEnds) {
   level.curves = {{"", {Arc{{16, 8}, 8, 8, 24, true}, Curve::Faces::up}, ""},  // touches the upper side
                   {"", {Arc{{16, 8}, 8.5, 8, 24, true}, Curve::Faces::up}, ""},
                   {"", {Parabola{{0, 8}, {32, 8}, 8.5}, Curve::Faces::up}, ""}};
-  EXPECT_THAT(problems(level), ElementsAre("W curve-leaves-map: curve 1 leaves the map between its ends",
-                                           "W curve-leaves-map: curve 2 leaves the map between its ends"));
+  EXPECT_THAT(problems(level),
+              ElementsAre("W curve-leaves-map (0, 0): curve 2 leaves the map between its ends",
+                          "W curve-leaves-map (1, 0): curve 1 leaves the map between its ends"));
 }
 
 TEST(Lint, CurvesThatTheSolverTakesNoNoticeOf) {
@@ -230,7 +233,7 @@ TEST(Lint, ShapesDecideWhatIsSolid) {
   level.tile_shapes[kHalf] = {.kind = TileShape::Kind::solid};
   EXPECT_THAT(
       problems(level),
-      ElementsAre("E spawn-in-solid (1, 0): spawn 0 at 12, 0 px starts inside the solid tile at (2, 0)",
+      ElementsAre("E spawn-in-solid (1, 0): ball 1 at 12, 0 px starts inside the solid tile at (2, 0)",
                   "E slope-overlap (0, 1) 3: tile 3 at (0, 1) is an up-slope, but the tile to its right "
                   "is solid: it stands inside the slope's box"));
   level.tile_shapes[kHalf].one_way = true;
@@ -244,8 +247,8 @@ TEST(Lint, ASpawnHasItsOwnSize) {
   level.spawns[0].size = {9, 17};
   EXPECT_THAT(
       problems(level),
-      ElementsAre("E spawn-in-solid (1, 0): spawn 0 at 8, 0 px starts inside the solid tile at (2, 0)",
-                  "W spawn-outside (1, 0): spawn 0 at 8, 0 px is not wholly on the map"));
+      ElementsAre("E spawn-in-solid (1, 0): player 1 at 8, 0 px starts inside the solid tile at (2, 0)",
+                  "W spawn-outside (1, 0): player 1 at 8, 0 px is not wholly on the map"));
 }
 
 TEST(Lint, ModifiersDoNotConflict) {
