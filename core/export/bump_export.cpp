@@ -9,14 +9,18 @@ FormatResult<Exported> export_bump(const ExportRequest& request) {
   Exported out;
   out.files = {{"level.lua", lua_level(request.level)},
                {"sheet.png", write_png_part(request.level, PngPart::tiles)}};
-  constexpr std::pair<const char*, const char*> kCopied[] = {{"bump_slopes.lua", "runtime/bump_slopes.lua"},
-                                                             {"main.lua", "templates/bump/main.lua"},
-                                                             {"camera.lua", "templates/camera.lua"},
-                                                             {"conf.lua", "templates/love/conf.lua"}};
-  for (const auto& [name, asset] : kCopied) {
-    FormatResult<std::string> text = request.read_asset(asset);
+  struct Copied {
+    const char *name, *asset;
+    bool is_starter = false;
+  };
+  constexpr Copied kCopied[] = {{"bump_slopes.lua", "runtime/bump_slopes.lua"},
+                                {"main.lua", "templates/bump/main.lua", true},
+                                {"camera.lua", "templates/camera.lua"},
+                                {"conf.lua", "templates/love/conf.lua", true}};
+  for (const Copied& file : kCopied) {
+    FormatResult<std::string> text = request.read_asset(file.asset);
     if (!text) return tl::unexpected(text.error());
-    out.files.push_back({name, std::move(*text)});
+    out.files.push_back({file.name, std::move(*text), file.is_starter});
   }
   if (const std::size_t curves = request.level.curves.size(); curves > 0)
     out.dropped.push_back(std::to_string(curves) + (curves == 1 ? " curve" : " curves") +

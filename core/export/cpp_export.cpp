@@ -10,7 +10,7 @@ FormatResult<Exported> export_cpp(const ExportRequest& request) {
   for (const std::string name : {"CMakeLists.txt", "main.cpp"}) {
     FormatResult<std::string> text = request.read_asset("templates/cpp/" + name);
     if (!text) return tl::unexpected(text.error());
-    out.files.push_back({name, std::move(*text)});
+    out.files.push_back({name, std::move(*text), true});
   }
   return out;
 }

@@ -25,11 +25,37 @@ constexpr Extensions<1> kLua = {"lua"};
 constexpr Extensions<1> kJson = {"json"};
 constexpr Extensions<1> kHeader = {"h"};
 
+template <std::size_t N>
+using Names = std::array<std::string_view, N>;
+
+constexpr Names<1> kSheetBeside = {"*-tiles.png"};
+constexpr Names<7> kLoveFiles = {"talus.lua", "level.lua",  "sheet.png",       "main.lua",
+                                 "conf.lua",  "camera.lua", "curve_points.lua"};
+constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
+constexpr Names<6> kBumpFiles = {"level.lua", "sheet.png", "bump_slopes.lua",
+                                 "main.lua",  "conf.lua",  "camera.lua"};
+constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
+constexpr Names<6> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv",
+                                "polygons.csv", "lines.csv", "spawns.csv"};
+
+tl::unexpected<FormatError> was_cancelled() { return tl::unexpected(FormatError{"", "was cancelled"}); }
+
 }  // namespace
 
 std::string ExportRequest::stem() const {
   const std::string first = name.substr(0, name.find('.'));
   return first.empty() || first == "-" ? "level" : first;
+}
+
+std::string ExportRequest::sheet_name() const {
+  const std::string stem = name == "-" ? "" : fs::path(name).stem().string();
+  return (stem.empty() ? "level" : stem) + "-tiles.png";
+}
+
+FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
+  FormatResult<Exported> exported = write(request);
+  if (request.progress.stopped()) return was_cancelled();
+  return exported;
 }
 
 std::span<const Exporter> exporters() {
@@ -39,38 +65,74 @@ std::span<const Exporter> exporters() {
       {"tic", "TIC-80 cartridge", find_format("tic")->extensions, export_tic,
        "Tiles, flags, map and palette in a cart; its code, sounds and all else stay as they were."},
       {"tic-text", "TIC-80 text project", find_format("tic-text")->extensions, export_tic_text,
-       "The same as text, for version control and other editors."},
+       "The same as text, for version control and other editors.", false, "-tic"},
       {"tic-playable", "TIC-80 cartridge that plays the level", find_format("tic")->extensions,
-       export_tic_playable, "A game at once: balls, players and the mouse move as they do here."},
+       export_tic_playable, "A game at once: balls, players and the mouse move as they do here.", true,
+       "-playable"},
       {"tic-text-playable", "TIC-80 text project that plays the level", find_format("tic-text")->extensions,
-       export_tic_text_playable, "The same game as text, with its Lua code to go on from."},
+       export_tic_text_playable, "The same game as text, with its Lua code to go on from.", true,
+       "-playable"},
       {"love",
        "game for LÖVE 11",
        {},
        export_love,
-       "A folder that LÖVE runs as it is, and a start for your own game."},
+       "A folder that LÖVE runs as it is, and a start for your own game.",
+       true,
+       {},
+       kLoveFiles},
       {"lua-runtime",
        "Lua runtime and level",
        {},
        export_lua_runtime,
-       "The exact solver and the level, for any game in Lua 5.3 or LuaJIT."},
+       "The exact solver and the level, for any game in Lua 5.3 or LuaJIT.",
+       true,
+       {},
+       kRuntimeFiles},
       {"bump",
        "game for LÖVE with bump.lua",
        {},
        export_bump,
-       "Slopes as a response for bump.lua, the level, and an example that uses them."},
+       "Slopes as a response for bump.lua, the level, and an example that uses them.",
+       false,
+       {},
+       kBumpFiles},
       {"cpp",
        "game in C++",
        {},
        export_cpp,
-       "A program with the collision core that plays the level, to go on from."},
-      {"tmj", "Tiled map, JSON", kTmj, export_tmj,
-       "Map and tileset for Tiled, with a collision polygon for each shape and flags as properties."},
-      {"tmx", "Tiled map, XML", kTmx, export_tmx, "The same map and tileset as XML."},
+       "A program with the collision core that plays the level, to go on from.",
+       false,
+       {},
+       kCppFiles},
+      {"tmj",
+       "Tiled map, JSON",
+       kTmj,
+       export_tmj,
+       "Map and tileset for Tiled, with a collision polygon for each shape and flags as properties.",
+       false,
+       {},
+       kSheetBeside,
+       true},
+      {"tmx",
+       "Tiled map, XML",
+       kTmx,
+       export_tmx,
+       "The same map and tileset as XML.",
+       false,
+       {},
+       kSheetBeside,
+       true},
       {"sti", "Lua map for Simple Tiled Implementation", kLua, export_sti,
-       "A map for the STI library of LÖVE and its bump plugin."},
-      {"ldtk", "LDtk project", kLdtk, export_ldtk,
-       "A project for LDtk: shapes as an IntGrid, tiles as a layer, flags with the tileset."},
+       "A map for the STI library of LÖVE and its bump plugin.", false, "-sti", kSheetBeside},
+      {"ldtk",
+       "LDtk project",
+       kLdtk,
+       export_ldtk,
+       "A project for LDtk: shapes as an IntGrid, tiles as a layer, flags with the tileset.",
+       false,
+       {},
+       kSheetBeside,
+       true},
       {"lua", "Lua table of plain data", kLua, export_lua,
        "Map, flags, floor heights, outlines and bodies for a Lua game with physics of its own."},
       {"json", "JSON file of plain data", kJson, export_json,
@@ -79,18 +141,28 @@ std::span<const Exporter> exporters() {
        "set of CSV tables",
        {},
        export_csv,
-       "Map, flags, floor heights, outlines and bodies, a table each."},
+       "Map, flags, floor heights, outlines and bodies, a table each.",
+       false,
+       {},
+       kCsvFiles},
       {"c", "C99 header", kHeader, export_c,
        "Map, flags and floors in fixed point, and a function that finds the floor below a point."},
       {"png", "PNG picture of the map", kPng, export_png, "The map, one pixel a px."},
       {"svg", "SVG drawing of the map and its outline", kSvg, export_svg,
        "The map with its outline, normals, curves and bodies, as lines of any size."},
-      {"tiles-png", "PNG picture of the tiles", kPng, export_tiles_png,
-       "The 256 tiles as one picture of 128x128 px."},
+      {"tiles-png",
+       "PNG picture of the tiles",
+       kPng,
+       export_tiles_png,
+       "The 256 tiles as one picture of 128x128 px.",
+       false,
+       "-tiles",
+       {},
+       true},
       {"sprites-png", "PNG picture of the sprites", kPng, export_sprites_png,
-       "The 256 sprites as one picture of 128x128 px."},
+       "The 256 sprites as one picture of 128x128 px.", false, "-sprites"},
       {"palette-png", "PNG picture of the palette", kPng, export_palette_png,
-       "The 16 colours as a picture of 16x1 px."},
+       "The 16 colours as a picture of 16x1 px.", false, "-palette"},
   };
   return list;
 }
@@ -129,19 +201,20 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const ExportedFile& file = exported.files[i];
-    if (progress && !progress(i, bytes)) return tl::unexpected(FormatError{"", "was cancelled"});
+    if (progress && !progress(i, bytes)) return was_cancelled();
     std::error_code failure;
     const fs::path folder = fs::path(paths[i]).parent_path();
     // Of a single file that was named on a command line, a missing folder is more likely a slip.
     if (!file.name.empty() && !folder.empty()) fs::create_directories(folder, failure);
     if (failure)
-      return tl::unexpected(FormatError{file.name, "the folder cannot be made: " + failure.message()});
+      return tl::unexpected(
+          FormatError{"", "the folder " + folder.string() + " cannot be made: " + failure.message()});
     auto written = StagedFile::write(paths[i], file.bytes);
     if (!written) return tl::unexpected(FormatError{file.name, written.error().message});
     staged.push_back(*std::move(written));
     bytes += file.bytes.size();
   }
-  if (progress && !progress(paths.size(), bytes)) return tl::unexpected(FormatError{"", "was cancelled"});
+  if (progress && !progress(paths.size(), bytes)) return was_cancelled();
   for (std::size_t i = 0; i < staged.size(); ++i) {
     if (const auto put = staged[i].put(); !put)
       return tl::unexpected(FormatError{exported.files[i].name, put.error().message});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../formats/format.h"
+#include "progress.h"
 
 namespace talus {
 
@@ -18,6 +19,8 @@ struct ExportedFile {
   // the file that was named, and of further ones the name beside it.
   std::string name;
   std::string bytes;
+  // A start for the user's own code: where another one is already, that is kept. See keep_starters().
+  bool is_starter = false;
 };
 
 struct Exported {
@@ -37,8 +40,11 @@ struct ExportRequest {
   // Of the file or folder that is named, without the folders it is in: "cave.tmj". "-": standard output.
   std::string name;
   const ReadAsset& read_asset;
+  std::string_view parts = {};  // of those that take parts, besides what the level uses: see lua_parts.h
+  Progress progress = {};       // told how much of it is made, and asked whether to go on
 
-  std::string stem() const;  // of the name, for files beside it: "cave"; of "-" and without a name: "level"
+  std::string stem() const;  // of the name, up to its first dot: "cave"; of "-" and without a name: "level"
+  std::string sheet_name() const;  // of a picture of the tiles beside the file: "cave-tiles.png"
 };
 
 struct Exporter {
@@ -46,10 +52,20 @@ struct Exporter {
   std::string_view label;  // "game for LÖVE 11"
   // That the file's name may have, without the dot; the first is the usual one. Empty: a folder is named.
   std::span<const std::string_view> extensions;
+  // For make(), which is to be called: what it gives after the progress was stopped is good for nothing.
   FormatResult<Exported> (*write)(const ExportRequest& request);
   std::string_view purpose = {};  // one sentence on what it is for and what is in it; may be empty
+  bool takes_parts = false;       // it writes Lua's runtime, which is of parts
+  // What its usual name has behind the level's, "-sti", so that no two exporters have the same.
+  std::string_view usual_suffix = {};
+  // The names of all files that it may write besides the one that is named, or in the folder; a * stands for
+  // the name that was given, without its extension.
+  std::span<const std::string_view> beside = {};
+  bool shares_sheet = false;  // a PNG of it shows the tiles and no more: that of another one is the same
 
   bool is_folder() const { return extensions.empty(); }
+  // Makes the files. When the request's progress is stopped, that is an error like any other.
+  FormatResult<Exported> make(const ExportRequest& request) const;
 };
 
 std::span<const Exporter> exporters();

@@ -282,8 +282,11 @@ std::string grid_tiles(const Level& level) {
 
 class LdtkProject {
  public:
-  LdtkProject(const Level& level, const std::string& stem)
-      : level_(level), stem_(stem), sheet_(stem + ".png"), values_(collision_values(ground_of(level))) {}
+  LdtkProject(const Level& level, std::string stem, std::string sheet)
+      : level_(level),
+        stem_(std::move(stem)),
+        sheet_(std::move(sheet)),
+        values_(collision_values(ground_of(level))) {}
 
   std::string text() const {
     const std::string background = color_text(level_.palette[0]);
@@ -375,9 +378,8 @@ class LdtkProject {
 }  // namespace
 
 FormatResult<Exported> export_ldtk(const ExportRequest& request) {
-  const std::string stem = request.stem();
-  Exported out{{{"", LdtkProject(request.level, stem).text()},
-                {stem + ".png", write_png_part(request.level, PngPart::tiles)}},
+  Exported out{{{"", LdtkProject(request.level, request.stem(), request.sheet_name()).text()},
+                {request.sheet_name(), write_png_part(request.level, PngPart::tiles)}},
                dropped_curves(request.level)};
   return out;
 }

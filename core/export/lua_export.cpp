@@ -26,7 +26,7 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
   for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua"}) {
     FormatResult<std::string> text = request.read_asset("templates/" + name);
     if (!text) return tl::unexpected(text.error());
-    out.files.push_back({name.substr(name.find('/') + 1), std::move(*text)});
+    out.files.push_back({name.substr(name.find('/') + 1), std::move(*text), name.starts_with("love/")});
   }
   return out;
 }

@@ -12,7 +12,7 @@ TiledTileset tileset_of(const ExportRequest& request) {
   const Level& level = request.level;
   TiledTileset tileset;
   tileset.name = "tiles";
-  tileset.image = request.stem() + ".png";
+  tileset.image = request.sheet_name();
   tileset.image_width = tileset.image_height = kSheetSide;
   tileset.columns = kSheetColumns;
   tileset.tile_count = kTileCount;
@@ -80,7 +80,7 @@ bool is_tile_0_blank(const Level& level) {
 
 Exported tiled_files(const ExportRequest& request, std::string text, std::string picture,
                      std::vector<std::string> dropped) {
-  const std::string name = request.stem() + ".png";
+  const std::string name = request.sheet_name();
   if (request.name == "-") dropped.push_back("the picture " + name + ", which goes beside a file");
   return {{{"", std::move(text)}, {name, std::move(picture)}}, std::move(dropped)};
 }

@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// The map with one tileset whose picture is NAME.png, as tiled_map.h tells, and nothing of the base but
+// The map with one tileset whose picture is NAME-tiles.png, as tiled_map.h tells, and nothing of the base but
 // objects and cells: no property `talus_level`. Cells have tile numbers + 1, or 0 for a blank tile 0.
 TiledMap tiled_map_of(const ExportRequest& request);
 // `flags` and the bools of the flags that are set; nothing of a tile without flags.

@@ -38,7 +38,7 @@ TEST(ExportLdtk, IsAProjectAndTheSheetBesideIt) {
   const Exported out = exported(small_level());
   ASSERT_EQ(out.files.size(), 2U);
   EXPECT_EQ(out.files[0].name, "");
-  EXPECT_EQ(out.files[1].name, "my cave.png");
+  EXPECT_EQ(out.files[1].name, "my cave-tiles.png");
   const auto sheet = read_png(out.files[1].bytes);
   ASSERT_TRUE(sheet);
   EXPECT_EQ(sheet->width, 128);
@@ -48,13 +48,13 @@ TEST(ExportLdtk, IsAProjectAndTheSheetBesideIt) {
   EXPECT_EQ(json["jsonVersion"], "1.5.3");
   EXPECT_EQ(json["defaultLevelBgColor"], "#1A1C2C");
   const LdtkJson& tileset = json["defs"]["tilesets"][0];
-  EXPECT_EQ(tileset["relPath"], "my cave.png");
+  EXPECT_EQ(tileset["relPath"], "my cave-tiles.png");
   EXPECT_EQ(tileset["tileGridSize"], 8);
   const LdtkJson& level = json["levels"][0];
   EXPECT_EQ(level["identifier"], "my_cave");
   EXPECT_EQ(level["pxWid"], 24);
   EXPECT_EQ(level["pxHei"], 16);
-  EXPECT_EQ(exported(small_level(), "-").files[1].name, "level.png");
+  EXPECT_EQ(exported(small_level(), "-").files[1].name, "level-tiles.png");
 }
 
 TEST(ExportLdtk, AnIntGridTellsTheShapes) {
@@ -89,7 +89,7 @@ TEST(ExportLdtk, TilesAreWhereTheMapHasThem) {
   const LdtkJson json = project(small_level());
   const LdtkJson& layer = json["levels"][0]["layerInstances"][2];
   EXPECT_EQ(layer["__type"], "Tiles");
-  EXPECT_EQ(layer["__tilesetRelPath"], "my cave.png");
+  EXPECT_EQ(layer["__tilesetRelPath"], "my cave-tiles.png");
   // The tiles 0, 2, 3 and 5 have neither pixels nor flags.
   ASSERT_EQ(layer["gridTiles"].size(), 2U);
   EXPECT_EQ(layer["gridTiles"][0].dump(), R"({"a":1,"d":[0],"f":0,"px":[0,0],"src":[8,0],"t":1})");

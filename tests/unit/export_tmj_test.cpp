@@ -53,11 +53,11 @@ TEST(ExportTmj, HasATilesetWithItsPictureBesideIt) {
   const Exported files = tiled_export_of(level, "tmj", "cave.tmj");
   ASSERT_EQ(files.files.size(), 2u);
   EXPECT_EQ(files.files[0].name, "");
-  EXPECT_EQ(files.files[1].name, "cave.png");
+  EXPECT_EQ(files.files[1].name, "cave-tiles.png");
   EXPECT_EQ(files.files[1].bytes, write_png_part(level, PngPart::tiles));
   EXPECT_THAT(files.dropped, ElementsAre());
   const Json set = exported()["tilesets"][0];
-  EXPECT_EQ(set["image"], "cave.png");
+  EXPECT_EQ(set["image"], "cave-tiles.png");
   EXPECT_EQ(set["imagewidth"], 128);
   EXPECT_EQ(set["columns"], 16);
   EXPECT_EQ(set["tilecount"], 256);
@@ -128,7 +128,7 @@ TEST(ExportTmj, CurvesAreLinesNoFurtherOffThanTheTolerance) {
 
 TEST(ExportTmj, TellsWhatIsNotInIt) {
   EXPECT_THAT(tiled_export_of(level_for_tiled(), "tmj", "-").dropped,
-              ElementsAre("the picture level.png, which goes beside a file"));
+              ElementsAre("the picture level-tiles.png, which goes beside a file"));
 }
 
 TEST(ExportTmj, ADrawnTile0IsNotEmpty) {

@@ -28,7 +28,7 @@ TEST(ExportTmx, HasTheTextThatTiledWants) {
   <property name="talus_level" value="..." />
  </properties>
  <tileset firstgid="1" name="tiles" tilewidth="8" tileheight="8" tilecount="256" columns="16">
-  <image source="cave.png" width="128" height="128" />
+  <image source="cave-tiles.png" width="128" height="128" />
   <tile id="1">
    <properties>
     <property name="flags" type="int" value="1" />

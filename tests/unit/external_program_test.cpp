@@ -97,7 +97,7 @@ TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
   EXPECT_EQ(told(), path("copies/level.tmj") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
   EXPECT_TRUE(load_level(path("copies/level.tmj"))->level == session.level());
-  EXPECT_TRUE(exists("copies/level.png"));
+  EXPECT_TRUE(exists("copies/level-tiles.png"));
 }
 
 TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
