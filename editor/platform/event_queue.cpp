@@ -2,9 +2,13 @@
 #include "event_queue.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace talus {
 namespace {
+
+constexpr float kStraight = 1;            // px: so far from a line a place may be that counts as on it
+constexpr std::size_t kMostWaiting = 64;  // events: more of them, and a drag cuts corners to keep up
 
 // Dear ImGui's number of a button; -1 for those without.
 int button_index(Uint8 button) {
@@ -18,6 +22,13 @@ int button_index(Uint8 button) {
     default:
       return -1;
   }
+}
+
+float distance_to_line(MousePlace p, MousePlace from, MousePlace to) {
+  const float dx = to.x - from.x, dy = to.y - from.y, length2 = dx * dx + dy * dy;
+  const float along = (p.x - from.x) * dx + (p.y - from.y) * dy;
+  const float part = length2 > 0 ? std::clamp(along / length2, 0.0f, 1.0f) : 0;
+  return std::hypot(from.x + part * dx - p.x, from.y + part * dy - p.y);
 }
 
 bool is_button(const SDL_Event& e) { return e.type == SDL_MOUSEBUTTONDOWN || e.type == SDL_MOUSEBUTTONUP; }
@@ -46,7 +57,9 @@ void EventQueue::begin_frame(bool hold_presses) {
   SDL_Event event;
   while (SDL_PollEvent(&event)) waiting_.push_back(event);
   holds_presses_ = hold_presses;
-  moved_ = button_changed_ = typed_ = command_pressed_ = false;
+  before_ = {mouse_.x, mouse_.y};
+  passed_.clear();
+  button_changed_ = typed_ = command_pressed_ = false;
   changed_keys_.reset();
 }
 
@@ -61,9 +74,10 @@ bool EventQueue::next(SDL_Event& event) {
 // - After a button changed, nothing more of the mouse or the keyboard: the change belongs to this place, and
 //   may give what is typed next another receiver.
 // - After a command key, nothing more that is typed or clicked: Enter or Escape may close what would get it,
-// and
-//   a text field takes one such key a frame, after all letters.
+//   and a text field takes one such key a frame, after all letters.
 // - After the mouse has moved, no key: it is meant for what the mouse has come to.
+// - While a button is held, what is dragged gets every place: after the mouse has moved, no button, and no
+//   movement round a corner.
 // - After anything typed, no button: a click may take the text's field away before it has looked.
 // - No key that counts changes twice.
 bool EventQueue::must_wait(const SDL_Event& event) const {
@@ -71,16 +85,29 @@ bool EventQueue::must_wait(const SDL_Event& event) const {
   if (button_changed_) return is_mouse(event) || is_key(event) || is_text(event);
   if (command_pressed_) return is_button(event) || is_key(event) || is_text(event);
   if (typed_ && is_button(event)) return true;
-  if (moved_ && event.type == SDL_KEYDOWN) return true;
+  if (moved() && event.type == SDL_KEYDOWN) return true;
+  if (moved() && drags() && (is_button(event) || turns(event))) return true;
   return is_command_key(event) && event.key.repeat == 0 && changed_keys_[event.key.keysym.scancode];
+}
+
+bool EventQueue::drags() const {
+  return std::find(mouse_.down.begin(), mouse_.down.end(), true) != mouse_.down.end();
+}
+
+// Whether the straight line to where the mouse goes leaves a place out that it has passed in this frame.
+bool EventQueue::turns(const SDL_Event& event) const {
+  if (event.type != SDL_MOUSEMOTION || waiting_.size() > kMostWaiting) return false;
+  const MousePlace to{static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
+  return std::any_of(passed_.begin(), passed_.end(),
+                     [&](MousePlace place) { return distance_to_line(place, before_, to) > kStraight; });
 }
 
 void EventQueue::track(const SDL_Event& event) {
   if (event.type == SDL_MOUSEMOTION) {
-    moved_ = true;
     mouse_.x = static_cast<float>(event.motion.x);
     mouse_.y = static_cast<float>(event.motion.y);
     mouse_.inside = true;
+    passed_.push_back({mouse_.x, mouse_.y});
   } else if (is_button(event)) {
     button_changed_ = true;
     mouse_.x = static_cast<float>(event.button.x);
@@ -94,7 +121,7 @@ void EventQueue::track(const SDL_Event& event) {
   } else if (is_text(event)) {
     typed_ = true;
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE) {
-    mouse_.inside = std::find(mouse_.down.begin(), mouse_.down.end(), true) != mouse_.down.end();
+    mouse_.inside = drags();
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
     mouse_.down = {};  // their releases go to another window
     modifiers_ = KMOD_NONE;
