@@ -38,6 +38,7 @@ constexpr std::array<float, 25> kZooms = {1.0f / 32768,
                                           16};
 constexpr int kQuarter = 13;         // the step of 1/4
 constexpr double kKeptInSight = 48;  // px of the screen
+constexpr float kLeastFitted = 96;   // px of the screen: in a canvas that is smaller, nothing can be seen
 
 int step_that_fits(Vec2 level, ImVec2 canvas) {
   int step = 0;
@@ -92,7 +93,7 @@ void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
 }
 
 void Camera::fit(Vec2 level, ImVec2 canvas) {
-  step_ = step_that_fits(level, canvas);
+  step_ = step_that_fits(level, {std::max(canvas.x, kLeastFitted), std::max(canvas.y, kLeastFitted)});
   centre(level * 0.5, canvas);
   untouched_ = true;
 }

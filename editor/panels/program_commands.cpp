@@ -12,29 +12,26 @@ using U = Ui&;
 struct ReadyLayout {
   Layout layout;
   CanvasMode canvas;
+  bool enlarged_pixels;  // above the map or the play view
   Focus focus;
   bool dock_open;
   std::string_view tab;  // id of the panel that comes to the front
 };
 
-constexpr Layout ready_sizes(double left, double right, double sheet) {
+constexpr Layout ready_sizes(double right) {
   Layout layout;
-  layout.left = left;
   layout.right = right;
-  layout.sheet = sheet;
   return layout;
 }
-constexpr ReadyLayout kDrawLayout{ready_sizes(0.34, 0.22, 0.5), CanvasMode::map, Focus::sprites, false,
-                                  "problems"};
-constexpr ReadyLayout kPlayLayout{ready_sizes(0.215, 0.22, 0.5), CanvasMode::play, Focus::map, false,
-                                  "tuning"};
-constexpr ReadyLayout kDebugLayout{ready_sizes(0.215, 0.305, 0.5), CanvasMode::play, Focus::map, true,
-                                   "inspector"};
+constexpr ReadyLayout kDrawLayout{ready_sizes(0.27), CanvasMode::map, true, Focus::sprites, false, "problems"};
+constexpr ReadyLayout kPlayLayout{ready_sizes(0.27), CanvasMode::play, false, Focus::map, false, "tuning"};
+constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map, true, "inspector"};
 
 template <const ReadyLayout& ready>
 void take_layout(S, A, U ui) {
   ui.view.layout = ready.layout;
   ui.view.canvas = ready.canvas;
+  ui.view.pixels.enlarged = ready.enlarged_pixels;
   ui.view.focus = ready.focus;
   ui.view.dock_open = ready.dock_open;
   ui.view.wants_tab = std::string(ready.tab);

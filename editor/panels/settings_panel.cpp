@@ -51,6 +51,10 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
     }
     ImGui::EndCombo();
   }
+  if (ui.view.ui_scale > ui.scale) {
+    setting_row("", ui);
+    ui.hint("This window has room for " + scale_label(ui.scale) + ".");
+  }
   setting_row("Size of text", ui);
   int size = static_cast<int>(preferences.font_size);
   ImGui::SetNextItemWidth(ui.px(kSettingWidth));

@@ -69,6 +69,12 @@ float automatic_scale(float window_height) {
   return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
 }
 
+// The largest at which nothing of the window's layout is cut off, in quarters; 1 in any case.
+float largest_scale(ImVec2 window) {
+  constexpr float kLeastWidth = 880, kLeastHeight = 576;  // px at scale 1
+  return std::max(1.0f, std::floor(std::min(window.x / kLeastWidth, window.y / kLeastHeight) * 4) / 4);
+}
+
 std::string absolute_path(const std::string& path) {
   std::error_code error;
   const auto absolute = std::filesystem::absolute(path, error);
@@ -236,8 +242,9 @@ void App::frame() {
   last_time_ = ui_.time = now;
   dismiss_old_note();
   follow_work();
-  ui_.scale =
+  const float wanted =
       ui_.view.ui_scale > 0 ? static_cast<float>(ui_.view.ui_scale) : automatic_scale(window_->size().y);
+  ui_.scale = std::min(wanted, largest_scale(window_->size()));
   window_->set_style({ui_.scale, ui_.view.preferences.font_size, ui_.view.preferences.theme});
   textures_->update(session_->level(), session_->revision(), ui_);
   map_textures_->update(session_->level(), session_->revision(), ui_);
@@ -269,7 +276,7 @@ void App::draw(Actions& actions) {
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
-  const std::array<bool, 9> wanted = {ui_.view.dialog != FileDialog::none,
+  const std::array<bool, 10> wanted = {ui_.view.dialog != FileDialog::none,
                                       session_->wants_save_as(),
                                       session_->wants_save_recording(),
                                       session_->question().has_value(),
@@ -277,6 +284,7 @@ void App::hold_presses_while_dialogs_change() {
                                       ui_.view.program.keys_open,
                                       ui_.view.program.recovery_open,
                                       session_->png_import().has_value(),
+                                      session_->level_import().has_value(),
                                       ui_.view.resize_open};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;

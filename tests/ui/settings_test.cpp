@@ -55,11 +55,24 @@ TEST_F(UiSettings, SizesChangeAtOnceAndAreRemembered) {
   open_settings();
   click("settings/scale");
   frames(2);
-  click("settings/scale/150");
+  click("settings/scale/125");
   frames(3);
-  EXPECT_EQ(ImGui::GetFontSize(), font * 1.5f);
+  EXPECT_EQ(ImGui::GetFontSize(), font * 1.25f);
   start_again();
-  EXPECT_EQ(ImGui::GetFontSize(), font * 1.5f);
+  EXPECT_EQ(ImGui::GetFontSize(), font * 1.25f);
+}
+
+TEST_F(UiSettings, NothingIsLargerThanTheWindowHasRoomFor) {
+  const float font = ImGui::GetFontSize();
+  open_settings();
+  click("settings/scale");
+  frames(2);
+  click("settings/scale/200");
+  frames(3);
+  EXPECT_EQ(ImGui::GetFontSize(), font * 1.25f) << "in 1280x720 px";
+  start(save_test_level("level.talus.json"), 2560, 1440);
+  frames(3);
+  EXPECT_EQ(ImGui::GetFontSize(), font * 2);
 }
 
 TEST_F(UiSettings, OverlaysForColourBlindEyesAreRemembered) {
