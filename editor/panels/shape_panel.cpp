@@ -17,11 +17,23 @@ constexpr float kBelowCanvas = 92;                      // px at scale 1, what i
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
                                                     "turned by a half"};
 
+// The tile left of this one on the sheet whose shape is wide enough to reach over this one; -1: there is none.
+int tile_reaching_over(const Level& level, int tile) {
+  for (int left = tile - 1; left >= tile - tile % kSheetColumns && tile - left < kMaxShapeTiles; --left) {
+    const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(left));
+    if (shape.kind != TileShape::Kind::none && shape.tiles > tile - left) return left;
+  }
+  return -1;
+}
+
 void draw_origin(const Level& level, int tile, Ui& ui) {
   const std::string number = "Tile " + std::to_string(tile);
   if (level.tile_shapes[static_cast<std::size_t>(tile)].kind != TileShape::Kind::none)
     return ui.heading(number + " has this shape of its own:");
   const TileShape given = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  if (const int left = tile_reaching_over(level, tile); given.kind == TileShape::Kind::none && left >= 0)
+    return ui.heading(number + " has no shape of its own; beside tile " + std::to_string(left) +
+                      " that one's shape reaches over it.");
   if (given.kind == TileShape::Kind::none)
     return ui.heading(number + " has no shape: bodies pass through it.");
   ui.heading(number + " has no shape of its own; its flags make it: " + std::string(kind_label(given)) + ".");
