@@ -142,6 +142,8 @@ TEST_F(UiEdit, SpriteToolsByTheirKeys) {
   EXPECT_EQ(session().choices().color, 7);
   key(']');
   EXPECT_EQ(session().choices().color, 8);
+  key('[');
+  EXPECT_EQ(session().choices().color, 7);
   key('8');
   EXPECT_EQ(pixel(2, 3, 3), 0);
   key(kKeyRight);
