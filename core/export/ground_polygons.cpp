@@ -4,34 +4,48 @@
 #include "ground_polygons.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <span>
 #include <utility>
 
 namespace talus {
 namespace {
 
-constexpr double kTouching = 1e-9;  // px; what is nearer touches, and so do lines that cross there
+constexpr double kMergeShare = 0.7;  // of the time, for merging; the rest links
+constexpr double kTouching = 1e-9;   // px; what is nearer touches, and so do lines that cross there
 
 // Rounds to 1/256 px. Just above a half, so that two computations of one point give the same.
 double snapped(double at) { return std::floor(at * 256 + 0.5 + 1e-6) / 256; }
 
-// The line that an edge is cut from, to know again what belongs to one; of a wall, no line.
+// The line that an edge is cut from, to know again what belongs to one.
 struct LineKey {
   double base_x = 0, base_y = 0, slope = 0, slope_rest = 0;
-  bool is_wall = false;
   friend bool operator==(const LineKey&, const LineKey&) = default;
 };
 
 struct Edge {
   Vec2 from, to;
-  LineKey line;
+  LineKey line;  // none of a wall
+  bool is_wall = false;
+  bool used = false;  // it is in a ring
 };
 
-// Ground between two lines, in one column of cells; px on the map.
+// By the column of cells in which they begin, whose right side belongs to the next one, and there by the
+// points where they do: sorted as a whole, though no memory for the whole is ever moved.
+using EdgeColumns = std::vector<std::vector<Edge>>;
+
+bool is_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+std::size_t column_of(double x) { return static_cast<std::size_t>(x / kTileSide); }
+
+// Ground between two lines, in one column of cells; px from their corners.
 struct Body {
-  std::vector<OutlineLine> top, bottom;
-  std::vector<double> joints;  // x inside of the column
-  double highest, lowest;
+  std::span<const OutlineLine> top, bottom;
+  Vec2 top_corner, bottom_corner;
+  std::span<const double> joints;  // x inside of the column, from the corners
+  double highest, lowest;          // px on the map
 };
 
 // A side of a slab.
@@ -45,21 +59,31 @@ struct Side {
   }
 };
 
-const OutlineLine& line_at(const std::vector<OutlineLine>& lines, double x) {
-  const auto ends_after = [x](const OutlineLine& line) { return x < line.x1; };
+// On the map.
+OutlineLine line_at(std::span<const OutlineLine> lines, Vec2 corner, double x) {
+  const auto ends_after = [x, corner](const OutlineLine& line) { return x < line.x1 + corner.x; };
   const auto found = std::find_if(lines.begin(), lines.end(), ends_after);
-  return found == lines.end() ? lines.back() : *found;
+  return (found == lines.end() ? lines.back() : *found).moved(corner);
 }
 
 class Merger {
  public:
   explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes) {
+    flat_.push_back({0, 0, kTileSide, 0, 0, 0, 0, 0});
     for (const std::uint8_t tile : ground.cells)
       if (outlines_[tile].line) widest_ = std::max(widest_, static_cast<int>(outlines_[tile].columns.size()));
   }
 
-  std::vector<Edge> merge() {
-    for (int column = 0; column < ground_.width + widest_; ++column) merge_column(column);
+  EdgeColumns merge() {
+    const int columns = ground_.width + widest_;
+    edges_.resize(static_cast<std::size_t>(columns) + 1);
+    for (int column = 0; column < columns; ++column) {
+      if (ground_.progress && !ground_.progress(kMergeShare * column / columns)) return {};
+      merge_column(column);
+      std::vector<Edge>& edges = edges_[static_cast<std::size_t>(column)];
+      std::stable_sort(edges.begin(), edges.end(),
+                       [](const Edge& a, const Edge& b) { return is_before(a.from, b.from); });
+    }
     return std::move(edges_);
   }
 
@@ -71,7 +95,7 @@ class Merger {
     int change;
   };
   struct Trapezoid {
-    const OutlineLine *top, *bottom;
+    OutlineLine top, bottom;
     double highest, lowest;  // in the middle of the slab
   };
 
@@ -99,35 +123,27 @@ class Merger {
   // The runs of full tiles in a column, and the lines of slopes and profiles.
   std::vector<Body> bodies_of(int column) const {
     std::vector<Body> bodies;
-    const double x0 = static_cast<double>(column) * kTileSide, x1 = x0 + kTileSide;
-    const auto flat = [&](int row) {
-      const double y = static_cast<double>(row) * kTileSide;
-      return OutlineLine{x0, y, x1, y, x0, y, 0, 0};
+    const auto corner = [](int x, int y) {
+      return Vec2{static_cast<double>(x) * kTileSide, static_cast<double>(y) * kTileSide};
     };
     for (int y = 0, run = 0; y <= ground_.height && column < ground_.width; ++y) {
       if (y < ground_.height && outline(column, y).full) continue;
-      if (run < y) bodies.push_back({{flat(run)}, {flat(y)}, {}, flat(run).y0, flat(y).y0});
+      const Vec2 top = corner(column, run), bottom = corner(column, y);
+      if (run < y) bodies.push_back({flat_, flat_, top, bottom, {}, top.y, bottom.y});
       run = y + 1;
     }
     for (int y = 0; y < ground_.height; ++y) {
       for (int x = std::max(0, column - widest_ + 1); x <= std::min(column, ground_.width - 1); ++x) {
         const TileOutline& shape = outline(x, y);
         if (!shape.line || shape.one_way || column - x >= static_cast<int>(shape.columns.size())) continue;
-        put_body(shape.columns[static_cast<std::size_t>(column - x)],
-                 {static_cast<double>(x) * kTileSide, static_cast<double>(y) * kTileSide}, bodies);
+        const TileColumn& part = shape.columns[static_cast<std::size_t>(column - x)];
+        if (part.highest == part.lowest) continue;  // a flat line, under which is nothing
+        const Vec2 at = corner(x, y);
+        bodies.push_back(
+            {part.top, part.bottom, at, at, part.joints, at.y + part.highest, at.y + part.lowest});
       }
     }
     return bodies;
-  }
-
-  static void put_body(const TileColumn& column, Vec2 corner, std::vector<Body>& bodies) {
-    if (column.highest == column.lowest) return;  // a flat line, under which is nothing
-    Body& body = bodies.emplace_back();
-    for (const OutlineLine& line : column.top) body.top.push_back(line.moved(corner));
-    for (const OutlineLine& line : column.bottom) body.bottom.push_back(line.moved(corner));
-    for (const double joint : column.joints) body.joints.push_back(corner.x + joint);
-    body.highest = corner.y + column.highest;
-    body.lowest = corner.y + column.lowest;
   }
 
   void merge_group(std::span<const Body> bodies, double x0, std::vector<Turn>& left) {
@@ -144,10 +160,16 @@ class Merger {
     right_side_.insert(right_side_.end(), before.begin(), before.end());
   }
 
+  // Its top and its bottom.
+  static std::array<OutlineLine, 2> lines_at(const Body& body, double x) {
+    return {line_at(body.top, body.top_corner, x), line_at(body.bottom, body.bottom_corner, x)};
+  }
+
   // Where a line begins, or two cross; with the column's own sides.
   static std::vector<Side> sides_of(std::span<const Body> bodies, double x0) {
     std::vector<double> ends = {x0, x0 + kTileSide};
-    for (const Body& body : bodies) ends.insert(ends.end(), body.joints.begin(), body.joints.end());
+    for (const Body& body : bodies)
+      for (const double joint : body.joints) ends.push_back(body.top_corner.x + joint);
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<Side> sides;
@@ -171,8 +193,7 @@ class Merger {
     std::vector<Line> lines;
     std::vector<double> crossings;
     for (std::size_t body = 0; body < bodies.size(); ++body) {
-      for (const auto* side : {&bodies[body].top, &bodies[body].bottom}) {
-        const OutlineLine& line = line_at(*side, (x0 + x1) / 2);
+      for (const OutlineLine& line : lines_at(bodies[body], (x0 + x1) / 2)) {
         const Line here{line.at(x0), line.at(x1), body};
         for (const Line& other : lines) {
           const double before = here.y0 - other.y0, after = here.y1 - other.y1;
@@ -192,8 +213,8 @@ class Merger {
     const double middle = (from.x + to.x) / 2;
     std::vector<Trapezoid> parts;
     for (const Body& body : bodies) {
-      const OutlineLine &top = line_at(body.top, middle), &bottom = line_at(body.bottom, middle);
-      const Trapezoid part{&top, &bottom, top.at(middle), bottom.at(middle)};
+      const auto [top, bottom] = lines_at(body, middle);
+      const Trapezoid part{top, bottom, top.at(middle), bottom.at(middle)};
       if (part.lowest - part.highest > kTouching) parts.push_back(part);
     }
     std::stable_sort(parts.begin(), parts.end(),
@@ -202,10 +223,10 @@ class Merger {
       Trapezoid part = parts[i++];
       for (; i < parts.size() && parts[i].highest <= part.lowest + kTouching; ++i)
         if (parts[i].lowest > part.lowest) part.lowest = parts[i].lowest, part.bottom = parts[i].bottom;
-      const Vec2 top0 = from.point(*part.top), top1 = to.point(*part.top);
-      const Vec2 bottom0 = from.point(*part.bottom), bottom1 = to.point(*part.bottom);
-      put_edge(top0, top1, key_of(*part.top));
-      put_edge(bottom1, bottom0, key_of(*part.bottom));
+      const Vec2 top0 = from.point(part.top), top1 = to.point(part.top);
+      const Vec2 bottom0 = from.point(part.bottom), bottom1 = to.point(part.bottom);
+      put_edge({top0, top1, key_of(part.top)});
+      put_edge({bottom1, bottom0, key_of(part.bottom)});
       left.insert(left.end(), {{top0.y, -1}, {bottom0.y, 1}});
       right.insert(right.end(), {{top1.y, 1}, {bottom1.y, -1}});
     }
@@ -222,87 +243,87 @@ class Merger {
       const double y = turns[i].y;
       int change = 0;
       for (; i < turns.size() && turns[i].y == y; ++i) change += turns[i].change;
-      for (int n = 0; n < depth; ++n) put_edge({x, from}, {x, y}, kWall);
-      for (int n = 0; n < -depth; ++n) put_edge({x, y}, {x, from}, kWall);
+      for (int n = 0; n < depth; ++n) put_edge({{x, from}, {x, y}, {}, true});
+      for (int n = 0; n < -depth; ++n) put_edge({{x, y}, {x, from}, {}, true});
       depth += change;
       from = y;
     }
   }
 
-  static constexpr LineKey kWall{.is_wall = true};
   static LineKey key_of(const OutlineLine& line) {
-    return {line.base_x, line.base_y, line.slope, line.slope_rest, false};
+    return {line.base_x, line.base_y, line.slope, line.slope_rest};
   }
-  void put_edge(Vec2 from, Vec2 to, const LineKey& line) {
-    if (from != to) edges_.push_back({from, to, line});
+  void put_edge(const Edge& edge) {
+    if (edge.from != edge.to) edges_[column_of(edge.from.x)].push_back(edge);
   }
 
   const TerrainSource& ground_;
   TileOutlines outlines_;
-  int widest_ = 1;  // tiles
+  int widest_ = 1;                 // tiles
+  std::vector<OutlineLine> flat_;  // the top of a full tile, alone
   std::vector<Turn> right_side_;
-  std::vector<Edge> edges_;
+  EdgeColumns edges_;
 };
 
 // Chains edges, of which as many begin as end at each point.
 class RingLinker {
  public:
-  explicit RingLinker(std::vector<Edge> edges) : edges_(std::move(edges)), used_(edges_.size()) {
-    std::stable_sort(edges_.begin(), edges_.end(),
-                     [](const Edge& a, const Edge& b) { return is_before(a.from, b.from); });
-  }
+  explicit RingLinker(EdgeColumns columns) : columns_(std::move(columns)) {}
 
-  std::vector<GroundPolygon> link() {
+  std::vector<GroundPolygon> link(const std::function<bool(double)>& progress) {
     std::vector<GroundPolygon> polygons;
-    for (std::size_t first = 0; first < edges_.size(); ++first) {
-      if (used_[first]) continue;
-      GroundPolygon polygon = polygon_of(ring_from(first));
-      const double area = doubled_area(polygon.points);
-      polygon.is_hole = area < 0;
-      if (area != 0) polygons.push_back(std::move(polygon));
+    for (std::size_t column = 0; column < columns_.size(); ++column) {
+      const double done = static_cast<double>(column) / static_cast<double>(columns_.size());
+      if (progress && !progress(kMergeShare + (1 - kMergeShare) * done)) return {};
+      for (Edge& first : columns_[column]) {
+        if (first.used) continue;
+        GroundPolygon polygon = polygon_of(ring_from(first));
+        const double area = doubled_area(polygon.points);
+        polygon.is_hole = area < 0;
+        if (area != 0) polygons.push_back(std::move(polygon));
+      }
     }
     return polygons;
   }
 
  private:
-  static bool is_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
-  std::vector<std::size_t> ring_from(std::size_t first) {
-    std::vector<std::size_t> ring;
-    std::size_t at = first;
+  const std::vector<const Edge*>& ring_from(Edge& first) {
+    ring_.clear();
+    Edge* at = &first;
     do {
-      used_[at] = true;
-      ring.push_back(at);
-      at = next_of(at, first);
-    } while (at != first);
-    return ring;
+      at->used = true;
+      ring_.push_back(at);
+      at = next_of(*at, first);
+    } while (at != &first);
+    return ring_;
   }
 
   // Where several begin, that to the right, so that ground which touches in a corner stays apart.
-  std::size_t next_of(std::size_t at, std::size_t first) const {
-    const Edge& edge = edges_[at];
-    auto next = std::lower_bound(edges_.begin(), edges_.end(), edge.to,
+  Edge* next_of(const Edge& edge, Edge& first) {
+    std::vector<Edge>& edges = columns_[column_of(edge.to.x)];
+    auto next = std::lower_bound(edges.begin(), edges.end(), edge.to,
                                  [](const Edge& e, Vec2 point) { return is_before(e.from, point); });
-    std::size_t best = first;
+    const auto begins_here = [&](auto at) { return at != edges.end() && at->from == edge.to; };
+    if (begins_here(next) && !begins_here(next + 1)) return next->used ? &first : &*next;
+    Edge* best = &first;
     double most = -10;  // below any angle
-    for (; next != edges_.end() && next->from == edge.to; ++next) {
-      const auto index = static_cast<std::size_t>(next - edges_.begin());
-      if (used_[index] && index != first) continue;
+    for (; begins_here(next); ++next) {
+      if (next->used && &*next != &first) continue;
       const Vec2 in = edge.to - edge.from, out = next->to - next->from;
       const double angle = std::atan2(in.x * out.y - in.y * out.x, dot(in, out));
-      if (angle > most) most = angle, best = index;
+      if (angle > most) most = angle, best = &*next;
     }
     return best;
   }
 
-  GroundPolygon polygon_of(const std::vector<std::size_t>& ring) const {
+  static GroundPolygon polygon_of(const std::vector<const Edge*>& ring) {
     GroundPolygon polygon;
-    const Edge* before = &edges_[ring.back()];
-    for (const std::size_t index : ring) {
-      const Edge& edge = edges_[index];
-      const bool same_line = edge.line == before->line && !edge.line.is_wall;
-      if (!same_line && !is_straight(before->from, edge.from, edge.to)) polygon.points.push_back(edge.from);
-      before = &edge;
+    const Edge* before = ring.back();
+    for (const Edge* edge : ring) {
+      const bool same_line = !edge->is_wall && !before->is_wall && edge->line == before->line;
+      if (!same_line && !is_straight(before->from, edge->from, edge->to))
+        polygon.points.push_back(edge->from);
+      before = edge;
     }
     return polygon;
   }
@@ -316,8 +337,8 @@ class RingLinker {
     return area;
   }
 
-  std::vector<Edge> edges_;  // by the points where they begin
-  std::vector<bool> used_;
+  EdgeColumns columns_;
+  std::vector<const Edge*> ring_;  // the one that is being linked
 };
 
 }  // namespace
@@ -328,7 +349,7 @@ bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 std::vector<GroundPolygon> ground_polygons(const TerrainSource& ground) {
-  return RingLinker(Merger(ground).merge()).link();
+  return RingLinker(Merger(ground).merge()).link(ground.progress);
 }
 
 }  // namespace talus

@@ -21,7 +21,7 @@ struct GroundPolygon {
 //
 // Points are exact but where lines cross: those are rounded to 1/256 px. Parts that touch in a corner alone
 // are polygons of their own, or one whose outline comes by that corner twice. By their leftmost points, then
-// the topmost.
+// the topmost. The ground's progress is told; when it says so, there are none.
 std::vector<GroundPolygon> ground_polygons(const TerrainSource& ground);
 
 // Whether b lies on the straight way from a to c, exactly.
