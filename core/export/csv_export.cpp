@@ -44,9 +44,9 @@ class CsvTable {
   bool is_first_ = true;  // in its row
 };
 
-std::string map_table(const TileMap& map) {
+std::string map_table(const TileMap& map, const Progress& progress) {
   CsvTable table;
-  for (Cell c; c.y < map.height(); ++c.y) {
+  for (Cell c; c.y < map.height() && progress.at(c.y, map.height()); ++c.y) {
     for (c.x = 0; c.x < map.width(); ++c.x) table.number(map.at(c));
     table.end_row();
   }
@@ -87,9 +87,13 @@ std::string sprite_table(const Level& level) {
   return table.take();
 }
 
-std::string polygon_table(const std::vector<GroundPolygon>& polygons) {
+std::string polygon_table(const Level& level, const Progress& progress) {
+  TerrainSource ground = ground_of(level);
+  ground.progress = progress.part(0, 0.7).function();
+  const std::vector<GroundPolygon> polygons = ground_polygons(ground);
+  const Progress writing = progress.part(0.7, 1);
   CsvTable table("polygon,hole,point,x,y");
-  for (std::size_t n = 0; n < polygons.size(); ++n) {
+  for (std::size_t n = 0; n < polygons.size() && writing.at(n, polygons.size()); ++n) {
     for (std::size_t i = 0; i < polygons[n].points.size(); ++i) {
       const Vec2 point = polygons[n].points[i];
       table.number(n).truth(polygons[n].is_hole).number(i).number(point.x).number(point.y).end_row();
@@ -124,11 +128,12 @@ std::string spawn_table(const std::vector<Spawn>& spawns) {
 
 FormatResult<Exported> export_csv(const ExportRequest& request) {
   const Level& level = request.level;
-  return Exported{{{"map.csv", map_table(level.map)},
+  const Progress& progress = request.progress;
+  return Exported{{{"map.csv", map_table(level.map, progress.part(0, 0.1))},
                    {"flags.csv", tile_table(level)},
                    {"sprite_flags.csv", sprite_table(level)},
-                   {"polygons.csv", polygon_table(ground_polygons(ground_of(level)))},
-                   {"lines.csv", line_table(plain_lines(level))},
+                   {"polygons.csv", polygon_table(level, progress.part(0.1, 0.8))},
+                   {"lines.csv", line_table(plain_lines(level, progress.part(0.8, 1)))},
                    {"spawns.csv", spawn_table(level.spawns)}},
                   {}};
 }

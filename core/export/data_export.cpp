@@ -11,11 +11,11 @@ FormatResult<Exported> export_lua(const ExportRequest& request) {
 -- middle of each column of pixels. polygons: the ground's outline, x, y, x, y, ..., clockwise on the screen,
 -- holes the other way. lines: what stops bodies on their left hand side alone, and curves.
 )";
-  return Exported{{{"", head + print_plain(plain_json(request.level), Dialect::lua)}}, {}};
+  return Exported{{{"", head + plain_text(request.level, Dialect::lua, request.progress)}}, {}};
 }
 
 FormatResult<Exported> export_json(const ExportRequest& request) {
-  return Exported{{{"", print_plain(plain_json(request.level), Dialect::json)}}, {}};
+  return Exported{{{"", plain_text(request.level, Dialect::json, request.progress)}}, {}};
 }
 
 }  // namespace talus

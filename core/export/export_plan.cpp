@@ -44,6 +44,7 @@ PlannedFile plan_file(const std::string& path, const ExportedFile& file) {
   std::error_code error;
   if (path.empty() || !fs::exists(path, error)) return planned;
   planned.place = PlannedFile::Place::other;
+  if (!fs::is_regular_file(path, error)) return planned;  // reading a pipe would take from it, or wait
   planned.old_size = fs::file_size(path, error);
   if (error) planned.old_size = 0;
   const auto bytes = read_file(path);
@@ -68,14 +69,19 @@ std::uint64_t content_hash(std::string_view bytes) {
 }
 
 tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view id,
-                                                    const std::string& output, const ReadAsset& read_asset) {
+                                                    const std::string& output, const ReadAsset& read_asset,
+                                                    std::string_view parts, const Progress& progress,
+                                                    const Exported* made) {
   const Exporter* exporter = find_exporter(id);
   if (exporter == nullptr)
     return problem_at(Field::target, id.empty() ? "no target is chosen"
                                                 : "\"" + std::string(id) + "\" is no target of this version");
   if (const std::string problem = name_problem(*exporter, output); !output.empty() && !problem.empty())
     return problem_at(Field::path, fs::path(output).filename().string() + " " + problem);
-  auto exported = exporter->write({level, fs::path(output).filename().string(), read_asset});
+  FormatResult<Exported> exported =
+      made != nullptr
+          ? FormatResult<Exported>(*made)
+          : exporter->make({level, fs::path(output).filename().string(), read_asset, parts, progress});
   if (!exported) return problem_at(Field::level, exported.error().message, exported.error().place);
   ExportPlan plan{exporter, output, *std::move(exported), {}};
   const auto paths = output.empty() ? std::vector<std::string>(plan.content.files.size())
@@ -86,6 +92,24 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
     plan.files.push_back(plan_file(paths[i], plan.content.files[i]));
   }
   return plan;
+}
+
+std::vector<std::size_t> own_starters(const ExportPlan& plan,
+                                      const std::function<bool(const PlannedFile&)>& is_exported) {
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < plan.files.size(); ++i) {
+    const bool is_other = plan.files[i].place == PlannedFile::Place::other;
+    if (is_other && plan.content.files[i].is_starter && !is_exported(plan.files[i])) own.push_back(i);
+  }
+  return own;
+}
+
+void leave_out(ExportPlan& plan, const std::vector<std::size_t>& which) {
+  for (auto index = which.rbegin(); index != which.rend(); ++index) {
+    const auto at = static_cast<std::ptrdiff_t>(*index);
+    plan.files.erase(plan.files.begin() + at);
+    plan.content.files.erase(plan.content.files.begin() + at);
+  }
 }
 
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress) {
@@ -104,6 +128,12 @@ std::string summary_of(const ExportPlan& plan) {
   const std::size_t count = plan.files.size();
   return plan.output + ": " + std::to_string(count) + (count == 1 ? " file, " : " files, ") +
          with_commas(bytes) + " bytes";
+}
+
+std::string code_problem(const Exporter& exporter, std::optional<std::size_t> code_bytes) {
+  if (exporter.is_folder() || code_bytes.value_or(0) <= kMostTicCode) return "";
+  return "the code takes " + with_commas(*code_bytes) + " bytes, and TIC-80's free version holds " +
+         with_commas(kMostTicCode) + ": fewer shapes or kinds of bodies make it smaller";
 }
 
 tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,
@@ -134,15 +164,22 @@ std::string path_for(const std::string& output, const std::string& level_file) {
   return to.lexically_relative(from).generic_string();
 }
 
-std::string usual_path(const Exporter& exporter, const std::string& level_name) {
-  if (exporter.is_folder()) return "export/" + std::string(exporter.id);
+std::string usual_path(const Exporter& exporter, const std::string& level_name, int number) {
+  const std::string count = number == 1 ? "" : "-" + std::to_string(number);
+  if (exporter.is_folder()) return "export/" + std::string(exporter.id) + count;
   const std::string stem = level_name.substr(0, level_name.find('.'));
-  return "export/" + (stem.empty() ? "level" : stem) + "." + std::string(exporter.extensions.front());
+  return "export/" + (stem.empty() ? "level" : stem) + std::string(exporter.usual_suffix) + count + "." +
+         std::string(exporter.extensions.front());
 }
 
-std::string path_for_other(const std::string& path, const Exporter& before, const Exporter& after,
-                           const std::string& level_name) {
-  if (path.empty() || path == usual_path(before, level_name)) return usual_path(after, level_name);
+bool is_usual_path(const std::string& path, const Exporter& exporter, const std::string& level_name) {
+  bool is_usual = path.empty();
+  for (int number = 1; number <= static_cast<int>(kMaxExports) + 1 && !is_usual; ++number)
+    is_usual = path == usual_path(exporter, level_name, number);
+  return is_usual;
+}
+
+std::string path_for_other(const std::string& path, const Exporter& before, const Exporter& after) {
   std::string stem = path;
   for (const std::string_view extension : before.extensions) {
     const std::string ending = "." + std::string(extension);

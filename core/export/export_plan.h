@@ -36,23 +36,38 @@ struct ExportProblem {
 };
 
 // Makes the files of an export, and looks at what is at their places. `output`: a file or folder; empty: not
-// known yet, and all places are taken for empty.
+// known yet, and all places are taken for empty. `parts`, `progress`: as in ExportRequest. `made`: the
+// content, where an earlier plan of the same level, exporter and output has it already; null: it is made.
 tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view exporter,
-                                                    const std::string& output, const ReadAsset& read_asset);
+                                                    const std::string& output, const ReadAsset& read_asset,
+                                                    std::string_view parts = {},
+                                                    const Progress& progress = {},
+                                                    const Exported* made = nullptr);
+// The starters in whose places others are, which are the user's own code by now, but for those that
+// `is_exported` takes for what an export wrote: indices of the plan's files, rising.
+std::vector<std::size_t> own_starters(const ExportPlan& plan,
+                                      const std::function<bool(const PlannedFile&)>& is_exported);
+// Takes files out of the plan. which: indices, rising.
+void leave_out(ExportPlan& plan, const std::vector<std::size_t>& which);
 // Writes what was planned, as write_exported does.
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress = nullptr);
 
 // "game: 3 files, 45,210 bytes"
 std::string summary_of(const ExportPlan& plan);
+// One sentence without its full stop on a cart's code that is more than TIC-80's free version holds; empty:
+// it fits, or is for no cart alone.
+std::string code_problem(const Exporter& exporter, std::optional<std::size_t> code_bytes);
 
 // Where a preset's path leads, for a level's file; empty: it has none. The error is of the path.
 tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset, const std::string& level_file);
 // The path of a preset that leads there: relative when the level has a file and is on the same branch.
 std::string path_for(const std::string& output, const std::string& level_file);
-// Where a new preset of a level writes to: "export/cave.tmj", "export/love".
-std::string usual_path(const Exporter& exporter, const std::string& level_name);
-// What a preset's path becomes when its target does.
-std::string path_for_other(const std::string& path, const Exporter& before, const Exporter& after,
-                           const std::string& level_name);
+// Where a new preset of a level writes to: "export/cave.tmj", "export/love"; the second one of its kind
+// "export/cave-2.tmj". No two exporters have the same.
+std::string usual_path(const Exporter& exporter, const std::string& level_name, int number = 1);
+// Whether it is one of those, or empty.
+bool is_usual_path(const std::string& path, const Exporter& exporter, const std::string& level_name);
+// What a preset's own path becomes when its target does.
+std::string path_for_other(const std::string& path, const Exporter& before, const Exporter& after);
 
 }  // namespace talus

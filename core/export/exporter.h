@@ -19,7 +19,7 @@ struct ExportedFile {
   // the file that was named, and of further ones the name beside it.
   std::string name;
   std::string bytes;
-  // A start for the user's own code: where another one is already, that is kept. See keep_starters().
+  // A start for the user's own code: where another one is already, that is kept. See own_starters().
   bool is_starter = false;
 };
 

@@ -166,10 +166,18 @@ std::string_view body_word(BodyKind kind) { return kind == BodyKind::player ? "p
 
 std::string_view foot_word(Foot foot) { return foot == Foot::centre ? "centre" : "box"; }
 
-std::vector<PlainLine> plain_lines(const Level& level) {
+std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress) {
   std::vector<PlainLine> lines;
-  const TerrainSource ground = ground_of(level);
-  add_one_way_lines(Terrain(ground), lines);
+  TerrainSource ground = ground_of(level);
+  const bool has_one_way = std::any_of(ground.cells.begin(), ground.cells.end(), [&](std::uint8_t tile) {
+    return ground.shapes[tile].one_way && ground.shapes[tile].kind != TileShape::Kind::none;
+  });
+  if (has_one_way) {
+    ground.progress = progress.part(0, 0.9).function();
+    const Terrain terrain(ground);
+    if (progress.stopped()) return {};
+    add_one_way_lines(terrain, lines);
+  }
   for (const LevelCurve& c : level.curves) {
     if (problem_of(c.curve, level.map)) continue;
     lines.push_back({true, c.curve.faces == Curve::Faces::both, c.name, points_of(c.curve)});

@@ -7,6 +7,7 @@
 
 #include "../collision/terrain.h"
 #include "../level/level.h"
+#include "progress.h"
 
 namespace talus {
 
@@ -55,6 +56,6 @@ struct PlainLine {
 
 // The lines of one-way tiles, as far as they are not inside of ground, joined where they meet, those that
 // face up first and from left to right; then the curves in the level's order. Corners are exact.
-std::vector<PlainLine> plain_lines(const Level& level);
+std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress = {});
 
 }  // namespace talus

@@ -1,6 +1,8 @@
 #include "plain_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "../formats/json_text.h"
 #include "../formats/number_text.h"
@@ -17,22 +19,6 @@ OrderedJson numbers(const std::vector<double>& values) {
   OrderedJson list = OrderedJson::array();
   for (const double value : values) list.push_back(number(value));
   return list;
-}
-
-OrderedJson coordinates(const std::vector<Vec2>& points) {
-  OrderedJson list = OrderedJson::array();
-  for (const Vec2 point : points) {
-    list.push_back(number(point.x));
-    list.push_back(number(point.y));
-  }
-  return list;
-}
-
-OrderedJson rows_of(const TileMap& map) {
-  OrderedJson rows = OrderedJson::array();
-  for (auto row = map.cells().begin(); row != map.cells().end(); row += map.width())
-    rows.emplace_back(std::vector<int>(row, row + map.width()));
-  return rows;
 }
 
 OrderedJson roles_of(const Level& level) {
@@ -52,30 +38,6 @@ OrderedJson shapes_of(const TerrainSource& ground) {
   return shapes;
 }
 
-OrderedJson polygons_of(const TerrainSource& ground) {
-  OrderedJson polygons = OrderedJson::array();
-  for (const GroundPolygon& polygon : ground_polygons(ground))
-    polygons.push_back({{"hole", polygon.is_hole}, {"points", coordinates(polygon.points)}});
-  return polygons;
-}
-
-OrderedJson lines_of(const Level& level) {
-  OrderedJson lines = OrderedJson::array();
-  for (const PlainLine& line : plain_lines(level)) {
-    lines.push_back({{"kind", line.is_curve ? "curve" : "one_way"},
-                     {"name", line.name},
-                     {"both_sides", line.both_sides},
-                     {"points", coordinates(line.points)}});
-  }
-  return lines;
-}
-
-OrderedJson spawns_of(const Level& level) {
-  OrderedJson spawns = OrderedJson::array();
-  for (const Spawn& spawn : level.spawns) spawns.push_back(plain_spawn_json(spawn));
-  return spawns;
-}
-
 // Lists of more tables are functions of so many each in Lua: LuaJIT takes no more than 65536 constants, of
 // which each table of numbers is one, in a function.
 constexpr std::size_t kMostEntries = 4096;
@@ -92,21 +54,49 @@ bool is_nested(const OrderedJson& list) {
                      [](const OrderedJson& entry) { return entry.is_structured(); });
 }
 
-bool is_long(const OrderedJson& list) {
-  return list.is_array() && list.size() > kMostEntries && is_nested(list);
-}
-
+// A text of members one after the other. What may be large is written at once, without a value of JSON for
+// each number of it.
 class PlainPrinter {
  public:
   explicit PlainPrinter(Dialect dialect) : is_lua_(dialect == Dialect::lua) {}
 
+  void put(const char* key, const OrderedJson& value) {
+    begin_member(key);
+    print(value, 1);
+  }
+
+  // A list with an entry a line, each written by `entry`, which is called with its number.
+  template <class Entry>
+  void put_list(const char* key, std::size_t count, const Progress& progress, const Entry& entry) {
+    begin_member(key);
+    const bool in_parts = is_lua_ && count > kMostEntries;
+    joins_ = joins_ || in_parts;
+    if (in_parts)
+      text_ += "join{";
+    else
+      open_list();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!progress.at(i, count)) return;
+      const bool begins_part = in_parts && i % kMostEntries == 0;
+      if (begins_part) text_ += i == 0 ? "function() return {" : "} end,function() return {";
+      if (i > 0 && !begins_part) text_ += ',';
+      print_line_break(2);
+      entry(i);
+    }
+    if (count > 0) print_line_break(1);
+    if (in_parts)
+      text_ += "} end}";
+    else
+      close_list();
+  }
+
+  // Entries of such a list.
   void print(const OrderedJson& value, int depth) {
     if (value.is_number_float()) return append_number(text_, value.get<double>());
     if (value.is_string()) return print_string(value.get_ref<const std::string&>());
     if (value.is_primitive()) return void(text_ += value.dump());
-    if (is_lua_ && is_long(value)) return print_long(value, depth);
     text_ += value.is_array() && !is_lua_ ? '[' : '{';
-    const bool in_lines = depth == 0 || (depth == 1 && is_nested(value));
+    const bool in_lines = depth == 1 && is_nested(value);
     bool first = true;
     for (auto entry = value.begin(); entry != value.end(); ++entry, first = false) {
       if (!first) text_ += ',';
@@ -117,10 +107,50 @@ class PlainPrinter {
     if (in_lines && !value.empty()) print_line_break(depth);
     text_ += value.is_array() && !is_lua_ ? ']' : '}';
   }
+  void print(std::span<const std::uint8_t> row) {
+    open_list();
+    for (const std::uint8_t& tile : row) {
+      if (&tile != row.data()) text_ += ',';
+      append_number(text_, tile);
+    }
+    close_list();
+  }
+  void print(const GroundPolygon& polygon) {
+    text_ += '{';
+    print_key("hole");
+    text_ += polygon.is_hole ? "true," : "false,";
+    print_points(polygon.points);
+    text_ += '}';
+  }
+  void print(const PlainLine& line) {
+    text_ += '{';
+    print_key("kind");
+    print_string(line.is_curve ? "curve" : "one_way");
+    text_ += ',';
+    print_key("name");
+    print_string(line.name);
+    text_ += ',';
+    print_key("both_sides");
+    text_ += line.both_sides ? "true," : "false,";
+    print_points(line.points);
+    text_ += '}';
+  }
 
-  std::string take() { return std::move(text_); }
+  std::string take() {
+    text_ += text_.empty() ? "{}\n" : "\n}\n";
+    if (is_lua_) text_.insert(0, std::string(joins_ ? kJoin : "") + "return ");
+    return std::move(text_);
+  }
 
  private:
+  void begin_member(const std::string& key) {
+    text_ += text_.empty() ? '{' : ',';
+    print_line_break(1);
+    print_key(key);
+  }
+  void open_list() { text_ += is_lua_ ? '{' : '['; }
+  void close_list() { text_ += is_lua_ ? '}' : ']'; }
+
   void print_string(const std::string& text) {
     text_ += is_lua_ ? lua_string(text)
                      : OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
@@ -134,21 +164,30 @@ class PlainPrinter {
       text_.append(is_number ? "[" : "").append(key).append(is_number ? "]=" : "=");
   }
 
-  void print_line_break(int depth) { text_.append("\n").append(static_cast<std::size_t>(depth), ' '); }
-
-  void print_long(const OrderedJson& list, int depth) {
-    text_ += "join{";
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (i % kMostEntries == 0) text_ += i == 0 ? "function() return {" : "} end,function() return {";
-      if (i % kMostEntries != 0) text_ += ',';
-      print_line_break(depth + 1);
-      print(list[i], depth + 1);
+  void print_points(const std::vector<Vec2>& points) {
+    print_key("points");
+    open_list();
+    for (const Vec2& point : points) {
+      if (&point != points.data()) text_ += ',';
+      print_number(point.x);
+      text_ += ',';
+      print_number(point.y);
     }
-    print_line_break(depth);
-    text_ += "} end}";
+    close_list();
+  }
+  // As json_number has it: what is whole without an exponent.
+  void print_number(double value) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (static_cast<double>(whole) == value && !(value == 0 && std::signbit(value)))
+      append_number(text_, whole);
+    else
+      append_number(text_, value);
   }
 
+  void print_line_break(int depth) { text_.append("\n").append(static_cast<std::size_t>(depth), ' '); }
+
   bool is_lua_;
+  bool joins_ = false;  // a list in parts
   std::string text_;
 };
 
@@ -173,27 +212,30 @@ OrderedJson plain_spawn_json(const Spawn& spawn) {
           {"foot", foot_word(spawn.used_foot())}};
 }
 
-OrderedJson plain_json(const Level& level) {
-  const TerrainSource ground = ground_of(level);
-  return {{"width", ground.width},
-          {"height", ground.height},
-          {"tile_size", kTileSide},
-          {"map", rows_of(level.map)},
-          {"flags",
-           {{"tiles", level.sheet(SheetId::tiles).flags}, {"sprites", level.sheet(SheetId::sprites).flags}}},
-          {"roles", roles_of(level)},
-          {"shapes", shapes_of(ground)},
-          {"polygons", polygons_of(ground)},
-          {"lines", lines_of(level)},
-          {"spawns", spawns_of(level)}};
-}
-
-std::string print_plain(const OrderedJson& value, Dialect dialect) {
+std::string plain_text(const Level& level, Dialect dialect, const Progress& progress) {
+  TerrainSource ground = ground_of(level);
+  const std::span<const std::uint8_t> cells = ground.cells;
+  const auto width = static_cast<std::size_t>(ground.width);
   PlainPrinter printer(dialect);
-  printer.print(value, 0);
-  if (dialect == Dialect::json) return printer.take() + "\n";
-  const bool joins = std::any_of(value.begin(), value.end(), is_long);
-  return std::string(joins ? kJoin : "") + "return " + printer.take() + "\n";
+  printer.put("width", ground.width);
+  printer.put("height", ground.height);
+  printer.put("tile_size", kTileSide);
+  printer.put_list("map", static_cast<std::size_t>(ground.height), progress.part(0, 0.1),
+                   [&](std::size_t y) { printer.print(cells.subspan(y * width, width)); });
+  printer.put("flags", {{"tiles", level.sheet(SheetId::tiles).flags},
+                        {"sprites", level.sheet(SheetId::sprites).flags}});
+  printer.put("roles", roles_of(level));
+  printer.put("shapes", shapes_of(ground));
+  ground.progress = progress.part(0.1, 0.6).function();
+  const std::vector<GroundPolygon> polygons = ground_polygons(ground);
+  printer.put_list("polygons", polygons.size(), progress.part(0.6, 0.8),
+                   [&](std::size_t i) { printer.print(polygons[i]); });
+  const std::vector<PlainLine> lines = plain_lines(level, progress.part(0.8, 0.95));
+  printer.put_list("lines", lines.size(), progress.part(0.95, 1),
+                   [&](std::size_t i) { printer.print(lines[i]); });
+  printer.put_list("spawns", level.spawns.size(), {},
+                   [&](std::size_t i) { printer.print(plain_spawn_json(level.spawns[i]), 2); });
+  return printer.take();
 }
 
 }  // namespace talus

@@ -26,12 +26,12 @@
 
 #include "../level/level.h"
 #include "plain_data.h"
+#include "progress.h"
 
 namespace talus {
 
 using OrderedJson = nlohmann::ordered_json;  // keeps members as they were put
 
-OrderedJson plain_json(const Level& level);
 // One of its shapes, and one of its spawns.
 OrderedJson plain_shape_json(const PlainShape& shape);
 OrderedJson plain_spawn_json(const Spawn& spawn);
@@ -40,6 +40,6 @@ enum class Dialect { json, lua };
 
 // A member of the whole a line, and of a list of lists or objects in it an entry a line; in Lua with the
 // `return` before it, and, where lists are too long for LuaJIT, with a function that joins their parts.
-std::string print_plain(const OrderedJson& value, Dialect dialect);
+std::string plain_text(const Level& level, Dialect dialect, const Progress& progress = {});
 
 }  // namespace talus

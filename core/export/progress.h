@@ -1,7 +1,6 @@
 // How far an export is: told to who waits for it, and who may end it.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -35,7 +34,8 @@ class Progress {
     state_->stopped = !state_->listener(now);
     return !state_->stopped;
   }
-  bool at(std::size_t done, std::size_t all) const {
+  template <class Count>
+  bool at(Count done, Count all) const {
     return at(all == 0 ? 1 : static_cast<double>(done) / static_cast<double>(all));
   }
   bool stopped() const { return state_ != nullptr && state_->stopped; }

@@ -25,8 +25,14 @@ std::vector<Command> export_commands() {
                 else
                   actions.push_back(action::RunExports{});
               }),
-      command("file/export_cancel", {}, "Cancel the export", "What has not been written yet stays as it was.",
-              emit<action::CancelExport>, [](S session, const Ui&) { return session.exporting().running(); }),
+      command("file/export_cancel", {}, "Cancel the export",
+              "Ends the export, or the preview of one, within a moment. What has not been written yet stays "
+              "as it "
+              "was.",
+              emit<action::CancelExport>,
+              [](S session, const Ui&) {
+                return session.exporting().running() || session.exporting().previewing();
+              }),
   };
 }
 

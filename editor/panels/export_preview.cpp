@@ -2,7 +2,6 @@
 #include "export_preview.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "commands.h"
@@ -27,7 +26,7 @@ const ExportPreset& shown_preset(const Session& session, const Ui& ui) {
 
 // What went wrong with the shown preset in the last run, if it is as it was then.
 const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
-  const ExportTask task{shown_preset(session, ui), session.path()};
+  const ExportTask task = export_task(session.level(), ui.view.exports.preset, session.path());
   for (const ExportOutcome& outcome : session.exporting().last_run()) {
     if (outcome.problem && outcome.task == task) return &outcome;
   }
@@ -77,14 +76,30 @@ void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
         "Exporting asks first.");
 }
 
-void draw_file_table(const ExportOutcome* outcome, Ui& ui) {
-  if (outcome == nullptr) return ui.hint("Making the files, to see how large they are...");
+void draw_kept_file(const PlannedFile& file, Ui& ui) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(file.name.c_str());
+  ui.item("export/file/" + file.name, file.path);
+  ImGui::TableNextColumn();
+  ui.right_aligned(size_text(static_cast<std::size_t>(file.old_size)));
+  ImGui::TableNextColumn();
+  ui.hint("kept: it is yours by now");
+  ui.tooltip(
+      "Exports begin this file, and it is yours to change. Delete it, and the next export begins it anew.");
+}
+
+void draw_file_table(const ExportOutcome* outcome, bool is_cancelled, Ui& ui) {
+  if (outcome == nullptr)
+    return ui.hint(is_cancelled ? "The preview was cancelled. Preview below makes one, Export needs none."
+                                : "Making the files, to see how large they are...");
   if (outcome->files.empty()) return ui.hint("Nothing, until the error above is gone.");
   if (!ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("file");
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ui.px(kSizeColumn));
   ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthFixed, ui.px(kPlaceColumn));
   for (const PlannedFile& file : outcome->files) draw_file(file, *outcome, ui);
+  for (const PlannedFile& file : outcome->kept) draw_kept_file(file, ui);
   ImGui::EndTable();
 }
 
@@ -102,29 +117,50 @@ std::string progress_text(const ExportProgress& progress) {
   std::string text = progress.name;
   if (progress.tasks > 1)
     text += " (" + std::to_string(progress.task + 1) + " of " + std::to_string(progress.tasks) + ")";
-  if (progress.files == 0) return text + ": making the files";
+  if (progress.files == 0)
+    return text + ": making the files, " + std::to_string(static_cast<int>(progress.share * 100)) + " %";
   return text + ": " + std::to_string(progress.files_done) + " of " + std::to_string(progress.files) +
          " files, " + size_text(progress.bytes_done) + " of " + size_text(progress.bytes);
 }
 
-// While files are made, nobody knows how long that takes: the bar fills and starts again.
-float fraction_of(const ExportProgress& progress, double time) {
-  if (progress.files == 0) return static_cast<float>(time - std::floor(time));
-  return progress.bytes == 0 ? 1
-                             : static_cast<float>(progress.bytes_done) / static_cast<float>(progress.bytes);
-}
-
-void draw_bar(const ExportProgress& progress, float width, Ui& ui) {
+// A bar with a text, and the button that ends what it shows.
+void draw_progress_row(const char* widget, const std::string& text, double share, const Session& session,
+                       Actions& actions, Ui& ui) {
+  const float button = ui.px(88), width = ImGui::GetContentRegionAvail().x - button - ui.px(8);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ui.px(theme::kButton);
-  const float done = fraction_of(progress, ui.time) * width;
+  const float done = static_cast<float>(share) * width;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + width, at.y + height}, theme::tone(theme::kControl));
   list.AddRectFilled(at, {at.x + done, at.y + height}, theme::tone(theme::kAccent, 110));
+  list.PushClipRect(at, {at.x + width, at.y + height}, true);
   list.AddText({at.x + ui.px(8), at.y + (height - ImGui::GetTextLineHeight()) / 2}, theme::tone(theme::kText),
-               progress_text(progress).c_str());
+               text.c_str());
+  list.PopClipRect();
   ImGui::Dummy({width, height});
-  ui.item("export/progress");
+  ui.item(widget, text);
+  ImGui::SameLine(0, ui.px(8));
+  const Command& cancel = find_command("file/export_cancel");
+  if (ui.text_button("export/cancel", "Cancel", false, cancel.help, keys_of(cancel, ui), true, button))
+    cancel.run(session, actions, ui);
+}
+
+// Beside the button that exports: how far a preview is that takes its time, or how to get one.
+void draw_preview_progress(const Session& session, Actions& actions, Ui& ui) {
+  constexpr double kLong = 0.25;  // seconds; shorter ones would flicker
+  const auto progress = session.exporting().preview_progress();
+  if (progress && progress->seconds > kLong) {
+    ImGui::SameLine(0, ui.px(8));
+    draw_progress_row("export/preview_progress",
+                      "Preview: " + std::to_string(static_cast<int>(progress->share * 100)) + " %",
+                      progress->share, session, actions, ui);
+  } else if (session.exporting().preview_cancelled()) {
+    ImGui::SameLine(0, ui.px(8));
+    if (ui.text_button("export/preview_again", "Preview", false,
+                       "Makes the files, which was cancelled, to see how large they are.", {}, true,
+                       ui.px(88)))
+      actions.push_back(action::PreviewExport{ui.view.exports.preset});
+  }
 }
 
 }  // namespace
@@ -142,7 +178,7 @@ std::string size_text(std::size_t bytes) {
 
 const ExportOutcome* shown_outcome(const Session& session, const Ui& ui) {
   const auto& preview = session.exporting().preview();
-  const ExportTask task{shown_preset(session, ui), session.path()};
+  const ExportTask task = export_task(session.level(), ui.view.exports.preset, session.path());
   return preview && preview->outcome.task == task ? &preview->outcome : nullptr;
 }
 
@@ -160,7 +196,7 @@ void draw_export_files(const Session& session, float below, Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
   ImGui::BeginChild("files", {0, -below}, true);
   if (!draw_export_problem(ExportProblem::Field::level, session, ui))
-    draw_file_table(shown_outcome(session, ui), ui);
+    draw_file_table(shown_outcome(session, ui), session.exporting().preview_cancelled(), ui);
   ImGui::EndChild();
   ImGui::PopStyleVar();
 }
@@ -180,22 +216,17 @@ void draw_export_notes(const Session& session, Ui& ui) {
 }
 
 void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
-  if (const auto progress = session.exporting().progress()) {
-    const float width = ui.px(88);
-    draw_bar(*progress, ImGui::GetContentRegionAvail().x - width - ui.px(8), ui);
-    ImGui::SameLine();
-    const Command& cancel = find_command("file/export_cancel");
-    if (ui.text_button("export/cancel", "Cancel", false, cancel.help, keys_of(cancel, ui), true, width))
-      cancel.run(session, actions, ui);
-    return;
-  }
+  if (const auto progress = session.exporting().progress())
+    return draw_progress_row("export/progress", progress_text(*progress), progress->share, session, actions,
+                             ui);
   const ExportOutcome* outcome = shown_outcome(session, ui);
-  const bool works = outcome != nullptr && !outcome->problem;
+  const bool works = outcome != nullptr ? !outcome->problem : session.exporting().preview_cancelled();
   const std::string help = outcome != nullptr && !outcome->foreign.empty()
                                ? "Asks before it replaces what no export wrote."
                                : "Writes this preset's files, all of them or none.";
   if (ui.text_button("export/export", export_label(outcome) + "##export", true, help, {}, works, ui.px(220)))
     actions.push_back(action::RunExports{ui.view.exports.preset});
+  draw_preview_progress(session, actions, ui);
 }
 
 }  // namespace talus

@@ -77,10 +77,7 @@ void draw_compiling(double progress, float x, Ui& ui) {
 }
 
 void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
-  const double done = progress.bytes == 0
-                          ? 0
-                          : static_cast<double>(progress.bytes_done) / static_cast<double>(progress.bytes);
-  draw_progress("status/exporting", "exporting", done, x,
+  draw_progress("status/exporting", "exporting", progress.share, x,
                 "The level is being exported: File > Export shows how far it is, and ends it.", ui);
 }
 

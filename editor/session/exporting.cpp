@@ -1,50 +1,51 @@
-// Making the files of a huge level may take a minute, and exporters know no way to stop: what is cancelled
-// meanwhile is left to itself, at most one at a time. What writes is waited for.
+// One thread at a time. What is given up is told so by its progress, and ends in a moment.
 #include "exporting.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "export/preset_clash.h"
+
 namespace talus {
 namespace {
+
+constexpr double kMaking = 0.9;                            // share of a run's time before it writes
+constexpr std::size_t kMostKept = std::size_t{256} << 20;  // bytes of a preview that are kept to be written
 
 FormatResult<std::string> no_asset(const std::string& name) {
   return tl::unexpected(FormatError{name, "is missing: the program was started without its files"});
 }
 
+// kept: own_starters() of the plan.
 ExportOutcome outcome_of(const ExportTask& task, const std::string& output, const ExportPlan& plan,
-                         const ExportRecord& record) {
+                         const ExportRecord& record, const std::vector<std::size_t>& kept) {
   ExportOutcome outcome{.task = task,
                         .output = output,
-                        .files = plan.files,
                         .dropped = plan.content.dropped,
                         .code_bytes = plan.content.code_bytes};
-  for (const PlannedFile& file : plan.files) {
+  for (std::size_t i = 0; i < plan.files.size(); ++i) {
+    const PlannedFile& file = plan.files[i];
+    const bool is_kept = std::binary_search(kept.begin(), kept.end(), i);
+    (is_kept ? outcome.kept : outcome.files).push_back(file);
     const bool is_known = file.old && record.has(file.path, *file.old);
-    if (file.place == PlannedFile::Place::other && !is_known) outcome.foreign.insert(file.path);
+    if (!is_kept && file.place == PlannedFile::Place::other && !is_known) outcome.foreign.insert(file.path);
   }
   return outcome;
 }
 
 }  // namespace
 
+ExportTask export_task(const Level& level, std::size_t preset, const std::string& level_file) {
+  return {level.exports[preset], level_file, clash_problem(level.exports, preset, level_file)};
+}
+
 Exporting::Exporting(ExportTools tools) : tools_(std::move(tools)), record_(tools_.record) {
   if (!tools_.read_asset) tools_.read_asset = no_asset;
 }
 
 Exporting::~Exporting() {
-  if (job_ && !job_->is_run) give_up_job();
+  if (job_ && !job_->is_run) job_->wanted = false;
   if (thread_.joinable()) thread_.join();
-}
-
-// False: it has to be waited for, as it writes, or as another one was given up already.
-bool Exporting::give_up_job() {
-  job_->wanted = false;
-  if (job_->writing || !given_up_.expired()) return false;
-  given_up_ = job_;
-  job_.reset();
-  thread_.detach();
-  return true;
 }
 
 std::shared_ptr<const Level> Exporting::snapshot(const Level& level) {
@@ -55,28 +56,35 @@ std::shared_ptr<const Level> Exporting::snapshot(const Level& level) {
 
 void Exporting::preview(const Level& level, std::uint64_t revision, ExportTask task) {
   next_preview_ = NextPreview{snapshot(level), revision, std::move(task)};
-  if (job_ && !job_->is_run && job_->run.tasks.front() != next_preview_->task) give_up_job();
+  cancelled_preview_.reset();
+  if (job_ && !job_->is_run && job_->run.tasks.front() != next_preview_->task) job_->wanted = false;
   start_next();
 }
 
 bool Exporting::takes_preview(const ExportTask& task) const {
   if (job_ == nullptr) return true;
-  return !job_->is_run && job_->run.tasks.front() != task && given_up_.expired();
+  return !job_->is_run && job_->wanted && job_->run.tasks.front() != task;
 }
 
 void Exporting::run(ExportRun run) {
   if (running() || run.tasks.empty()) return;
-  if (job_) give_up_job();  // a preview, or a run that was cancelled
+  if (job_) job_->wanted = false;  // a preview, or a run that was cancelled
   next_run_ = std::move(run);
   start_next();
 }
 
 void Exporting::cancel() {
-  if (!running()) return;
-  if (next_run_)
+  if (next_run_) {
     cancelled_ = FinishedRun{*std::exchange(next_run_, std::nullopt), {}, true, false};
-  else if (ExportRun run = job_->run; give_up_job())
-    cancelled_ = FinishedRun{std::move(run), {}, true, false};
+  } else if (running()) {
+    job_->wanted = false;
+  } else if (next_preview_) {
+    cancelled_preview_.emplace(next_preview_->revision, std::move(next_preview_->task));
+    next_preview_.reset();
+  } else if (previewing()) {
+    job_->wanted = false;
+    cancelled_preview_.emplace(job_->run.revision, job_->run.tasks.front());
+  }
 }
 
 std::optional<FinishedRun> Exporting::advance() {
@@ -93,7 +101,8 @@ std::optional<FinishedRun> Exporting::advance() {
       finished =
           FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled, job->asks && !cancelled};
     } else if (job->wanted) {
-      preview_ = ExportPreview{job->revision, std::move(job->outcomes.front())};
+      preview_ = ExportPreview{job->run.revision, std::move(job->outcomes.front())};
+      made_ = std::move(job->made);
     }
   }
   start_next();
@@ -102,45 +111,68 @@ std::optional<FinishedRun> Exporting::advance() {
 
 std::optional<ExportProgress> Exporting::progress() const {
   if (!running()) return std::nullopt;
-  const ExportRun& run = next_run_ ? *next_run_ : job_->run;
-  ExportProgress progress{.name = run.tasks.front().preset.name, .tasks = run.tasks.size()};
-  if (next_run_) return progress;
-  progress.task = std::min(job_->task.load(), run.tasks.size() - 1);
-  progress.name = run.tasks[progress.task].preset.name;
-  progress.files_done = job_->files_done;
-  progress.files = job_->files;
-  progress.bytes_done = job_->bytes_done;
-  progress.bytes = job_->bytes;
+  if (!next_run_) return progress_of(*job_);
+  return ExportProgress{.name = next_run_->tasks.front().preset.name, .tasks = next_run_->tasks.size()};
+}
+
+std::optional<ExportProgress> Exporting::preview_progress() const {
+  if (!previewing()) return std::nullopt;
+  if (!next_preview_) return progress_of(*job_);
+  return ExportProgress{.name = next_preview_->task.preset.name};
+}
+
+ExportProgress Exporting::progress_of(const Job& job) {
+  const std::size_t tasks = job.run.tasks.size();
+  ExportProgress progress{.name = {}, .tasks = tasks};
+  progress.task = std::min(job.task.load(), tasks - 1);
+  progress.name = job.run.tasks[progress.task].preset.name;
+  progress.seconds = std::chrono::duration<double>(Clock::now() - job.start).count();
+  progress.files_done = job.files_done;
+  progress.files = job.files;
+  progress.bytes_done = job.bytes_done;
+  progress.bytes = job.bytes;
+  double of_task = job.made_share;
+  if (job.writing)
+    of_task = static_cast<double>(progress.bytes_done) /
+              static_cast<double>(std::max<std::size_t>(progress.bytes, 1));
+  const double of_all = (static_cast<double>(progress.task) + of_task) / static_cast<double>(tasks);
+  const double making = job.is_run ? kMaking : 1;
+  progress.share = job.writing ? making + (1 - making) * of_all : making * of_all;
   return progress;
 }
 
 bool Exporting::previews(std::uint64_t revision, const ExportTask& task) const {
   if (next_preview_) return next_preview_->revision == revision && next_preview_->task == task;
   if (job_ && !job_->is_run && job_->wanted)
-    return job_->revision == revision && job_->run.tasks.front() == task;
+    return job_->run.revision == revision && job_->run.tasks.front() == task;
+  if (cancelled_preview_ && *cancelled_preview_ == std::pair(revision, task)) return true;
   return preview_ && preview_->revision == revision && preview_->outcome.task == task;
 }
 
 void Exporting::start_next() {
   if (job_ || (!next_run_ && !next_preview_)) return;
-  job_ = std::make_shared<Job>();
+  job_ = std::make_unique<Job>();
   if (next_run_) {
     job_->is_run = true;
     job_->run = *std::exchange(next_run_, std::nullopt);
   } else {
     NextPreview next = *std::exchange(next_preview_, std::nullopt);
-    job_->revision = next.revision;
-    job_->run = {.tasks = {std::move(next.task)}, .level = std::move(next.level), .may_replace = {}};
+    job_->run = {.tasks = {std::move(next.task)},
+                 .level = std::move(next.level),
+                 .may_replace = {},
+                 .revision = next.revision};
   }
   job_->read_asset = tools_.read_asset;
   job_->record = record_;
-  thread_ = std::thread([job = job_] {
+  job_->made = made_;
+  thread_ = std::thread([job = job_.get()] {
     carry_out(*job);
     job->done = true;
   });
 }
 
 void Exporting::carry_out(Job& job) {
+  job.record.refresh();
   std::vector<ExportPlan> plans;
   if (!make(job, plans) || !job.is_run) return;
   for (const ExportOutcome& outcome : job.outcomes) {
@@ -148,8 +180,29 @@ void Exporting::carry_out(Job& job) {
                                           outcome.foreign.begin(), outcome.foreign.end());
   }
   if (job.asks) return;
-  job.writing = true;  // before it looks whether it is wanted: from here on it is waited for
+  job.task = 0;
+  job.writing = true;
   if (job.wanted) write(job, plans);
+}
+
+// Makes the files, if no preview did.
+tl::expected<ExportPlan, ExportProblem> Exporting::plan_of(Job& job, const ExportTask& task,
+                                                           const std::string& output) {
+  const auto listener = [&job](double share) {
+    job.made_share = share;
+    return job.wanted.load();
+  };
+  const bool is_made = job.made.content && job.made.revision == job.run.revision && job.made.task == task;
+  return plan_export(*job.run.level, task.preset.exporter, output, job.read_asset, task.preset.parts,
+                     Progress(listener), is_made ? job.made.content.get() : nullptr);
+}
+
+// Keeps what a preview made for the run that may follow, unless it is very large.
+void Exporting::keep_made(Job& job, ExportPlan plan) {
+  std::size_t bytes = 0;
+  for (const PlannedFile& file : plan.files) bytes += file.size;
+  job.made = {job.run.revision, job.run.tasks.front(), nullptr};
+  if (bytes <= kMostKept) job.made.content = std::make_shared<const Exported>(std::move(plan.content));
 }
 
 // The plans are those of the outcomes without a problem. False: it was given up.
@@ -159,16 +212,25 @@ bool Exporting::make(Job& job, std::vector<ExportPlan>& plans) {
     const ExportTask& task = job.run.tasks[i];
     const auto output = output_of(task.preset, task.level_file);
     const std::string to = output.value_or("");
-    auto plan = plan_export(*job.run.level, task.preset.exporter, to, job.read_asset);
+    job.made_share = 0;
+    auto plan = plan_of(job, task, to);
+    if (!job.wanted) return false;
     if (!plan) {
       job.outcomes.push_back({.task = task, .output = to, .problem = plan.error()});
       continue;
     }
-    job.outcomes.push_back(outcome_of(task, to, *plan, job.record));
+    const auto kept = own_starters(
+        *plan, [&](const PlannedFile& file) { return file.old && job.record.has(file.path, *file.old); });
+    job.outcomes.push_back(outcome_of(task, to, *plan, job.record, kept));
+    if (job.is_run) leave_out(*plan, kept);
     if (!output)
       job.outcomes.back().problem = output.error();
-    else
+    else if (!task.clash.empty())
+      job.outcomes.back().problem = {ExportProblem::Field::path, {"", task.clash}};
+    else if (job.is_run)
       plans.push_back(*std::move(plan));
+    else
+      keep_made(job, *std::move(plan));
   }
   return job.wanted;
 }

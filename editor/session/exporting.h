@@ -2,12 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "export/export_plan.h"
@@ -24,14 +26,19 @@ struct ExportTools {
 struct ExportTask {
   ExportPreset preset;
   std::string level_file;  // that its path is counted from; empty: none
+  std::string clash = {};  // see clash_problem(); then it is not written
   friend bool operator==(const ExportTask&, const ExportTask&) = default;
 };
+
+// Of one of the level's presets.
+ExportTask export_task(const Level& level, std::size_t preset, const std::string& level_file);
 
 // What an export gave, or would give.
 struct ExportOutcome {
   ExportTask task;
   std::string output;  // see output_of(); empty: unknown
   std::vector<PlannedFile> files = {};
+  std::vector<PlannedFile> kept = {};  // starters that stay as they are: see own_starters()
   // Those of the files that something else is in the place of than what an export wrote there.
   std::set<std::string> foreign = {};     // paths
   std::vector<std::string> dropped = {};  // as in Exported
@@ -50,6 +57,7 @@ struct ExportRun {
   std::shared_ptr<const Level> level;  // never null
   std::set<std::string> may_replace;   // paths of foreign files that the user gave up
   bool on_save = false;                // it came by itself, with saving the level
+  std::uint64_t revision = 0;          // of the level
 };
 
 struct FinishedRun {
@@ -59,9 +67,12 @@ struct FinishedRun {
   bool asks = false;  // nothing was written: files are foreign that it may not replace
 };
 
+// Of a run, which makes the files of all its tasks and then writes them, or of a preview.
 struct ExportProgress {
   std::string name;                 // of the preset that it is at
   std::size_t task = 0, tasks = 1;  // number of that, from 0, and of all
+  double share = 0;                 // of all that is done, 0..1
+  double seconds = 0;               // since it began
   // Of that task, how many of how many; no files: they are being made.
   std::size_t files_done = 0, files = 0;
   std::size_t bytes_done = 0, bytes = 0;
@@ -84,17 +95,22 @@ class Exporting {
   // Writes all tasks that have no problem, or nothing where one of them asks. Goes before a preview. While
   // another run is under way nothing happens: see running().
   void run(ExportRun run);
-  // Ends the run: what it has not put in place yet stays as it was.
+  // Ends the run: what it has not put in place yet stays as it was. Without a run, ends the preview.
   void cancel();
   // Takes what is done, and goes on with what waits. A run that has ended is returned once.
   std::optional<FinishedRun> advance();
 
   bool is_busy() const { return job_ != nullptr || next_run_ || next_preview_ || cancelled_; }
   bool running() const { return next_run_.has_value() || (job_ && job_->is_run && job_->wanted); }
+  bool previewing() const { return next_preview_.has_value() || (job_ && !job_->is_run && job_->wanted); }
   std::optional<ExportProgress> progress() const;  // of the run that is under way
+  std::optional<ExportProgress> preview_progress() const;
   const std::optional<ExportPreview>& preview() const { return preview_; }
-  // Whether this is what the preview shows, or will show when it is done.
+  // Whether this is what the preview shows, will show when it is done, or would if it had not been cancelled.
   bool previews(std::uint64_t revision, const ExportTask& task) const;
+  bool preview_cancelled() const {
+    return cancelled_preview_.has_value();
+  }                                                                         // the last one that was asked for
   const std::vector<ExportOutcome>& last_run() const { return last_run_; }  // empty: there was none
 
  private:
@@ -103,34 +119,47 @@ class Exporting {
     std::uint64_t revision = 0;
     ExportTask task;
   };
-  // All that a thread works with, so that one that is given up can go on to its end alone.
+  // What a level's preview has made, to be written.
+  struct Made {
+    std::uint64_t revision = 0;
+    ExportTask task;
+    std::shared_ptr<const Exported> content;  // null: it was not kept
+  };
+  using Clock = std::chrono::steady_clock;
+  // What the thread works with.
   struct Job {
     bool is_run = false;
-    ExportRun run;               // of a preview: its one task
-    std::uint64_t revision = 0;  // of a preview
+    ExportRun run;  // of a preview: its one task
     ReadAsset read_asset;
     ExportRecord record;
+    Clock::time_point start = Clock::now();
     std::atomic<bool> wanted = true, writing = false, done = false;
+    std::atomic<double> made_share = 0;  // of the task that it is at
     std::atomic<std::size_t> task = 0, files_done = 0, files = 0, bytes_done = 0, bytes = 0;
+    Made made;  // by an earlier preview; when it is done, what this one made
     // Written before `done`.
     std::vector<ExportOutcome> outcomes;
     bool asks = false;
   };
   void start_next();
-  bool give_up_job();
+  static ExportProgress progress_of(const Job& job);
   static void carry_out(Job& job);
+  static tl::expected<ExportPlan, ExportProblem> plan_of(Job& job, const ExportTask& task,
+                                                         const std::string& output);
+  static void keep_made(Job& job, ExportPlan plan);
   static bool make(Job& job, std::vector<ExportPlan>& plans);
   static void write(Job& job, const std::vector<ExportPlan>& plans);
 
   ExportTools tools_;
   ExportRecord record_;
-  std::shared_ptr<Job> job_;
+  std::unique_ptr<Job> job_;
   std::thread thread_;
-  std::weak_ptr<Job> given_up_;  // still making files that nobody wants
   std::optional<FinishedRun> cancelled_;
   std::optional<ExportRun> next_run_;
   std::optional<NextPreview> next_preview_;
   std::optional<ExportPreview> preview_;
+  std::optional<std::pair<std::uint64_t, ExportTask>> cancelled_preview_;  // of this level's revision
+  Made made_;
   std::vector<ExportOutcome> last_run_;
 };
 

@@ -13,18 +13,37 @@ std::string label_of(const ExportTask& task) {
   return task.preset.name.empty() ? task.preset.path : task.preset.name;
 }
 
+// " Kept main.lua and conf.lua, which are yours by now."
+std::string kept_text(const std::vector<ExportOutcome>& outcomes) {
+  std::string names, last;
+  for (const ExportOutcome& outcome : outcomes) {
+    if (!outcome.written) continue;
+    for (const PlannedFile& file : outcome.kept) {
+      if (!last.empty()) names += (names.empty() ? "" : ", ") + last;
+      last = file.name;
+    }
+  }
+  if (last.empty()) return "";
+  return " Kept " + names + (names.empty() ? "" : " and ") + last +
+         (names.empty() ? ", which is yours by now." : ", which are yours by now.");
+}
+
 // "Exported game: 3 files to export/love, map: 1 file to export/cave.tmj."; empty without any.
 std::string written_text(const std::vector<ExportOutcome>& outcomes) {
-  std::string text, dropped;
+  std::string text, dropped, too_large;
   for (const ExportOutcome& outcome : outcomes) {
     if (!outcome.written) continue;
     const std::size_t count = outcome.files.size();
     text += (text.empty() ? "Exported " : ", ") + label_of(outcome.task) + ": " + std::to_string(count) +
             (count == 1 ? " file to " : " files to ") + outcome.task.preset.path;
     for (const std::string& what : outcome.dropped) dropped += (dropped.empty() ? "" : ", ") + what;
+    const std::string problem =
+        code_problem(*find_exporter(outcome.task.preset.exporter), outcome.code_bytes);
+    if (!problem.empty()) too_large += " Too large, " + label_of(outcome.task) + ": " + problem + ".";
   }
   if (text.empty()) return text;
-  return text + "." + (dropped.empty() ? "" : " Not held there: " + dropped + ".");
+  return text + "." + kept_text(outcomes) + (dropped.empty() ? "" : " Not held there: " + dropped + ".") +
+         too_large;
 }
 
 std::string problems_text(const std::vector<ExportOutcome>& outcomes) {
@@ -51,29 +70,29 @@ std::string names_of(const std::vector<ExportOutcome>& outcomes) {
 
 }  // namespace
 
-ExportTask Session::Impl::export_task(const ExportPreset& preset) const { return {preset, path}; }
-
 void Session::Impl::carry_out(const action::PreviewExport& a) {
-  if (a.preset < level.exports.size())
-    exporting.preview(level, revision, export_task(level.exports[a.preset]));
+  if (a.preset < level.exports.size()) exporting.preview(level, revision, export_task(level, a.preset, path));
 }
 
 void Session::Impl::carry_out(const action::RunExports& a) {
-  ExportRun run{.tasks = {}, .level = Exporting::snapshot(level), .may_replace = {}};
+  ExportRun run{.tasks = {}, .level = Exporting::snapshot(level), .may_replace = {}, .revision = revision};
   for (std::size_t i = 0; i < level.exports.size(); ++i) {
-    if (a.preset.value_or(i) == i) run.tasks.push_back(export_task(level.exports[i]));
+    if (a.preset.value_or(i) == i) run.tasks.push_back(export_task(level, i, path));
   }
   exporting.run(std::move(run));
 }
 
 void Session::Impl::export_on_save() {
   std::vector<ExportTask> tasks;
-  for (const ExportPreset& preset : level.exports) {
-    if (preset.on_save) tasks.push_back(export_task(preset));
+  for (std::size_t i = 0; i < level.exports.size(); ++i) {
+    if (level.exports[i].on_save) tasks.push_back(export_task(level, i, path));
   }
   if (!tasks.empty())
-    exporting.run(
-        {.tasks = std::move(tasks), .level = Exporting::snapshot(level), .may_replace = {}, .on_save = true});
+    exporting.run({.tasks = std::move(tasks),
+                   .level = Exporting::snapshot(level),
+                   .may_replace = {},
+                   .on_save = true,
+                   .revision = revision});
 }
 
 void Session::Impl::take_exports() {
