@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "export_command.h"
+#include "export_writer.h"
 #include "png_convert.h"
 
 namespace talus {
@@ -13,7 +13,7 @@ void import_level(CommandContext& context, const std::string& input, const Impor
                   const std::string& output) {
   const std::optional<Level> level = load_or_fail(context, input, choices);
   if (!level) return;
-  write_export(context, *find_exporter("native"), *level, input, output);
+  carry_out(context, {.level = *level, .input = input, .exporter = "native", .output = output});
 }
 
 }  // namespace
@@ -44,8 +44,9 @@ void add_import_command(CLI::App& program, CommandContext& context) {
           "the smallest squared distance in RGB")
       ->needs(level);
   command
-      ->add_option("--layer", choices->layer,
-                   "Of a map with several layers of tiles, the name of the one to take")
+      ->add_option(
+          "--layer", choices->layer,
+          "Of a map with several layers of tiles, the name of the one to take, or its number, from 1")
       ->excludes(level);
   command
       ->add_flag(

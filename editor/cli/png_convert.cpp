@@ -34,6 +34,14 @@ std::string changes_text(const PngImportPlan& plan) {
   return text;
 }
 
+// A sentence of the editor's as errors are here: without its capital and its full stop.
+std::string as_clause(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  if (!sentence.empty() && sentence[0] >= 'A' && sentence[0] <= 'Z')
+    sentence[0] = static_cast<char>(sentence[0] - 'A' + 'a');
+  return sentence;
+}
+
 }  // namespace
 
 std::vector<std::string> png_part_names() { return {"tiles", "sprites", "palette"}; }
@@ -47,7 +55,7 @@ void import_png(CommandContext& context, const PngIntoLevel& import) {
   const auto part = std::find(names.begin(), names.end(), import.part) - names.begin();
   const PngImportOptions options{static_cast<PngPart>(part), import.tile, import.take_palette};
   const auto plan = plan_png_import(*level, *picture, options);
-  if (!plan) return fail(context, import.picture, "", plan.error());
+  if (!plan) return fail(context, import.picture, "", as_clause(plan.error()));
   apply_edit(*level, plan->edit);
   write_level(context, *level, import.output);
   if (context.status == kExitGood && import.output != "-")

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "dialog.h"
 #include "edit/export_presets.h"
+#include "export/preset_clash.h"
 #include "export_preview.h"
 #include "fuzzy_match.h"
 #include "text_focus.h"
@@ -81,18 +82,24 @@ bool text_field(const char* widget, const char* hint, std::string& typed, const 
   return changed;
 }
 
-// A preset for another target: name and path follow as far as they were its target's.
-ExportPreset with_target(const Session& session, ExportPreset preset, const Exporter& target) {
-  const Exporter* before = find_exporter(preset.exporter);
-  if (preset.name == preset.exporter || preset.name.empty())
-    preset.name = free_export_name(session.level(), std::string(target.id));
-  preset.path = before == nullptr ? usual_path(target, session.file_name())
-                                  : path_for_other(preset.path, *before, target, session.file_name());
-  preset.exporter = target.id;
-  return preset;
+// The presets but one; of no such index, all.
+std::vector<ExportPreset> other_presets(const Session& session, std::size_t index) {
+  std::vector<ExportPreset> others = session.level().exports;
+  if (index < others.size()) others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
+  return others;
 }
 
-ExportPreset new_preset(const Session& session) { return with_target(session, {}, first_target()); }
+ExportPreset new_preset(const Session& session) {
+  return with_target({}, first_target(), session.level().exports, session.file_name(), session.path());
+}
+
+// Where it would write what it is a copy of, it gets a path of its own.
+ExportPreset copied_preset(const Session& session, ExportPreset copy) {
+  copy.name = free_export_name(session.level(), copy.name);
+  if (const Exporter* exporter = find_exporter(copy.exporter))
+    copy.path = free_path_like(copy, *exporter, session.level().exports, session.path());
+  return copy;
+}
 
 }  // namespace
 
@@ -127,7 +134,7 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   ImGui::End();
   if (view.preset >= count) return;  // it was added in this frame
-  const ExportTask task{chosen_preset(session, ui), session.path()};
+  const ExportTask task = export_task(session.level(), view.preset, session.path());
   if (!session.exporting().previews(session.revision(), task) && session.exporting().takes_preview(task))
     actions.push_back(action::PreviewExport{view.preset});
 }
@@ -178,9 +185,7 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   ImGui::SameLine();
   if (ui.text_button("export/duplicate", "Copy", false, "Adds a preset like the chosen one.", {},
                      has_one && has_room, width)) {
-    ExportPreset copy = chosen_preset(session, ui);
-    copy.name = free_export_name(level, copy.name);
-    add(std::move(copy));
+    add(copied_preset(session, chosen_preset(session, ui)));
   }
   ImGui::SameLine();
   if (ui.text_button("export/remove", "Remove", false,
@@ -263,7 +268,9 @@ void ExportPanel::draw_target_choice(const Session& session, Actions& actions, U
     ui.item("export/target/" + std::string(exporter->id), exporter->purpose);
   }
   if (taken != nullptr)
-    push_export_edit(set_export(session.level(), ui.view.exports.preset, with_target(session, preset, *taken),
+    push_export_edit(set_export(session.level(), ui.view.exports.preset,
+                                with_target(preset, *taken, other_presets(session, ui.view.exports.preset),
+                                            session.file_name(), session.path()),
                                 "Change export target"),
                      actions);
   if (taken != nullptr || key_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();

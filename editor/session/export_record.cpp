@@ -1,6 +1,10 @@
 // A line a file: its content as 16 hexadecimal digits, a blank, its path.
 #include "export_record.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <charconv>
 #include <filesystem>
 #include <sstream>
@@ -11,41 +15,80 @@
 namespace talus {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr int kHex = 16;
+
+// While it lives, no other one of the same file does; where there can be no lock, it does not wait.
+class RecordLock {
+ public:
+  explicit RecordLock(const std::string& file)
+      : file_(::open((file + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ >= 0) (void)::flock(file_, LOCK_EX);
+  }
+  ~RecordLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  RecordLock(const RecordLock&) = delete;
+  RecordLock& operator=(const RecordLock&) = delete;
+
+ private:
+  int file_;
+};
+
+std::string whole_record_path(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);
+  return (error ? fs::path(path) : whole).lexically_normal().string();
+}
 
 }  // namespace
 
-ExportRecord::ExportRecord(std::string file) : file_(std::move(file)) {
-  if (file_.empty()) return;
-  const auto text = read_file(file_);
-  if (!text) return;
+ExportRecord::ExportRecord(std::string file) : file_(std::move(file)) { refresh(); }
+
+void ExportRecord::refresh() {
+  const auto text = file_.empty() ? FormatResult<std::string>() : read_file(file_);
+  if (file_.empty() || !text) return;
+  contents_.clear();
   std::istringstream lines(*text);
   std::string line;
-  while (std::getline(lines, line) && contents_.size() < kMostFiles) {
+  while (std::getline(lines, line)) {
     std::uint64_t content = 0;
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), content, kHex);
     const auto at = static_cast<std::size_t>(end - line.data());
     if (error == std::errc() && at + 1 < line.size()) contents_[line.substr(at + 1)] = content;
   }
+  for (const auto& [path, content] : noted_) contents_[path] = content;
 }
 
 bool ExportRecord::has(const std::string& path, std::uint64_t content) const {
-  const auto found = contents_.find(path);
+  const auto found = contents_.find(whole_record_path(path));
   return found != contents_.end() && found->second == content;
 }
 
-void ExportRecord::note(const std::string& path, std::uint64_t content) { contents_[path] = content; }
+bool ExportRecord::knows(const std::string& path) const {
+  return contents_.contains(whole_record_path(path));
+}
 
-void ExportRecord::save() const {
+void ExportRecord::note(const std::string& path, std::uint64_t content) {
+  const std::string whole = whole_record_path(path);
+  contents_[whole] = noted_[whole] = content;
+}
+
+void ExportRecord::save() {
   if (file_.empty()) return;
+  std::error_code ignored;
+  fs::create_directories(fs::path(file_).parent_path(), ignored);
+  const RecordLock lock(file_);
+  refresh();
+  if (contents_.size() > kMostFiles)
+    std::erase_if(contents_, [&](const auto& entry) { return !fs::exists(entry.first, ignored); });
   std::ostringstream text;
   for (const auto& [path, content] : contents_) {
     // A path with a line break would be read as another one.
     if (path.find('\n') == std::string::npos) text << std::hex << content << ' ' << path << '\n';
   }
-  std::error_code ignored;
-  std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), ignored);
-  (void)write_file_atomic(file_, text.str());
+  if (write_file_atomic(file_, text.str())) noted_.clear();
 }
 
 }  // namespace talus

@@ -59,6 +59,9 @@ struct Session::Impl {
   void carry_out(const action::SetPngImport& a);
   void carry_out(const action::ApplyPngImport&);
   void carry_out(const action::CancelPngImport&) { png_import.reset(); }
+  void carry_out(const action::SetLevelImport& a);
+  void carry_out(const action::ApplyLevelImport&);
+  void carry_out(const action::CancelLevelImport&) { level_import.reset(); }
   void carry_out(const action::Quit& a) { ask_or_go_on(a); }
   void carry_out(const action::AnswerQuestion& a);
   void carry_out(const action::CancelSaveAs&);
@@ -156,11 +159,12 @@ struct Session::Impl {
   void note_input(FunctionRef<void()> change);  // of the current run, by hand
   void go_on(const Losing& losing);
   void open(const action::OpenFile& file);
+  void open_imported(const std::string& file, LoadedLevel loaded);
   void open_recording(const std::string& file);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format);
   void recover(const action::RecoverLevel& saved);
-  void recover_run(const Recording& recording);
+  void recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings);
   // Notes what the level's file holds now, as what this session knows of it.
   void note_file();
   void take_file_change(FileChange change);  // by another program; asks or tells what becomes of the level
@@ -169,7 +173,6 @@ struct Session::Impl {
   bool save_to(const std::string& saved_path, const Format& saved_format);
   void continue_pending();
 
-  ExportTask export_task(const ExportPreset& preset) const;
   void export_on_save();
   void take_exports();  // what the thread has done
   void ask_to_replace(FinishedRun finished);
@@ -198,6 +201,7 @@ struct Session::Impl {
   std::optional<Message> message;
   std::optional<Question> question;
   std::optional<PngImport> png_import;
+  std::optional<LevelImport> level_import;
   std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
   int branch_to_drop = 0;         // id, waits for the question's answer
   HandmadeRuns handmade_runs;

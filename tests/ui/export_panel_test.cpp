@@ -217,7 +217,7 @@ TEST_F(UiExport, ALongOneIsCancelled) {
   large.map = TileMap(1024, 1024);
   for (std::uint8_t& cell : large.map.cells()) cell = 200;  // much to write, nothing to stand on
   for (std::size_t i = 0; i < kMaxExports; ++i)
-    large.exports.push_back({"copy", "native", "out/" + std::to_string(i) + ".talus.json", false, ""});
+    large.exports.push_back({"copy", "native", "out/" + std::to_string(i) + ".talus.json", "", false, ""});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
   start(path("large.talus.json"));
   session().apply(action::RunExports{});
@@ -230,6 +230,72 @@ TEST_F(UiExport, ALongOneIsCancelled) {
   while (session().message() == std::nullopt) frames(1);
   EXPECT_EQ(message(), "The export was cancelled: nothing was written.");
   EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+TEST_F(UiExport, ProposedPathsDoNotClash) {
+  start();
+  open_window();
+  const std::pair<const char*, const char*> targets[] = {
+      {"love", "love"},     {"tiled map, json", "tmj"},    {"simple tiled", "sti"},
+      {"lua table", "lua"}, {"picture of the map", "png"}, {"picture of the tiles", "tiles-png"}};
+  for (const auto& [letters, id] : targets) {
+    click("export/add");
+    settle();
+    choose_target(letters, id);
+  }
+  click("export/add");
+  settle();
+  ASSERT_EQ(level().exports.size(), 7u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(preset(i).name, targets[i].second);
+  EXPECT_EQ(preset(6).path, "export/love-2");
+  EXPECT_EQ(preset(2).path, "export/level-sti.lua");
+  click("export/all");
+  settle();
+  for (const ExportOutcome& outcome : exporting().last_run()) EXPECT_TRUE(outcome.written) << outcome.output;
+  EXPECT_EQ(bytes_of(path("export/level.lua")).substr(0, 28), "-- A level exported by Talus");
+}
+
+TEST_F(UiExport, AClashIsSaidUnderThePath) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("lua table", "lua");
+  click("export/add");
+  settle();
+  choose_target("simple tiled", "sti");
+  EXPECT_EQ(find("export/error"), nullptr);
+  fill("export/path", "export/level.lua");
+  ASSERT_NE(find("export/error"), nullptr);
+  EXPECT_EQ(
+      shown().problem->error.message,
+      "the presets \"lua\" and \"sti\" would both write export/level.lua: give one of them another path");
+  EXPECT_FALSE(find("export/export")->enabled);
+  click("export/preset0");
+  settle();
+  EXPECT_NE(find("export/error"), nullptr) << "it is the other one's, too";
+  fill("export/path", "export/data.lua");
+  EXPECT_EQ(find("export/error"), nullptr);
+}
+
+TEST_F(UiExport, AChangedStarterIsShownAsKept) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("game for l", "love");
+  click("export/export");
+  settle();
+  ASSERT_TRUE(write_file_atomic(path("export/love/main.lua"), "mine"));
+  session().apply(action::EditLevel{Edit{"Paint", {ColorChange{3, level().palette[3], Rgb{1, 2, 3}}}}});
+  settle();
+  ASSERT_EQ(shown().kept.size(), 1u);
+  ASSERT_NE(find("export/file/main.lua"), nullptr);
+  click("export/export");
+  settle();
+  EXPECT_EQ(find("question/replace"), nullptr);
+  EXPECT_EQ(bytes_of(path("export/love/main.lua")), "mine");
+  EXPECT_NE(message().find("Kept main.lua, which is yours by now."), std::string::npos) << message();
 }
 
 }  // namespace talus::export_panel_test

@@ -58,8 +58,8 @@ class CliPresets : public FolderTest {
   CliAnswer answer_;
 };
 
-const std::vector<ExportPreset> kTwo = {{"cart", "tic", "out/a.tic", false, ""},
-                                        {"text", "tic-text", "out/a.lua", false, ""}};
+const std::vector<ExportPreset> kTwo = {{"cart", "tic", "out/a.tic", "", false, ""},
+                                        {"text", "tic-text", "out/a.lua", "", false, ""}};
 
 TEST_F(CliPresets, AllAreWrittenBesideTheLevel) {
   save(kTwo);
@@ -83,7 +83,7 @@ TEST_F(CliPresets, WhatCannotBeDoneIsSaid) {
   EXPECT_EQ(run({"--preset", "game"}), 1);
   EXPECT_EQ(answer_.err, path("cave.talus.json") +
                              ": error: there is no preset \"game\"; the level has \"cart\", \"text\"\n");
-  save({{"odd", "gameboy", "a.gb", false, ""}, {"own", "native", "cave.talus.json", false, ""}});
+  save({{"odd", "gameboy", "a.gb", "", false, ""}, {"own", "native", "cave.talus.json", "", false, ""}});
   EXPECT_EQ(run({"--all"}), 1);
   EXPECT_EQ(answer_.err,
             path("cave.talus.json") + ":preset \"odd\": error: \"gameboy\" is no target of this version\n" +

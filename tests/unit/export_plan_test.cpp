@@ -27,8 +27,8 @@ void expect_error(const std::string& exports, const std::string& place, const st
 }
 
 TEST(NativeExports, ComeBackAsTheyWere) {
-  const Level level = level_with({{"game", "love", "export/love", true, R"({"colour":"red"})"},
-                                  {"", "no-such-target", "/tmp/x y.zip", false, ""}});
+  const Level level = level_with({{"game", "love", "export/love", "", true, R"({"colour":"red"})"},
+                                  {"", "no-such-target", "/tmp/x y.zip", "", false, ""}});
   const auto text = native_of_level(level);
   EXPECT_NE(text.find(R"(
   "exports": [
@@ -46,20 +46,20 @@ TEST(NativeExports, WhatIsWrongIsSaidWithItsPlace) {
   expect_error("[1]", "key exports[0]", "must be an object");
   expect_error(R"([{}, {"to": 1}])", "key exports[1].to", "must be a string of up to 4096 bytes");
   expect_error(R"([{"on_save": 1}])", "key exports[0].on_save", "must be true or false");
-  const auto written = write_native(level_with({{std::string(4097, 'a'), "love", "", false, ""}}), {});
+  const auto written = write_native(level_with({{std::string(4097, 'a'), "love", "", "", false, ""}}), {});
   ASSERT_FALSE(written) << "it could not be read again";
   EXPECT_EQ(written.error().place, "key exports[0].name");
 }
 
 TEST(NativeExports, CartsSayThatTheyCannotHoldThem) {
-  const auto written = write_tic(level_with({{"game", "love", "game", false, ""}}), {});
+  const auto written = write_tic(level_with({{"game", "love", "game", "", false, ""}}), {});
   ASSERT_TRUE(written);
   EXPECT_EQ(written->dropped, std::vector<std::string>{"1 export preset"});
 }
 
 TEST(ExportPath, IsCountedFromTheLevelsFile) {
   const auto output = [](const std::string& path, const std::string& file) {
-    return output_of({"", "love", path, false, ""}, file);
+    return output_of({"", "love", path, "", false, ""}, file);
   };
   EXPECT_EQ(output("export/love", "/home/me/game/cave.talus.json"), "/home/me/game/export/love");
   EXPECT_EQ(output("../out/a.tmj", "/home/me/game/cave.talus.json"), "/home/me/out/a.tmj");
@@ -84,10 +84,14 @@ TEST(ExportPath, FollowsTheTarget) {
   const Exporter &tic = *find_exporter("tic"), &text = *find_exporter("tic-text"),
                  &love = *find_exporter("love");
   EXPECT_EQ(usual_path(tic, "cave.talus.json"), "export/cave.tic");
-  EXPECT_EQ(usual_path(love, "cave.talus.json"), "export/love");
-  EXPECT_EQ(path_for_other("export/cave.tic", tic, love, "cave.talus.json"), "export/love");
-  EXPECT_EQ(path_for_other("mine/a.b.tic", tic, text, "cave"), "mine/a.b." + std::string(text.extensions[0]));
-  EXPECT_EQ(path_for_other("mine/game", love, tic, "cave"), "mine/game.tic");
+  EXPECT_EQ(usual_path(tic, "cave.talus.json", 2), "export/cave-2.tic");
+  EXPECT_EQ(usual_path(text, ""), "export/level-tic.lua");
+  EXPECT_EQ(usual_path(love, "cave.talus.json", 3), "export/love-3");
+  EXPECT_TRUE(is_usual_path("export/cave-2.tic", tic, "cave.talus.json"));
+  EXPECT_TRUE(is_usual_path("", tic, "cave.talus.json"));
+  EXPECT_FALSE(is_usual_path("export/cave-0.tic", tic, "cave.talus.json"));
+  EXPECT_EQ(path_for_other("mine/a.b.tic", tic, text), "mine/a.b." + std::string(text.extensions[0]));
+  EXPECT_EQ(path_for_other("mine/game", love, tic), "mine/game.tic");
 }
 
 class ExportPlans : public FolderTest {
@@ -168,6 +172,40 @@ TEST_F(ExportPlans, AreCancelledAsAWhole) {
   ASSERT_TRUE(write_exported(folder_target(), content, folder_.string()));
   EXPECT_EQ(bytes_of("a"), "new a");
   EXPECT_EQ(bytes_of("sub/b"), "new b");
+}
+
+TEST_F(ExportPlans, LeaveOutStartersThatAreSomebodysOwn) {
+  const ReadAsset read = [](const std::string& name) -> FormatResult<std::string> { return "-- " + name; };
+  const auto is_none = [](const PlannedFile&) { return false; };
+  const auto is_all = [](const PlannedFile&) { return true; };
+  auto plan = plan_export(Level(), "love", path("game"), read);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(own_starters(*plan, is_none), std::vector<std::size_t>()) << "nothing is there yet";
+  ASSERT_TRUE(write_plan(*plan));
+  put("game/main.lua", "mine");
+  put("game/level.lua", "mine, too");
+  plan = plan_export(Level(), "love", path("game"), read);
+  const std::size_t count = plan->files.size();
+  EXPECT_TRUE(own_starters(*plan, is_all).empty());
+  const auto own = own_starters(*plan, is_none);
+  ASSERT_EQ(own.size(), 1u) << "conf.lua is as it would be written, and level.lua is no starter";
+  EXPECT_EQ(plan->files[own[0]].name, "main.lua");
+  leave_out(*plan, own);
+  EXPECT_EQ(plan->files.size(), count - 1);
+  EXPECT_EQ(plan->content.files.size(), count - 1);
+  ASSERT_TRUE(write_plan(*plan));
+  EXPECT_EQ(bytes_of("game/main.lua"), "mine");
+  EXPECT_NE(bytes_of("game/level.lua"), "mine, too");
+}
+
+TEST(ExportCode, OfACartThatIsTooLargeIsAProblem) {
+  const Exporter& cart = *find_exporter("tic-playable");
+  EXPECT_EQ(code_problem(cart, std::nullopt), "");
+  EXPECT_EQ(code_problem(cart, 65'536), "");
+  EXPECT_EQ(code_problem(cart, 65'537),
+            "the code takes 65,537 bytes, and TIC-80's free version holds 65,536: fewer shapes or kinds of "
+            "bodies make it smaller");
+  EXPECT_EQ(code_problem(*find_exporter("lua-runtime"), 65'537), "") << "of a game in any Lua";
 }
 
 }  // namespace talus::export_plan_test

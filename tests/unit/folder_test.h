@@ -20,8 +20,12 @@ class FolderTest : public ::testing::Test {
     std::string name = ::testing::TempDir() + "talus test XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + name);
     folder_ = name;
+    ::setenv("TALUS_STATE_DIR", path(".state").c_str(), 1);  // what commands remember is this test's alone
   }
-  ~FolderTest() override { std::filesystem::remove_all(folder_); }
+  ~FolderTest() override {
+    ::unsetenv("TALUS_STATE_DIR");
+    std::filesystem::remove_all(folder_);
+  }
 
   // Of a file in the folder.
   std::string path(const std::string& name) const { return (folder_ / name).string(); }

@@ -1,6 +1,8 @@
 // Session: previews of exports, exports beside the editor, and the question before files of others go.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -43,7 +45,7 @@ class SessionExports : public FolderTest {
 
   void add(const std::string& name, const std::string& exporter, const std::string& to,
            bool on_save = false) {
-    session().apply(act::EditLevel{add_export(session().level(), {name, exporter, to, on_save, ""})});
+    session().apply(act::EditLevel{add_export(session().level(), {name, exporter, to, "", on_save, ""})});
   }
   void wait() {
     for (int i = 0; i < 20'000 && exporting().is_busy(); ++i) {
@@ -191,6 +193,91 @@ TEST_F(SessionExports, PresetsAreEditedWithUndo) {
   EXPECT_EQ(session().level().exports[0].path, "a.tic");
   EXPECT_EQ(free_export_name(session().level(), "cart"), "cart 2");
   EXPECT_TRUE(remove_export(session().level(), 1).empty());
+}
+
+TEST_F(SessionExports, StartersThatTheUserChangedAreKept) {
+  add("game", "love", "out", true);
+  run();
+  const std::size_t count = exporting().last_run()[0].files.size();
+  std::ofstream(path("out/main.lua")) << "mine";
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
+  const ExportOutcome& shown = preview(0);
+  ASSERT_EQ(shown.kept.size(), 1u);
+  EXPECT_EQ(shown.kept[0].name, "main.lua");
+  EXPECT_EQ(shown.files.size(), count - 1);
+  EXPECT_TRUE(shown.foreign.empty());
+  session().apply(act::SaveFile{});
+  wait();
+  EXPECT_FALSE(session().question()) << "nothing is asked";
+  EXPECT_EQ(bytes_of("out/main.lua"), "mine");
+  EXPECT_EQ(message(), "Saved cave.talus.json.\nExported game: " + std::to_string(count - 1) +
+                           " files to out. Kept main.lua, which is yours by now.");
+  // Made for a preview, they are written all the same when they are gone meanwhile.
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{4, 2, 3})});
+  preview(0);
+  fs::remove(path("out/main.lua"));
+  run();
+  EXPECT_EQ(exporting().last_run()[0].files.size(), count);
+  EXPECT_TRUE(exists("out/main.lua"));
+}
+
+TEST_F(SessionExports, PresetsThatWouldReplaceOneAnotherAreProblems) {
+  add("data", "lua", "out/a.lua");
+  add("map", "sti", "out/a.lua");
+  add("cart", "tic", "out/a.tic");
+  const std::string problem =
+      "the presets \"data\" and \"map\" would both write out/a.lua: give one of them another path";
+  const ExportOutcome& shown = preview(1);
+  ASSERT_TRUE(shown.problem);
+  EXPECT_EQ(shown.problem->field, ExportProblem::Field::path);
+  EXPECT_EQ(shown.problem->error.message, problem);
+  EXPECT_EQ(shown.files.size(), 2u) << "their sizes are known all the same";
+  run();
+  EXPECT_EQ(message(), "Export of data: " + problem + ".\nExport of map: " + problem +
+                           ".\nExported cart: 1 file to out/a.tic.");
+  EXPECT_FALSE(exists("out/a.lua"));
+}
+
+TEST_F(SessionExports, ACartWithTooMuchCodeIsSaid) {
+  Level large;
+  for (int i = 0; i < 2000; ++i)
+    large.curves.push_back(
+        {"", {Segment{{i % 200 + 0.125, i / 10.0}, {i % 200 + 3.25, 100.125}}, Curve::Faces::up}, ""});
+  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
+  session().apply(act::OpenFile{path("large.talus.json")});
+  add("cart", "tic-playable", "out/a.tic");
+  run();
+  EXPECT_NE(message().find(" Too large, cart: the code takes "), std::string::npos) << message();
+  EXPECT_TRUE(exists("out/a.tic"));
+}
+
+TEST_F(SessionExports, WhatAnotherProgramExportedIsNotAskedAbout) {
+  add("cart", "tic", "out/a.tic");
+  run();
+  fs::create_directories(path("out"));
+  std::ofstream(path("out/a.tic")) << "of the command line";
+  EXPECT_EQ(preview(0).foreign.size(), 1u);
+  ExportRecord record(path("state/exports"));
+  record.note(path("out/../out/a.tic"), content_hash("of the command line"));
+  record.save();
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
+  EXPECT_TRUE(preview(0).foreign.empty());
+}
+
+TEST(ExportRecords, OfSeveralProgramsAreJoined) {
+  const std::string file = ::testing::TempDir() + "talus-record-" + std::to_string(::getpid()) + "/exports";
+  ExportRecord one(file), two(file);
+  one.note("/a", 1);
+  two.note("/b", 2);
+  two.note("/a", 3);
+  one.save();
+  EXPECT_FALSE(two.has("/a", 1)) << "its own is later";
+  two.save();
+  EXPECT_FALSE(one.knows("/b"));
+  one.refresh();
+  EXPECT_TRUE(one.has("/b", 2));
+  EXPECT_TRUE(ExportRecord(file).has("/a", 3));
+  fs::remove_all(fs::path(file).parent_path());
 }
 
 }  // namespace talus::session_exports_test

@@ -1,0 +1,129 @@
+// What is there is looked at before anything is written.
+#include "export_writer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <ostream>
+
+#include "formats/atomic_file.h"
+#include "platform/asset_path.h"
+#include "platform/user_folder.h"
+#include "session/export_record.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+using Place = PlannedFile::Place;
+
+FormatResult<std::string> read_asset(const std::string& name) { return read_file(asset_path(name)); }
+
+void warn_of_losses(CommandContext& context, const Exporter& exporter, const Exported& exported,
+                    const std::string& output) {
+  for (const std::string& what : exported.dropped)
+    context.err << output << ": warning: not stored in this format: " << what << '\n';
+  if (const std::string problem = code_problem(exporter, exported.code_bytes); !problem.empty())
+    context.err << output << ": warning: " << problem << '\n';
+}
+
+void fail_with(CommandContext& context, const ExportOrder& order, const ExportProblem& problem) {
+  FormatError error = problem.error;
+  if (error.message.starts_with(order.output + " ")) error.message.erase(0, order.output.size() + 1);
+  if (problem.field == ExportProblem::Field::target)
+    fail(context, order.input, "preset \"" + order.preset + "\"", error.message);
+  else
+    fail(context, problem.field == ExportProblem::Field::path ? order.output : order.input, error.place,
+         error.message);
+}
+
+void print_export(CommandContext& context, const Exporter& exporter, const ExportOrder& order) {
+  const ReadAsset read = read_asset;
+  const auto exported = exporter.make({order.level, order.output, read, order.parts});
+  if (!exported) return fail(context, order.input, exported.error().place, exported.error().message);
+  context.out << exported->files.front().bytes;
+  warn_of_losses(context, exporter, *exported, order.output);
+}
+
+// Whether the files are those of an export that the record knows nothing about: all of them are there, and
+// what a file's further ones belong to is Talus's own.
+bool is_earlier_export(const ExportPlan& plan, const ExportRecord& record) {
+  for (const PlannedFile& file : plan.files) {
+    if (file.place == Place::empty || record.knows(file.path)) return false;
+  }
+  if (plan.exporter->is_folder()) return true;
+  const auto named = read_file(plan.output);
+  return named && (named->find("talus") != std::string::npos || named->find("Talus") != std::string::npos);
+}
+
+// Says which files are in the way; true: there are some.
+bool finds_foreign_files(CommandContext& context, const ExportOrder& order, const ExportPlan& plan,
+                         const ExportRecord& record) {
+  const bool may_replace = order.rules.force || is_earlier_export(plan, record);
+  bool found = false;
+  for (std::size_t i = 0; i < plan.files.size(); ++i) {
+    const PlannedFile& file = plan.files[i];
+    const ExportedFile& content = plan.content.files[i];
+    std::error_code ignored;
+    if (content.name.empty()) continue;  // it was named
+    std::string problem;
+    if (fs::equivalent(file.path, order.input, ignored))
+      problem = "is the level itself, and the export has a file of this name: name another place";
+    else if (file.place == Place::other && !content.is_starter && !may_replace &&
+             !(file.old && record.has(file.path, *file.old)))
+      problem = record.knows(file.path)
+                    ? "was changed since it was exported: move it away, or replace it by --force"
+                    : "is there, and no export wrote it: move it away, or replace it by --force";
+    if (problem.empty()) continue;
+    fail(context, file.path, "", problem);
+    found = true;
+  }
+  return found;
+}
+
+// Leaves out the user's own starters; their paths.
+std::vector<std::string> keep_own_starters(ExportPlan& plan, const ExportRecord& record) {
+  const auto own = own_starters(
+      plan, [&](const PlannedFile& file) { return file.old && record.has(file.path, *file.old); });
+  std::vector<std::string> paths;
+  for (const std::size_t i : own) paths.push_back(plan.files[i].path);
+  leave_out(plan, own);
+  return paths;
+}
+
+tl::expected<void, ExportProblem> write_files(const ExportPlan& plan, bool makes_folder) {
+  if (makes_folder) return write_plan(plan);
+  const auto written = write_exported(*plan.exporter, plan.content, plan.output);
+  if (!written) return tl::unexpected(ExportProblem{ExportProblem::Field::path, written.error()});
+  return {};
+}
+
+}  // namespace
+
+void carry_out(CommandContext& context, const ExportOrder& order) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  if (const Exporter* exporter = find_exporter(order.exporter)) {
+    if (const std::string problem = name_problem(*exporter, order.output); !problem.empty())
+      return fail(context, order.output, "", problem);
+    if (order.output == "-") return print_export(context, *exporter, order);
+  }
+  auto plan = plan_export(order.level, order.exporter, order.output, read_asset, order.parts);
+  if (!plan) return fail_with(context, order, plan.error());
+  ExportRecord record(state_folder() + "/exports");
+  if (finds_foreign_files(context, order, *plan, record)) return;
+  std::vector<std::string> kept;
+  if (!order.rules.fresh) kept = keep_own_starters(*plan, record);
+  if (const auto written = write_files(*plan, order.tells); !written)
+    return fail_with(context, order, written.error());
+  for (std::size_t i = 0; i < plan->files.size(); ++i)
+    record.note(plan->files[i].path, content_hash(plan->content.files[i].bytes));
+  record.save();
+  const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
+  if (order.tells) context.out << summary_of(*plan) << ", " << time.count() << " ms" << std::endl;
+  for (const std::string& path : kept)
+    context.err << path << ": note: kept, as it is yours by now; --fresh writes it anew\n";
+  warn_of_losses(context, *plan->exporter, plan->content, order.output);
+}
+
+}  // namespace talus

@@ -1,0 +1,198 @@
+// talus export where files are already: the user's own stay, and those of exports are written again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli_answer.h"
+#include "folder_test.h"
+#include "formats/format.h"
+
+namespace talus::cli_export_own_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CliOwnFiles : public FolderTest {
+ protected:
+  void SetUp() override { save(level_); }
+  void save(const Level& level) const {
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("cave.talus.json")));
+  }
+  // Another level, so that all that is exported from it changes.
+  void change() {
+    ++level_.sheet(SheetId::tiles).images[1][0];
+    level_.map.set({3, 3}, level_.sheet(SheetId::tiles).images[1][0]);
+    save(level_);
+  }
+  int run(std::vector<std::string> words) {
+    words.insert(words.begin(), {"export", path("cave.talus.json")});
+    answer_ = cli_answer(words);
+    return answer_.status;
+  }
+  int run_to(const char* format, const std::string& name, const char* option = nullptr) {
+    std::vector<std::string> words = {"--to", format, "-o", path(name)};
+    if (option != nullptr) words.emplace_back(option);
+    return run(words);
+  }
+  void forget() const { fs::remove_all(path(".state")); }
+
+  Level level_;
+  CliAnswer answer_;
+};
+
+TEST_F(CliOwnFiles, ChangedStartersAreKept) {
+  const std::pair<const char*, std::vector<const char*>> starters[] = {
+      {"love", {"main.lua", "conf.lua"}},
+      {"bump", {"main.lua", "conf.lua"}},
+      {"cpp", {"main.cpp", "CMakeLists.txt"}}};
+  for (const auto& [format, names] : starters) {
+    const std::string game = format;
+    ASSERT_EQ(run_to(format, game), 0) << answer_.err;
+    const std::string begun = bytes_of(game + "/" + names[0]);
+    for (const char* name : names) put(game + "/" + name, "mine");
+    ASSERT_EQ(run_to(format, game), 0) << answer_.err;
+    std::string notes;
+    for (const char* name : names) {
+      EXPECT_EQ(bytes_of(game + "/" + name), "mine");
+      EXPECT_THAT(answer_.err, HasSubstr(path(game + "/" + name) +
+                                         ": note: kept, as it is yours by now; --fresh writes it anew\n"));
+    }
+    ASSERT_EQ(run_to(format, game, "--fresh"), 0) << answer_.err;
+    EXPECT_EQ(bytes_of(game + "/" + names[0]), begun);
+    EXPECT_THAT(answer_.err, testing::Not(HasSubstr("kept")));
+  }
+}
+
+TEST_F(CliOwnFiles, StartersOfAnotherExportAreReplaced) {
+  ASSERT_EQ(run_to("bump", "game"), 0) << answer_.err;
+  const std::string of_bump = bytes_of("game/main.lua");
+  ASSERT_EQ(run_to("love", "game"), 0) << answer_.err;
+  EXPECT_NE(bytes_of("game/main.lua"), of_bump);
+}
+
+TEST_F(CliOwnFiles, WhatWasNotNamedIsNotReplaced) {
+  put("cave-tiles.png", "art");
+  EXPECT_EQ(run_to("tmj", "cave.tmj"), 1);
+  EXPECT_EQ(answer_.err,
+            path("cave-tiles.png") +
+                ": error: is there, and no export wrote it: move it away, or replace it by --force\n");
+  EXPECT_EQ(bytes_of("cave-tiles.png"), "art");
+  EXPECT_FALSE(exists("cave.tmj")) << "nothing is written";
+  put("cave.tmj", "a map of mine");
+  EXPECT_EQ(run_to("tmj", "cave.tmj"), 1) << "it names nothing of Talus";
+  EXPECT_EQ(run_to("tmj", "cave.tmj", "--force"), 0) << answer_.err;
+  EXPECT_NE(bytes_of("cave-tiles.png"), "art");
+}
+
+TEST_F(CliOwnFiles, TheNamedOneIsReplaced) {
+  put("cave.tic", "old");
+  EXPECT_EQ(run_to("tic", "cave.tic"), 0) << answer_.err;
+  EXPECT_NE(bytes_of("cave.tic"), "old");
+}
+
+TEST_F(CliOwnFiles, ExportsAreReplacedWheneverTheLevelChanges) {
+  for (const auto& [format, name] : {std::pair("tmj", "cave.tmj"), std::pair("sti", "cave.lua"),
+                                     std::pair("csv", "tables"), std::pair("love", "game")}) {
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_EQ(run_to(format, name), 0) << format << answer_.err;
+      EXPECT_EQ(answer_.err, "");
+      change();
+    }
+  }
+}
+
+TEST_F(CliOwnFiles, WhatWasChangedSinceIsNotReplaced) {
+  ASSERT_EQ(run_to("love", "game"), 0) << answer_.err;
+  put("game/level.lua", "mine");
+  const std::string talus = bytes_of("game/talus.lua");
+  EXPECT_EQ(run_to("love", "game"), 1);
+  EXPECT_EQ(answer_.err,
+            path("game/level.lua") +
+                ": error: was changed since it was exported: move it away, or replace it by --force\n");
+  EXPECT_EQ(bytes_of("game/level.lua"), "mine");
+  EXPECT_EQ(bytes_of("game/talus.lua"), talus);
+}
+
+// As on another machine, or where the folder was moved.
+TEST_F(CliOwnFiles, AWholeExportIsKnownWithoutARecord) {
+  ASSERT_EQ(run_to("tmj", "cave.tmj"), 0) << answer_.err;
+  ASSERT_EQ(run_to("lua-runtime", "game"), 0) << answer_.err;
+  forget();
+  change();
+  EXPECT_EQ(run_to("tmj", "cave.tmj"), 0) << answer_.err;
+  EXPECT_EQ(run_to("lua-runtime", "game"), 0) << answer_.err;
+  forget();
+  fs::remove(path("game/talus.lua"));
+  change();
+  EXPECT_EQ(run_to("lua-runtime", "game"), 1) << "level.lua alone may be anybody's";
+}
+
+TEST_F(CliOwnFiles, TheLevelItselfIsNeverReplacedBeside) {
+  const std::string file = path("level.talus.json");
+  fs::rename(path("cave.talus.json"), file);
+  const std::string before = bytes_of("level.talus.json");
+  const CliAnswer answer =
+      cli_answer({"export", file, "--to", "cpp", "-o", folder_.string(), "--force", "--fresh"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_EQ(
+      answer.err,
+      file + ": error: is the level itself, and the export has a file of this name: name another place\n");
+  EXPECT_EQ(bytes_of("level.talus.json"), before);
+  EXPECT_FALSE(exists("main.cpp"));
+}
+
+TEST_F(CliOwnFiles, PresetsThatWouldReplaceOneAnotherWriteNothing) {
+  level_.exports = {{.name = "data", .exporter = "lua", .path = "out/a.lua", .extra = ""},
+                    {.name = "cart", .exporter = "tic", .path = "out/a.tic", .extra = ""},
+                    {.name = "map", .exporter = "sti", .path = "out/a.lua", .extra = ""}};
+  save(level_);
+  EXPECT_EQ(run({"--all"}), 1);
+  EXPECT_EQ(answer_.err, path("cave.talus.json") +
+                             ": error: the presets \"data\" and \"map\" would both write out/a.lua: give one "
+                             "of them another path\n");
+  EXPECT_FALSE(exists("out"));
+  EXPECT_EQ(run({"--preset", "map", "--preset", "cart"}), 0) << answer_.err;
+  EXPECT_TRUE(exists("out/a-tiles.png"));
+}
+
+TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
+  for (const char* ending : {"js", "wren", "rb", "fnl", "moon"}) {
+    const std::string name = std::string("x.") + ending;
+    for (const char* option : {static_cast<const char*>(nullptr), "--playable"}) {
+      EXPECT_EQ(run_to("tic-text", name, option), 1);
+      EXPECT_EQ(answer_.err, path("cave.talus.json") +
+                                 ": error: the cart's code is in another language than the name of " + name +
+                                 " says: it must end with .lua\n");
+      EXPECT_FALSE(exists(name));
+    }
+  }
+  EXPECT_EQ(run_to("tic-text", "x.lua", "--playable"), 0) << answer_.err;
+  put("mine.js", "// script: js\nfunction TIC() {}\n// <TILES>\n// 000:11\n// </TILES>\n");
+  const CliAnswer kept = cli_answer({"export", path("mine.js"), "--to", "tic-text", "-o", path("out.js")});
+  EXPECT_EQ(kept.status, 0) << kept.err;
+  const CliAnswer other = cli_answer({"export", path("mine.js"), "--to", "tic-text", "-o", path("out.lua")});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("it must end with .js\n"));
+}
+
+TEST_F(CliOwnFiles, ACartWithTooMuchCodeIsWarnedOf) {
+  // Shapes enough that the level alone is more than a cart holds.
+  for (int i = 0; i < 2000; ++i) {
+    const double at = i % 200;
+    level_.curves.push_back({"", {Segment{{at, i / 10.0}, {at + 3.25, 100.125}}, Curve::Faces::up}, ""});
+  }
+  save(level_);
+  EXPECT_EQ(run_to("tic", "cave.tic", "--playable"), 0);
+  EXPECT_THAT(answer_.err,
+              testing::ContainsRegex(
+                  "cave.tic: warning: the code takes [0-9,]+ bytes, and TIC-80's free version holds "
+                  "65,536: fewer shapes or kinds of bodies make it smaller\n"));
+  EXPECT_EQ(run_to("tic", "cave.tic"), 0);
+  EXPECT_EQ(answer_.err.find("the code takes"), std::string::npos) << "that is the user's own";
+}
+
+TEST_F(CliOwnFiles, AFolderThatCannotBeMadeIsNamed) {
+  EXPECT_EQ(run({"--to", "love", "-o", "/proc/x"}), 1);
+  EXPECT_THAT(answer_.err, testing::StartsWith("/proc/x: error: the folder /proc/x cannot be made: "));
+}
+
+}  // namespace talus::cli_export_own_test
