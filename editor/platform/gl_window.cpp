@@ -11,6 +11,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <filesystem>
@@ -44,6 +45,9 @@ ImVec2 first_size(bool offscreen) {
   return {most(room.w, designed.x), most(room.h, designed.y)};
 }
 
+// Latin with all its accents, Greek and Cyrillic, dashes and quotes: names of files and presets have them.
+constexpr std::array<ImWchar, 9> kGlyphs = {0x20, 0x17f, 0x370, 0x3ff, 0x400, 0x45f, 0x2010, 0x205e, 0};
+
 void load_fonts(const WindowStyle& style, float pixel_ratio) {
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
@@ -51,8 +55,9 @@ void load_fonts(const WindowStyle& style, float pixel_ratio) {
   std::error_code error;
   if (std::filesystem::exists(kFontFile, error)) {
     config.OversampleH = 2;
-    io.Fonts->AddFontFromFileTTF(
-        kFontFile, std::round(static_cast<float>(style.font_size) * style.scale * pixel_ratio), &config);
+    io.Fonts->AddFontFromFileTTF(kFontFile,
+                                 std::round(static_cast<float>(style.font_size) * style.scale * pixel_ratio),
+                                 &config, kGlyphs.data());
   } else {
     config.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(style.scale * pixel_ratio));
     io.Fonts->AddFontDefault(&config);
@@ -150,13 +155,11 @@ void GlWindow::set_style(const WindowStyle& style) {
 
 void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
-// Lists and menus are gone through by the arrows, and Enter takes what is chosen, as Space does. Elsewhere
-// the keys are the commands'.
-void GlWindow::give_keys_to_popups() {
+// Where keys go from control to control, Enter takes what is chosen, as Space does. Elsewhere the keys are
+// the commands', and in a text the text's.
+void GlWindow::give_keys_to_controls(bool wanted) {
   ImGuiIO& io = ImGui::GetIO();
-  const bool is_open = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 &&
-                       ImGui::GetTopMostPopupModal() == nullptr && !io.WantTextInput;
-  if (!is_open) {
+  if (!wanted || io.WantTextInput) {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     return;
   }
@@ -164,7 +167,16 @@ void GlWindow::give_keys_to_popups() {
   if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
-void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer) {
+// This version's Tab stops at fields alone; here it stops at buttons, too.
+void GlWindow::let_tab_stop_everywhere() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return;
+  context.NavMoveFlags |= ImGuiNavMoveFlags_FocusApi;
+  if (context.NavTabbingDir == 0 && context.NavId != 0) context.NavTabbingDir = 1;
+}
+
+void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer,
+                           bool keys_to_controls) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
 #if IMGUI_VERSION_NUM < 18700
@@ -185,8 +197,9 @@ void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorP
   static_cast<void>(events);
   static_cast<void>(pointer);
 #endif
-  give_keys_to_popups();
+  give_keys_to_controls(keys_to_controls);
   new_frame();
+  if (keys_to_controls) let_tab_stop_everywhere();
 }
 
 void GlWindow::begin_picture(ImVec2 size) {
