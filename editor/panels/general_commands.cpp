@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "command_table.h"
+#include "dialog.h"
 #include "flag_label.h"
 #include "play_keys.h"
 
@@ -61,11 +62,15 @@ void run_from_start(S session, A actions, U ui) {
 
 // The keyboard's cursor goes with the keys.
 void show_sprites(S, A, U ui) {
+  leave_windows();
+  ui.view.keys_in_panel = false;
   ui.view.focus = Focus::sprites;
   if (ui.view.cursor.on()) ui.view.cursor.go_to({"pixels"});
 }
 
 void show_map(S, A, U ui) {
+  leave_windows();
+  ui.view.keys_in_panel = false;
   ui.view.focus = Focus::map;
   if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::map;
   if (ui.view.cursor.on()) ui.view.cursor.go_to({"map"});

@@ -96,6 +96,19 @@ void draw_player_keys(Ui& ui) {
   ImGui::EndTable();
 }
 
+void draw_control_keys(Ui& ui) {
+  ImGui::Spacing();
+  ui.heading("In dialogs, menus, windows such as the settings, and tabs that the command palette went to");
+  if (!begin_help_table("controls", ui)) return;
+  draw_help_row("Arrows, Tab, Shift+Tab", "To the next control",
+                "It has a frame. In a list the arrows alone.", ui);
+  draw_help_row("Space, Enter", "Press it", "Enter also presses the highlighted answer of a dialog.", ui);
+  draw_help_row("Underlined letters", "Press a button", "While a text is typed, with Alt.", ui);
+  draw_help_row("Esc", "Cancel, close, end",
+                "First what is open; then an error that covers the view; then what is selected.", ui);
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
@@ -108,6 +121,7 @@ void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
     draw_player_keys(ui);
+    draw_control_keys(ui);
     for (Scope scope : {Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites, Scope::input})
       draw_scope(scope, ui);
     ui.place("help/window", ImGui::GetWindowPos(),

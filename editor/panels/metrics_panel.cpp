@@ -28,7 +28,7 @@ void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
   ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});
   if (ImGui::Begin("Times of the window", &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                       ImGuiWindowFlags_AlwaysAutoResize)) {
+                       ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_AlwaysAutoResize)) {
     if (ImGui::BeginTable("metrics", 2)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(180));
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ui.px(72));

@@ -176,14 +176,24 @@ void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
 void PictureImportPanel::draw_buttons(const PngImport& import, Actions& actions, Ui& ui) {
   const bool changes = import.plan && !import.plan->edit.empty();
   const float width = ui.px(112);
-  if (ui.text_button("import/apply", "Apply", true, "Takes it into the level; undoable.", "Enter", changes,
-                     width) ||
-      (changes && key_pressed(ImGuiKey_Enter)))
-    actions.push_back(action::ApplyPngImport{});
+  const DialogButton apply{.widget = "import/apply",
+                           .label = "Apply",
+                           .help = "Takes it into the level; undoable.",
+                           .letter = 'A',
+                           .is_default = true,
+                           .enabled = changes,
+                           .width = width,
+                           .gets_the_keys = true};
+  if (dialog_button(apply, ui)) actions.push_back(action::ApplyPngImport{});
   ImGui::SameLine();
-  if (ui.text_button("import/cancel", "Cancel", false, "Goes back to the level.", "Esc", true, width) ||
-      key_pressed(ImGuiKey_Escape))
-    actions.push_back(action::CancelPngImport{});
+  const DialogButton cancel{.widget = "import/cancel",
+                            .label = "Cancel",
+                            .help = "Goes back to the level.",
+                            .letter = 'C',
+                            .is_cancel = true,
+                            .width = width,
+                            .gets_the_keys = !changes};
+  if (dialog_button(cancel, ui)) actions.push_back(action::CancelPngImport{});
 }
 
 }  // namespace talus

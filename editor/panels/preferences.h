@@ -35,6 +35,7 @@ struct ProgramView {
   bool metrics_open = false;
   bool recovery_open = false;  // the dialog of what was saved by itself before a crash
   std::optional<KeyCapture> key_capture;
+  KeyChord dialog_key;  // that went down in this frame while a dialog was open, not by repetition
   std::optional<ProgramId> wanted_program;  // that is to open the level; taken by the next frame
   FrameMetrics metrics;
 };

@@ -14,31 +14,31 @@ struct AnswerChoice {
   const char* label;
   const char* help;
   action::Answer answer;
-  ImGuiKey key;  // ImGuiKey_COUNT: none
+  char letter;  // of the label, which presses it
 };
+// Enter gives the first answer, which loses nothing for good.
 constexpr std::array<AnswerChoice, 3> kUnsavedAnswers = {
-    {{"question/save", "Save", "Saves, then goes on.", action::Answer::save, ImGuiKey_Enter},
-     {"question/discard", "Discard", "Goes on without saving.", action::Answer::discard, ImGuiKey_COUNT},
-     {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, ImGuiKey_Escape}}};
+    {{"question/save", "Save", "Saves, then goes on.", action::Answer::save, 'S'},
+     {"question/discard", "Discard", "Goes on without saving.", action::Answer::discard, 'D'},
+     {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, 'C'}}};
 constexpr std::array<AnswerChoice, 2> kChangedAnswers = {
     {{"question/reload", "Read again", "Takes what the file has now; Undo brings your changes back.",
-      action::Answer::reload, ImGuiKey_COUNT},
+      action::Answer::reload, 'R'},
      {"question/keep", "Keep mine", "Leaves the level as it is here; the next save replaces the file.",
-      action::Answer::keep, ImGuiKey_Escape}}};
+      action::Answer::keep, 'K'}}};
 
 constexpr std::array<AnswerChoice, 2> kDropAnswers = {
-    {{"question/drop", "Drop it", "Forgets the run.", action::Answer::discard, ImGuiKey_Enter},
-     {"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, ImGuiKey_Escape}}};
+    {{"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, 'C'},
+     {"question/drop", "Drop it", "Forgets the run.", action::Answer::discard, 'D'}}};
 
 constexpr std::array<AnswerChoice, 2> kReplaceAnswers = {
-    {{"question/replace", "Replace", "Writes the export over them.", action::Answer::replace, ImGuiKey_COUNT},
-     {"question/cancel", "Cancel", "Writes nothing.", action::Answer::cancel, ImGuiKey_Escape}}};
+    {{"question/cancel", "Cancel", "Writes nothing.", action::Answer::cancel, 'C'},
+     {"question/replace", "Replace", "Writes the export over them.", action::Answer::replace, 'R'}}};
 
 constexpr std::array<AnswerChoice, 3> kRunAnswers = {
-    {{"question/save", "Save as...", "Asks for a file, then goes on.", action::Answer::save, ImGuiKey_Enter},
-     {"question/discard", "Discard", "Goes on without the recording.", action::Answer::discard,
-      ImGuiKey_COUNT},
-     {"question/cancel", "Cancel", "Goes back to it.", action::Answer::cancel, ImGuiKey_Escape}}};
+    {{"question/save", "Save as...", "Asks for a file, then goes on.", action::Answer::save, 'S'},
+     {"question/discard", "Discard", "Goes on without the recording.", action::Answer::discard, 'D'},
+     {"question/cancel", "Cancel", "Goes back to it.", action::Answer::cancel, 'C'}}};
 
 // By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
 struct QuestionDialog {
@@ -51,18 +51,23 @@ constexpr std::array<QuestionDialog, 5> kQuestionDialogs = {{{"Unsaved changes",
                                                              {"Replace files", kReplaceAnswers},
                                                              {"Keep the recording", kRunAnswers}}};
 
-const char* key_label(ImGuiKey key) {
-  return key == ImGuiKey_Enter ? "Enter" : key == ImGuiKey_Escape ? "Esc" : "";
+bool leaves_all_as_it_is(action::Answer answer) {
+  return answer == action::Answer::cancel || answer == action::Answer::keep;
 }
 
 void draw_answers(std::span<const AnswerChoice> choices, Actions& actions, Ui& ui) {
   for (const AnswerChoice& choice : choices) {
     const bool is_first = &choice == choices.data();
     if (!is_first) ImGui::SameLine();
-    if (ui.text_button(choice.widget, choice.label, is_first, choice.help, key_label(choice.key), true,
-                       ui.px(96)) ||
-        (choice.key != ImGuiKey_COUNT && key_pressed(choice.key)))
-      actions.push_back(action::AnswerQuestion{choice.answer});
+    const DialogButton button{.widget = choice.widget,
+                              .label = choice.label,
+                              .help = choice.help,
+                              .letter = choice.letter,
+                              .is_default = is_first,
+                              .is_cancel = leaves_all_as_it_is(choice.answer),
+                              .width = ui.px(96),
+                              .gets_the_keys = is_first};
+    if (dialog_button(button, ui)) actions.push_back(action::AnswerQuestion{choice.answer});
   }
 }
 

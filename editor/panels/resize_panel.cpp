@@ -65,6 +65,7 @@ void ResizePanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
   const Cell before{frame_.width, frame_.height};
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   number_field("resize/width", "Width", frame_.width, "Cells in a row; TIC-80 has 240.", ui);
   ImGui::SameLine();
   ImGui::TextUnformatted(("now " + std::to_string(map.width())).c_str());
@@ -169,14 +170,24 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
          theme::kWarning);
   if (session.level().cart && fits && (frame_.width != kTicMapWidth || frame_.height != kTicMapHeight))
     line("A TIC-80 cart holds 240x136 cells.", theme::kWarning);
-  const bool resizes = ui.text_button("resize/apply", asks_ ? "Lose them" : "Resize", true,
-                                      "Gives the map this size; one Undo takes it back.", "Enter",
-                                      fits && changes, ui.px(96)) ||
-                       (fits && changes && key_pressed(ImGuiKey_Enter));
+  // What loses something is never what Enter does.
+  const bool resizes = dialog_button({.widget = "resize/apply",
+                                      .label = asks_ ? "Lose them" : "Resize",
+                                      .help = "Gives the map this size; one Undo takes it back.",
+                                      .letter = asks_ ? 'L' : 'R',
+                                      .is_default = !asks_,
+                                      .enabled = fits && changes,
+                                      .width = ui.px(96)},
+                                     ui);
   ImGui::SameLine();
-  const bool goes_back = ui.text_button("resize/cancel", asks_ ? "Back" : "Cancel", false, "Changes nothing.",
-                                        "Esc", true, ui.px(96)) ||
-                         key_pressed(ImGuiKey_Escape);
+  const bool goes_back = dialog_button({.widget = "resize/cancel",
+                                        .label = asks_ ? "Back" : "Cancel",
+                                        .help = "Changes nothing.",
+                                        .letter = asks_ ? 'B' : 'C',
+                                        .is_default = asks_,
+                                        .is_cancel = true,
+                                        .width = ui.px(96)},
+                                       ui);
   if (goes_back) {
     if (!std::exchange(asks_, false)) close(ui);
   } else if (resizes && !losses.empty() && !asks_) {

@@ -26,9 +26,27 @@ void Ui::place(std::string_view name, ImVec2 min, ImVec2 max, bool enabled) {
 }
 
 void Ui::item(std::string_view name, std::string_view help, std::string_view key, bool enabled) {
+  take_focus(name, enabled);
   if (!ImGui::IsItemVisible()) return;
   place(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled);
   if (!help.empty()) show_tooltip_when_rested(ImHashStr(name.data(), name.size()), help, key);
+}
+
+void Ui::take_focus(std::string_view name, bool enabled) {
+  const ImGuiID id = ImGui::GetItemID();
+  const bool typed_into = view.wants_text == name;
+  if (id == 0 || !enabled || !(typed_into || focuses_next_)) return;
+  focuses_next_ = false;
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  ImGui::FocusWindow(window);
+  ImGui::SetFocusID(id, window);
+  context.NavDisableHighlight = false;
+  if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+  if (!typed_into) return;
+  view.wants_text.clear();
+  context.NavNextActivateId = id;  // a number is typed rather than dragged
+  context.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
 void Ui::tooltip(std::string_view help, std::string_view key) {

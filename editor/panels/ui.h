@@ -40,6 +40,9 @@ class Ui {
   // A length of the design, in px at scale 1, on the screen.
   float px(float length) const { return static_cast<float>(static_cast<int>(length * scale + 0.5f)); }
 
+  // The next enabled control that is named gets the keys, and shows it.
+  void focus_next_item(bool on = true) { focuses_next_ = on; }
+
   // Registers ImGui's last item under this name and, when the mouse rests on it, shows the help and the key.
   void item(std::string_view name, std::string_view help = {}, std::string_view key = {},
             bool enabled = true);
@@ -73,11 +76,13 @@ class Ui {
   void same_line_if_fits(float width, float gap = 0);
 
  private:
+  void take_focus(std::string_view name, bool enabled);  // for ImGui's last item, if it is wanted there
   void show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key);
   void place_tooltip() const;
   ImGuiID rested_on_ = 0;
   double rested_since_ = 0;
   bool tooltip_pending_ = false;
+  bool focuses_next_ = false;
   bool seen_ = false;  // the mouse rests on something with help in this frame
 
   friend class UiFrame;

@@ -96,6 +96,8 @@ struct View {
   bool shows_times = false;                 // the time of each step is plotted
   std::string wants_tab;                    // id of a panel that is to come to the front of its region
   std::string wants_text;                   // name of a text field that is to get the keys
+  std::string wants_keys;                   // id of a panel whose first control is to get the keys
+  bool keys_in_panel = false;               // the arrows, Tab, Space and Enter go from control to control
   bool split_compared = false;              // the other side of a comparison has a view of its own
   std::optional<Cell> centre_on;            // asks the canvases to show this cell; taken by the next frame
   std::optional<Cell> marked_cell;          // outlined on the map: the last problem that was clicked

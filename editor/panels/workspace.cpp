@@ -92,7 +92,7 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(window);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::Begin("workspace", nullptr,
+  ImGui::Begin(kWorkspaceWindow, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_MenuBar |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoScrollWithMouse);
@@ -135,7 +135,10 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
 void Workspace::follow_mouse(View& view) {
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   if (moved.x == 0 && moved.y == 0) return;
-  if (pointed_at_ && pointed_at_ != pointed_before_) view.focus = *pointed_at_;
+  if (pointed_at_ && pointed_at_ != pointed_before_) {
+    view.focus = *pointed_at_;
+    leave_windows();
+  }
   pointed_before_ = pointed_at_;
 }
 
@@ -221,12 +224,24 @@ void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size)
   ImGui::EndChild();
 }
 
+void Workspace::draw_panel(Panel& panel, Frame& frame) {
+  View& view = frame.ui.view;
+  const bool takes_keys = view.wants_keys == panel.id();
+  if (takes_keys) {
+    view.wants_keys.clear();
+    view.keys_in_panel = true;
+    frame.ui.focus_next_item();
+  }
+  panel.draw(frame.session, frame.actions, frame.ui);
+  if (takes_keys) frame.ui.focus_next_item(false);
+}
+
 void Workspace::draw_tabs(Frame& frame, Region region) {
   std::vector<Panel*> here;
   for (PanelPlace& place : panels_)
     if (place.region == region) here.push_back(place.panel.get());
   if (here.size() == 1) {
-    here[0]->draw(frame.session, frame.actions, frame.ui);
+    draw_panel(*here[0], frame);
     return;
   }
   // Dear ImGui shows the first tab at first, and the remembered one from the second frame on.
@@ -247,7 +262,7 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
     if (!first) remember_tab(chosen, here, id);
     if (id == wants) wants.clear();
     if (region == Region::dock && id != "input_roll" && !asked) leave_input_roll(frame.ui.view);
-    panel->draw(frame.session, frame.actions, frame.ui);
+    draw_panel(*panel, frame);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();

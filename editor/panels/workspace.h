@@ -28,6 +28,7 @@ class Workspace {
   // One region: its panel, or tabs of its panels.
   void draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size);
   void draw_tabs(Frame& frame, Region region);
+  void draw_panel(Panel& panel, Frame& frame);  // its first control gets the keys, if they are asked for
   void follow_mouse(View& view);
 
   std::vector<PanelPlace> panels_;

@@ -15,6 +15,7 @@
 #include "formats/atomic_file.h"
 #include "formats/recording.h"
 #include "panels/commands.h"
+#include "panels/dialog.h"
 #include "picture.h"
 #include "sdl_keys.h"
 #include "user_folder.h"
@@ -81,7 +82,12 @@ std::string absolute_path(const std::string& path) {
   return error ? path : absolute.lexically_normal().string();
 }
 
-// A list or a menu.
+// The keys that go from control to control, and press them.
+bool goes_through_controls(int key) {
+  return key == ' ' || key == kKeyTab || key == kKeyEnter || (key >= kKeyLeft && key <= kKeyDown);
+}
+
+// A list, a menu or a dialog.
 bool is_popup_open() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
 
 }  // namespace
@@ -252,9 +258,10 @@ void App::frame() {
     textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
   Actions actions;
   const double start = processor_time();
-  window_->begin_frame(events_, ui_.view.cursor.begin_frame());
+  window_->begin_frame(events_, ui_.view.cursor.begin_frame(), keys_go_through_controls());
   draw(actions);
   window_->end_frame();
+  ui_.view.program.dialog_key = {};
   ui_.view.program.metrics.note(cost_of_frame(processor_time() - start));
   window_->present();
   ++drawn_frames_;
@@ -276,20 +283,28 @@ void App::draw(Actions& actions) {
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
-  const std::array<bool, 10> wanted = {ui_.view.dialog != FileDialog::none,
-                                      session_->wants_save_as(),
-                                      session_->wants_save_recording(),
-                                      session_->question().has_value(),
-                                      ui_.view.command_palette_open,
-                                      ui_.view.program.keys_open,
-                                      ui_.view.program.recovery_open,
-                                      session_->png_import().has_value(),
-                                      session_->level_import().has_value(),
-                                      ui_.view.resize_open};
+  const std::array<bool, 10> wanted = {
+      ui_.view.dialog != FileDialog::none,  session_->wants_save_as(),
+      session_->wants_save_recording(),     session_->question().has_value(),
+      ui_.view.command_palette_open,        ui_.view.program.keys_open,
+      ui_.view.program.recovery_open,       session_->png_import().has_value(),
+      session_->level_import().has_value(), ui_.view.resize_open};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
     --frames_to_hold_;
+  hold_presses_until_a_field_has_the_keys();
+}
+
+// Where the field does not come, nobody gets them.
+void App::hold_presses_until_a_field_has_the_keys() {
+  const std::string wanted = ui_.view.wants_text + ui_.view.wants_keys;
+  if (wanted != std::exchange(wanted_field_, wanted) && !wanted.empty()) {
+    frames_to_hold_ = frames_of_wanted_field_ = kFramesOfATextsFocus;
+  } else if (!wanted.empty() && --frames_of_wanted_field_ <= 0) {
+    ui_.view.wants_text.clear();
+    ui_.view.wants_keys.clear();
+  }
 }
 
 void App::handle_events() {
@@ -305,6 +320,7 @@ void App::handle_events() {
       handle_key(event.key, actions);
     } else if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN) {
       ui_.view.cursor.hide();  // the hand is back at the mouse
+      ui_.view.keys_in_panel = false;
     } else if (event.type == SDL_DROPFILE && event.drop.file != nullptr) {
       actions.push_back(action::OpenFile{event.drop.file});
       SDL_free(event.drop.file);
@@ -315,26 +331,40 @@ void App::handle_events() {
 }
 
 void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
-  if (key.keysym.sym == SDLK_ESCAPE) close_window();
   const KeyChord chord = chord_of(key.keysym);
-  if (!chord || capture_key(chord) || keys_are_taken(chord) || steer(chord, actions)) return;
+  if (!chord || capture_key(chord, key.repeat != 0)) return;
+  if (key.keysym.sym == SDLK_ESCAPE && close_window(actions)) return;
+  if (key.repeat == 0 && ImGui::GetTopMostPopupModal() != nullptr) ui_.view.program.dialog_key = chord;
+  if (keys_are_taken(chord) || steer(chord, actions)) return;
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
-  if (!ui_.view.wants_text.empty()) frames_to_hold_ = kFramesOfATextsFocus;
 }
 
-// The window about the program that was opened last, as far as is known.
-void App::close_window() {
-  if (ImGui::GetIO().WantTextInput || ImGui::GetTopMostPopupModal() != nullptr) return;
-  for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open,
-                     &ui_.view.exports.open, &ui_.view.debugger.picks_cell}) {
-    if (std::exchange(*open, false)) return;
+// The error that covers the view, or else the window about the program that was opened last, as far as is
+// known. True when that is all that the key does: no selection is lost to it.
+bool App::close_window(Actions& actions) {
+  if (ImGui::GetIO().WantTextInput || is_popup_open()) return false;
+  if (std::exchange(ui_.view.keys_in_panel, false)) return true;
+  if (session_->message() && session_->message()->is_error) {
+    actions.push_back(action::DismissMessage{});
+    return true;
   }
+  for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open,
+                     &ui_.view.exports.open, &ui_.view.find_tiles_open, &ui_.view.debugger.picks_cell}) {
+    if (std::exchange(*open, false)) break;
+  }
+  return false;
+}
+
+// Lists, menus, dialogs, windows that float, and a panel that was given the keys.
+bool App::keys_go_through_controls() const {
+  return is_popup_open() || ui_.view.keys_in_panel || floating_window_has_keys();
 }
 
 // A key for a command goes to the dialog that asked for it; Escape stays its own.
-bool App::capture_key(KeyChord chord) {
+bool App::capture_key(KeyChord chord, bool repeated) {
   auto& capture = ui_.view.program.key_capture;
   if (!capture || capture->pressed) return false;
+  if (repeated) return true;
   if (chord.key != kKeyEscape) capture->pressed = chord;
   return true;
 }
@@ -374,6 +404,8 @@ bool App::keys_are_taken(KeyChord chord) const {
   // An open list or menu is gone through by keys.
   if (is_popup_open() && !chord.ctrl && !chord.alt && chord.key < kKeyF1) return true;
   const bool types = ImGui::GetIO().WantTextInput;
+  if (!types && !chord.ctrl && !chord.alt && goes_through_controls(chord.key) && keys_go_through_controls())
+    return true;
   const bool moves_cursor = chord.key >= kKeyTab;
   const bool edits_text =
       !chord.ctrl || moves_cursor ||

@@ -56,9 +56,11 @@ class App {
   void open_first_level();
 
   void hold_presses_while_dialogs_change();
+  void hold_presses_until_a_field_has_the_keys();
   void handle_events();
-  void close_window();
-  bool capture_key(KeyChord chord);
+  bool close_window(Actions& actions);
+  bool keys_go_through_controls() const;
+  bool capture_key(KeyChord chord, bool repeated);
   void open_wanted_program();
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);
   bool keys_are_taken(KeyChord chord) const;
@@ -90,11 +92,13 @@ class App {
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::array<bool, 9> wanted_dialogs_{};  // one for each dialog, when last looked at
-  int frames_to_hold_ = 0;                // in which presses wait
-  std::string note_;                      // the message that is timed
-  double note_since_ = 0;                 // s
-  Preferences noted_preferences_;         // that were remembered last
+  std::array<bool, 10> wanted_dialogs_{};  // one for each dialog, when last looked at
+  std::string wanted_field_;               // that was to get the keys when last looked at
+  int frames_of_wanted_field_ = 0;         // in which it may still come
+  int frames_to_hold_ = 0;                 // in which presses wait
+  std::string note_;                       // the message that is timed
+  double note_since_ = 0;                  // s
+  Preferences noted_preferences_;          // that were remembered last
   int drawn_frames_ = 0;
 };
 

@@ -107,7 +107,7 @@ void FileBrowser::draw_place(Ui& ui) {
 std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) {
   std::optional<Answer> answer;
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
-  ImGui::BeginChild("entries", {0, height}, true);
+  ImGui::BeginChild("entries", {0, height}, true, ImGuiWindowFlags_NavFlattened);
   std::string entered;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
@@ -146,8 +146,9 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_)) overwrite_.clear();
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
-  if (key_pressed(ImGuiKey_DownArrow)) move_choice(1);
-  if (key_pressed(ImGuiKey_UpArrow)) move_choice(-1);
+  const bool goes_through_list = ImGui::IsItemActive() || !ImGui::GetIO().NavVisible;
+  if (goes_through_list && key_pressed(ImGuiKey_DownArrow)) move_choice(1);
+  if (goes_through_list && key_pressed(ImGuiKey_UpArrow)) move_choice(-1);
   const float width = ui.px(112);
   const bool saves = request_.purpose == FileRequest::Purpose::saves;
   const char* label = !overwrite_.empty()    ? "Replace it"
@@ -157,13 +158,22 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   const char* help = saves                  ? "Saves under this name."
                      : request_.names_new() ? "Takes this name."
                                             : "Opens this file.";
-  if (ui.text_button("files/confirm", label, true, help, "Enter", !name_.empty(), width) ||
-      (key_pressed(ImGuiKey_Enter) && !name_.empty()))
-    answer = confirm();
+  const DialogButton does{.widget = "files/confirm",
+                          .label = label,
+                          .help = help,
+                          .letter = label[0],
+                          .is_default = true,
+                          .enabled = !name_.empty(),
+                          .width = width};
+  if (dialog_button(does, ui)) answer = confirm();
   ImGui::SameLine();
-  if (ui.text_button("files/cancel", "Cancel", false, "Goes back to the level.", "Esc", true, width) ||
-      key_pressed(ImGuiKey_Escape))
-    answer = Answer{true, {}};
+  const DialogButton cancel{.widget = "files/cancel",
+                            .label = "Cancel",
+                            .help = "Goes back to the level.",
+                            .letter = label[0] == 'C' ? 'a' : 'C',
+                            .is_cancel = true,
+                            .width = width};
+  if (dialog_button(cancel, ui)) answer = Answer{true, {}};
   const bool warns = !error_.empty() || !overwrite_.empty();
   const std::string text = !error_.empty() ? error_
                            : !overwrite_.empty()

@@ -44,8 +44,10 @@ class GlWindow {
   // Fonts and colours; cheap when it is the style already set.
   void set_style(const WindowStyle& style);
   void process_event(const SDL_Event& event);
-  // pointer: what the mouse is said to be; nothing: what the events make it.
-  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer);
+  // pointer: what the mouse is said to be; nothing: what the events make it. keys_to_controls: the arrows,
+  // Tab, Space and Enter go through what is open, control by control.
+  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer,
+                   bool keys_to_controls);
   void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
   // Draws what was put into Dear ImGui since begin_frame(); present() shows it. Offscreen nobody would see
   // it: there draw_picture() draws, when a picture is wanted.
@@ -53,7 +55,8 @@ class GlWindow {
   void present();
 
  private:
-  void give_keys_to_popups();
+  static void give_keys_to_controls(bool wanted);
+  static void let_tab_stop_everywhere();
   GlWindow() = default;
   std::string start(const WindowOptions& options);  // the error, or nothing
 

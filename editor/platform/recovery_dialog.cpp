@@ -1,4 +1,4 @@
-// A modal list with two buttons a row.
+// A modal list with two buttons a row; the arrows go from row to row.
 #include "recovery_dialog.h"
 
 #include <ctime>
@@ -23,7 +23,10 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
                                                            Ui& ui) {
   bool& open = ui.view.program.recovery_open;
   if (!begin_dialog("Recover unsaved work", open, {ui.px(640), 0}, ui)) return std::nullopt;
-  if (ImGui::IsWindowAppearing()) asked_about_.reset();
+  if (ImGui::IsWindowAppearing()) {
+    asked_about_.reset();
+    chosen_ = 0;
+  }
   std::optional<Answer> answer;
   if (works.empty())
     ui.hint("Nothing is left to recover. Unsaved changes are saved by themselves every few seconds.");
@@ -36,10 +39,16 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
     if (const auto chosen = draw_work(i, works[i], unsaved, ui)) answer = chosen;
   }
   ImGui::Separator();
-  if (ui.text_button("recovery/later", works.empty() ? "Close" : "Later", false,
-                     "Keeps them for the next start, or for File > Recover.", "Esc", true, ui.px(96)) ||
-      key_pressed(ImGuiKey_Escape))
-    open = false;
+  const bool later_is_first = works.empty() || unsaved;
+  const DialogButton later{.widget = "recovery/later",
+                           .label = works.empty() ? "Close" : "Later",
+                           .help = "Keeps them for the next start, or for File > Recover.",
+                           .letter = works.empty() ? 'C' : 'L',
+                           .is_default = later_is_first,
+                           .is_cancel = true,
+                           .width = ui.px(96),
+                           .gets_the_keys = later_is_first};
+  if (dialog_button(later, ui)) open = false;
   ImGui::EndPopup();
   return answer;
 }
@@ -52,20 +61,33 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw_work(std::size_t inde
   ImGui::SameLine();
   ui.right_aligned("saved " + local_time(work.time), theme::tone(theme::kMuted));
   std::string about = work.path.empty() ? "It has no file of its own yet." : work.path;
-  if (work.recording)
-    about +=
-        "\nWith a recording of " + std::to_string(work.recording->frames) + " frames that you worked on.";
+  for (const auto& recording : work.recordings)
+    about += "\nWith a recording of " + std::to_string(recording->frames) + " frames that you worked on.";
   ui.hint(about);
-  if (ui.text_button("recovery/recover" + number, "Recover", index == 0,
-                     "Opens it, as a change that can be undone.", {}, !unsaved, ui.px(96)))
-    answer = Answer{index, Choice::recover};
+  const bool chosen = chosen_ == index;  // the letters are for this one
+  const std::string recover_name = "recovery/recover" + number, discard_name = "recovery/discard" + number;
+  const DialogButton recover{.widget = recover_name,
+                             .label = "Recover",
+                             .help = "Opens it, as a change that can be undone.",
+                             .letter = chosen ? 'R' : '\0',
+                             .is_default = chosen,
+                             .enabled = !unsaved,
+                             .width = ui.px(96),
+                             .gets_the_keys = index == 0};
+  if (dialog_button(recover, ui)) answer = Answer{index, Choice::recover};
+  if (ImGui::IsItemFocused()) chosen_ = index;
   ImGui::SameLine();
   const bool asked = asked_about_ == index;
-  if (ui.text_button("recovery/discard" + number, asked ? "Discard for good" : "Discard", asked,
-                     "Throws it away; asks once more.", {}, true, ui.px(128))) {
+  const DialogButton discard{.widget = discard_name,
+                             .label = asked ? "Discard for good" : "Discard",
+                             .help = "Throws it away; asks once more.",
+                             .letter = chosen ? 'D' : '\0',
+                             .width = ui.px(128)};
+  if (dialog_button(discard, ui)) {
     if (asked) answer = Answer{index, Choice::discard};
     asked_about_ = asked ? std::optional<std::size_t>() : index;
   }
+  if (ImGui::IsItemFocused()) chosen_ = index;
   return answer;
 }
 
