@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "commands.h"
+#include "command_search.h"
 #include "dialog.h"
-#include "fuzzy_match.h"
 
 namespace talus {
 namespace {
@@ -22,7 +21,7 @@ struct PaletteMatch {
 std::vector<PaletteMatch> palette_matches(std::string_view typed) {
   std::vector<PaletteMatch> found;
   for (const Command& command : commands()) {
-    if (const auto score = fuzzy_score(command.label, typed)) found.push_back({&command, *score});
+    if (const auto score = command_score(command, typed)) found.push_back({&command, *score});
   }
   if (!typed.empty())
     std::stable_sort(found.begin(), found.end(),
@@ -40,7 +39,8 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##typed", "type a few letters of its name", &typed_)) chosen_ = 0;
+  if (ImGui::InputTextWithHint("##typed", "type a few letters of its name, or what it is about", &typed_))
+    chosen_ = 0;
   ui.item("command_palette/text");
   draw_list(session, actions, ui);
   if (key_pressed(ImGuiKey_Escape)) ui.view.command_palette_open = false;
@@ -56,7 +56,8 @@ void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui
   const bool moved = chosen_ != before;  // else the wheel may scroll where it likes
   const Command* run =
       key_pressed(ImGuiKey_Enter) && last >= 0 ? found[static_cast<std::size_t>(chosen_)].command : nullptr;
-  if (found.empty()) ui.hint("No command has these letters in its name, in this order.");
+  if (found.empty())
+    ui.hint("No command has these letters in its name, in this order, or such a word in its help.");
   ImGui::BeginChild("list");
   for (int i = 0; i <= last; ++i) {
     const Command& command = *found[static_cast<std::size_t>(i)].command;

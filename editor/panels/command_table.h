@@ -22,6 +22,8 @@ std::vector<Command> export_commands();      // work everywhere
 std::vector<Command> problem_commands();     // work everywhere: the problems, and the reach
 std::vector<Command> curve_commands();       // work in the map, on curves and bodies
 std::vector<Command> shape_commands();       // work everywhere, on the selected tiles
+std::vector<Command> panel_commands();       // work everywhere: tabs and menus by keys
+std::vector<Command> field_commands();       // work everywhere: what is typed or chosen in a panel
 std::vector<Command> input_roll_commands();  // work in the input roll, and give it the keys
 
 // Emits an action that needs nothing else.
@@ -56,6 +58,10 @@ inline Command toggle(std::string_view id, KeyChord key, std::string_view label,
 }
 inline Command also_on(KeyChord other_key, Command command) {
   command.other_key = other_key;
+  return command;
+}
+inline Command also_called(std::string_view words, Command command) {
+  command.words = words;
   return command;
 }
 inline Command repeating(Command command) {

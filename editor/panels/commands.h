@@ -25,7 +25,8 @@ struct Command {
   void (*run)(const Session&, Actions&, Ui&) = nullptr;
   bool (*enabled)(const Session&, const Ui&) = nullptr;  // null: always
   bool (*checked)(const Session&, const Ui&) = nullptr;  // null: no switch
-  bool any_modifiers = false;  // its keys work whether Ctrl, Shift and Alt are held or not
+  bool any_modifiers = false;   // its keys work whether Ctrl, Shift and Alt are held or not
+  std::string_view words = {};  // other words that the command palette finds it by, with blanks between
 
   bool is_enabled(const Session& session, const Ui& ui) const { return !enabled || enabled(session, ui); }
   bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }

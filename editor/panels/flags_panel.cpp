@@ -59,9 +59,11 @@ std::vector<int> single_flags(const Level& level) {
 
 // A button of a row's height at its right, which opens a menu.
 bool draw_menu_button(const std::string& name, const std::string& help, float width, Ui& ui) {
+  const bool wanted = ui.view.wants_text == name;  // by a command
+  if (wanted) ui.view.wants_text.clear();
   const bool pressed = ImGui::Button(("...##" + name).c_str(), {width, ui.px(kFlagRow)});
   ui.item(name, help);
-  return pressed;
+  return pressed || wanted;
 }
 
 }  // namespace
@@ -145,7 +147,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   opens |= draw_menu_button("flags/menu" + number, "Names flag " + number + " and chooses its role or shape.",
                             menu, ui);
   ImGui::PopStyleVar();
-  if (opens) menu_.open_flag(level, flag, ImGui::GetIO().MousePos.x);
+  if (opens) menu_.open_flag(level, flag, at.x);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_lamp_light(list, {at.x + ui.px(11), at.y + height / 2}, ui.px(6), lamp, flag);
@@ -190,7 +192,7 @@ void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, co
   ImGui::SameLine();
   const bool opens = draw_menu_button("flags/menu" + number, "Names this field and its values.", menu, ui);
   ImGui::PopStyleVar();
-  if (opens) menu_.open_field(field.first, ImGui::GetIO().MousePos.x);
+  if (opens) menu_.open_field(field.first, at.x);
 }
 
 }  // namespace talus

@@ -1,15 +1,17 @@
 // The commands of the map: its tools, its selection and the clipboard.
 #include <string>
 
+#include "chosen_curve.h"
+#include "chosen_spawn.h"
 #include "command_table.h"
-#include "curve_gesture.h"
 #include "edit/auto_tile.h"
 #include "edit/map_mirror.h"
+#include "edit/map_rectangle.h"
 #include "edit/map_selection.h"
 #include "edit/spawn_tools.h"
+#include "edit/stamp.h"
 #include "edit/tile_search.h"
 #include "session/map_clipboard.h"
-#include "spawn_gesture.h"
 
 namespace talus {
 namespace {
@@ -135,10 +137,11 @@ std::vector<Command> map_tool_commands() {
           "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
           "ceiling. For the exact solver. Drag one that is there to move it, a chosen one's ends to turn it; "
           "with Shift, a drag always draws. Ends snap; Ctrl: to half pixels, Alt: not at all."),
-      map_tool<MapTool::body>(
-          "map/body", KeyChord{'0'}, "Place bodies",
-          "Places a ball or a player, as the inspector says, or moves one that is there; the "
-          "chosen one's arrow is its velocity at the start."),
+      also_called("spawn object entity player start",
+                  map_tool<MapTool::body>(
+                      "map/body", KeyChord{'0'}, "Place bodies",
+                      "Places a ball or a player, as the inspector says, or moves one that is there; the "
+                      "chosen one's arrow is its velocity at the start.")),
       map_tool<MapTool::erase>("map/erase", KeyChord{'e'}, "Erase", "Paints tile 0."),
       map_tool<MapTool::pick>("map/pick", KeyChord{'i'}, "Pick tiles",
                               "Takes the tiles of a dragged rectangle as the stamp; so does the middle "

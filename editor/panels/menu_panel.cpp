@@ -42,8 +42,13 @@ void draw_commands(std::initializer_list<std::string_view> ids, const Session& s
 std::string_view group_of(const Command& command) { return command.id.substr(0, command.id.find('/')); }
 
 bool begin_menu(const char* label, Ui& ui) {
+  const std::string widget = std::string("menu/") + label;
+  if (ui.view.wants_text == widget) {  // by a command
+    ui.view.wants_text.clear();
+    ImGui::OpenPopup(label);
+  }
   const bool open = ImGui::BeginMenu(label);
-  ui.item(std::string("menu/") + label);
+  ui.item(widget);
   return open;
 }
 

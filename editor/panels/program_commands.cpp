@@ -23,7 +23,8 @@ constexpr Layout ready_sizes(double right) {
   layout.right = right;
   return layout;
 }
-constexpr ReadyLayout kDrawLayout{ready_sizes(0.27), CanvasMode::map, true, Focus::sprites, false, "problems"};
+constexpr ReadyLayout kDrawLayout{ready_sizes(0.27), CanvasMode::map, true,
+                                  Focus::sprites,    false,           "problems"};
 constexpr ReadyLayout kPlayLayout{ready_sizes(0.27), CanvasMode::play, false, Focus::map, false, "tuning"};
 constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map, true, "inspector"};
 
@@ -53,10 +54,13 @@ bool has_window(S, const Ui& ui) {
 
 std::vector<Command> settings_commands() {
   return {
-      toggle("edit/settings", ctrl(','), "Settings...", "Theme, size, colours, other programs and keys.",
-             toggle_window<&ProgramView::settings_open>, has_window<&ProgramView::settings_open>),
-      command("edit/keys", ctrl_shift('k'), "Change keys...", "Gives commands other keys.",
-              [](S, A, U ui) { ui.view.program.keys_open = true; }),
+      also_called(
+          "preferences options configuration font scale theme",
+          toggle("edit/settings", ctrl(','), "Settings...", "Theme, size, colours, other programs and keys.",
+                 toggle_window<&ProgramView::settings_open>, has_window<&ProgramView::settings_open>)),
+      also_called("shortcuts bindings rebind hotkeys keyboard",
+                  command("edit/keys", ctrl_shift('k'), "Change keys...", "Gives commands other keys.",
+                          [](S, A, U ui) { ui.view.program.keys_open = true; })),
       toggle(
           "view/light_theme", ctrl_shift('h'), "Light theme",
           "Dark text on light panels; art stays on dark ground.",
@@ -74,9 +78,10 @@ std::vector<Command> settings_commands() {
                 action::SetOverlayPalette{safe ? OverlayPalette::standard : OverlayPalette::colour_blind});
           },
           [](S s, const Ui&) { return s.choices().overlay_palette == OverlayPalette::colour_blind; }),
-      toggle("view/metrics", ctrl_shift('u'), "Times of the window",
-             "Shows what frames of the window and steps of the simulation cost.",
-             toggle_window<&ProgramView::metrics_open>, has_window<&ProgramView::metrics_open>),
+      also_called("metrics fps performance budget profiler statistics",
+                  toggle("view/metrics", ctrl_shift('u'), "Times of the window",
+                         "Shows what frames of the window and steps of the simulation cost.",
+                         toggle_window<&ProgramView::metrics_open>, has_window<&ProgramView::metrics_open>)),
   };
 }
 

@@ -1,0 +1,192 @@
+// Every action and every tab has a command, so that the command palette and the keys reach it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "panels/command_search.h"
+#include "panels/panel_list.h"
+
+namespace talus::command_coverage_test {
+
+// The command that does an action, or that goes to where it is done by keys.
+const std::map<std::string, std::string> kCommandOfAction = {
+    {"EditLevel", "flags/switch0"},
+    {"Undo", "edit/undo"},
+    {"Redo", "edit/redo"},
+    {"NewLevel", "file/new"},
+    {"OpenFile", "file/open"},
+    {"SaveRecording", "file/save_recording"},
+    {"SaveFile", "file/save"},
+    {"SaveFileAs", "file/save_as"},
+    {"ExportPng", "picture/export_tiles"},
+    {"PreviewExport", "file/export"},
+    {"RunExports", "file/export_all"},
+    {"CancelExport", "file/export_cancel"},
+    {"OpenPng", "picture/import"},
+    {"Quit", "file/quit"},
+    {"RecoverLevel", "file/recover"},
+    {"DismissMessage", "view/dismiss"},
+    {"Play", "play/run"},
+    {"Pause", "play/toggle"},
+    {"TogglePlay", "play/toggle"},
+    {"StepFrame", "play/step"},
+    {"ResetPlay", "play/reset"},
+    {"SetSpeed", "play/faster"},
+    {"StepBack", "timeline/back"},
+    {"SeekStart", "timeline/start"},
+    {"SeekEnd", "timeline/end"},
+    {"SeekFrame", "timeline/go_to"},
+    {"SetMark", "timeline/mark"},
+    {"RemoveMark", "timeline/mark"},
+    {"JumpToMark", "timeline/next_mark"},
+    {"TakeOver", "timeline/fork"},
+    {"SwitchBranch", "timeline/next_branch"},
+    {"DropBranch", "timeline/drop_branch"},
+    {"CompareBranch", "compare/next"},
+    {"SetInput", "roll/toggle"},
+    {"SetMouse", "roll/mouse"},
+    {"SetEditRule", "timeline/edit_rule"},
+    {"Rerun", "timeline/rerun"},
+    {"CancelRerun", "timeline/cancel"},
+    {"SetBreakpoint", "stops/new"},
+    {"RemoveBreakpoint", "tabs/stops"},
+    {"RunToStop", "stops/forwards"},
+    {"FindParting", "compare/first"},
+    {"SetParting", "compare/type_parting"},
+    {"CancelSearch", "timeline/cancel"},
+    {"SetWatch", "watch/new_watch"},
+    {"RemoveWatch", "tabs/watch"},
+    {"CompareVariant", "compare/choose"},
+    {"SelectBody", "bodies/next"},
+    {"SelectSpawn", "bodies/next"},
+    {"SelectCurve", "curves/next"},
+    {"SetCurveKind", "map/curve_arc"},
+    {"SelectTiles", "sheet/right"},
+    {"SetStamp", "brushes/next"},
+    {"SetRandomStamp", "map/random"},
+    {"SelectCells", "map/select_all"},
+    {"SetPasted", "map/paste"},
+    {"SetMapTool", "map/stamp"},
+    {"SetSpriteTool", "pixels/pencil"},
+    {"SetBrush", "pixels/larger_brush"},
+    {"SelectPixels", "pixels/select_all"},
+    {"MovePixels", "sheet/left"},
+    {"TurnPixels", "pixels/flip_h"},
+    {"PastePixels", "pixels/paste"},
+    {"SetColor", "palette/next"},
+    {"SetOverlay", "overlay/boxes"},
+    {"SetFlagOverlay", "flags/tint0"},
+    {"SetOverlayPalette", "view/safe_colours"},
+    {"FindReach", "reach/find"},
+    {"CancelReach", "reach/cancel"},
+    {"ShowWay", "reach/show_way"},
+    {"SetLintOptions", "problems/type_seam"},
+    {"SetGrid", "canvas/grid"},
+    {"SetScreenBorders", "canvas/borders"},
+};
+
+// Those without one, and why.
+const std::map<std::string, std::string> kWithoutCommand = {
+    {"SetPngImport", "a choice in a dialog, which has keys of its own"},
+    {"ApplyPngImport", "an answer of that dialog"},
+    {"CancelPngImport", "an answer of that dialog"},
+    {"SetLevelImport", "a choice in a dialog, which has keys of its own"},
+    {"ApplyLevelImport", "an answer of that dialog"},
+    {"CancelLevelImport", "an answer of that dialog"},
+    {"AnswerQuestion", "an answer of a dialog"},
+    {"CancelSaveAs", "an answer of a dialog"},
+    {"CheckFile", "done by itself every second"},
+    {"ShowMessage", "what the program says"},
+    {"HoldMouse", "moves of the mouse; the keyboard's cursor makes them, too"},
+    {"HoldKeys", "keys of the players, as they are held"},
+};
+
+std::set<std::string> actions_of_header() {
+  std::ifstream in(TALUS_SOURCE_DIR "/editor/session/actions.h");
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string all = text.str();
+  const std::size_t from = all.find("using Action = std::variant<"), to = all.find(">;", from);
+  std::set<std::string> names;
+  if (from == std::string::npos || to == std::string::npos) return names;
+  const std::string list = all.substr(from, to - from);
+  const std::regex name("action::(\\w+)");
+  for (std::sregex_iterator it(list.begin(), list.end(), name), end; it != end; ++it)
+    names.insert((*it)[1].str());
+  return names;
+}
+
+bool is_command(const std::string& id) {
+  const auto all = commands();
+  return std::any_of(all.begin(), all.end(), [&](const Command& command) { return command.id == id; });
+}
+
+TEST(CommandCoverage, EveryActionHasACommandOrAReason) {
+  const std::set<std::string> actions = actions_of_header();
+  EXPECT_EQ(actions.size(), std::variant_size_v<Action>);
+  for (const std::string& name : actions)
+    EXPECT_EQ(kCommandOfAction.count(name) + kWithoutCommand.count(name), 1u) << name;
+  for (const auto& [name, id] : kCommandOfAction) {
+    EXPECT_EQ(actions.count(name), 1u) << name;
+    EXPECT_TRUE(is_command(id)) << id;
+  }
+  for (const auto& [name, reason] : kWithoutCommand) EXPECT_EQ(actions.count(name), 1u) << name;
+}
+
+TEST(CommandCoverage, EveryTabHasACommand) {
+  std::map<Region, std::vector<std::string>> regions;
+  for (const PanelPlace& place : make_panels())
+    regions[place.region].push_back(std::string(place.panel->id()));
+  int tabs = 0;
+  for (const auto& [region, panels] : regions) {
+    if (region == Region::floating || panels.size() == 1) continue;
+    for (const std::string& panel : panels) {
+      EXPECT_TRUE(is_command("tabs/" + panel)) << panel;
+      ++tabs;
+    }
+  }
+  EXPECT_EQ(tabs, 15);
+}
+
+TEST(CommandCoverage, IdsAreDifferentAndHelpIsThere) {
+  std::set<std::string_view> ids;
+  for (const Command& command : commands()) {
+    EXPECT_TRUE(ids.insert(command.id).second) << command.id;
+    EXPECT_FALSE(command.label.empty()) << command.id;
+    EXPECT_FALSE(command.help.empty()) << command.id;
+    EXPECT_NE(command.run, nullptr) << command.id;
+  }
+}
+
+// The command that is found first.
+std::string_view found_by(std::string_view typed) {
+  const Command* best = nullptr;
+  std::optional<int> most;
+  for (const Command& command : commands()) {
+    const auto score = command_score(command, typed);
+    if (!score || (most && *score <= *most)) continue;
+    most = score;
+    best = &command;
+  }
+  return best != nullptr ? best->id : "";
+}
+
+TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
+  EXPECT_EQ(found_by("metrics"), "view/metrics");
+  EXPECT_EQ(found_by("spawn"), "map/body");
+  EXPECT_EQ(found_by("spawn rename"), "bodies/name");
+  EXPECT_EQ(found_by("shortcuts"), "edit/keys");
+  EXPECT_EQ(found_by("flag 3"), "flags/name3");
+  EXPECT_EQ(found_by("hex flags"), "flags/type_byte");
+  EXPECT_EQ(found_by("type rgb"), "palette/type");
+  EXPECT_EQ(found_by("killed"), "file/recover") << "of its help";
+  EXPECT_EQ(found_by("undo"), "edit/undo") << "labels come first";
+  EXPECT_EQ(found_by("no such thing anywhere"), "");
+}
+
+}  // namespace talus::command_coverage_test
