@@ -96,8 +96,10 @@ class RecordingReader {
       if (!texts[i].is_string()) fail(path, "must be a text");
       read_hash_text(texts[i].get_ref<const std::string&>(), path);
     }
-    const auto most = static_cast<std::int64_t>(kMaxFileBytes);
+    const bool has_any = !recording_.hashes.empty();
+    const auto most = has_any ? static_cast<std::int64_t>(kMaxFileBytes) : kMostUnhashedFrames;
     recording_.frames = whole(document, "", "frames", 0, most);
+    if (!has_any) return;
     const auto wanted = static_cast<std::size_t>(recording_.frames) + 1;
     if (recording_.hashes.size() != wanted) {
       fail("hashes", "must hold " + std::to_string(wanted) + " hashes, one more than frames, not " +

@@ -12,7 +12,8 @@
 //   each
 //             holds until the next, and nothing is held before the first. Default: none.
 //   "hashes"  texts of hexadecimal hashes (see sim/frame_hash.h) of 16 digits with a space between them; all
-//             texts together hold those of the frames 0..frames.
+//             texts together hold those of the frames 0..frames, or none, of a run of up to
+//             kMostUnhashedFrames that has been recorded, but not run.
 //
 // Keys that this version does not know are refused, as a recording with a part left out would be another one.
 // A file that is wrong is refused as a whole, with the key of the first thing that is.
@@ -26,6 +27,8 @@ namespace talus {
 inline constexpr int kRecordingVersion = 1;
 inline constexpr std::string_view kRecordingExtension = "talusrec";
 inline constexpr std::size_t kMaxRecordedEdits = 10'000;  // more are neither read nor written
+
+inline constexpr std::int64_t kMostUnhashedFrames = 1 << 21;  // nearly ten hours
 
 // Could the file be a recording, by its begin or, where that tells nothing, by its extension?
 bool is_recording(std::string_view bytes, const FormatContext& context);

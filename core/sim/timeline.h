@@ -83,6 +83,9 @@ class Timeline {
   const std::vector<Branch>& branches() const { return branches_; }
   const Branch* find(int id) const;  // null: there is none
   const Branch& current() const { return *find(current_); }
+  // A branch of its own, shown now and behind by the whole recording, whose hashes are what is expected. What
+  // is stepped or run again next goes on from its last level. The new id.
+  int add(const Recording& recording);
   int fork();                 // leaves the current branch, unless it is empty, at the shown frame; the new id
   void switch_to(int id);     // shows the same frame, or its last; of no branch: nothing happens
   void drop(int id);          // of the last branch only what it holds
@@ -110,6 +113,8 @@ class Timeline {
   // A branch as data, up to the frame it has been run to. pictures: a level that gives it all that the
   // physics does not see.
   Recording recording(const Branch& branch, const Level& pictures) const;
+  // The same with all of its input: while it is behind with the hashes that are expected of it, or none.
+  Recording whole_recording(const Branch& branch, const Level& pictures) const;
 
   const ScenePtr& level_scene() const { return scene_; }  // of the level as it is now
   const VersionPtr& level_version() const { return version_; }
@@ -122,8 +127,9 @@ class Timeline {
  private:
   Timeline(VersionPtr first, std::size_t keyframe_bytes);
 
-  Branch& now();                      // the current one
-  Branch& add_branch(Branch branch);  // makes it the current one
+  Branch& now();                          // the current one
+  Branch& add_branch(Branch branch);      // makes it the current one
+  void take(const Recording& recording);  // in the current branch, which holds its frame 0
   void fork_at(std::int64_t frame);
   void leave();  // the current branch, which nobody misses if it is empty
   void forget_positions();

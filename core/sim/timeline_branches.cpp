@@ -20,10 +20,51 @@ RecordedInput recorded(const Input& input, std::int64_t frame) {
   return entry;
 }
 
+std::vector<std::uint64_t> list_of(const SharedLog<std::uint64_t>& hashes) {
+  std::vector<std::uint64_t> list;
+  list.reserve(hashes.size());
+  for (std::size_t i = 0; i < hashes.size(); ++i) list.push_back(hashes[i]);
+  return list;
+}
+
+Recording unhashed_recording(const Branch& branch, const Level& pictures, std::int64_t frames) {
+  Recording recording;
+  recording.level = pictures;
+  put_version(*branch.chapters.front().version, recording.level);
+  recording.frames = frames;
+  for (std::int64_t frame = 1; frame <= frames; ++frame) {
+    const Input& input = branch.input(frame);
+    if (input != (frame == 1 ? Input() : branch.input(frame - 1)))
+      recording.input.push_back(recorded(input, frame));
+  }
+  for (std::size_t i = 1; i < branch.chapters.size(); ++i) {
+    const Chapter& chapter = branch.chapters[i];
+    if (chapter.first <= frames) recording.edits.push_back({chapter.first, chapter.version});
+  }
+  for (const Mark& mark : branch.marks) {
+    if (mark.frame <= frames) recording.marks.push_back(mark);
+  }
+  return recording;
+}
+
 }  // namespace
 
 Timeline::Timeline(const Recording& recording, std::size_t keyframe_bytes)
     : Timeline(recording.level, keyframe_bytes) {
+  take(recording);
+}
+
+int Timeline::add(const Recording& recording) {
+  leave();
+  version_ = std::make_shared<const LevelVersion>(version_of(recording.level));
+  scene_ = scenes_.scene_of(version_);
+  add_branch({});
+  start_over();
+  take(recording);
+  return current_;
+}
+
+void Timeline::take(const Recording& recording) {
   Branch& branch = now();
   for (const RecordedEdit& edit : recording.edits)
     branch.chapters.push_back({edit.frame, edit.version, false});
@@ -40,24 +81,15 @@ Timeline::Timeline(const Recording& recording, std::size_t keyframe_bytes)
 }
 
 Recording Timeline::recording(const Branch& branch, const Level& pictures) const {
-  Recording recording;
-  recording.level = pictures;
-  put_version(*branch.chapters.front().version, recording.level);
-  recording.frames = branch.run_frame();
-  for (std::int64_t frame = 1; frame <= recording.frames; ++frame) {
-    const Input& input = branch.input(frame);
-    if (input != (frame == 1 ? Input() : branch.input(frame - 1)))
-      recording.input.push_back(recorded(input, frame));
-  }
-  for (std::size_t i = 1; i < branch.chapters.size(); ++i) {
-    const Chapter& chapter = branch.chapters[i];
-    if (chapter.first <= recording.frames) recording.edits.push_back({chapter.first, chapter.version});
-  }
-  for (const Mark& mark : branch.marks) {
-    if (mark.frame <= recording.frames) recording.marks.push_back(mark);
-  }
-  recording.hashes.reserve(branch.hashes.size());
-  for (std::size_t i = 0; i < branch.hashes.size(); ++i) recording.hashes.push_back(branch.hashes[i]);
+  Recording recording = unhashed_recording(branch, pictures, branch.run_frame());
+  recording.hashes = list_of(branch.hashes);
+  return recording;
+}
+
+Recording Timeline::whole_recording(const Branch& branch, const Level& pictures) const {
+  if (!branch.behind()) return recording(branch, pictures);
+  Recording recording = unhashed_recording(branch, pictures, branch.last_frame());
+  if (branch.expected.size() == branch.inputs.size() + 1) recording.hashes = list_of(branch.expected);
   return recording;
 }
 

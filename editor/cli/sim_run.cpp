@@ -34,6 +34,11 @@ std::optional<Recording> load_recording_or_fail(CommandContext& context, const S
 // "passed 3600 frames", or "failed frame 61: hash .., recorded ..".
 void verify(CommandContext& context, Timeline& timeline) {
   const Branch& branch = timeline.current();
+  if (branch.expected.size() == 0) {
+    context.out << "failed: the recording holds no hashes to compare with\n";
+    context.status = kExitBad;
+    return;
+  }
   while (timeline.behind() && !timeline.unexpected_frame(branch)) timeline.catch_up(kStepsAtOnce);
   const auto failed = timeline.unexpected_frame(branch);
   if (!failed) {

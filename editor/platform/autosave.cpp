@@ -1,6 +1,6 @@
-// One file for each process: a line of JSON about the level, then as many bytes of a recording as it says,
-// then the level in the native format. Beside it lies a file that is locked as long as the process lives; the
-// system gives the lock back however it ends.
+// One file for each process: a line of JSON about the level, then the recordings, of as many bytes as it
+// says, then the level in the native format. Beside it lies a file that is locked as long as the process
+// lives; the system gives the lock back however it ends.
 #include "autosave.h"
 
 #include <fcntl.h>
@@ -56,13 +56,19 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
   const Format& native = *find_format("native");
   const auto written = native.write(*work.level, {kNativeExtension});
   if (!written) return tl::unexpected("The level cannot be saved by itself: " + written.error().message);
-  const auto recording = work.recording ? write_recording(*work.recording) : FormatResult<std::string>("");
-  if (!recording)
-    return tl::unexpected("The recording cannot be saved by itself: " + recording.error().message);
+  std::string recordings;
+  std::vector<std::size_t> sizes;
+  for (const auto& each : work.recordings) {
+    const auto recording = write_recording(*each);
+    if (!recording)
+      return tl::unexpected("The recording cannot be saved by itself: " + recording.error().message);
+    sizes.push_back(recording->size());
+    recordings += *recording;
+  }
   const json about = {
-      {"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", recording->size()}};
+      {"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", sizes}};
   const std::string text =
-      about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + *recording + written->bytes;
+      about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + recordings + written->bytes;
   std::error_code error;
   fs::create_directories(fs::path(work.file).parent_path(), error);
   if (const auto saved = write_file_atomic(work.file, text); !saved)
@@ -76,19 +82,19 @@ tl::expected<SavedWork, std::string> read_saved_work(const std::string& file) {
   const std::size_t line = bytes->find('\n');
   const json about = json::parse(bytes->substr(0, line), nullptr, false);
   if (line == std::string::npos || !about.is_object()) return tl::unexpected(file + " is damaged.");
-  const std::string_view rest = std::string_view(*bytes).substr(line + 1);
-  const bool has_recording =
-      about.contains("recording_bytes") && about["recording_bytes"].is_number_unsigned();
-  const std::size_t split =
-      std::min(has_recording ? about["recording_bytes"].get<std::size_t>() : 0, rest.size());
-  auto level = find_format("native")->read(rest.substr(split), {kNativeExtension});
-  if (!level) return tl::unexpected(to_string(level.error(), file));
-  SavedWork work{file, {}, kUnnamed, 0, std::make_shared<const Level>(std::move(*level))};
-  if (split > 0) {
-    auto recording = read_recording(rest.substr(0, split));
+  std::string_view rest = std::string_view(*bytes).substr(line + 1);
+  SavedWork work{file, {}, kUnnamed, 0, nullptr};
+  for (const json& size : about.value("recording_bytes", json::array())) {
+    if (!size.is_number_unsigned() || size.get<std::size_t>() > rest.size())
+      return tl::unexpected(file + " is damaged.");
+    auto recording = read_recording(rest.substr(0, size.get<std::size_t>()));
     if (!recording) return tl::unexpected(to_string(recording.error(), file));
-    work.recording = std::make_shared<const Recording>(std::move(*recording));
+    work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
+    rest.remove_prefix(size.get<std::size_t>());
   }
+  auto level = find_format("native")->read(rest, {kNativeExtension});
+  if (!level) return tl::unexpected(to_string(level.error(), file));
+  work.level = std::make_shared<const Level>(std::move(*level));
   if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
   if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
   if (about.contains("time") && about["time"].is_number_integer()) work.time = about["time"];
@@ -122,7 +128,7 @@ bool Autosave::hold_lock() {
 std::optional<std::string> Autosave::follow(const Session& session, double now) {
   if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
   std::optional<std::string> error = finish_writing();
-  if (!session.modified() && session.unsaved_run() == nullptr) {
+  if (!session.modified() && session.unsaved_runs().empty()) {
     remove();
     return error;
   }
@@ -147,8 +153,9 @@ tl::expected<void, std::string> Autosave::save_now(const Session& session) {
 SavedWork Autosave::work_of(const Session& session) const {
   SavedWork work{file_, session.path(), session.file_name(), seconds_since_1970(),
                  std::make_shared<const Level>(session.level())};
-  if (const Branch* run = session.unsaved_run())
-    work.recording = std::make_shared<const Recording>(session.timeline().recording(*run, session.level()));
+  for (const Branch* run : session.unsaved_runs())
+    work.recordings.push_back(
+        std::make_shared<const Recording>(session.timeline().whole_recording(*run, session.level())));
   return work;
 }
 

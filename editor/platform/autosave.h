@@ -1,4 +1,4 @@
-// Autosave: writes the level away while it has unsaved changes, or a run that the user has worked on, so that
+// Autosave: writes the level away while it has unsaved changes, or runs that the user has worked on, so that
 // a crash costs a few seconds at most, and finds what programs that ended without warning have left.
 #pragma once
 
@@ -20,8 +20,8 @@ struct SavedWork {
   std::string name;                    // for titles
   std::int64_t time = 0;               // s since 1970, when it was saved
   std::shared_ptr<const Level> level;  // never null
-  // Of the run with marks or inputs of the user's that was worked on last; null: none.
-  std::shared_ptr<const Recording> recording = {};
+  // Of the runs with marks or inputs of the user's, none null, the one that was worked on last at the end.
+  std::vector<std::shared_ptr<const Recording>> recordings = {};
 };
 
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);

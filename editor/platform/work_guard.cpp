@@ -35,7 +35,7 @@ void WorkGuard::draw(Session& session, Ui& ui) {
   const bool open = ui.view.program.recovery_open;
   if (open && !was_open_) works_ = autosave_.left_behind();
   was_open_ = open;
-  const auto answer = dialog_.draw(works_, session.modified() || session.unsaved_run() != nullptr, ui);
+  const auto answer = dialog_.draw(works_, session.modified() || !session.unsaved_runs().empty(), ui);
   if (!answer) return;
   if (answer->choice == RecoveryDialog::Choice::recover) {
     recover(answer->index, session, ui.view);
@@ -49,7 +49,7 @@ void WorkGuard::draw(Session& session, Ui& ui) {
 // The old file goes once the level is in this process's own.
 void WorkGuard::recover(std::size_t index, Session& session, View& view) {
   const SavedWork work = works_[index];
-  session.apply(action::RecoverLevel{work.level, work.path, work.name, work.recording});
+  session.apply(action::RecoverLevel{work.level, work.path, work.name, work.recordings});
   drop(index);
   view.program.recovery_open = false;
   if (const auto saved = autosave_.save_now(session))

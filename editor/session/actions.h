@@ -12,10 +12,10 @@
 #include "debug/stop_search.h"
 #include "edit/curve_tools.h"
 #include "edit/edit.h"
-#include "edit/map_tools.h"
 #include "edit/pixel_selection.h"
 #include "edit/sprite_shapes.h"
 #include "edit/sprite_tools.h"
+#include "edit/stamp.h"
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
 #include "png_import.h"
@@ -71,7 +71,9 @@ struct Redo {};
 
 // --- files. What would lose unsaved changes is asked about first: see Session::question().
 struct NewLevel {};
-struct OpenFile {  // a level, or a recording with its level; a PNG without a cart in it as OpenPng
+// A level, or a recording with its level; a PNG without a cart in it as OpenPng. Where there is something to
+// choose of it first: see Session::level_import().
+struct OpenFile {
   std::string path;
   bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
 };
@@ -104,6 +106,11 @@ struct SetPngImport {
 };
 struct ApplyPngImport {};  // while its plan is an error, nothing happens
 struct CancelPngImport {};
+struct SetLevelImport {
+  ImportChoices choices;
+};
+struct ApplyLevelImport {};  // while it cannot be read so, nothing happens
+struct CancelLevelImport {};
 struct Quit {};
 // To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep. To "drop this
 // run": discard or cancel. To "replace these files": replace or cancel. To "keep
@@ -119,7 +126,8 @@ struct RecoverLevel {
   std::shared_ptr<const Level> level;               // never null
   std::string path;                                 // empty: none
   std::string name;                                 // for titles, without a path
-  std::shared_ptr<const Recording> recording = {};  // of a run that was saved with it; null: none
+  // Of the runs that were saved with it, none null; the last one is shown.
+  std::vector<std::shared_ptr<const Recording>> recordings = {};
 };
 // Looks whether another program has changed the level's file; see Session::question().
 struct CheckFile {};
@@ -316,7 +324,8 @@ using Action = std::variant<
     action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile, action::SaveRecording,
     action::SaveFile, action::SaveFileAs, action::ExportPng, action::PreviewExport, action::RunExports,
     action::CancelExport, action::OpenPng, action::SetPngImport, action::ApplyPngImport,
-    action::CancelPngImport, action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel,
+    action::CancelPngImport, action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
+    action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel,
     action::CheckFile, action::ShowMessage, action::DismissMessage, action::Play, action::Pause,
     action::TogglePlay, action::StepFrame, action::ResetPlay, action::SetSpeed, action::HoldMouse,
     action::HoldKeys, action::StepBack, action::SeekStart, action::SeekEnd, action::SeekFrame,

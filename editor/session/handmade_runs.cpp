@@ -38,6 +38,12 @@ void HandmadeRuns::clear() {
   runs_.clear();
 }
 
+std::vector<int> HandmadeRuns::all() const {
+  std::vector<int> branches;
+  for (const Run& run : runs_) branches.push_back(run.branch);
+  return branches;
+}
+
 std::optional<int> HandmadeRuns::latest() const {
   return runs_.empty() ? std::nullopt : std::optional(runs_.back().branch);
 }

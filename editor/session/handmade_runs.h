@@ -17,7 +17,8 @@ class HandmadeRuns {
   void note_saved(int branch) { forget(branch); }
   void note_gone(int branch) { forget(branch); }
   void clear();
-  // The one that was worked on last; nothing: all that is worth keeping is in files.
+  // By when they were worked on, the latest last; empty: all that is worth keeping is in files.
+  std::vector<int> all() const;
   std::optional<int> latest() const;
   std::uint64_t revision() const { return revision_; }  // grows with each of these changes
 

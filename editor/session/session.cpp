@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "edit/stamp.h"
 #include "level/followed_spawn.h"
 #include "session_impl.h"
 
@@ -248,9 +249,13 @@ std::optional<double> Session::compile_progress() const {
   return impl_->compiler.is_busy() ? std::optional(impl_->compiler.progress()) : std::nullopt;
 }
 const std::optional<PngImport>& Session::png_import() const { return impl_->png_import; }
-const Branch* Session::unsaved_run() const {
-  const auto run = impl_->handmade_runs.latest();
-  return run ? timeline().find(*run) : nullptr;
+const std::optional<LevelImport>& Session::level_import() const { return impl_->level_import; }
+std::vector<const Branch*> Session::unsaved_runs() const {
+  std::vector<const Branch*> runs;
+  for (int id : impl_->handmade_runs.all()) {
+    if (const Branch* run = timeline().find(id)) runs.push_back(run);
+  }
+  return runs;
 }
 std::uint64_t Session::runs_revision() const { return impl_->handmade_runs.revision(); }
 bool Session::wants_save_as() const { return impl_->wants_save_as; }

@@ -14,6 +14,7 @@
 #include "exporting.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
+#include "level_import.h"
 #include "level/lint.h"
 #include "overlay/overlay_id.h"
 #include "png_import.h"
@@ -132,9 +133,9 @@ class Session {
   const std::vector<TrailPoint>& trail(const Branch& branch, int body, std::int64_t first,
                                        std::int64_t last) const;
   const Choices& choices() const;
-  // The run with marks or inputs of the user's that was worked on last, and that no file has; null: none.
-  // What loses it asks first; it is saved by SaveRecording.
-  const Branch* unsaved_run() const;
+  // The runs with marks or inputs of the user's that no file has, the one that was worked on last at the end.
+  // What loses them asks first; they are saved by SaveRecording.
+  std::vector<const Branch*> unsaved_runs() const;
   std::uint64_t runs_revision() const;  // grows when the answer may be another one
 
   // What stops, is watched and is compared; brought up to what is shown by apply() and advance().
@@ -155,6 +156,8 @@ class Session {
   const std::optional<Message>& message() const;       // stays until dismissed or replaced
   const std::optional<Question>& question() const;     // waits for AnswerQuestion
   const std::optional<PngImport>& png_import() const;  // waits for ApplyPngImport or CancelPngImport
+  // Waits for ApplyLevelImport or CancelLevelImport.
+  const std::optional<LevelImport>& level_import() const;
   bool wants_save_as() const;                          // waits for SaveFileAs or CancelSaveAs
   bool wants_save_recording() const;                   // waits for SaveRecording or CancelSaveAs
   bool wants_quit() const;                             // the program should end

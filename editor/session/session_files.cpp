@@ -152,18 +152,38 @@ void Session::Impl::open(const action::OpenFile& file) {
     return open_recording(file.path);
   const auto before = stamp_of_file(file.path);  // what is written while it is read shows later
   FormatResult<LoadedLevel> loaded = load_level(file.path);
-  if (!loaded) {
+  if (!loaded && !loaded.error().remedy.empty() && !file.as_copy) {
+    level_import = first_level_import(file.path);
+  } else if (!loaded) {
     message = Message{to_string(loaded.error(), file.path), true};
   } else if (file.as_copy) {
     replace_level(std::move(loaded->level), {}, nullptr);
     const std::string file_name = std::filesystem::path(file.path).filename().string();
     name = file_name.substr(0, file_name.find('.')) + " (copy)";
+  } else if (loaded->format->write == nullptr) {
+    open_imported(file.path, *std::move(loaded));
   } else {
     replace_level(std::move(loaded->level), file.path, loaded->format);
     if (stamp) stamp = before;
-    if (loaded->format->write == nullptr)
-      message = Message{import_text(name_of(file.path), loaded->dropped), false};
   }
+}
+
+// A file that cannot be written again.
+void Session::Impl::open_imported(const std::string& file, LoadedLevel loaded) {
+  replace_level(std::move(loaded.level), file, loaded.format);
+  message = Message{import_text(name_of(file), loaded.dropped), false};
+}
+
+void Session::Impl::carry_out(const action::SetLevelImport& a) {
+  if (!level_import) return;
+  level_import->choices = a.choices;
+  level_import->plan = load_level(level_import->path, a.choices);
+}
+
+void Session::Impl::carry_out(const action::ApplyLevelImport&) {
+  if (!level_import || !level_import->plan) return;
+  LevelImport import = *std::exchange(level_import, std::nullopt);
+  open_imported(import.path, *std::move(import.plan));
 }
 
 // The level becomes what it was at the recording's end, so that playing goes on from there as it was played.
@@ -193,23 +213,25 @@ void Session::Impl::recover(const action::RecoverLevel& saved) {
   carry_out(action::EditLevel{replace_by(level, saved.level, "Recover what was not saved")});
   read_hard_case();
   history.forget_saved();
-  if (saved.recording != nullptr) recover_run(*saved.recording);
+  if (!saved.recordings.empty()) recover_runs(saved.recordings);
   message = Message{
       "Recovered " + file_name() + ". It is not saved yet; undo goes back to what the file has.", false};
 }
 
-// On the level as it is by now, which differs from the recording's last one where pixels were drawn later.
-void Session::Impl::recover_run(const Recording& recording) {
+// On the level as it is by now, which differs from the recordings' last ones where pixels were drawn later.
+void Session::Impl::recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings) {
   compiler.cancel();
   is_opening = false;
-  player.load(recording);
+  player.load(*recordings.front());
   handmade_runs.note_input(player.timeline().current().id);
+  for (std::size_t i = 1; i < recordings.size(); ++i)
+    handmade_runs.note_input(player.timeline().add(*recordings[i]));
   scene_changes = {};
   scene_changes.whole = true;
 }
 
 void Session::Impl::carry_out(const action::CheckFile&) {
-  if (stamp && !question && !wants_save_as) take_file_change(file_change(path, *stamp));
+  if (stamp && !question && !wants_save_as && !level_import) take_file_change(file_change(path, *stamp));
 }
 
 void Session::Impl::note_file() { stamp = path.empty() ? std::nullopt : stamp_of_file(path); }

@@ -58,6 +58,10 @@ TEST_F(CliRecording, NamesTheFirstFrameThatDiffers) {
   EXPECT_THAT(tampered.out, StartsWith("failed frame 42: hash "));
   EXPECT_EQ(std::count(tampered.out.begin(), tampered.out.end(), '\n'), 1);
 
+  recording.hashes.clear();
+  const CliAnswer unhashed = sim({saved("unhashed.talusrec", recording), "--verify"});
+  EXPECT_EQ(unhashed.status, kExitBad);
+  EXPECT_EQ(unhashed.out, "failed: the recording holds no hashes to compare with\n");
   const CliAnswer other = sim({saved("good.talusrec", sample()), "--verify", "--set", "fall_speed=4"});
   EXPECT_EQ(other.status, kExitBad);
   EXPECT_THAT(other.out, StartsWith("failed frame 10: hash ")) << "the first in which the ball falls";

@@ -128,6 +128,11 @@ TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
   expect("key frames: must be a whole number from 0 to 67108864", [](json& d) { d["frames"] = 1e18; });
   expect("key hashes: must hold 2000000 hashes, one more than frames, not 41",
          [](json& d) { d["frames"] = 1999999; });
+  expect("none", [](json& d) { d["hashes"] = json::array(); });
+  expect("key frames: must be a whole number from 0 to 2097152", [](json& d) {
+    d["hashes"] = json::array();
+    d["frames"] = (1 << 21) + 1;
+  });
   expect("key hashes: is missing", [](json& d) { d.erase("hashes"); });
   expect("key hashes[2]: must be a text", [](json& d) { d["hashes"][2] = 7; });
   for (const char* text : {"0123", "0123456789abcdeg", "0123456789abcdef ",

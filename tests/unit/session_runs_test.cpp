@@ -1,6 +1,7 @@
 // What of the runs the user has made by hand is asked about before it is lost, and saved by itself.
 #include <gtest/gtest.h>
 
+#include "edit/map_stroke.h"
 #include "folder_test.h"
 #include "formats/recording.h"
 #include "platform/autosave.h"
@@ -22,6 +23,13 @@ class SessionRuns : public FolderTest {
     for (int i = 0; i < 1000 && session.timeline().behind(); ++i) session.advance(0.01);
     ASSERT_FALSE(session.timeline().behind());
   }
+  SavedWork saved_by_itself(const Session& session, const std::string& folder) const {
+    EXPECT_TRUE(Autosave(path(folder)).save_now(session));
+    return Autosave(path(folder)).left_behind().at(0);
+  }
+  static void recover(Session& session, const SavedWork& work) {
+    session.apply(act::RecoverLevel{work.level, work.path, work.name, work.recordings});
+  }
   void answer(act::Answer answer) { session_.apply(act::AnswerQuestion{answer}); }
 
   Session session_{level(), "", "slopes"};
@@ -31,7 +39,7 @@ TEST_F(SessionRuns, WhatWasOnlyPlayedIsNotAskedAbout) {
   session_.apply(act::SeekFrame{5});
   session_.apply(act::TakeOver{});
   play(session_, 5);
-  EXPECT_EQ(session_.unsaved_run(), nullptr);
+  EXPECT_TRUE(session_.unsaved_runs().empty());
   session_.apply(act::NewLevel{});
   EXPECT_FALSE(session_.question());
   EXPECT_EQ(session_.timeline().last_frame(), 0);
@@ -39,7 +47,7 @@ TEST_F(SessionRuns, WhatWasOnlyPlayedIsNotAskedAbout) {
 
 TEST_F(SessionRuns, AMarkIsAskedAboutAndKept) {
   session_.apply(act::SetMark{7, "sticks"});
-  ASSERT_NE(session_.unsaved_run(), nullptr);
+  ASSERT_FALSE(session_.unsaved_runs().empty());
   session_.apply(act::Quit{});
   ASSERT_TRUE(session_.question());
   EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_run);
@@ -63,19 +71,19 @@ TEST_F(SessionRuns, AMarkIsAskedAboutAndKept) {
 TEST_F(SessionRuns, ARemovedMarkIsNothingToKeep) {
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::RemoveMark{3});
-  EXPECT_NE(session_.unsaved_run(), nullptr) << "another frame";
+  EXPECT_FALSE(session_.unsaved_runs().empty()) << "another frame";
   session_.apply(act::RemoveMark{7});
-  EXPECT_EQ(session_.unsaved_run(), nullptr);
+  EXPECT_TRUE(session_.unsaved_runs().empty());
 }
 
 TEST_F(SessionRuns, InputsSetByHandAreAskedAboutRunByRun) {
   session_.apply(act::SetInput{3, 6, InputKey::left, false});
-  EXPECT_EQ(session_.unsaved_run(), nullptr) << "it was not held before";
+  EXPECT_TRUE(session_.unsaved_runs().empty()) << "it was not held before";
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::SetInput{3, 6, InputKey::left, true});
   run_again(session_);
-  ASSERT_NE(session_.unsaved_run(), nullptr);
-  EXPECT_EQ(session_.unsaved_run()->id, 2);
+  ASSERT_FALSE(session_.unsaved_runs().empty());
+  EXPECT_EQ(session_.unsaved_runs().back()->id, 2);
   session_.apply(act::SwitchBranch{1});
   session_.apply(act::NewLevel{});
   ASSERT_TRUE(session_.question());
@@ -105,17 +113,15 @@ TEST_F(SessionRuns, SavedByItselfAndRecovered) {
   session_.apply(act::SetMark{7, "sticks"});
   ASSERT_FALSE(session_.modified());
   {
-    Autosave autosave(path("state"));
+    Autosave autosave(path("followed"));
     EXPECT_FALSE(autosave.follow(session_, 0));
     EXPECT_EQ(autosave.due(), Autosave::kDelay);
-    ASSERT_TRUE(autosave.save_now(session_));
   }
-  const auto left = Autosave(path("state")).left_behind();
-  ASSERT_EQ(left.size(), 1u);
-  ASSERT_NE(left[0].recording, nullptr);
-  EXPECT_EQ(left[0].recording->frames, 20);
+  const SavedWork left = saved_by_itself(session_, "state");
+  ASSERT_EQ(left.recordings.size(), 1u);
+  EXPECT_EQ(left.recordings[0]->frames, 20);
   Session next;
-  next.apply(act::RecoverLevel{left[0].level, left[0].path, left[0].name, left[0].recording});
+  recover(next, left);
   run_again(next);
   EXPECT_EQ(next.level().map, session_.level().map);
   EXPECT_EQ(next.timeline().last_frame(), 20);
@@ -125,6 +131,25 @@ TEST_F(SessionRuns, SavedByItselfAndRecovered) {
   EXPECT_EQ(next.state(), session_.state());
   next.apply(act::NewLevel{});
   EXPECT_TRUE(next.question()) << "it is in no file yet";
+}
+
+TEST_F(SessionRuns, AllAreSavedByThemselvesAndRecoveredThoughNoneHasBeenRunAgain) {
+  session_.apply(act::SetMark{7, "sticks"});
+  session_.apply(act::SetInput{3, 6, InputKey::left, true});
+  run_again(session_);
+  Session first, second;
+  recover(first, saved_by_itself(session_, "first"));
+  recover(second, saved_by_itself(first, "second"));  // whose runs are all behind
+  ASSERT_EQ(second.timeline().branches().size(), 2u);
+  run_again(second);
+  EXPECT_EQ(second.timeline().last_frame(), 20);
+  EXPECT_TRUE(second.timeline().current().input(5).left);
+  EXPECT_EQ(second.timeline().current().hashes[20], session_.timeline().current().hashes[20]);
+  second.apply(act::SwitchBranch{second.timeline().branches()[0].id});
+  run_again(second);
+  EXPECT_EQ(second.timeline().current().marks, (std::vector<Mark>{{7, "sticks"}}));
+  EXPECT_FALSE(second.timeline().current().input(5).left);
+  EXPECT_EQ(second.timeline().last_frame(), 20);
 }
 
 TEST_F(SessionRuns, WhatIsNotMarkedIsNotSavedByItself) {
