@@ -231,17 +231,15 @@ std::string dumped(const OrderedJson& json) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-// Adds a member to the text of an object. What is large is put together as text: as JSON values the cells of
-// a large map would take a kilobyte each.
-void add_member(std::string& object, const char* key, const std::string& value) {
-  object.pop_back();
-  object.append(",\n\"").append(key).append("\":").append(value) += '}';
+// An object that is not closed yet. What is large is put behind it as text: as JSON values the cells of a
+// large map would take a kilobyte each.
+std::string opened(const OrderedJson& object) {
+  std::string text = dumped(object);
+  text.pop_back();
+  return text;
 }
-
-std::string list_of(const std::vector<std::string>& entries) {
-  std::string list = "[";
-  for (const std::string& entry : entries) list.append(list.size() > 1 ? ",\n" : "\n").append(entry);
-  return list + "]";
+std::string& begin_member(std::string& object, const char* key) {
+  return object.append(",\n\"").append(key).append("\":");
 }
 
 // What has neither pixels nor flags is no tile to see, such as the empty tile 0.
@@ -250,40 +248,53 @@ bool is_blank(const Level& level, std::uint8_t tile) {
   return level.tile_flags(tile) == 0 && image == TileImage{};
 }
 
-std::string int_grid(const Level& level, const CollisionValues& values) {
-  std::string csv = "[";
-  int column = 0;
-  for (const std::uint8_t tile : level.map.cells()) {
-    if (csv.size() > 1) csv += ',';
-    if (column == 0) csv += '\n';
-    csv += std::to_string(values.of_tile[tile]);
-    column = (column + 1) % level.map.width();
+void put_int_grid(const Level& level, const CollisionValues& values, const Progress& progress,
+                  std::string& text) {
+  text += '[';
+  for (Cell c; c.y < level.map.height() && progress.at(c.y, level.map.height()); ++c.y) {
+    for (c.x = 0; c.x < level.map.width(); ++c.x) {
+      if (c != Cell{0, 0}) text += ',';
+      if (c.x == 0) text += '\n';
+      append_number(text, values.of_tile[level.map.at(c)]);
+    }
   }
-  return csv + "]";
+  text += ']';
 }
 
-std::string grid_tiles(const Level& level) {
-  std::string tiles = "[";
-  const int width = level.map.width();
-  int cell = -1;
-  for (const std::uint8_t tile : level.map.cells()) {
-    ++cell;
-    if (is_blank(level, tile)) continue;
-    const auto place = [](int column, int row) {
-      return "[" + std::to_string(column * kTileSize) + "," + std::to_string(row * kTileSize) + "]";
-    };
-    tiles += tiles.size() > 1 ? ",\n" : "\n";
-    tiles += R"({"px":)" + place(cell % width, cell / width);
-    tiles += R"(,"src":)" + place(tile % kSheetColumns, tile / kSheetColumns);
-    tiles += R"(,"f":0,"t":)" + std::to_string(tile) + R"(,"d":[)" + std::to_string(cell) + R"(],"a":1})";
+void put_grid_tiles(const Level& level, const Progress& progress, std::string& text) {
+  std::array<bool, kTileCount> blank{};
+  for (int tile = 0; tile < kTileCount; ++tile)
+    blank[static_cast<std::size_t>(tile)] = is_blank(level, static_cast<std::uint8_t>(tile));
+  const auto put_place = [&text](int column, int row) {
+    append_number(text += '[', column * kTileSize);
+    append_number(text += ',', row * kTileSize);
+    text += ']';
+  };
+  text += '[';
+  bool first = true;
+  for (Cell c; c.y < level.map.height() && progress.at(c.y, level.map.height()); ++c.y) {
+    for (c.x = 0; c.x < level.map.width(); ++c.x) {
+      const int tile = level.map.at(c);
+      if (blank[static_cast<std::size_t>(tile)]) continue;
+      text += first ? "\n" : ",\n";
+      first = false;
+      text += R"({"px":)";
+      put_place(c.x, c.y);
+      text += R"(,"src":)";
+      put_place(tile % kSheetColumns, tile / kSheetColumns);
+      append_number(text += R"(,"f":0,"t":)", tile);
+      append_number(text += R"(,"d":[)", c.y * level.map.width() + c.x);
+      text += R"(],"a":1})";
+    }
   }
-  return tiles + "]";
+  text += ']';
 }
 
 class LdtkProject {
  public:
-  LdtkProject(const Level& level, std::string stem, std::string sheet)
+  LdtkProject(const Level& level, std::string stem, std::string sheet, Progress progress)
       : level_(level),
+        progress_(std::move(progress)),
         stem_(std::move(stem)),
         sheet_(std::move(sheet)),
         values_(collision_values(ground_of(level))) {}
@@ -313,10 +324,16 @@ class LdtkProject {
                                         {"pxHei", level_.map.height() * kTileSize},
                                         {"__bgColor", background},
                                         {"__smartColor", background}});
-    std::string level_text = dumped(level), text = dumped(project);
-    add_member(level_text, "layerInstances", list_of({bodies(), collision(), tiles()}));
-    add_member(text, "levels", list_of({level_text}));
-    return text + '\n';
+    std::string text = opened(project);
+    begin_member(text, "levels").append("[\n").append(opened(level));
+    begin_member(text, "layerInstances") += "[\n";
+    put_bodies(text);
+    text += ",\n";
+    put_collision(text);
+    text += ",\n";
+    put_tiles(text);
+    text += "]}]}\n";
+    return text;
   }
 
  private:
@@ -324,10 +341,10 @@ class LdtkProject {
     return filled(kLayerDef, {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}});
   }
 
-  // Without the members that differ from layer to layer.
+  // Open, without the members that differ from layer to layer.
   std::string layer(const char* name, const char* type, int uid) const {
     const bool has_tileset = uid == kTilesUid;
-    return dumped({{"__identifier", name},
+    return opened({{"__identifier", name},
                    {"__type", type},
                    {"__cWid", level_.map.width()},
                    {"__cHei", level_.map.height()},
@@ -349,28 +366,30 @@ class LdtkProject {
                    {"overrideTilesetUid", nullptr}});
   }
 
-  static std::string with_content(std::string layer, const std::string& grid, const std::string& tiles,
-                                  const std::string& entities) {
-    add_member(layer, "intGridCsv", grid);
-    add_member(layer, "gridTiles", tiles);
-    add_member(layer, "entityInstances", entities);
-    return layer;
+  void put_bodies(std::string& text) const {
+    text += layer("Bodies", "Entities", kBodiesUid);
+    begin_member(text, "intGridCsv") += "[]";
+    begin_member(text, "gridTiles") += "[]";
+    begin_member(text, "entityInstances") += '[';
+    for (std::size_t i = 0; i < level_.spawns.size(); ++i)
+      text.append(i == 0 ? "\n" : ",\n").append(dumped(entity(level_.spawns[i], static_cast<int>(i))));
+    text += "]}";
   }
-
-  std::string bodies() const {
-    std::vector<std::string> entities;
-    for (const Spawn& spawn : level_.spawns)
-      entities.push_back(dumped(entity(spawn, static_cast<int>(entities.size()))));
-    return with_content(layer("Bodies", "Entities", kBodiesUid), "[]", "[]", list_of(entities));
+  void put_collision(std::string& text) const {
+    text += layer("Collision", "IntGrid", kCollisionUid);
+    put_int_grid(level_, values_, progress_.part(0, 0.2), begin_member(text, "intGridCsv"));
+    begin_member(text, "gridTiles") += "[]";
+    begin_member(text, "entityInstances") += "[]}";
   }
-  std::string collision() const {
-    return with_content(layer("Collision", "IntGrid", kCollisionUid), int_grid(level_, values_), "[]", "[]");
-  }
-  std::string tiles() const {
-    return with_content(layer("Tiles", "Tiles", kTilesUid), "[]", grid_tiles(level_), "[]");
+  void put_tiles(std::string& text) const {
+    text += layer("Tiles", "Tiles", kTilesUid);
+    begin_member(text, "intGridCsv") += "[]";
+    put_grid_tiles(level_, progress_.part(0.2, 1), begin_member(text, "gridTiles"));
+    begin_member(text, "entityInstances") += "[]}";
   }
 
   const Level& level_;
+  Progress progress_;
   std::string stem_, sheet_;
   CollisionValues values_;
 };
@@ -378,9 +397,10 @@ class LdtkProject {
 }  // namespace
 
 FormatResult<Exported> export_ldtk(const ExportRequest& request) {
-  Exported out{{{"", LdtkProject(request.level, request.stem(), request.sheet_name()).text()},
-                {request.sheet_name(), write_png_part(request.level, PngPart::tiles)}},
-               dropped_curves(request.level)};
+  Exported out{
+      {{"", LdtkProject(request.level, request.stem(), request.sheet_name(), request.progress).text()},
+       {request.sheet_name(), write_png_part(request.level, PngPart::tiles)}},
+      dropped_curves(request.level)};
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../formats/format.h"
+#include "progress.h"
 
 namespace talus {
 
@@ -10,6 +11,6 @@ inline constexpr int kMaxPictureSide = 16384;         // px
 inline constexpr std::int64_t kMaxPicture = 1 << 25;  // px in all, such as 8192x4096
 
 // One pixel a px in the palette's colours. An error where the map is larger than the limits.
-FormatResult<std::string> map_png(const Level& level);
+FormatResult<std::string> map_png(const Level& level, const Progress& progress = {});
 
 }  // namespace talus

@@ -199,19 +199,21 @@ void add_spawns(pugi::xml_node root, const std::vector<Spawn>& spawns) {
 
 FormatResult<Exported> export_svg(const ExportRequest& request) {
   const Level& level = request.level;
-  const FormatResult<std::string> png = map_png(level);
+  const FormatResult<std::string> png = map_png(level, request.progress.part(0, 0.7));
   if (!png) return tl::unexpected(png.error());
+  if (!request.progress.at(0.7)) return Exported();
   pugi::xml_document document;
   const pugi::xml_node root = add_root(document, level, *png);
 
-  const TerrainSource ground = ground_of(level);
+  TerrainSource ground = ground_of(level);
+  ground.progress = request.progress.part(0.7, 0.85).function();
   SvgPath outline, one_way, curves, normals;
   for (const GroundPolygon& polygon : ground_polygons(ground)) {
     outline.polyline(polygon.points);
     outline("Z");
     normals.ticks(polygon.points, true);
   }
-  for (const PlainLine& line : plain_lines(level)) {
+  for (const PlainLine& line : plain_lines(level, request.progress.part(0.85, 0.95))) {
     if (line.is_curve) continue;
     one_way.polyline(line.points);
     normals.ticks(line.points, false);

@@ -11,6 +11,8 @@
 namespace talus {
 namespace {
 
+constexpr double kModelShare = 0.4;  // of the time; the rest writes the text
+
 // The level as a native one without what the map has, in one line; line breaks of JSON are between its parts.
 FormatResult<std::string> rest_of(const Level& level) {
   Level rest = level;
@@ -196,12 +198,14 @@ class TiledXmlWriter {
 FormatResult<Exported> export_tmj(const ExportRequest& request) {
   const auto map = whole_map_of(request);
   if (!map) return tl::unexpected(map.error());
+  if (!request.progress.at(kModelShare)) return Exported();
   return files_of(request, tiled_json_text(*map));
 }
 
 FormatResult<Exported> export_tmx(const ExportRequest& request) {
   const auto map = whole_map_of(request);
   if (!map) return tl::unexpected(map.error());
+  if (!request.progress.at(kModelShare)) return Exported();
   return files_of(request, TiledXmlWriter().write(*map));
 }
 

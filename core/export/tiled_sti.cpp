@@ -215,7 +215,9 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   const Level& level = request.level;
   TiledMap map = tiled_map_of(request);
   const StiMaker maker(level);
+  if (!request.progress.at(0.3)) return Exported();
   const std::vector<int> more = maker.fill(map);
+  if (!request.progress.at(0.8)) return Exported();
   std::string picture = sti_picture(level, more, map.tilesets.front());
   std::vector<std::string> dropped;
   const auto drop = [&](const std::string& what, std::size_t count, const std::string& of) {
