@@ -1,0 +1,86 @@
+// What a long command shows on a terminal, and how Ctrl+C ends it.
+#include "cli/progress_line.h"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <iostream>
+#include <sstream>
+
+#include "cli_answer.h"
+#include "folder_test.h"
+#include "formats/format.h"
+
+namespace talus::progress_line_test {
+
+using std::chrono::seconds;
+
+// Signals that end the program wait while there is one, and those that came are forgotten when it goes.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    pthread_sigmask(SIG_BLOCK, &signals_, &before_);
+  }
+  ~HeldSignals() {
+    const timespec now{};
+    while (sigtimedwait(&signals_, nullptr, &now) > 0) continue;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  sigset_t signals_{}, before_{};
+};
+
+TEST(ProgressLine, IsWrittenOverItselfAndWiped) {
+  std::ostringstream text;
+  {
+    ProgressLine line(text, "cave.json", true, seconds(0));
+    EXPECT_TRUE(line.at(0.429));
+    EXPECT_EQ(text.str(), "\r\x1b[Kcave.json: 42 %");
+    EXPECT_TRUE(line.at(0.5)) << "too early for another";
+    EXPECT_EQ(text.str(), "\r\x1b[Kcave.json: 42 %");
+  }
+  EXPECT_EQ(text.str(), "\r\x1b[Kcave.json: 42 %\r\x1b[K");
+}
+
+TEST(ProgressLine, WhatIsQuickOrNotOnATerminalShowsNothing) {
+  std::ostringstream text;
+  {
+    ProgressLine quick(text, "a", true);
+    ProgressLine other(text, "b", false, seconds(0));
+    EXPECT_TRUE(quick.at(0.5));
+    EXPECT_TRUE(other.at(0.5));
+  }
+  EXPECT_EQ(text.str(), "");
+  EXPECT_FALSE(is_terminal(text));
+}
+
+TEST(ProgressLine, CtrlCEndsTheWork) {
+  const HeldSignals held;
+  std::ostringstream text;
+  ProgressLine line(text, "a", false);
+  EXPECT_TRUE(line.at(0.5));
+  pthread_kill(pthread_self(), SIGINT);
+  EXPECT_FALSE(line.at(0.6));
+}
+
+class InterruptedExport : public FolderTest {};
+
+TEST_F(InterruptedExport, LeavesOldFilesAsTheyWere) {
+  ASSERT_TRUE(save_level(Level(), *find_format("native"), path("cave.talus.json")));
+  put("a.json", "old");
+  const HeldSignals held;
+  pthread_kill(pthread_self(), SIGINT);
+  const CliAnswer answer =
+      cli_answer({"export", path("cave.talus.json"), "--to", "json", "-o", path("a.json")});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_NE(answer.err.find("error: was cancelled\n"), std::string::npos) << answer.err;
+  EXPECT_EQ(bytes_of("a.json"), "old");
+  EXPECT_EQ(cli_answer({"export", path("cave.talus.json"), "--to", "json", "-o", "-"}).out, "");
+}
+
+}  // namespace talus::progress_line_test
