@@ -1,6 +1,7 @@
 // Presets at the left, the chosen one at the right.
 #include "export_panel.h"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -69,6 +70,15 @@ void field_label(const char* label, Ui& ui) {
   ImGui::SameLine(ui.px(kExportLabels));
 }
 
+// One line of text up to the window's right side, with "..." where it ends early.
+void draw_short(const std::string& text, ImVec2 at, std::uint32_t color) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
+  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + ImGui::GetTextLineHeight()}, right,
+                            right, text.data(), text.data() + text.size(), nullptr);
+  ImGui::PopStyleColor();
+}
+
 // A field that shows `now` and holds what is typed until it is left. True when that is another text.
 bool text_field(const char* widget, const char* hint, std::string& typed, const std::string& now,
                 const char* help, Ui& ui) {
@@ -115,11 +125,11 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                            ImGuiCond_Appearing);
   ImGui::SetNextWindowSizeConstraints({ui.px(560), ui.px(360)}, window);
   if (ImGui::Begin("Export", &view.open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-    ImGui::BeginChild("presets", {ui.px(kPresetList), 0});
+    ImGui::BeginChild("presets", {ui.px(kPresetList), 0}, false, ImGuiWindowFlags_NavFlattened);
     draw_presets(session, actions, ui);
     ImGui::EndChild();
     ImGui::SameLine(0, ui.px(12));
-    ImGui::BeginChild("preset");
+    ImGui::BeginChild("preset", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     if (count > 0) {
       draw_preset(session, actions, ui);
     } else {
@@ -154,14 +164,13 @@ void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui)
     if (ImGui::Selectable("##preset", i == ui.view.exports.preset, 0, {0, 2 * line}))
       ui.view.exports.preset = i;
     ui.item("export/preset" + std::to_string(i),
-            target_label(exports[i].exporter) + ", to " + exports[i].path);
+            exports[i].name + ": " + target_label(exports[i].exporter) + ", to " + exports[i].path);
     ImGui::PopID();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string name = exports[i].name.empty() ? "(no name)" : exports[i].name;
     const std::string target = target_label(exports[i].exporter) + (exports[i].on_save ? ", on save" : "");
     const bool is_known = find_exporter(exports[i].exporter) != nullptr;
-    list.AddText(at, theme::tone(theme::kText), name.c_str());
-    list.AddText({at.x, at.y + line}, theme::tone(is_known ? theme::kMuted : theme::kError), target.c_str());
+    draw_short(name, at, theme::kText);
+    draw_short(target, {at.x, at.y + line}, is_known ? theme::kMuted : theme::kError);
   }
   if (exports.empty()) ui.hint("None yet.");
   ImGui::EndChild();
@@ -172,7 +181,9 @@ void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui)
             " cannot hold presets: save the level as .talus.json to keep them.");
 }
 
+// Tooltips of the buttons stand above all of them, not over the next one.
 void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, Ui& ui) {
+  const float bars_top = std::exchange(ui.bars_top, ImGui::GetCursorScreenPos().y);
   const Level& level = session.level();
   const bool has_one = !level.exports.empty(), has_room = level.exports.size() < kMaxExports;
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
@@ -195,6 +206,7 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   if (ui.text_button("export/all", "Export all", false, "Writes all presets.", keys_of(all, ui),
                      has_one && !session.exporting().running(), ImGui::GetContentRegionAvail().x))
     all.run(session, actions, ui);
+  ui.bars_top = bars_top;
 }
 
 void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) {
