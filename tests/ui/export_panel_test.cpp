@@ -212,6 +212,48 @@ TEST_F(UiExport, WithoutAFileItSaysWhatToDo) {
   EXPECT_TRUE(session().wants_save_as());
 }
 
+TEST_F(UiExport, ALongPreviewShowsItsShareAndIsCancelled) {
+  Level large = test_level();
+  large.map = TileMap(1500, 1500);
+  std::size_t n = 0;
+  for (std::uint8_t& cell : large.map.cells()) cell = n++ * 7 % 3 == 0 ? 1 : 200;
+  large.exports.push_back({"data", "json", "out/data.json", "", false, ""});
+  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
+  start(path("large.talus.json"));
+  key(ctrl_shift('x'));
+  for (int i = 0; i < 5'000 && find("export/preview_progress") == nullptr; ++i) frames(1);
+  ASSERT_NE(find("export/preview_progress"), nullptr);
+  EXPECT_FALSE(find("export/export")->enabled) << "whether it works is not known yet";
+  click("export/cancel");
+  frames(1);
+  EXPECT_EQ(find("export/preview_progress"), nullptr) << "at once";
+  settle();
+  EXPECT_FALSE(exporting().preview());
+  ASSERT_NE(find("export/preview_again"), nullptr);
+  EXPECT_TRUE(find("export/export")->enabled) << "it needs no preview";
+  click("export/preview_again");
+  frames(2);
+  EXPECT_TRUE(exporting().previewing());
+  session().apply(action::CancelExport{});
+  settle();
+}
+
+TEST_F(UiExport, TheMessageAndTheTooltipsCoverNothingOfTheWindow) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{2560, 1440}}) {
+    start("", width, height);
+    open_window();
+    click("export/add");
+    settle();
+    session().apply(action::ShowMessage{"Exported game: 5 files to a folder with quite a long name."});
+    frames(3);
+    const Widget window = *find("export/window"), message = *find("message/dismiss");
+    const bool beside = message.min.x > window.max.x || message.max.x < window.min.x ||
+                        message.min.y > window.max.y || message.max.y < window.min.y;
+    EXPECT_TRUE(beside) << width;
+    EXPECT_LE(message.max.y, static_cast<float>(height));
+  }
+}
+
 TEST_F(UiExport, ALongOneIsCancelled) {
   Level large = test_level();
   large.map = TileMap(1024, 1024);

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -27,8 +28,9 @@ class SessionExports : public FolderTest {
 
   // A session on a saved level. Assets are read when the gate is open, if there is one.
   void start(std::shared_future<void> gate = {}) {
-    const ReadAsset read = [gate](const std::string& name) {
+    const ReadAsset read = [gate, this](const std::string& name) {
       if (gate.valid()) gate.wait();
+      ++assets_read_;
       return read_file(TALUS_SOURCE_DIR "/assets/" + name);
     };
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, ExportTools{read, path("state/exports")});
@@ -65,6 +67,7 @@ class SessionExports : public FolderTest {
   }
 
   std::optional<std::promise<void>> gate_;
+  std::atomic<int> assets_read_ = 0;
   std::unique_ptr<Session> session_;
 };
 
@@ -178,6 +181,70 @@ TEST_F(SessionExports, APreviewDoesNotHoldUpARun) {
   wait();
   EXPECT_TRUE(exists("out/a.tic"));
   EXPECT_FALSE(exporting().preview()) << "of what was there before";
+}
+
+TEST_F(SessionExports, ARunWritesWhatThePreviewMadeOfTheSameLevel) {
+  add("game", "love", "out/game");
+  preview(0);
+  const int read = assets_read_;
+  ASSERT_GT(read, 0);
+  run(0);
+  EXPECT_TRUE(exists("out/game/main.lua"));
+  EXPECT_EQ(preview(0).files[0].place, PlannedFile::Place::same) << "the places are looked at again";
+  EXPECT_EQ(assets_read_, read) << "nothing is made anew";
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
+  run(0);
+  EXPECT_EQ(assets_read_, 2 * read) << "of another level all is";
+}
+
+TEST_F(SessionExports, APreviewIsCancelledAndStaysSo) {
+  start_gated();
+  add("game", "love", "out/game");
+  session().apply(act::PreviewExport{0});
+  const ExportTask task = export_task(session().level(), 0, session().path());
+  ASSERT_TRUE(exporting().preview_progress());
+  EXPECT_EQ(exporting().preview_progress()->name, "game");
+  session().apply(act::CancelExport{});
+  EXPECT_FALSE(exporting().preview_progress()) << "at once for the user";
+  EXPECT_TRUE(exporting().preview_cancelled());
+  EXPECT_TRUE(exporting().previews(session().revision(), task)) << "the window is not to ask for it again";
+  gate_->set_value();
+  gate_.reset();
+  wait();
+  EXPECT_FALSE(exporting().preview());
+  EXPECT_FALSE(session().message()) << "the user knows";
+  session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
+  EXPECT_FALSE(exporting().previews(session().revision(), task)) << "of another level";
+  preview(0);
+  EXPECT_FALSE(exporting().preview_cancelled());
+  EXPECT_TRUE(exporting().preview());
+}
+
+TEST_F(SessionExports, ALongRunTellsItsShareAndStopsInAMoment) {
+  session().apply(act::NewLevel{});
+  Level large;
+  large.map = TileMap(1500, 1500);
+  large.tile_shapes[1].kind = TileShape::Kind::solid;
+  for (std::size_t i = 0; i < large.map.cells().size(); ++i)
+    large.map.cells()[i] = static_cast<std::uint8_t>(i * 7 % 3 % 2);
+  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
+  session().apply(act::OpenFile{path("large.talus.json")});
+  add("data", "csv", "out");
+  session().apply(act::RunExports{0});
+  double share = 0;
+  for (int i = 0; i < 20'000 && share == 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(exporting().progress());
+    share = exporting().progress()->share;
+  }
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 0.5);
+  const auto start = std::chrono::steady_clock::now();
+  session().apply(act::CancelExport{});
+  wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+  EXPECT_EQ(message(), "The export was cancelled: nothing was written.");
+  EXPECT_FALSE(exists("out"));
 }
 
 TEST_F(SessionExports, PresetsAreEditedWithUndo) {
