@@ -9,6 +9,7 @@
 #include "formats/atomic_file.h"
 #include "platform/asset_path.h"
 #include "platform/user_folder.h"
+#include "progress_line.h"
 #include "session/export_record.h"
 
 namespace talus {
@@ -16,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Place = PlannedFile::Place;
+
+constexpr double kMakingShare = 0.9;  // of the time; the rest writes the files
 
 FormatResult<std::string> read_asset(const std::string& name) { return read_file(asset_path(name)); }
 
@@ -37,9 +40,12 @@ void fail_with(CommandContext& context, const ExportOrder& order, const ExportPr
          error.message);
 }
 
-void print_export(CommandContext& context, const Exporter& exporter, const ExportOrder& order) {
+void print_export(CommandContext& context, const Exporter& exporter, const ExportOrder& order,
+                  ProgressLine& line) {
   const ReadAsset read = read_asset;
-  const auto exported = exporter.make({order.level, order.output, read, order.parts});
+  const Progress progress([&](double share) { return line.at(share); });
+  const auto exported = exporter.make({order.level, order.output, read, order.parts, progress});
+  line.wipe();
   if (!exported) return fail(context, order.input, exported.error().place, exported.error().message);
   context.out << exported->files.front().bytes;
   warn_of_losses(context, exporter, *exported, order.output);
@@ -91,9 +97,13 @@ std::vector<std::string> keep_own_starters(ExportPlan& plan, const ExportRecord&
   return paths;
 }
 
-tl::expected<void, ExportProblem> write_files(const ExportPlan& plan, bool makes_folder) {
-  if (makes_folder) return write_plan(plan);
-  const auto written = write_exported(*plan.exporter, plan.content, plan.output);
+tl::expected<void, ExportProblem> write_files(const ExportPlan& plan, bool makes_folder,
+                                              const Progress& progress) {
+  std::size_t all = 0;
+  for (const PlannedFile& file : plan.files) all += file.size;
+  const auto tell = [&](std::size_t, std::size_t bytes) { return progress.at(bytes, all); };
+  if (makes_folder) return write_plan(plan, tell);
+  const auto written = write_exported(*plan.exporter, plan.content, plan.output, tell);
   if (!written) return tl::unexpected(ExportProblem{ExportProblem::Field::path, written.error()});
   return {};
 }
@@ -103,19 +113,24 @@ tl::expected<void, ExportProblem> write_files(const ExportPlan& plan, bool makes
 void carry_out(CommandContext& context, const ExportOrder& order) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  ProgressLine line(context.err, order.output, is_terminal(context.err));
+  const Progress progress([&](double share) { return line.at(share); });
   if (const Exporter* exporter = find_exporter(order.exporter)) {
     if (const std::string problem = name_problem(*exporter, order.output); !problem.empty())
       return fail(context, order.output, "", problem);
-    if (order.output == "-") return print_export(context, *exporter, order);
+    if (order.output == "-") return print_export(context, *exporter, order, line);
   }
-  auto plan = plan_export(order.level, order.exporter, order.output, read_asset, order.parts);
+  auto plan = plan_export(order.level, order.exporter, order.output, read_asset, order.parts,
+                          progress.part(0, kMakingShare));
+  line.wipe();
   if (!plan) return fail_with(context, order, plan.error());
   ExportRecord record(state_folder() + "/exports");
   if (finds_foreign_files(context, order, *plan, record)) return;
   std::vector<std::string> kept;
   if (!order.rules.fresh) kept = keep_own_starters(*plan, record);
-  if (const auto written = write_files(*plan, order.tells); !written)
-    return fail_with(context, order, written.error());
+  const auto written = write_files(*plan, order.tells, progress.part(kMakingShare, 1));
+  line.wipe();
+  if (!written) return fail_with(context, order, written.error());
   for (std::size_t i = 0; i < plan->files.size(); ++i)
     record.note(plan->files[i].path, content_hash(plan->content.files[i].bytes));
   record.save();
