@@ -1,7 +1,5 @@
 -- ---- Balls: the article's velocities, restitution and friction, with the true normal ----
-
--- From a to b by the share t, in the article's own order.
-local function lerp(a, b, t) return ((1 - t) * a) + (t * b) end
+has.balls = true
 
 -- Under constant gravity a ball flies a parabola, on which the parts' ends are points. It bounces from level
 -- ground where the parabola meets it, so that no energy is made or lost.
@@ -69,4 +67,15 @@ local function fall(world, body, ball)
     move(world, body, ball, ball.vx * part, ball.vy * part, bounce_off)
   end
   body.grounded = ball.landed
+end
+kinds.ball = {step = fall, foot = "box"}
+
+-- Tiles of the map that are balls.
+function World:place_tiles(level)
+  for x = 0, level.width - 1 do
+    for y = 0, level.height - 1 do
+      local tile = level.tiles[y * level.width + x + 1]
+      if level.balls[tile] then self:add {kind = "ball", x = x * TILE, y = y * TILE, tile = tile} end
+    end
+  end
 end

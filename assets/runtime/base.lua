@@ -29,6 +29,9 @@ local function clamp(v, least, most)
   return v
 end
 
+-- From a to b by the share t, in the article's own order.
+local function lerp(a, b, t) return ((1 - t) * a) + (t * b) end
+
 -- Numbers of twice the precision are two: one, and what rounding took from it (Dekker, Knuth).
 local function two(large, small)
   local high = large + small
@@ -59,8 +62,10 @@ local function two_divide(a, a_low, b, b_low)
   return two(quotient, (high + low) / b)
 end
 
--- What the parts for slopes, for curves and for what bodies can do define; nil in a module without them.
-local y_at, is_steep, foot_offset, rest_on, outline_of, pieces_in
-local curve_y, tangent_at, cut_curves, cells_of_curves, curve_time
-local against_piece, line_time, overlaps_slopes, curved, follow, is_hollow
-local others_near, run, take_mouse, drag
+-- What parts add to. A function that a part puts there takes the place of an earlier one, or goes on from it.
+local Terrain = {}  -- methods of the ground
+Terrain.__index = Terrain
+local World = {}    -- methods of the world
+World.__index = World
+local kinds = {}    -- of bodies, by name: step(world, body, box, input), one frame; foot, "box" or "centre"
+local has = {}      -- by name: true of each part that is here

@@ -2,13 +2,10 @@
 -- The box is swept against the outline grown by the box, so that its corner is a point on a straight way.
 
 -- The cast under way: the terrain, the box, its motion, whether its centre alone stands on floors, 1 / dx,
--- the pixels in the motion, what rounding may have put the box into the ground; a piece that stops nothing,
--- and whether stretches of curves count.
+-- the pixels in the motion, what rounding may have put the box into the ground; a piece that stops nothing.
 local ground, bx, by, bw, bh, dx, dy, centre, inverse, speed, slack, ignored
-local with_curves = true
--- What is tested: whose it is; and the first contact so far: see offer().
-local origin, is_other
-local best_t, best_facing, best_flat_end, best_mirrored, best_other, best_origin
+-- The first contact so far: see offer().
+local best_t, best_facing, best_flat_end, best_mirrored
 local best_piece, best_at, best_first, best_last
 
 -- A box's x moved by some, and rounded so that both its sides are exact.
@@ -31,13 +28,7 @@ local function normal_of(t, facing, flat_end, piece)
   if facing == RIGHT then return 1.0, 0.0 end
   local sign = facing == UP and 1.0 or -1.0
   if flat_end or piece == nil then return 0.0, -sign end
-  if not piece.stretch then
-    local length = sqrt(1 + piece.slope * piece.slope)
-    return sign * piece.slope / length, -sign / length
-  end
-  local x = clamp(bx + t * dx + foot_offset(piece, bw, centre), piece.x0, piece.x1)
-  local along_x, along_y = tangent_at(piece.stretch, x)
-  return sign * along_y, -sign * along_x
+  return piece.form.normal(piece, sign, t)
 end
 
 -- Between contacts at the same time the most opposing one counts, then the one more level; two mirror images
@@ -57,7 +48,7 @@ local function offer(t, facing, flat_end, piece, at, first, last)
     end
   end
   best_t, best_facing, best_flat_end, best_mirrored, best_piece = t, facing, flat_end, false, piece
-  best_at, best_first, best_last, best_origin, best_other = at, first, last, origin, is_other
+  best_at, best_first, best_last = at, first, last
 end
 
 -- Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
@@ -90,7 +81,7 @@ local function window_of(first, last, first_y, last_y, open_first, open_last, up
     if open_first then in_first = bx > first + slack else in_first = bx >= first - slack end
     if open_last then in_last = bx < last - slack else in_last = bx <= last + slack end
     if not in_first or not in_last then return 1, 0, 0, 0 end
-    local rest = piece and rest_on(piece, bx, bw, bh, centre) or first_y
+    local rest = piece and piece.form.rest(piece, bx, bw, bh, centre) or first_y
     return 0.0, 1.0, sign * (rest - (by + 0.0 * dy)), sign * (rest - (by + 1.0 * dy))
   end
   local right = dx > 0
@@ -111,14 +102,14 @@ local function window_of(first, last, first_y, last_y, open_first, open_last, up
     if from > 1 then return 1, 0, 0, 0 end
     gap = sign * ((right and first_y or last_y) - (by + from * dy))
   else
-    local rest = piece and rest_on(piece, bx, bw, bh, centre) or first_y
+    local rest = piece and piece.form.rest(piece, bx, bw, bh, centre) or first_y
     gap = sign * (rest - (by + 0.0 * dy))
   end
   if to_leave < 1 then
     to = to_leave
     last_gap = sign * ((right and last_y or first_y) - (by + to * dy))
   else
-    local rest = piece and rest_on(piece, bx + dx, bw, bh, centre) or first_y
+    local rest = piece and piece.form.rest(piece, bx + dx, bw, bh, centre) or first_y
     last_gap = sign * (rest - (by + 1.0 * dy))
   end
   return from, to, gap, last_gap
@@ -132,7 +123,7 @@ local function straight_time(from, to, gap, last_gap, closing, forgiven, up, y, 
   local t
   if is_slow(closing) then
     local high, low
-    if piece then high, low = line_time(up, piece) else high, low = level_time(up, y) end
+    if piece then high, low = piece.form.time(up, piece) else high, low = level_time(up, y) end
     t = high + low
   else
     t = from + gap / closing
@@ -202,12 +193,11 @@ local function row_of_tiles(up, y, first, last, left, right)
     while x1 <= last and ground:is_open(x1, y, 0, up and -1 or 1) do x1 = x1 + 1 end
     if x1 > x then
       local from, to = x * TILE, x1 * TILE
-      if centre and up and against_piece then
-        -- Where slopes may go on, the centre alone counts; over a ledge the whole bottom does.
+      if centre and up then
+        -- Where a detailed cell is beside it, the centre alone counts; over a ledge the whole bottom does.
         if ground:is_solid(x - 1, y) and ground:is_detailed(x - 1, y) then from = from + bw / 2 end
         if ground:is_solid(x1, y) and ground:is_detailed(x1, y) then to = to - bw / 2 end
       end
-      origin = y * ground.width + x
       flat(up, (up and y or y + 1) * TILE, from, to, not ground:is_solid(x - 1, y), not ground:is_solid(x1,
           y), nil)
     end
@@ -218,29 +208,20 @@ end
 -- Whether a full tile without details has no full tile beside it there.
 function Terrain:is_open(x, y, beside_x, beside_y)
   if not self:is_solid(x, y) or self:is_solid(x + beside_x, y + beside_y) then return false end
-  return not (self.is_detailed and self:is_detailed(x, y))
+  return not self:is_detailed(x, y)
 end
 
+-- Meets the pieces of detailed cells in a row.
+function Terrain:against_pieces() end
+
 local function cells_of_row(y, first, last)
-  local up = dy > 0
-  local floor_side, other, side = up and UP or DOWN, up and DOWN or UP, dx > 0 and LEFT or RIGHT
-  if against_piece then
-    for x = first, last do
-      if ground:is_detailed(x, y) then
-        local detail = ground:detail(x, y)
-        local faces = detail.faces
-        if faces[floor_side] or (dx ~= 0 and (faces[other] or faces[side])) then
-          for _, piece in ipairs(detail.pieces) do against_piece(piece) end
-        end
-      end
-    end
-  end
-  if dy ~= 0 then row_of_tiles(up, y, first, last) end
+  ground:against_pieces(y, first, last)
+  if dy ~= 0 then row_of_tiles(dy > 0, y, first, last) end
   if dx ~= 0 then
-    local step = side == LEFT and -1 or 1
+    local side, step = LEFT, -1
+    if dx < 0 then side, step = RIGHT, 1 end
     for x = first, last do
       if ground:is_open(x, y, step, 0) then
-        origin = y * ground.width + x
         wall(side, (x + (side == LEFT and 0 or 1)) * TILE, y * TILE, y * TILE + TILE, not ground:is_solid(x,
             y - 1),
              not ground:is_solid(x, y + 1), nil)
@@ -266,7 +247,7 @@ local function slice(from, to)
     first_row, last_row = cells_between(top, bottom + bh, ground.height)
     if not centre then lead_left, lead_right = cells_between(left + lead_x, right + lead_x, ground.width) end
   end
-  -- 62 columns at a time, as the program does: which of two equal tiles is named hangs on it.
+  -- 62 columns at a time, as the program does: which of two equal contacts counts hangs on it.
   for first = first_column, last_column, 62 do
     local last = min(first + 61, last_column)
     for y = first_row, last_row do
@@ -304,29 +285,18 @@ local function against_terrain()
   end
 end
 
--- Another box that stops it as tiles do.
-local function against_box(x, y, w, h, number)
-  origin, is_other = -1 - number, true
-  local right, bottom = x + w, y + h
-  if dy > 0 then flat(true, y, x, right, true, true, nil) end
-  if dy < 0 then flat(false, bottom, x, right, true, true, nil) end
-  if dx > 0 then wall(LEFT, x, y, bottom, true, true, nil) end
-  if dx < 0 then wall(RIGHT, right, y, bottom, true, true, nil) end
-  is_other = false
-end
-
 -- ---- The contact ----
 
 -- When the box meets what it hit, to twice the precision where that is a rounding away.
 local function time_of_best()
-  if best_t == 0 or (best_piece and not best_flat_end and best_piece.stretch) then return best_t, 0.0 end
+  if best_t == 0 then return best_t, 0.0 end
   local high, low
   if best_facing >= LEFT then
     high, low = wall_time(best_facing, best_at)
   elseif best_flat_end or best_piece == nil then
     high, low = level_time(best_facing == UP, best_at)
   else
-    high, low = line_time(best_facing == UP, best_piece)
+    high, low = best_piece.form.time(best_facing == UP, best_piece)
   end
   if abs((high + low) - best_t) * speed <= slack then return high, low end
   return best_t, 0.0
@@ -352,16 +322,9 @@ end
 local function position_of_best()
   local t, t_low = time_of_best()
   if best_facing >= LEFT then return limit_of(best_facing, best_at), rounded(along(by, t, t_low, dy)) end
-  local level = best_flat_end or best_piece == nil
-  -- What falls straight down keeps its x; else the place on a steep line is told by y.
-  local by_y = dx ~= 0 and not level and is_steep(best_piece)
   local x = best_t == 0 and bx or exact_x(t, t_low)
-  if by_y and best_t == 0 then
-    x = moved_x(bx, bw, (by - rest_on(best_piece, x, bw, bh, centre)) / best_piece.slope)
-  end
-  x = clamp(x, best_first, best_last)
-  if by_y then return x, rounded(along(by, t, t_low, dy)) end
-  return x, level and limit_of(best_facing, best_at) or rest_on(best_piece, x, bw, bh, centre)
+  if best_piece and not best_flat_end then return best_piece.form.place(best_piece, x, t, t_low) end
+  return clamp(x, best_first, best_last), limit_of(best_facing, best_at)
 end
 
 local function begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
@@ -370,15 +333,13 @@ local function begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, wi
   inverse = dx == 0 and 0.0 or 1 / dx
   speed = abs(dx) + abs(dy)
   slack = rounding_slack(x, y, w, h, motion_x, motion_y)
-  best_t, best_facing, best_flat_end, best_mirrored, best_other = huge, UP, false, false, false
-  best_origin, best_piece, best_at, best_first, best_last = 0, nil, 0.0, 0.0, 0.0
-  origin, is_other = 0, false
+  best_t, best_facing, best_flat_end, best_mirrored = huge, UP, false, false
+  best_piece, best_at, best_first, best_last = nil, 0.0, 0.0, 0.0
 end
 
 local function end_cast()
   if not (best_t <= 1) then return nil end
-  local contact = {t = best_t, facing = best_facing, origin = best_origin, piece = best_piece,
-                   is_other = best_other, on_end = best_flat_end}
+  local contact = {t = best_t, facing = best_facing, piece = best_piece, on_end = best_flat_end}
   contact.x, contact.y = position_of_best()
   if best_mirrored then
     contact.nx, contact.ny = 0.0, best_facing == UP and -1.0 or 1.0
@@ -388,28 +349,17 @@ local function end_cast()
   return contact
 end
 
+-- What a box that stands on its centre meets first, given what the whole box does.
+function Terrain:with_middle(contact) return contact end
+
 -- The first contact of a box at x, y that moves by motion_x, motion_y; nil: none. A contact: t, the share of
--- the motion; x, y, of the box then; nx, ny, the ground's normal; facing; piece, of a slope. others: boxes
--- that stop it, too; without: a piece that stops nothing this time.
+-- the motion; x, y, of the box then; nx, ny, the ground's normal; facing; piece, of what is no plain tile.
+-- others: what World:others() gave; without: a piece that stops nothing this time.
 local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, others, without)
   begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
-  if others then
-    for number, other in ipairs(others) do against_box(other.x, other.y, other.w, other.h, number - 1) end
-  end
+  if others then World.against_others(others) end
   against_terrain()
   local contact = end_cast()
-  if not is_centre or not terrain.has_pieces or not terrain:has_pieces() then return contact end
-  -- Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so
-  -- its middle.
-  local middle = x + w / 2
-  with_curves = false
-  begin_cast(terrain, middle, y, 0.0, h, motion_x, motion_y, false, without)
-  against_terrain()
-  local hit = end_cast()
-  with_curves = true
-  if hit and hit.t < (contact and contact.t or huge) then
-    hit.x = moved_x(x, w, hit.x - middle)
-    return hit
-  end
-  return contact
+  if not is_centre then return contact end
+  return terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)
 end

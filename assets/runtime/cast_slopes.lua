@@ -1,4 +1,4 @@
--- ---- Casts against pieces of the outline ----
+-- ---- Slopes: casts against pieces of the outline ----
 
 -- Whether there is any piece at all.
 function Terrain:has_pieces()
@@ -15,7 +15,7 @@ function Terrain:has_pieces()
   return self.some_pieces
 end
 
-function line_time(up, piece)
+function Line.time(up, piece)
   local x, x_low = two_add(bx, 0.0, foot_offset(piece, bw, centre), 0.0)
   x, x_low = two_add(x, x_low, -piece.base_x, -0.0)
   local slope, slope_low = two(piece.slope, piece.slope_rest)
@@ -28,7 +28,24 @@ function line_time(up, piece)
   return two_divide(high, low, closing, closing_low)
 end
 
-local function sloped(first, last, first_y, last_y, open_first, open_last, up, piece)
+function Line.normal(piece, sign)
+  local length = sqrt(1 + piece.slope * piece.slope)
+  return sign * piece.slope / length, -sign / length
+end
+
+-- Where a box at x is on the piece.
+function Line.place(piece, x, t, t_low)
+  -- What falls straight down keeps its x; else the place on a steep line is told by y.
+  local by_y = dx ~= 0 and is_steep(piece)
+  if by_y and best_t == 0 then
+    x = moved_x(bx, bw, (by - rest_on(piece, x, bw, bh, centre)) / piece.slope)
+  end
+  x = clamp(x, best_first, best_last)
+  if by_y then return x, rounded(along(by, t, t_low, dy)) end
+  return x, rest_on(piece, x, bw, bh, centre)
+end
+
+function Line.meet(piece, up, first, last, first_y, last_y, open_first, open_last)
   local rise = piece.slope * dx
   local closing
   if up then closing = dy - rise else closing = rise - dy end
@@ -60,15 +77,8 @@ local function piece_ends(up, piece, lift)
   end
 end
 
--- Whether two pieces are one: a long piece is in each cell that it meets.
-local function is_copy(a, b)
-  return a.origin == b.origin and a.stretch == b.stretch and a.facing == b.facing and a.x0 == b.x0
-      and a.y0 == b.y0
-end
-
-function against_piece(piece)
-  if ignored and is_copy(piece, ignored) then return end
-  origin = piece.origin
+local function against_piece(piece)
+  if ignored and piece.source == ignored then return end
   if piece.facing == LEFT then
     if dx > 0 then wall(LEFT, piece.x0, piece.y0, piece.y1, piece.convex0, piece.convex1, piece) end
     return
@@ -80,7 +90,7 @@ function against_piece(piece)
   local centred = up and centre
   local lift = up and bh or 0.0
   local open0, open1 = piece.convex0 or piece.far0, piece.convex1 or piece.far1
-  if piece.y0 == piece.y1 and not piece.stretch and not centred then
+  if piece.form.straight and piece.y0 == piece.y1 and not centred then
     local comes
     if up then comes = dy > 0 else comes = dy < 0 end
     if comes then flat(up, piece.y0, piece.x0, piece.x1, open0, open1, piece) end
@@ -89,10 +99,55 @@ function against_piece(piece)
   local offset = foot_offset(piece, bw, centre)
   local first, last, first_y, last_y = piece.x0 - offset, piece.x1 - offset, piece.y0 - lift, piece.y1 - lift
   if centred then open0, open1 = piece.far0, piece.far1 end
-  if not piece.stretch then
-    sloped(first, last, first_y, last_y, open0, open1, up, piece)
-  elseif with_curves then
-    curved(first, last, first_y, last_y, open0, open1, up, piece, offset, lift)
-  end
+  piece.form.meet(piece, up, first, last, first_y, last_y, open0, open1, offset, lift)
   piece_ends(up, piece, lift)
+end
+
+function Terrain:against_pieces(y, first, last)
+  local up = dy > 0
+  local floor_side, other, side = up and UP or DOWN, up and DOWN or UP, dx > 0 and LEFT or RIGHT
+  for x = first, last do
+    if self:is_detailed(x, y) then
+      local detail = self:detail(x, y)
+      local faces = detail.faces
+      if faces[floor_side] or (dx ~= 0 and (faces[other] or faces[side])) then
+        for _, piece in ipairs(detail.pieces) do against_piece(piece) end
+      end
+    end
+  end
+end
+
+-- Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so its
+-- middle.
+local middle_alone = false
+function Terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)
+  if not self:has_pieces() then return contact end
+  local middle = x + w / 2
+  middle_alone = true
+  begin_cast(self, middle, y, 0.0, h, motion_x, motion_y, false, without)
+  against_terrain()
+  local hit = end_cast()
+  middle_alone = false
+  if hit and hit.t < (contact and contact.t or huge) then
+    hit.x = moved_x(x, w, hit.x - middle)
+    return hit
+  end
+  return contact
+end
+
+-- ---- What moves along slopes ----
+
+function Line.is_level(piece, _, steepest)
+  local slope = abs(piece.slope)
+  if slope ~= steepest then return slope < steepest end
+  return piece.slope * piece.slope_rest <= 0
+end
+
+-- A box that slid along a piece, and is not beyond its end, is on it and not a rounding error away from it.
+function Line.settle(piece, box)
+  if is_wall(piece) or is_steep(piece) then return end
+  local x = box.x + foot_offset(piece, box.w, box.centre)
+  if x < piece.x0 or x > piece.x1 then return end
+  local y = rest_on(piece, box.x, box.w, box.h, box.centre)
+  if abs(box.y - y) <= 4 * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then box.y = y end
 end

@@ -1,105 +1,286 @@
--- ---- Curves: what is free of the grid ----
+-- ---- Curves: stretches, each of which rises or falls throughout and bends to one side ----
+-- A stretch: kind; c1 to c5: an arc's centre and radius, a polynomial's middle and coefficients, a sine's
+-- zero crossing, middle, amplitude and wavelength; bends_down: y grows to both sides, as a hill's does.
+has.curves = true
 
-local cutter = {}
+local Stretch = {straight = false}  -- their form
+for name, value in pairs(Free) do
+  if name ~= "straight" then Stretch[name] = value end
+end
 
--- upper, lower: the ways that the piece faces if its curve faces up and down.
-local function put_piece(cut, piece, upper, lower)
-  piece.origin = -1 - cut.number
-  piece.one_way = cut.faces ~= "both"
-  local upright = piece.x0 == piece.x1
-  for n = 1, 2 do
-    local up = n == 1
-    if cut.faces ~= (up and "down" or "up") then
-      local copy = {convex0 = upright, convex1 = upright, base_x = 0.0, base_y = 0.0, slope = 0.0,
-          slope_rest = 0.0}
-      for key, value in pairs(piece) do copy[key] = value end
-      copy.facing = up and (upper or UP) or not up and (lower or DOWN)
-      cut.pieces[#cut.pieces + 1] = copy
-    end
+local TAU = 6.283185307179586476925286766559
+
+-- Taylor series, as sine and cosine of the C library differ between machines.
+local SINES = {1 / (16 * 17.), 1 / (14 * 15.), 1 / (12 * 13.), 1 / (10 * 11.), 1 / (8 * 9.), 1 / (6 * 7.),
+               1 / (4 * 5.), 1 / (2 * 3.)}
+local COSINES = {1 / (15 * 16.), 1 / (13 * 14.), 1 / (11 * 12.), 1 / (9 * 10.), 1 / (7 * 8.), 1 / (5 * 6.),
+                 1 / (3 * 4.), 1 / (1 * 2.)}
+local function series(z, terms)
+  local q, sum = z * z, 0.0
+  for _, share in ipairs(terms) do sum = (1 - sum) * q * share end
+  return 1 - sum
+end
+
+-- sin(2 pi turns), for |turns| <= 1/4.
+local function sine_of_turns(turns)
+  local size = abs(turns)
+  local value
+  if size <= 0.125 then
+    local z = TAU * size
+    value = z * series(z, SINES)
+  else
+    value = series(TAU * (0.25 - size), COSINES)
   end
+  if turns < 0 or 1 / turns < 0 then return -value end
+  return value
 end
+local function cosine_of_turns(turns) return sine_of_turns(0.25 - abs(turns)) end
 
-local function put_wall(cut, x, y0, y1, faces_left)
-  put_piece(cut, {x0 = x, y0 = y0, x1 = x, y1 = y1, base_x = x, base_y = y0}, faces_left and LEFT or RIGHT,
-            faces_left and RIGHT or LEFT)
-end
-
-local function put_line(cut, ax, ay, bx, by)
-  if ax == bx and ay == by then return end
-  if ax == bx then return put_wall(cut, ax, min(ay, by), max(ay, by), by < ay) end
-  put_piece(cut, line_between(ax, ay, bx, by))
-end
-
-function cutter.segment(cut, s)
-  local ax, ay, bx, by = weld(s.x0), weld(s.y0), weld(s.x1), weld(s.y1)
-  if s.x0 == s.x1 then return put_wall(cut, ax, ay, by, true) end
-  put_line(cut, ax, ay, bx, by)
-end
-
-function cutter.polyline(cut, p)
-  local x0, x1, parts = weld(p.x0), weld(p.x1), #p.ys - 1
-  local function x_of(i) return weld(x0 + (x1 - x0) * (i / parts)) end
-  for i = 0, parts - 1 do put_line(cut, x_of(i), weld(p.ys[i + 1]), x_of(i + 1), weld(p.ys[i + 2])) end
-end
-
--- A line that stops bodies on both sides also stops them at its ends.
-local function put_tip(cut, piece, first, facing)
-  local x, y = first and piece.x0 or piece.x1, first and piece.y0 or piece.y1
-  cut.pieces[#cut.pieces + 1] = {x0 = x, y0 = y, x1 = x, y1 = y, base_x = x, base_y = y, slope = 0.0,
-      slope_rest = 0.0,
-                                 origin = piece.origin, facing = facing, convex0 = true, convex1 = true,
-                                     is_tip = true}
-end
-local function put_tips(cut)
-  local count = #cut.pieces
-  local function ends_there(piece, first)
-    for i = 1, count do
-      local other = cut.pieces[i]
-      if not is_wall(other) then
-        if first and other.x1 == piece.x0 and other.y1 == piece.y0 then return true end
-        if not first and other.x0 == piece.x1 and other.y0 == piece.y1 then return true end
-      end
-    end
-    return false
+local function curve_y(s, x)
+  local u = x - s.c1
+  if s.kind == "arc" then
+    local under = (s.c3 - u) * (s.c3 + u)
+    return s.c2 + s.sign * sqrt(under > 0 and under or 0.0)
   end
-  for i = 1, count do
+  if s.kind == "polynomial" then return (s.c2 + u * u * s.c4) + u * (s.c3 + u * u * s.c5) end
+  return s.c2 + s.c3 * sine_of_turns(u / s.c4)
+end
+
+-- Unit tangent, from left to right.
+local function tangent_at(s, x)
+  local u = x - s.c1
+  if s.kind == "arc" then
+    local under = (s.c3 - u) * (s.c3 + u)
+    return sqrt(under > 0 and under or 0.0) / s.c3, -s.sign * u / s.c3
+  end
+  local slope
+  if s.kind == "sine" then
+    slope = s.c3 * (TAU / s.c4) * cosine_of_turns(u / s.c4)
+  else
+    slope = s.c3 + u * (2 * s.c4) + u * u * (3 * s.c5)
+  end
+  local length = sqrt(1 + slope * slope)
+  return 1 / length, slope / length
+end
+
+function Stretch.y(piece, x) return curve_y(piece.stretch, x) end
+function Stretch.normal(piece, sign, t)
+  local x = clamp(bx + t * dx + foot_offset(piece, bw, centre), piece.x0, piece.x1)
+  local along_x, along_y = tangent_at(piece.stretch, x)
+  return sign * along_y, -sign * along_x
+end
+function Stretch.is_level(_, contact, steepest) return abs(contact.nx) <= steepest * abs(contact.ny) end
+function Stretch.time() return best_t, 0.0 end  -- as exact as it gets
+
+-- Where a stretch bends towards the box, whoever slides along it meets it again at once. Turns a motion along
+-- its tangent into the chord to where it goes on the stretch: the chord, that place, and the motion from there.
+local function follow(piece, box, x, y)
+  local offset = foot_offset(piece, box.w, box.centre)
+  local there = clamp(moved_x(box.x, box.w, x), min(box.x, piece.x0 - offset), max(box.x, piece.x1 - offset))
+  local rest = rest_on(piece, there, box.w, box.h, box.centre)
+  local chord_x, chord_y = there - box.x, rest - box.y
+  local used = x == 0 and 1.0 or min(1.0, chord_x / x)
+  local along_x, along_y = tangent_at(piece.stretch, there + offset)
+  local length = sqrt(x * x + y * y) * (1 - used)
+  local signed = (x < 0 and -1 or 1) * length
+  if used < 1 then return chord_x, chord_y, there, rest, along_x * signed, along_y * signed end
+  return chord_x, chord_y, there, rest, 0.0, 0.0
+end
+
+-- ---- Cutting ----
+
+local function put_stretch(cut, stretch, ax, ay, bx, by)
+  local copy = {}
+  for key, value in pairs(stretch) do copy[key] = value end
+  local before = #cut.pieces
+  put_piece(cut, {x0 = ax, y0 = ay, x1 = bx, y1 = by, form = Stretch, stretch = copy})
+  for i = before + 1, #cut.pieces do
     local piece = cut.pieces[i]
-    if not piece.one_way and piece.facing ~= DOWN and piece.facing ~= RIGHT then
-      local wall = is_wall(piece)
-      if wall or not ends_there(piece, true) then put_tip(cut, piece, true, wall and UP or LEFT) end
-      if wall or not ends_there(piece, false) then put_tip(cut, piece, false, wall and DOWN or RIGHT) end
-    end
+    if stretch.bends_down ~= (piece.facing == UP) then piece.follow = follow end
   end
 end
 
--- The pieces of curves, in order.
-function cut_curves(curves)
-  local cut = {pieces = {}}
-  for number, curve in ipairs(curves) do
-    cut.number, cut.faces = number - 1, curve.faces or "up"
-    cutter[curve.kind](cut, curve)
+local function put_cut(cut, stretch, ax, ay, bx, by, cuts)
+  local inside = {}
+  for _, x in ipairs(cuts) do
+    if x > ax and x < bx then inside[#inside + 1] = x end
   end
-  put_tips(cut)
-  return cut.pieces
-end
-
--- By cell, the pieces of curves in it.
-function cells_of_curves(pieces, width, height)
-  local cells = {}
-  local function between(a, b, count)
-    return clamp(ceil(min(a, b) / TILE) - 1, 0, count - 1), clamp(floor(max(a, b) / TILE), 0, count - 1)
-  end
-  for _, piece in ipairs(pieces) do
-    local left, right = between(piece.x0, piece.x1, width)
-    for x = left, right do
-      local top, bottom = between(y_at(piece, x * TILE), y_at(piece, x * TILE + TILE), height)
-      for y = top, bottom do
-        local cell = y * width + x
-        cells[cell] = cells[cell] or {}
-        table.insert(cells[cell], piece)
+  table.sort(inside)
+  local x, y = ax, ay
+  for i = 1, #inside + 1 do
+    local to_x, to_y = bx, by
+    if inside[i] then to_x, to_y = inside[i], curve_y(stretch, inside[i]) end
+    if to_x > x then
+      if stretch.kind == "polynomial" then
+        local u = (x + to_x) / 2 - stretch.c1
+        stretch.bends_down = stretch.c4 + 3 * stretch.c5 * u > 0
       end
+      put_stretch(cut, stretch, x, y, to_x, to_y)
     end
+    x, y = to_x, to_y
   end
-  return cells
 end
 
+-- About the middle, so that a mirrored curve has the same coefficients but for signs.
+local function put_polynomial(cut, ax, ay, bx, by, c0, c1, c2, c3)
+  local middle = (ax + bx) / 2
+  local cuts = {}
+  if c3 ~= 0 then cuts[#cuts + 1] = middle - c2 / (3 * c3) end
+  local root = c2 * c2 - 3 * c3 * c1
+  if root >= 0 then
+    local part = sqrt(root)
+    if c2 < 0 or 1 / c2 < 0 then part = -part end
+    local q = -(c2 + part)
+    if c3 ~= 0 then cuts[#cuts + 1] = middle + q / (3 * c3) end
+    if q ~= 0 then cuts[#cuts + 1] = middle + c1 / q end
+  end
+  put_cut(cut, {kind = "polynomial", c1 = middle, c2 = c0, c3 = c1, c4 = c2, c5 = c3}, ax, ay, bx, by, cuts)
+end
+
+function cutter.arc(cut, a)
+  local s = {kind = "arc", sign = a.upper and -1.0 or 1.0, c1 = weld(a.x), c2 = weld(a.y),
+      c3 = weld(a.radius),
+             bends_down = a.upper == true}
+  local x0, x1 = max(weld(a.x0), s.c1 - s.c3), min(weld(a.x1), s.c1 + s.c3)
+  put_cut(cut, s, x0, curve_y(s, x0), x1, curve_y(s, x1), {s.c1})
+end
+
+function cutter.parabola(cut, p)
+  local ax, ay, bx, by, control = weld(p.x0), weld(p.y0), weld(p.x1), weld(p.y1), weld(p.control_y)
+  local half = (bx - ax) / 2
+  put_polynomial(cut, ax, ay, bx, by, ((ay + by) / 2 + control) / 2, (by - ay) / (bx - ax),
+                 ((ay + by) / 2 - control) / 2 / (half * half), 0.0)
+end
+
+function cutter.cubic(cut, p)
+  local ax, ay, bx, by = weld(p.x0), weld(p.y0), weld(p.x1), weld(p.y1)
+  local half = (bx - ax) / 2
+  local rise = (by - ay) / 2 / half
+  local c2 = (p.slope1 - p.slope0) / (4 * half)
+  local c3 = ((p.slope0 + p.slope1) / 2 - rise) / (2 * half * half)
+  put_polynomial(cut, ax, ay, bx, by, (ay + by) / 2 - c2 * half * half, rise - c3 * half * half, c2, c3)
+end
+
+function cutter.sine(cut, w)
+  local x, x1, quarter = weld(w.x0), weld(w.x1), w.wavelength / 4
+  local k = floor((x - w.origin) / quarter)
+  while x < x1 do
+    local to = min(x1, w.origin + (k + 1) * quarter)
+    if to > x then
+      local crossing = k % 2 == 0 and k or k + 1
+      local amplitude = crossing % 4 ~= 0 and -w.amplitude or w.amplitude  -- its half wave is upside down
+      local s = {kind = "sine", c1 = w.origin + crossing * quarter, c2 = w.middle + 0.0, c3 = amplitude + 0.0,
+                 c4 = w.wavelength + 0.0}
+      s.bends_down = (crossing == k and 1 or -1) * s.c3 < 0
+      put_stretch(cut, s, x, curve_y(s, x), to, curve_y(s, to))
+      x = to
+    end
+    k = k + 1
+  end
+end
+
+-- ---- When a box meets a stretch ----
+
+local function circle_time(x, y, dx, dy, radius, from_outside)
+  local a, b = dx * dx + dy * dy, x * dx + y * dy
+  local c = (x - radius) * (x + radius) + y * y
+  local under = b * b - a * c
+  local root = sqrt(under < 0 and 0.0 or under)
+  -- Of the two ways to write a root, the one that does not subtract nearly equal numbers.
+  if from_outside then
+    if b < 0 then return c / (root - b) end
+    return (-b - root) / a
+  end
+  if b < 0 then return (root - b) / a end
+  return -c / (root + b)
+end
+
+local function parabola_time(gap, rate, bend)
+  local under = rate * rate - 4 * bend * gap
+  local root = sqrt(under < 0 and 0.0 or under)
+  if rate <= 0 then return 2 * gap / (root - rate) end
+  return (-rate - root) / (2 * bend)
+end
+
+-- Where f falls through zero: Newton's method, halving the bracket when it would leave it.
+local function newton_between(a, b, f, derivative, rounding)
+  local t = b
+  for _ = 1, 100 do
+    local ft = f(t)
+    if ft >= 0 then a = t else b = t end
+    local next_t = t - ft / derivative(t)
+    if not (next_t >= a and next_t <= b) then next_t = a + (b - a) / 2 end
+    if abs(ft) <= rounding or next_t == t then return next_t end
+    t = next_t
+  end
+  return t
+end
+
+-- The same without a derivative: regula falsi (Illinois). It ends where f is still >= 0.
+local function zero_between(a, b, f)
+  local fa, fb = f(a), f(b)
+  for _ = 1, 100 do
+    if not (fa > 0) then break end
+    local t = (a * fb - b * fa) / (fb - fa)
+    if not (t > a and t < b) then t = a + (b - a) / 2 end
+    if not (t > a and t < b) then break end
+    local ft = f(t)
+    if ft >= 0 then
+      a, fa, fb = t, ft, fb / 2
+    else
+      b, fb, fa = t, ft, fa / 2
+    end
+  end
+  return a
+end
+
+-- from, to: the part of the motion during which the box is over or under the stretch; gap, last_gap: how far
+-- away then. x, y: of the box; offset, lift: to its point that meets the curve. None: nil.
+local function curve_time(piece, x, y, dx, dy, offset, lift, slack, from, to, gap, last_gap)
+  if from > to or gap < -slack then return nil end
+  local stretch, up = piece.stretch, piece.facing == UP
+  local sign = up and 1 or -1
+  local dips = stretch.bends_down == up  -- the gap may close and open again
+  local function corner_x(t) return clamp(x + t * dx + offset, piece.x0, piece.x1) end
+  local function gap_at(t) return sign * (y_at(piece, corner_x(t)) - lift - (y + t * dy)) end
+  -- The rate at which the gap grows, but for a positive factor.
+  local function opening(t)
+    local along_x, along_y = tangent_at(stretch, corner_x(t))
+    return sign * (along_y * dx - along_x * dy)
+  end
+
+  local last = to
+  if gap <= slack then
+    local rate, wrong = opening(from), ROUNDING * (abs(dx) + abs(dy))
+    if rate < -wrong or (rate <= wrong and not dips) then return from end
+    if dips then return nil end
+  end
+  if not (last_gap < 0) then
+    if not dips or not (opening(from) < 0) or not (opening(to) > 0) then return nil end
+    last = zero_between(from, to, function(t) return -opening(t) end)
+    if not (gap_at(last) < 0) then return nil end
+  end
+
+  local u = x + from * dx + offset - stretch.c1
+  local t
+  if stretch.kind == "arc" then
+    local v = y + from * dy + lift - stretch.c2
+    t = circle_time(u, v, dx, dy, stretch.c3, up == (stretch.sign < 0))
+  elseif stretch.kind == "polynomial" and stretch.c5 == 0 then
+    t = parabola_time(gap, sign * ((stretch.c3 + 2 * stretch.c4 * u) * dx - dy), sign * stretch.c4 * dx * dx)
+  else
+    local function rate(at)
+      local along_x, along_y = tangent_at(stretch, corner_x(at))
+      return sign * (along_y / along_x * dx - dy)
+    end
+    t = newton_between(from, last, gap_at, rate, slack / 8) - from
+  end
+  return clamp(from + t, from, last)
+end
+
+function Stretch.meet(piece, up, first, last, first_y, last_y, open_first, open_last, offset, lift)
+  if middle_alone then return end
+  local from, to, gap, last_gap = window_of(first, last, first_y, last_y, open_first, open_last, up, piece)
+  local t = curve_time(piece, bx, by, dx, dy, offset, lift, slack, from, to, gap, last_gap)
+  if t then offer(t, piece.facing, false, piece, 0.0, first, last) end
+end

@@ -1,7 +1,7 @@
 -- ---- Cells that need more than a bit ----
 
 -- What is not a full tile, and what lies beside it, is compiled when it is first looked at.
-function Terrain:begin_outline(level)
+function Terrain:begin()
   self.touched_top, self.touched_right, self.touched_bottom = -1, 1, 1
   for _, outline in pairs(self.outlines) do
     if outline.line then
@@ -10,11 +10,8 @@ function Terrain:begin_outline(level)
       self.touched_bottom = max(self.touched_bottom, outline.bottom)
     end
   end
-  self.curve_pieces = cut_curves and cut_curves(level.curves or {}) or {}
-  self.curves_in = cells_of_curves and cells_of_curves(self.curve_pieces, self.width, self.height) or {}
-  self.details = {}  -- by cell: how many shapes, and curves, touch it
+  self.details = {}  -- by cell: how much there is that touches it
   self.compiled = {}
-  for cell in pairs(self.curves_in) do self.details[cell] = 1 end
   for y = 0, self.height - 1 do
     for x = 0, self.width - 1 do self:count_details(x, y, 1) end
   end
@@ -48,10 +45,19 @@ function Terrain:detail(x, y)
 end
 
 -- Forgets what depends on a cell.
-function Terrain:forget_around(x, y)
+local function forget_around(self, x, y)
+  self.some_pieces = nil
   for cy = max(y + self.touched_top, 0), min(y + self.touched_bottom, self.height - 1) do
     for cx = max(x - 1, 0), min(x + self.touched_right, self.width - 1) do
       self.compiled[cy * self.width + cx] = nil
     end
   end
+end
+
+local set_tile = Terrain.set_tile
+function Terrain:set_tile(x, y, tile)
+  self:count_details(x, y, -1)
+  set_tile(self, x, y, tile)
+  self:count_details(x, y, 1)
+  forget_around(self, x, y)
 end

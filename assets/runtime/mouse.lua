@@ -1,4 +1,6 @@
 -- ---- The mouse: it takes a body, and throws it when it is let go ----
+has.mouse = true
+World.grabbed = 0  -- the id of the body that it has; 0: none
 
 local MAX_SPEED, MAX_DISTANCE = 4096.0, 1e9
 
@@ -16,17 +18,17 @@ local function has_body(world, id)
   return false
 end
 
-function take_mouse(world, input)
+function World:take_input(input)
   if input.mouse_down then
-    if (input.grab or 0) ~= 0 and has_body(world, input.grab) then world.grabbed = input.grab end
-    if world.grabbed == 0 then world.grabbed = body_at(world, input.mouse_x, input.mouse_y) end
+    if (input.grab or 0) ~= 0 and has_body(self, input.grab) then self.grabbed = input.grab end
+    if self.grabbed == 0 then self.grabbed = body_at(self, input.mouse_x, input.mouse_y) end
     return
   end
-  if world.grabbed == 0 then return end
-  for _, body in ipairs(world.bodies) do
-    if body.id == world.grabbed then body.vx, body.vy = body.x - body.previous_x, body.y - body.previous_y end
+  if self.grabbed == 0 then return end
+  for _, body in ipairs(self.bodies) do
+    if body.id == self.grabbed then body.vx, body.vy = body.x - body.previous_x, body.y - body.previous_y end
   end
-  world.grabbed = 0
+  self.grabbed = 0
 end
 
 local function reachable(at, goal)
@@ -38,10 +40,16 @@ local function slide(_, _, _, contact, x, y)
 end
 
 -- A dragged body goes part of the way to the mouse, and slides along what it meets.
-function drag(world, body, box, input)
+local function drag(world, body, box, input)
   local n = world.tuning
   body.previous_x, body.previous_y = body.x, body.y
   local x = reachable(body.x, lerp(body.x, input.mouse_x - n.drag_offset, n.drag_blend)) - body.x
   local y = reachable(body.y, lerp(body.y, input.mouse_y - n.drag_offset, n.drag_blend)) - body.y
   move(world, body, box, x, y, slide)
+end
+
+local step_of = World.step_of
+function World:step_of(body)
+  if body.id == self.grabbed then return drag end
+  return step_of(self, body)
 end

@@ -10,28 +10,22 @@ end
 local function is_level(contact, steepest)
   if contact.ny == 0 then return false end
   local piece = contact.piece
-  if piece == nil or piece.stretch or contact.on_end or contact.nx == 0 then
-    return abs(contact.nx) <= steepest * abs(contact.ny)
+  if piece and not contact.on_end and contact.nx ~= 0 then
+    return piece.form.is_level(piece, contact, steepest)
   end
-  local slope = abs(piece.slope)
-  if slope ~= steepest then return slope < steepest end
-  return piece.slope * piece.slope_rest <= 0
+  return abs(contact.nx) <= steepest * abs(contact.ny)
 end
 
 local function tolerance(x, y) return (abs(x) + abs(y)) * ROUNDING end
 
--- A box that slid along a surface, and is not beyond its end, is on it and not a rounding error away from it.
-local function settle(box, surface)
-  if not surface or surface.facing >= LEFT or is_steep(surface) then return end
-  local x = box.x + foot_offset(surface, box.w, box.centre)
-  if x < surface.x0 or x > surface.x1 then return end
-  local y = rest_on(surface, box.x, box.w, box.h, box.centre)
-  if abs(box.y - y) <= 4 * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then box.y = y end
-end
+-- The other bodies that a motion may meet; nil: none count.
+function World:others() end
 
--- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) gives the motion to go on with.
+-- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) gives the motion to go on with. A
+-- surface that leads back to itself follows it: it gives the way to go without it, where that ends, and the
+-- motion from there.
 local function move(world, body, box, x, y, respond)
-  local others = others_near and others_near(world, body, box, x, y)
+  local others = world:others(body, box, x, y)
   local passes, before_x, before_y = 0, nil, nil
   local followed, surface, goal_x, goal_y, after_x, after_y
   while box.x + x ~= box.x or box.y + y ~= box.y do
@@ -52,11 +46,11 @@ local function move(world, body, box, x, y, respond)
       local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
       if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then break end
       before_x, before_y, followed = contact.nx, contact.ny, nil
-      if follow and slides and surface and is_hollow(surface) then
-        followed = surface
-        x, y, goal_x, goal_y, after_x, after_y = follow(box, surface, x, y)
+      if slides and surface and surface.follow then
+        followed = surface.source
+        x, y, goal_x, goal_y, after_x, after_y = surface.follow(surface, box, x, y)
       end
     end
   end
-  settle(box, surface)
+  if surface then surface.form.settle(surface, box) end
 end

@@ -1,4 +1,5 @@
 -- ---- Bodies that block one another ----
+has.pairs = true
 
 -- The cells of 16 px that a box meets.
 local function block_cells(x, y, w, h)
@@ -6,16 +7,29 @@ local function block_cells(x, y, w, h)
 end
 
 -- The other bodies that a motion, whichever way it turns, may meet; in order.
-function others_near(world, body, box, x, y)
+function World:others(body, box, x, y)
+  if self.tuning.balls_block == 0 then return nil end
   local length = abs(x) + abs(y)
   local left, top, right, bottom = block_cells(box.x - length, box.y - length, box.w + 2 * length,
-      box.h + 2 * length)
+                                               box.h + 2 * length)
   local near = {}
-  for _, other in ipairs(world.bodies) do
+  for _, other in ipairs(self.bodies) do
     if other ~= body then
       local l, t, r, b = block_cells(other.x, other.y, other.w, other.h)
       if r >= left and l <= right and b >= top and t <= bottom then near[#near + 1] = other end
     end
   end
   return near
+end
+
+-- They stop the box of a cast as tiles do.
+function World.against_others(others)
+  for _, other in ipairs(others) do
+    local x, y = other.x, other.y
+    local right, bottom = x + other.w, y + other.h
+    if dy > 0 then flat(true, y, x, right, true, true, nil) end
+    if dy < 0 then flat(false, bottom, x, right, true, true, nil) end
+    if dx > 0 then wall(LEFT, x, y, bottom, true, true, nil) end
+    if dx < 0 then wall(RIGHT, right, y, bottom, true, true, nil) end
+  end
 end

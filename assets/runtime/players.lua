@@ -1,4 +1,5 @@
 -- ---- Players: they run along the ground at the speed that is asked for, and jump off it ----
+has.players = true
 
 local function take_keys(n, body, box, input)
   local direction = (input.right and 1 or 0) - (input.left and 1 or 0)
@@ -47,15 +48,16 @@ end
 -- The level ground straight below, within `reach`.
 local function floor_under(world, body, box, reach)
   local found = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre,
-                         others_near and others_near(world, body, box, 0.0, reach))
+                         world:others(body, box, 0.0, reach))
   return found and is_level(found, world.tuning.steepest) and found or nil
 end
 
 -- How far below a grounded player its floor may be after a step that moved it by x.
 local function reach_down(n, x) return n.snap > 0 and n.snap or abs(x) * n.steepest + 1 end
 
-function run(world, body, box, input)
+local function run(world, body, box, input)
   local n = world.tuning
+  body.coyote = body.coyote or 0  -- frames in which it may still jump, though it has left its floor
   take_keys(n, body, box, input)
   if body.coyote > 0 then body.coyote = body.coyote - 1 end
   local x, y = box.vx, box.vy
@@ -81,3 +83,4 @@ function run(world, body, box, input)
     if walked then body.coyote = n.coyote_frames end
   end
 end
+kinds.player = {step = run, foot = "centre"}

@@ -13,7 +13,7 @@ local function overlaps_tile(terrain, x, y, w, h, forgiven, skip_detailed)
   for row = top, bottom do
     for column = left, right do
       if terrain:is_solid(column, row) and
-          not (skip_detailed and terrain.is_detailed and terrain:is_detailed(column, row)) then
+          not (skip_detailed and terrain:is_detailed(column, row)) then
         return true
       end
     end
@@ -21,18 +21,19 @@ local function overlaps_tile(terrain, x, y, w, h, forgiven, skip_detailed)
   return false
 end
 
+-- Whether the box is inside of what is no full tile.
+function Terrain:overlaps_shapes() return false end
+
 -- Whether the box is inside of the ground by more than rounding.
 local function overlaps_ground(terrain, x, y, w, h, is_centre)
   local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
   if overlaps_tile(terrain, x, y, w, h, forgiven, is_centre) then return true end
   if is_centre and overlaps_tile(terrain, x + w / 2, y, 0.0, h, forgiven, false) then return true end
-  return overlaps_slopes ~= nil and terrain:has_pieces() and overlaps_slopes(terrain, x, y, w, h, is_centre,
-      forgiven)
+  return terrain:overlaps_shapes(x, y, w, h, is_centre, forgiven)
 end
 
 -- How far the box is behind a side that it overlaps, and the way back in front of it.
 local function exit_past(exits, piece, x, y, w, h, is_centre, forgiven)
-  if piece.one_way then return end
   local distance, out_x, out_y
   if piece.facing >= LEFT then
     if not (y + h > piece.y0 + forgiven and y < piece.y1 - forgiven) then return end
@@ -41,8 +42,7 @@ local function exit_past(exits, piece, x, y, w, h, is_centre, forgiven)
     out_x, out_y = limit - x, 0.0
   else
     if not (x + w > piece.x0 + forgiven and x < piece.x1 - forgiven) then return end
-    local limit = rest_on and rest_on(piece, x, w, h, is_centre) or piece.y0 - (piece.facing == UP and h
-        or 0.0)
+    local limit = piece.form.rest(piece, x, w, h, is_centre)
     if piece.facing == UP then distance = y - limit else distance = limit - y end
     out_x, out_y = 0.0, limit - y
   end
@@ -59,16 +59,18 @@ local function exit_past(exits, piece, x, y, w, h, is_centre, forgiven)
   table.insert(exits, at, {distance = distance, x = out_x, y = out_y})
 end
 
--- The sides of a full tile that other tiles leave open.
-local function open_sides(terrain, column, row)
+local Side = {}  -- the form of a full tile's sides
+function Side.rest(side, _, _, h) return side.y0 - (side.facing == UP and h or 0.0) end
+
+-- The sides in a cell: those of a full tile that other tiles leave open.
+function Terrain:sides(column, row)
+  if not self:is_solid(column, row) then return {} end
   local x0, y0 = column * TILE, row * TILE
   local x1, y1 = x0 + TILE, y0 + TILE
   local sides = {}
   local function put(beside_x, beside_y, facing, ax, ay, bx1, by1)
-    if terrain:is_solid(column + beside_x, row + beside_y) then return end
-    sides[#sides + 1] = {x0 = ax, y0 = ay, x1 = bx1, y1 = by1, base_x = ax, base_y = ay, slope = 0.0,
-        origin = 0,
-                         facing = facing}
+    if self:is_solid(column + beside_x, row + beside_y) then return end
+    sides[#sides + 1] = {x0 = ax, y0 = ay, x1 = bx1, y1 = by1, facing = facing, form = Side}
   end
   put(0, -1, UP, x0, y0, x1, y0)
   put(0, 1, DOWN, x0, y1, x1, y1)
@@ -85,13 +87,9 @@ local function way_out(terrain, x, y, w, h, is_centre)
   local left, right, top, bottom = block_of(terrain, x, y, w, h, forgiven)
   for row = top, bottom do
     for column = left, right do
-      local sides = {}
-      if terrain.is_detailed and terrain:is_detailed(column, row) then
-        sides = terrain:detail(column, row).pieces
-      elseif terrain:is_solid(column, row) then
-        sides = open_sides(terrain, column, row)
+      for _, side in ipairs(terrain:sides(column, row)) do
+        exit_past(exits, side, x, y, w, h, is_centre, forgiven)
       end
-      for _, side in ipairs(sides) do exit_past(exits, side, x, y, w, h, is_centre, forgiven) end
     end
   end
   for _, exit in ipairs(exits) do

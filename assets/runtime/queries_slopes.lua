@@ -1,3 +1,15 @@
+-- ---- Slopes: questions about the ground ----
+
+local plain_sides = Terrain.sides
+function Terrain:sides(column, row)
+  if not self:is_detailed(column, row) then return plain_sides(self, column, row) end
+  local sides = {}
+  for _, piece in ipairs(self:detail(column, row).pieces) do
+    if piece.solid then sides[#sides + 1] = piece end
+  end
+  return sides
+end
+
 -- Whether the box is in the body of a slope or profile that begins in the cell.
 local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgiven)
   local left, top = column * TILE, row * TILE
@@ -34,12 +46,13 @@ local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgive
   return false
 end
 
-function overlaps_slopes(terrain, x, y, w, h, is_centre, forgiven)
-  local left, right, top, bottom = block_of(terrain, x, y, w, h, 8 * TILE)  -- what a slope spans at most
+function Terrain:overlaps_shapes(x, y, w, h, is_centre, forgiven)
+  if not self:has_pieces() then return false end
+  local left, right, top, bottom = block_of(self, x, y, w, h, 8 * TILE)  -- what a slope spans at most
   for row = top, bottom do
     for column = left, right do
-      local shape = terrain:outline(column, row)
-      if shape and shape.line and not shape.one_way and
+      local shape = self:outline(column, row)
+      if shape and shape.line and shape.solid and
           overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgiven) then
         return true
       end

@@ -1,7 +1,10 @@
 -- ---- Slopes: the outline of the ground in a cell that is no plain tile ----
--- A piece is a stretch of the outline: x0, y0, x1, y1; a line is y = base_y + (x - base_x) * slope. It faces
--- up or down, or is a wall. convex: the ground turns away at that end; last: no floor goes on there; far: the
--- end is in another cell.
+-- A piece is a part of the outline: x0, y0, x1, y1; a line is y = base_y + (x - base_x) * slope. It faces up or
+-- down, or is a wall. form: the functions for pieces of its form. solid: it bounds a body of ground. convex: the
+-- ground turns away at that end; last: no floor goes on there; far: the end is in another cell.
+has.slopes = true
+
+local Line = {straight = true}  -- the form of lines
 
 -- Rounds to 1/256 px, halves away from zero: ends that ought to meet do.
 local function weld(at)
@@ -11,41 +14,31 @@ local function weld(at)
   return at < 0 and -(whole / 256) or whole / 256
 end
 
-local function base_near(piece, x)
-  local other = piece.base_x == piece.x0 and piece.x1 or piece.x0
-  if piece.origin >= 0 or abs(x - piece.base_x) <= abs(x - other) then return piece.base_x, piece.base_y end
-  return other, piece.base_x == piece.x0 and piece.y1 or piece.y0
-end
+function Line.y(piece, x) return piece.base_y + (x - piece.base_x) * piece.slope end
 
 -- The height of a piece at x, clamped to it.
-function y_at(piece, x)
+local function y_at(piece, x)
   if x <= piece.x0 then return piece.y0 end
   if x >= piece.x1 then return piece.y1 end
-  local y
-  if piece.stretch then
-    y = curve_y(piece.stretch, x)
-  else
-    local base_x, base_y = base_near(piece, x)
-    y = base_y + (x - base_x) * piece.slope
-  end
-  return clamp(y, min(piece.y0, piece.y1), max(piece.y0, piece.y1))
+  return clamp(piece.form.y(piece, x), min(piece.y0, piece.y1), max(piece.y0, piece.y1))
 end
 
 local function is_wall(piece) return piece.facing >= LEFT end
--- Whether a rounding of x is worth more than one of y there. Not told of curves.
-function is_steep(piece) return abs(piece.slope) > 1 end
+-- Whether a rounding of x is worth more than one of y there.
+local function is_steep(piece) return abs(piece.slope) > 1 end
 
 -- How far right of a box's left side the part of it is that touches a sloped floor or ceiling.
-function foot_offset(piece, w, centre)
+local function foot_offset(piece, w, centre)
   local up = piece.facing == UP
   if up and centre then return w / 2 end
   return (piece.y1 < piece.y0) == up and w or 0.0
 end
 
 -- Where the top of a box at x rests on the piece.
-function rest_on(piece, x, w, h, centre)
+local function rest_on(piece, x, w, h, centre)
   return y_at(piece, x + foot_offset(piece, w, centre)) - (piece.facing == UP and h or 0.0)
 end
+Line.rest = rest_on
 
 -- ---- What each kind of tile is to the outline ----
 
@@ -89,10 +82,9 @@ local function column_of(shape, tiles, column)
 end
 
 -- shape: kind "solid", "slope" or "profile".
-function outline_of(shape)
-  local full = shape.kind == "solid" and not shape.one_way
-  local out = {full = full, line = not full, one_way = shape.one_way, is_floor = shape.side ~= "ceiling",
-      columns = {}}
+function Terrain.outline_of(shape)
+  local full = shape.kind == "solid"
+  local out = {full = full, line = not full, solid = true, is_floor = shape.side ~= "ceiling", columns = {}}
   local tiles, extra = 1, 0
   if shape.kind ~= "solid" then
     tiles = shape.tiles or 1
@@ -143,8 +135,8 @@ local function is_thick(body, x, to_the_right)
   return from ~= to or there_from ~= there_to
 end
 
--- Of a one-way line only one side stops.
-local function has_side(body, top) return not body.tile.one_way or body.tile.is_floor == top end
+-- Of what is not solid only one side stops.
+local function has_side(body, top) return body.tile.solid or body.tile.is_floor == top end
 
 local function new_body(terrain, tile, x, y, strip)
   local column = tile.columns[strip - x]
@@ -161,7 +153,7 @@ end
 local function covers_of(bodies, left)
   local covers = {}
   for _, body in ipairs(bodies) do
-    if not body.tile.one_way then
+    if body.tile.solid then
       local cover = {from = left and body.left_from or body.right_from, to = left and body.left_to
           or body.right_to,
                      origin = body.origin}
@@ -243,7 +235,7 @@ local function take_out_hidden(bodies, index, top, line, x0, x1, parts)
   local highest, lowest = min(y0, y1), max(y0, y1)
   for number, other in ipairs(bodies) do
     if #parts == 0 then return end
-    if not other.tile.one_way and other.highest <= lowest and other.lowest >= highest then
+    if other.tile.solid and other.highest <= lowest and other.lowest >= highest then
       local top0, bottom0 = range_at(other, x0, true)
       local top1, bottom1 = range_at(other, x1, false)
       local is_flat = top0 == bottom0 and top1 == bottom1
@@ -311,7 +303,7 @@ local function add_surface(bodies, index, top, x, y, out)
           out[#out + 1] = {x0 = part.from, y0 = y0, x1 = part.to, y1 = y1, base_x = line.base_x,
               base_y = line.base_y,
                            slope = line.slope, slope_rest = line.slope_rest, origin = body.origin,
-                           facing = top and UP or DOWN, one_way = body.tile.one_way}
+                           facing = top and UP or DOWN, solid = body.tile.solid, form = Line}
         end
       end
     end
@@ -323,7 +315,7 @@ end
 local function wall_piece(x, y0, y1, left, origin, convex0, convex1)
   return {x0 = x, y0 = y0, x1 = x, y1 = y1, base_x = x, base_y = y0, slope = 0.0, slope_rest = 0.0,
       origin = origin,
-          facing = left and LEFT or RIGHT, convex0 = convex0, convex1 = convex1}
+          facing = left and LEFT or RIGHT, convex0 = convex0, convex1 = convex1, solid = true, form = Line}
 end
 
 local function add_wall(here, beside, left, x, y, out)
@@ -353,7 +345,7 @@ end
 -- Whether there is ground right (or left) beside a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
-    if not body.tile.one_way and y >= body.highest and y <= body.lowest then
+    if body.tile.solid and y >= body.highest and y <= body.lowest then
       local from, to = range_at(body, x, to_the_right)
       if from <= y and y <= to and is_thick(body, x, to_the_right) then return true end
     end
@@ -366,7 +358,7 @@ local function add_tips(strips, cx, cy, out)
   local left, row0 = cx * TILE, cy * TILE
   local right, row1 = left + TILE, row0 + TILE
   for _, body in ipairs(strips[2].bodies) do
-    if body.tile.line and not body.tile.one_way and body.lowest >= row0 and body.highest <= row1 then
+    if body.tile.line and body.tile.solid and body.lowest >= row0 and body.highest <= row1 then
       for _, line in ipairs(body.tile.is_floor and body.column.top or body.column.bottom) do
         if line.y0 ~= line.y1 then
           for n = 1, 2 do
@@ -404,39 +396,31 @@ local function goes_on(terrain, strips, piece, first)
         local line = line_moved(in_tile, body.corner_x, body.corner_y)
         local reaches
         if first then reaches = line.x0 < x and x <= line.x1 else reaches = line.x0 <= x and x < line.x1 end
-        if reaches and line_at(line, x) == y and (body.tile.one_way or is_thick(body, x, not first)) then
+        if reaches and line_at(line, x) == y and (not body.tile.solid or is_thick(body, x, not first)) then
           note((first and line.y0 or line.y1) - y)
         end
       end
     end
   end
-  for _, curve in ipairs(terrain.curve_pieces) do
-    if not curve.is_tip and not is_wall(curve) and curve.facing == piece.facing then
-      if first and curve.x1 == x and curve.y1 == y then note(curve.y0 - curve.y1) end
-      if not first and curve.x0 == x and curve.y0 == y then note(curve.y1 - curve.y0) end
-    end
-  end
+  terrain:note_free(piece, first, x, y, note)
   return any, outward
 end
 
-local function mark_ends(terrain, strips, piece, cx, cy)
-  if is_wall(piece) then return end
-  -- A long piece is marked at its ends in the cells that the ends are in.
-  local function near(x, y)
-    return piece.origin >= 0 or
-        (x >= cx * TILE and x <= (cx + 1) * TILE and y >= cy * TILE and y <= (cy + 1) * TILE)
+local function mark_end(terrain, strips, piece, first)
+  local any, outward = goes_on(terrain, strips, piece, first)
+  if first then
+    piece.convex0, piece.last0 = not outward, not any
+  else
+    piece.convex1, piece.last1 = not outward, not any
   end
-  local near0, near1 = near(piece.x0, piece.y0), near(piece.x1, piece.y1)
-  local any0, outward0, any1, outward1 = true, true, true, true
-  if near0 then any0, outward0 = goes_on(terrain, strips, piece, true) end
-  if near1 then any1, outward1 = goes_on(terrain, strips, piece, false) end
-  piece.far0, piece.far1 = not near0, not near1
-  piece.convex0, piece.convex1 = not outward0, not outward1
-  piece.last0, piece.last1 = not any0, not any1
 end
 
+-- What is free of the grid: notes the falls of what begins where a piece ends; adds the pieces in a cell.
+function Terrain:note_free() end
+function Terrain:add_free() end
+
 -- The pieces in a cell, and which ways they face.
-function pieces_in(terrain, x, y)
+local function pieces_in(terrain, x, y)
   local strips = {strip_at(terrain, x - 1, y), strip_at(terrain, x, y), strip_at(terrain, x + 1, y)}
   local out, bodies = {}, strips[2].bodies
   for index, body in ipairs(bodies) do
@@ -446,15 +430,14 @@ function pieces_in(terrain, x, y)
   add_wall(strips[2], strips[1], true, x, y, out)
   add_wall(strips[2], strips[3], false, x, y, out)
   add_tips(strips, x, y, out)
-  for _, curve in ipairs(terrain.curves_in[y * terrain.width + x] or {}) do
-    local copy = {}
-    for key, value in pairs(curve) do copy[key] = value end
-    out[#out + 1] = copy
-  end
-  local faces = {}
   for _, piece in ipairs(out) do
-    mark_ends(terrain, strips, piece, x, y)
-    faces[piece.facing] = true
+    if not is_wall(piece) then
+      mark_end(terrain, strips, piece, true)
+      mark_end(terrain, strips, piece, false)
+    end
   end
+  terrain:add_free(strips, x, y, out)
+  local faces = {}
+  for _, piece in ipairs(out) do faces[piece.facing] = true end
   return {pieces = out, faces = faces}
 end

@@ -1,16 +1,16 @@
 -- ---- Terrain: the cells of a level, and what of them is outline ----
 
-local Terrain = {}
-Terrain.__index = Terrain
+-- What a tile of a shape is to the outline. Here, every shape is a full tile.
+function Terrain.outline_of() return {full = true} end
+
+-- What there is to do when the tiles are known.
+function Terrain:begin() end
 
 local function new_terrain(level)
-  local terrain = setmetatable({width = level.width, height = level.height, tiles = {}, outlines = {}},
-      Terrain)
+  local terrain = setmetatable({width = level.width, height = level.height, tiles = {}, outlines = {}}, Terrain)
   for i = 1, level.width * level.height do terrain.tiles[i - 1] = level.tiles[i] end
-  for tile, shape in pairs(level.shapes) do
-    terrain.outlines[tile] = outline_of and outline_of(shape) or {full = true}
-  end
-  if terrain.begin_outline then terrain:begin_outline(level) end
+  for tile, shape in pairs(level.shapes) do terrain.outlines[tile] = Terrain.outline_of(shape) end
+  terrain:begin(level)
   return terrain
 end
 
@@ -23,3 +23,9 @@ function Terrain:is_solid(x, y)
   local outline = self:outline(x, y)
   return outline ~= nil and outline.full
 end
+
+-- Whether the outline in a cell is more than the sides of a full tile.
+function Terrain:is_detailed() return false end
+
+-- Gives a cell another tile.
+function Terrain:set_tile(x, y, tile) self.tiles[y * self.width + x] = tile end

@@ -1,8 +1,5 @@
 -- ---- The world: a level's ground and its bodies ----
 
-local World = {}
-World.__index = World
-
 -- What carries a body away for ever is stopped.
 local function limit(box)
   local fast, far = 4096.0, 1e9  -- px/frame; px
@@ -11,6 +8,10 @@ local function limit(box)
   box.x, box.y = clamp(box.x, -far, far), clamp(box.y, -far, far)
 end
 
+-- What the input does to the world, and what takes a body one frame further.
+function World:take_input() end
+function World:step_of(body) return kinds[body.kind].step end
+
 local function step_body(world, body, input)
   local box = {x = body.x, y = body.y, w = body.w, h = body.h, vx = body.vx, vy = body.vy,
                centre = body.foot == "centre", landed = false}
@@ -18,22 +19,15 @@ local function step_body(world, body, input)
     local out_x, out_y = way_out(world.terrain, box.x, box.y, box.w, box.h, box.centre)
     if out_x then box.x, box.y = box.x + out_x, box.y + out_y end
   end
-  if drag and body.id == world.grabbed then
-    drag(world, body, box, input)
-  elseif run and body.kind == "player" then
-    run(world, body, box, input)
-  else
-    fall(world, body, box)
-  end
+  world:step_of(body)(world, body, box, input)
   limit(box)
   body.x, body.y, body.vx, body.vy, body.clear = box.x, box.y, box.vx, box.vy, true
 end
 
--- Takes every body one frame further. input: left, right, jump, of the players; mouse_x, mouse_y, mouse_down,
--- where the level drags bodies. All may be missing.
+-- Takes every body one frame further. input: what is held, see the head; all of it may be missing.
 function World:step(input)
   input = input or {}
-  if take_mouse then take_mouse(self, input) end
+  self:take_input(input)
   for _, body in ipairs(self.bodies) do step_body(self, body, input) end
   self.frame = self.frame + 1
 end
@@ -57,39 +51,29 @@ function World:overlaps(x, y, w, h, foot)
   return overlaps_ground(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, foot == "centre")
 end
 
--- Adds a body and returns it: a table of kind, "ball" or "player", x and y; and, where they are not so, w and h
--- (8), vx and vy (0), foot ("box", of players "centre").
+-- Adds a body and returns it: a table of kind, x and y; and, where they are not so, w and h (8), vx and vy (0),
+-- foot ("box", of players "centre"). An error where this module has no part for it.
 function World:add(body)
+  local kind = kinds[body.kind]
+  if not kind then
+    local known = {}
+    for name in pairs(kinds) do known[#known + 1] = '"' .. name .. '"' end
+    table.sort(known)
+    error(("there is no kind of body %q here, but %s; more is in the parts that an export takes"):format(
+            tostring(body.kind), #known > 0 and table.concat(known, " and ") or "none"), 2)
+  end
+  if #self.bodies > 0 and self.tuning.balls_block ~= 0 and not has.pairs then
+    error("a second body takes the part pairs, as bodies block one another here: name it in the export, or " ..
+          "set balls_block in the level's tuning to 0", 2)
+  end
   body.id = #self.bodies + 1
   body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or TILE) + 0.0, (body.h or TILE) + 0.0
   body.vx, body.vy = (body.vx or 0) + 0.0, (body.vy or 0) + 0.0
-  body.foot = body.foot or body.kind == "player" and "centre" or "box"
-  body.previous_x, body.previous_y = body.x, body.y
-  body.grounded, body.jumping, body.jump_held, body.coyote, body.clear = false, false, false, 0, false
+  body.foot = body.foot or kind.foot
+  body.grounded, body.clear = false, false
   self.bodies[body.id] = body
   return body
 end
 
-local talus = {}
-
--- A world from a level as exported: width, height, in cells; tiles, row by row; shapes and balls, by tile;
--- curves; spawns; tuning.
-function talus.new(level)
-  local world = setmetatable({frame = 0, bodies = {}, grabbed = 0, tuning = {}}, World)
-  for key, value in pairs(level.tuning) do world.tuning[key] = value + 0.0 end
-  world.terrain = new_terrain(level)
-  for x = 0, level.width - 1 do
-    for y = 0, level.height - 1 do
-      local tile = level.tiles[y * level.width + x + 1]
-      if level.balls[tile] then world:add {kind = "ball", x = x * TILE, y = y * TILE, tile = tile} end
-    end
-  end
-  for _, spawn in ipairs(level.spawns) do
-    local body = {}
-    for key, value in pairs(spawn) do body[key] = value end
-    world:add(body)
-  end
-  return world
-end
-
-return talus
+-- Puts the bodies into a new world that are tiles of the map.
+function World:place_tiles() end

@@ -1,4 +1,6 @@
 // TIC-80 cartridges whose code plays the level.
+#include <algorithm>
+
 #include "../formats/cart_content.h"
 #include "export_targets.h"
 #include "lua_level.h"
@@ -7,6 +9,15 @@
 namespace talus {
 namespace {
 
+// The same cells at the top left of a cart's map, which must have room for them.
+TileMap on_cart_map(const TileMap& map) {
+  TileMap whole(kTicMapWidth, kTicMapHeight);
+  auto to = whole.cells().begin();
+  for (auto row = map.cells().begin(); row != map.cells().end(); row += map.width(), to += kTicMapWidth)
+    std::copy_n(row, map.width(), to);
+  return whole;
+}
+
 FormatResult<Level> playable_cart(const ExportRequest& request) {
   const Level& level = request.level;
   if (!map_fits_cart(level)) {
@@ -14,7 +25,7 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
                                               std::to_string(level.map.height()) +
                                               " cells, and a cart has 240x136: change its size first"});
   }
-  FormatResult<std::string> runtime = lua_runtime(request, true);
+  FormatResult<std::string> runtime = lua_runtime(request, LuaForm::small, true);
   if (!runtime) return tl::unexpected(runtime.error());
   std::vector<std::string> game;
   for (const std::string name : {"camera", "curve_points", "tic80/main"}) {
@@ -29,9 +40,10 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
   cart.bytes =
       "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
       "drags, B starts again\n-- script: lua\n" +
-      join_lua_parts({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
-      lua_level(level, false) + "end)()\n" + join_lua_parts(game);
+      join_lua({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
+      lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
   Level playable = level;
+  playable.map = on_cart_map(level.map);  // the code has the level's size
   playable.spawns.clear();
   playable.curves.clear();
   playable.tile_shapes = {};

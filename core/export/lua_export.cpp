@@ -7,7 +7,7 @@
 namespace talus {
 
 FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
-  FormatResult<std::string> runtime = lua_runtime(request, false);
+  FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, false);
   if (!runtime) return tl::unexpected(runtime.error());
   std::string level = lua_level(request.level);
   const std::size_t code = runtime->size() + level.size();
@@ -17,7 +17,7 @@ FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
 }
 
 FormatResult<Exported> export_love(const ExportRequest& request) {
-  FormatResult<std::string> runtime = lua_runtime(request, true);
+  FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, true);
   if (!runtime) return tl::unexpected(runtime.error());
   Exported out{{{"talus.lua", std::move(*runtime)},
                 {"level.lua", lua_level(request.level)},

@@ -1,49 +1,70 @@
 #include "lua_level.h"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
-#include <sstream>
+#include <span>
 #include <string_view>
 
 #include "../formats/number_text.h"
 #include "../level/ground.h"
+#include "lua_parts.h"
 #include "lua_text.h"
 #include "plain_data.h"
 
 namespace talus {
 namespace {
 
-// Writes the members of a table: "key=value," each.
+// Writes the members of a table, "key = value" each. At its end the table ends.
 class LuaTable {
  public:
-  explicit LuaTable(std::string& text) : text_(text) { text_ += '{'; }
+  enum class Layout { small, row, lines };  // as few bytes as can be; all members in a line; a line each
+  LuaTable(std::string& text, Layout layout, std::size_t indent = 0)
+      : text_(text), layout_(layout), indent_(indent) {
+    text_ += '{';
+  }
   LuaTable(const LuaTable&) = delete;
   LuaTable& operator=(const LuaTable&) = delete;
-  ~LuaTable() { text_ += '}'; }
+  ~LuaTable() {
+    if (layout_ == Layout::lines && !is_empty_) text_.append(",\n").append(indent_, ' ');
+    text_ += '}';
+  }
 
   std::string& member(std::string_view key) {
-    text_ += separator_;
-    separator_ = ",";
-    if (!key.empty()) text_.append(key) += '=';
+    if (!is_empty_) text_ += layout_ == Layout::row ? ", " : ",";
+    if (layout_ == Layout::lines) text_.append("\n").append(indent_ + 2, ' ');
+    is_empty_ = false;
+    if (!key.empty()) text_.append(key).append(layout_ == Layout::small ? "=" : " = ");
     return text_;
   }
+  // Tables that are members. Of a small one, small ones.
+  LuaTable in_a_row(std::string_view key) { return {member(key), std::min(layout_, Layout::row)}; }
+  LuaTable in_lines(std::string_view key) { return {member(key), layout_, indent_ + 2}; }
+
   void number(std::string_view key, double value) { append_number(member(key), value); }
   void word(std::string_view key, std::string_view value) { member(key).append("\"").append(value) += '"'; }
   void truth(std::string_view key) { member(key) += "true"; }
   template <class Range>
   void numbers(std::string_view key, const Range& values) {
-    LuaTable list(member(key));
+    LuaTable list = in_a_row(key);
     for (const auto value : values) list.number("", value);
+  }
+  // Members without a key, side by side in a line.
+  void row(std::span<const std::uint8_t> values) {
+    std::string& text = member("");
+    const char* separator = "";
+    for (const std::uint8_t value : values) {
+      text.append(separator).append(std::to_string(value));
+      separator = ",";
+    }
   }
 
  private:
   std::string& text_;
-  const char* separator_ = "";
+  Layout layout_;
+  std::size_t indent_;  // spaces before its end
+  bool is_empty_ = true;
 };
 
-void write_shape(std::string& text, const TileShape& shape) {
-  LuaTable table(text);
+void write_shape(LuaTable&& table, const TileShape& shape) {
   table.word("kind", kind_word(shape.kind));
   if (shape.side == TileShape::Side::ceiling) table.word("side", "ceiling");
   if (shape.one_way) table.truth("one_way");
@@ -102,15 +123,13 @@ struct CurveWriter {
   }
 };
 
-void write_curve(std::string& text, const Curve& curve) {
-  LuaTable table(text);
+void write_curve(LuaTable&& table, const Curve& curve) {
   std::visit(CurveWriter{table}, curve.form);
   if (curve.faces != Curve::Faces::up)
     table.word("faces", curve.faces == Curve::Faces::down ? "down" : "both");
 }
 
-void write_spawn(std::string& text, const Spawn& spawn) {
-  LuaTable table(text);
+void write_spawn(LuaTable&& table, const Spawn& spawn) {
   table.word("kind", body_word(spawn.kind));
   if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
@@ -122,117 +141,63 @@ void write_spawn(std::string& text, const Spawn& spawn) {
   table.word("foot", foot_word(spawn.used_foot()));
 }
 
+void write_tiles(LuaTable&& rows, const TerrainSource& ground) {
+  const auto width = static_cast<std::size_t>(ground.width);
+  for (std::size_t from = 0; from < ground.cells.size(); from += width)
+    rows.row(ground.cells.subspan(from, width));
+}
+
 // The player's gravity has the name of the balls'.
 std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
 }
 
-// A line of Lua without the spaces that separate nothing. Two hyphens would begin a comment.
-std::string without_spaces(const std::string& line) {
-  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  std::string kept;
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"') is_quoted = !is_quoted;
-    if (c != ' ' || is_quoted) {
-      kept += c;
-      continue;
+void write_level(LuaTable&& table, const Level& level, bool with_tiles) {
+  const TerrainSource ground = ground_of(level);
+  const auto number_key = [](int tile) { return "[" + std::to_string(tile) + "]"; };
+  table.number("width", ground.width);
+  table.number("height", ground.height);
+  if (with_tiles) write_tiles(table.in_lines("tiles"), ground);
+  {
+    LuaTable shapes = table.in_lines("shapes");
+    for (int tile = 0; tile < kTileCount; ++tile) {
+      if (ground.shapes[tile].kind != TileShape::Kind::none)
+        write_shape(shapes.in_a_row(number_key(tile)), ground.shapes[tile]);
     }
-    const std::size_t next = line.find_first_not_of(' ', i);
-    if (kept.empty() || next == std::string::npos) continue;
-    const bool joins_words = is_word(kept.back()) && is_word(line[next]);
-    const bool joins_hyphens = kept.back() == '-' && line[next] == '-';
-    if (joins_words || joins_hyphens) kept += ' ';
-    i = next - 1;
   }
-  return kept;
-}
-
-bool is_stretch(const Curve& curve) {
-  return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
+  {
+    LuaTable balls = table.in_a_row("balls");
+    for (int tile = 0; tile < kTileCount; ++tile) {
+      if (is_ball_tile(level, static_cast<std::uint8_t>(tile))) balls.truth(number_key(tile));
+    }
+  }
+  {
+    LuaTable curves = table.in_lines("curves");
+    for (const Curve& curve : ground.curves) write_curve(curves.in_a_row(""), curve);
+  }
+  {
+    LuaTable spawns = table.in_lines("spawns");
+    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn);
+  }
+  {
+    LuaTable tuning = table.in_lines("tuning");
+    for (const TuningField& field : tuning_fields()) tuning.number(lua_key(field), field.of(level.tuning));
+  }
+  if (!with_tiles) return;
+  LuaTable parts = table.in_a_row("parts");
+  for (const std::string& part : lua_parts(level).value()) parts.word("", part);
 }
 
 }  // namespace
 
-std::string lua_level(const Level& level, bool with_tiles) {
-  const TerrainSource ground = ground_of(level);
-  std::string text = "return ";
-  {
-    LuaTable table(text);
-    table.number("width", ground.width);
-    table.number("height", ground.height);
-    if (with_tiles) table.numbers("tiles", ground.cells);
-    {
-      LuaTable shapes(table.member("shapes"));
-      for (int tile = 0; tile < kTileCount; ++tile) {
-        if (ground.shapes[tile].kind == TileShape::Kind::none) continue;
-        write_shape(shapes.member("[" + std::to_string(tile) + "]"), ground.shapes[tile]);
-      }
-    }
-    {
-      LuaTable balls(table.member("balls"));
-      for (int tile = 0; tile < kTileCount; ++tile) {
-        if (is_ball_tile(level, static_cast<std::uint8_t>(tile)))
-          balls.truth("[" + std::to_string(tile) + "]");
-      }
-    }
-    {
-      LuaTable curves(table.member("curves"));
-      for (const Curve& curve : ground.curves) write_curve(curves.member(""), curve);
-    }
-    {
-      LuaTable spawns(table.member("spawns"));
-      for (const Spawn& spawn : level.spawns) write_spawn(spawns.member(""), spawn);
-    }
-    LuaTable tuning(table.member("tuning"));
-    for (const TuningField& field : tuning_fields()) tuning.number(lua_key(field), field.of(level.tuning));
-  }
+std::string lua_level(const Level& level, LuaForm form) {
+  std::string text;
+  if (form == LuaForm::readable)
+    text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
+  text += "return ";
+  write_level(LuaTable(text, form == LuaForm::readable ? LuaTable::Layout::lines : LuaTable::Layout::small),
+              level, form == LuaForm::readable);
   return text + '\n';
-}
-
-std::vector<std::string> lua_runtime_parts(const Level& level, bool with_mouse) {
-  const TerrainSource ground = ground_of(level);
-  const std::set<std::uint8_t> used(ground.cells.begin(), ground.cells.end());
-  const bool sloped = std::any_of(used.begin(), used.end(),
-                                  [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); });
-  const bool free = !ground.curves.empty();
-  const bool curved = std::any_of(ground.curves.begin(), ground.curves.end(), is_stretch);
-  const bool slopes = sloped || free;
-  const auto is_player = [](const Spawn& spawn) { return spawn.kind == BodyKind::player; };
-  const bool players = std::any_of(level.spawns.begin(), level.spawns.end(), is_player);
-  const auto balls = std::count_if(ground.cells.begin(), ground.cells.end(), [&](std::uint8_t tile) {
-    return is_ball_tile(level, static_cast<std::uint8_t>(tile));
-  });
-  const auto bodies = static_cast<std::size_t>(balls) + level.spawns.size();
-  const bool pairs = level.tuning.article.balls_block != 0 && bodies > 1;
-
-  const std::pair<const char*, bool> all[] = {
-      {"base", true},          {"slopes", slopes},          {"curves", free},  {"stretches", curved},
-      {"terrain", true},       {"details", slopes},         {"edit", true},    {"cast", true},
-      {"cast_slopes", slopes}, {"cast_stretches", curved},  {"queries", true}, {"queries_slopes", slopes},
-      {"mover", true},         {"mover_stretches", curved}, {"balls", true},   {"pairs", pairs},
-      {"players", players},    {"mouse", with_mouse},       {"world", true}};
-  std::vector<std::string> parts;
-  for (const auto& [name, is_needed] : all) {
-    if (is_needed) parts.emplace_back(name);
-  }
-  return parts;
-}
-
-std::string join_lua_parts(const std::vector<std::string>& texts) {
-  std::string joined;
-  bool is_head = true;  // the first comment of all says what the module is
-  for (const std::string& text : texts) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-      const bool is_comment = line.compare(0, 2, "--") == 0;
-      is_head = is_head && is_comment;
-      const std::string kept = is_head ? line : without_spaces(line.substr(0, line.find("--")));
-      if (!kept.empty()) joined += kept + '\n';
-    }
-  }
-  return joined;
 }
 
 }  // namespace talus

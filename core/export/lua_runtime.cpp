@@ -1,18 +1,74 @@
 // Reads the parts and joins them.
 #include "lua_runtime.h"
 
-#include "lua_level.h"
+#include <cctype>
+#include <sstream>
+
+#include "lua_parts.h"
 
 namespace talus {
+namespace {
 
-FormatResult<std::string> lua_runtime(const ExportRequest& request, bool with_mouse) {
+// A line of Lua without the spaces that separate nothing. Two hyphens would begin a comment.
+std::string without_spaces(const std::string& line) {
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::string kept;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"') is_quoted = !is_quoted;
+    if (c != ' ' || is_quoted) {
+      kept += c;
+      continue;
+    }
+    const std::size_t next = line.find_first_not_of(' ', i);
+    if (kept.empty() || next == std::string::npos) continue;
+    const bool joins_words = is_word(kept.back()) && is_word(line[next]);
+    const bool joins_hyphens = kept.back() == '-' && line[next] == '-';
+    if (joins_words || joins_hyphens) kept += ' ';
+    i = next - 1;
+  }
+  return kept;
+}
+
+// Behind the first text's comment, which says what the module is, comes which parts are in it.
+std::string lay_out(const std::vector<std::string>& texts, const std::vector<std::string>& parts) {
+  std::string joined;
+  for (const std::string& text : texts) joined.append(joined.empty() ? "" : "\n\n").append(text);
+  std::string names;
+  for (const std::string& part : parts) names.append(names.empty() ? "" : ", ").append(part);
+  joined.insert(joined.find("\n\n") + 1,
+                "--\n-- The parts of this module: " + (names.empty() ? "none" : names) + ".\n");
+  return joined;
+}
+
+}  // namespace
+
+FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse) {
+  const auto parts = lua_parts(request.level, std::string(request.parts) + (with_mouse ? ",mouse" : ""));
+  if (!parts) return tl::unexpected(parts.error());
   std::vector<std::string> texts;
-  for (const std::string& part : lua_runtime_parts(request.level, with_mouse)) {
-    FormatResult<std::string> text = request.read_asset("runtime/" + part + ".lua");
+  for (const std::string& file : lua_part_files(*parts)) {
+    FormatResult<std::string> text = request.read_asset("runtime/" + file + ".lua");
     if (!text) return text;
     texts.push_back(std::move(*text));
   }
-  return join_lua_parts(texts);
+  return form == LuaForm::small ? join_lua(texts) : lay_out(texts, *parts);
+}
+
+std::string join_lua(const std::vector<std::string>& texts) {
+  std::string joined;
+  bool is_head = true;  // the first comment of all says what the module is
+  for (const std::string& text : texts) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_comment = line.compare(0, 2, "--") == 0;
+      is_head = is_head && is_comment;
+      const std::string kept = is_head ? line : without_spaces(line.substr(0, line.find("--")));
+      if (!kept.empty()) joined += kept + '\n';
+    }
+  }
+  return joined;
 }
 
 std::vector<std::string> dropped_solver(const Level& level) {

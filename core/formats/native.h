@@ -27,8 +27,9 @@
 //                  level/auto_tiles.h ("inside", "slope_up", ...). Default: none.
 //   "exports"      up to 100 presets of exports: "name" (""); "to", the id of an exporter (""), kept where it
 //                  is unknown; "path" of the file or folder, with '/', from the folder of the level's file or
-//                  absolute (""); each up to 4096 bytes; "on_save", whether the editor exports it whenever it
-//                  saves the level (false). Default: none.
+//                  absolute (""); "parts" of Lua's runtime besides those that the level uses (""), as in
+//                  "players, pairs"; each up to 4096 bytes; "on_save", whether the editor exports it whenever
+//                  it saves the level (false). Default: none.
 //   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (none: the flags give
 //                  the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles", 1..8 (1);
 //                  "heights", a list of numbers, 0..64 px: 2 of a slope, 3..65 of a profile.

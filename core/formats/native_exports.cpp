@@ -14,6 +14,7 @@ FormatResult<ExportPreset> take_preset(Json& json, const std::string& path) {
   take.text("name", kMaxExportText, preset.name);
   take.text("to", kMaxExportText, preset.exporter);
   take.text("path", kMaxExportText, preset.path);
+  take.text("parts", kMaxExportText, preset.parts);
   take.optional("on_save", preset.on_save);
   preset.extra = take.rest();
   return take.result(std::move(preset));
@@ -28,6 +29,9 @@ FormatResult<Json> put_preset(const ExportPreset& preset, const std::string& pat
       return tl::unexpected(FormatError{"key " + path + "." + key, length_text(kMaxExportText)});
     (*json)[key] = *text;
   }
+  if (preset.parts.size() > kMaxExportText)
+    return tl::unexpected(FormatError{"key " + path + ".parts", length_text(kMaxExportText)});
+  if (!preset.parts.empty()) (*json)["parts"] = preset.parts;
   if (preset.on_save) (*json)["on_save"] = true;
   return json;
 }

@@ -1,5 +1,5 @@
 // The presets of exports in a native level, optional:
-//   "exports": [{"name": "game", "to": "love", "path": "export/love", "on_save": true}]
+//   "exports": [{"name": "game", "to": "love", "path": "export/love", "parts": "pairs", "on_save": true}]
 #pragma once
 
 #include "../level/level.h"

@@ -14,6 +14,8 @@ struct ExportPreset {
   std::string name;      // for people and for `talus export --preset`; may be empty or repeated
   std::string exporter;  // id in export/exporter.h, "love"; one that this version does not know is kept
   std::string path;      // of the file or folder, with '/': from the folder of the level's file, or absolute
+  // Of Lua's runtime, besides those that the level uses (export/lua_parts.h): "players, pairs"; often empty.
+  std::string parts = {};
   bool on_save = false;  // the editor exports it whenever it saves the level
   std::string extra;     // JSON object of keys that this version does not know, or empty
   friend bool operator==(const ExportPreset&, const ExportPreset&) = default;

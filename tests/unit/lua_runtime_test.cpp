@@ -7,6 +7,7 @@
 #include <random>
 
 #include "export/lua_level.h"
+#include "export/lua_parts.h"
 #include "folder_test.h"
 #include "formats/format.h"
 #include "formats/hard_case.h"
@@ -38,11 +39,11 @@ class LuaRuntime : public FolderTest {
       for (const Body& body : state.bodies) expected_ += body_text(frame, body);
     }
     std::vector<std::string> texts;
-    for (const std::string& part : lua_runtime_parts(level, !entries.empty()))
-      texts.push_back(bytes_of(TALUS_SOURCE_DIR "/assets/runtime/" + part + ".lua"));
+    for (const std::string& file : lua_part_files(lua_parts(level, entries.empty() ? "" : "mouse").value()))
+      texts.push_back(bytes_of(TALUS_SOURCE_DIR "/assets/runtime/" + file + ".lua"));
     const std::string number = std::to_string(levels_++);
     list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames);
-    const std::string runtime = join_lua_parts(texts);
+    const std::string runtime = join_lua(texts);
     const auto same = runtimes_.emplace(runtime, runtimes_.size()).first;  // most levels need the same parts
     list_ += put_part("runtime", std::to_string(same->second), runtime) +
              put_part("level", number, lua_level(level));

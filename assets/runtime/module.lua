@@ -1,0 +1,23 @@
+-- ---- The module ----
+
+local talus = {parts = has}
+
+-- A world from a level as exported: width, height, in cells; tiles, row by row; shapes and balls, by tile;
+-- curves; spawns; tuning; parts, the names of those that it needs.
+function talus.new(level)
+  for _, part in ipairs(level.parts or {}) do
+    if not has[part] then error("the level needs a part that is not in this module: " .. part, 2) end
+  end
+  local world = setmetatable({frame = 0, bodies = {}, tuning = {}}, World)
+  for key, value in pairs(level.tuning) do world.tuning[key] = value + 0.0 end
+  world.terrain = new_terrain(level)
+  world:place_tiles(level)
+  for _, spawn in ipairs(level.spawns) do
+    local body = {}
+    for key, value in pairs(spawn) do body[key] = value end
+    world:add(body)
+  end
+  return world
+end
+
+return talus

@@ -1,0 +1,122 @@
+#include "lua_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "../level/ground.h"
+#include "plain_data.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostFiles = 4, kMostNeeds = 2;
+struct LuaPart {
+  std::string_view name;
+  std::array<std::string_view, kMostFiles> files;
+  std::array<std::string_view, kMostNeeds> needs = {};
+};
+
+// In the order in which they are joined. The first and the last are in every module.
+constexpr LuaPart kLuaParts[] = {
+    {"core", {"base", "terrain", "cast", "queries"}},
+    {"bodies", {"mover", "world"}},
+    {"slopes", {"slopes", "details", "cast_slopes", "queries_slopes"}},
+    {"one_way", {"one_way"}, {"slopes"}},
+    {"segments", {"segments"}, {"slopes"}},
+    {"curves", {"curves"}, {"segments", "slopes"}},
+    {"balls", {"balls"}},
+    {"players", {"players"}},
+    {"pairs", {"pairs"}},
+    {"mouse", {"mouse"}},
+    {"end", {"module"}},
+};
+
+bool is_always_there(const LuaPart& part) {
+  return part.name == "core" || part.name == "bodies" || part.name == "end";
+}
+
+using PartNames = std::set<std::string, std::less<>>;
+
+PartNames used_parts(const Level& level) {
+  const TerrainSource ground = ground_of(level);
+  const auto any_cell = [&](auto is) { return std::any_of(ground.cells.begin(), ground.cells.end(), is); };
+  const auto any_curve = [&](auto is) { return std::any_of(ground.curves.begin(), ground.curves.end(), is); };
+  const auto is_ball = [&](std::uint8_t tile) { return is_ball_tile(level, tile); };
+  const auto balls =
+      static_cast<std::size_t>(std::count_if(ground.cells.begin(), ground.cells.end(), is_ball));
+  const auto any_spawn = [&](BodyKind kind) {
+    return std::any_of(level.spawns.begin(), level.spawns.end(),
+                       [&](const Spawn& s) { return s.kind == kind; });
+  };
+  PartNames used;
+  const auto is_line = [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); };
+  if (any_cell(is_line)) used.emplace("slopes");
+  if (any_cell([&](std::uint8_t tile) { return is_line(tile) && ground.shapes[tile].one_way; }))
+    used.emplace("one_way");
+  if (!ground.curves.empty()) used.emplace("segments");
+  if (any_curve([](const Curve& curve) {
+        return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
+      }))
+    used.emplace("curves");
+  if (balls > 0 || any_spawn(BodyKind::ball)) used.emplace("balls");
+  if (any_spawn(BodyKind::player)) used.emplace("players");
+  if (level.tuning.article.balls_block != 0 && balls + level.spawns.size() > 1) used.emplace("pairs");
+  return used;
+}
+
+const LuaPart* find_part(std::string_view name) {
+  const auto found = std::find_if(std::begin(kLuaParts), std::end(kLuaParts),
+                                  [&](const LuaPart& p) { return p.name == name; });
+  return found == std::end(kLuaParts) || is_always_there(*found) ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string lua_part_names() {
+  std::string names;
+  for (const LuaPart& part : kLuaParts) {
+    if (!is_always_there(part)) names.append(names.empty() ? "" : ", ").append(part.name);
+  }
+  return names;
+}
+
+FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string_view more) {
+  PartNames wanted = used_parts(level);
+  while (!more.empty()) {
+    std::string_view word = more.substr(0, more.find(','));
+    more.remove_prefix(std::min(word.size() + 1, more.size()));
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    while (word.ends_with(' ')) word.remove_suffix(1);
+    if (word.empty()) continue;
+    if (find_part(word) == nullptr) {
+      return tl::unexpected(FormatError{
+          "", "\"" + std::string(word) + "\" is no part of the runtime: there are " + lua_part_names()});
+    }
+    wanted.emplace(word);
+  }
+  const PartNames asked = wanted;
+  for (const std::string& name : asked) {
+    for (const std::string_view need : find_part(name)->needs) {
+      if (!need.empty()) wanted.emplace(need);
+    }
+  }
+  std::vector<std::string> parts;
+  for (const LuaPart& part : kLuaParts) {
+    if (wanted.contains(part.name)) parts.emplace_back(part.name);
+  }
+  return parts;
+}
+
+std::vector<std::string> lua_part_files(const std::vector<std::string>& parts) {
+  std::vector<std::string> files;
+  for (const LuaPart& part : kLuaParts) {
+    if (!is_always_there(part) && std::find(parts.begin(), parts.end(), part.name) == parts.end()) continue;
+    for (const std::string_view file : part.files) {
+      if (!file.empty()) files.emplace_back(file);
+    }
+  }
+  return files;
+}
+
+}  // namespace talus

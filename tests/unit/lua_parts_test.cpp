@@ -1,0 +1,257 @@
+// Which parts of Lua's runtime a level ships, how they are written, and what a module says of what it lacks.
+#include "export/lua_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+
+#include "export/exporter.h"
+#include "export/lua_level.h"
+#include "folder_test.h"
+#include "formats/atomic_file.h"
+#include "formats/format.h"
+#include "unit/program_output.h"
+
+namespace talus::lua_parts_test {
+
+FormatResult<std::string> read_asset(const std::string& name) {
+  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+}
+
+Exported exported(const Level& level, std::string_view id, std::string_view parts = {}) {
+  const ReadAsset read = read_asset;
+  return find_exporter(id)->write({level, "game", read, parts}).value();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += word + " ";
+  return text;
+}
+
+// A floor of full tiles, and a ball or a player.
+Level flat_level(BodyKind kind = BodyKind::ball) {
+  Level level;
+  level.map = TileMap(8, 4);
+  level.sheet(SheetId::tiles).flags[1] = 1;  // solid
+  for (int x = 0; x < 8; ++x) level.map.set({x, 3}, 1);
+  level.spawns.emplace_back().kind = kind;
+  level.spawns.back().position = {16, 8};
+  return level;
+}
+
+Level with_slope(Level level, bool one_way = false) {
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .one_way = one_way, .heights = {0, 8}};
+  level.map.set({2, 2}, 2);
+  return level;
+}
+
+Level with_curve(Level level, Curve::Form form) {
+  level.curves.push_back({"", {std::move(form), Curve::Faces::up}, ""});
+  return level;
+}
+
+const Arc kHill{{30, 20}, 8, 24, 36, true};
+
+std::string parts_of(const Level& level, std::string_view more = {}) {
+  return joined(lua_parts(level, more).value());
+}
+
+TEST(LuaParts, ALevelHasThoseThatItUses) {
+  EXPECT_EQ(parts_of(Level()), "");
+  EXPECT_EQ(parts_of(flat_level()), "balls ");
+  EXPECT_EQ(parts_of(flat_level(BodyKind::player)), "players ");
+  EXPECT_EQ(parts_of(with_slope(flat_level())), "slopes balls ");
+  EXPECT_EQ(parts_of(with_slope(flat_level(), true)), "slopes one_way balls ");
+  EXPECT_EQ(parts_of(with_curve(flat_level(), Segment{{8, 8}, {16, 8}})), "slopes segments balls ");
+  EXPECT_EQ(parts_of(with_curve(flat_level(), kHill)), "slopes segments curves balls ");
+  Level level = flat_level();
+  level.spawns.push_back(flat_level(BodyKind::player).spawns[0]);
+  EXPECT_EQ(parts_of(level), "balls players pairs ");
+  level.tuning.article.balls_block = 0;
+  EXPECT_EQ(parts_of(level), "balls players ");
+}
+
+TEST(LuaParts, OthersAreAskedFor) {
+  EXPECT_EQ(parts_of(flat_level(), "pairs,  players"), "balls players pairs ");
+  EXPECT_EQ(parts_of(flat_level(), ",balls,"), "balls ");
+  EXPECT_EQ(parts_of(Level(), "curves"), "slopes segments curves ");
+  const auto wrong = lua_parts(flat_level(), "pairs,plyers");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(
+      wrong.error().message,
+      "\"plyers\" is no part of the runtime: there are slopes, one_way, segments, curves, balls, players, "
+      "pairs, mouse");
+}
+
+// Words that are in the code of a part alone.
+const std::map<std::string, std::string> kMarks = {
+    {"slopes", "slope|profile|height_at|foot"},
+    {"one_way", "one_way"},
+    {"segments", "segment|polyline|cutter|curves"},
+    {"curves", "curve_|stretch|tangent|bends|parabola|\\barc\\b|sine|newton"},
+    {"balls", "\\bballs?\\b|bounce|friction"},
+    {"players", "players?\\b|jump|coyote|run_speed"},
+    {"pairs", "block_cells|near\\b"},
+    {"mouse", "mouse|drag|grab"}};
+
+// The code of talus.lua, without comments and without what it says in errors.
+std::string code_of(const Level& level, std::string_view parts = {}) {
+  std::string code = join_lua({"--\n", exported(level, "lua-runtime", parts).files.front().bytes});
+  code = std::regex_replace(code.substr(code.find("\nlocal")), std::regex("\"[^\"\n]{20,}\""), "\"\"");
+  return std::regex_replace(code, std::regex("body\\.foot|kind\\.foot|body.foot or kind.foot"), "");
+}
+
+TEST(LuaParts, TheCodeOfAPartIsWhereItIsUsedAlone) {
+  const Level levels[] = {Level(),
+                          flat_level(),
+                          flat_level(BodyKind::player),
+                          with_slope(flat_level()),
+                          with_slope(flat_level(), true),
+                          with_curve(flat_level(), Segment{{8, 8}, {16, 8}}),
+                          with_curve(flat_level(BodyKind::player), kHill)};
+  for (const Level& level : levels) {
+    const std::string code = code_of(level), has = parts_of(level);
+    for (const auto& [part, words] : kMarks) {
+      std::smatch found;
+      const bool is_there = std::regex_search(code, found, std::regex(words));
+      EXPECT_EQ(is_there, has.find(part + " ") != std::string::npos)
+          << part << " in a module of " << has << found.str();
+    }
+  }
+  for (const auto& [part, words] : kMarks)
+    EXPECT_TRUE(std::regex_search(code_of(Level(), part), std::regex(words))) << part;
+}
+
+TEST(LuaParts, HardCase02OfFullTilesHasNoCodeOfCurves) {
+  const auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/02-floor-of-tiles.talus.json");
+  ASSERT_TRUE(loaded);
+  EXPECT_FALSE(std::regex_search(code_of(loaded->level), std::regex("curve|stretch|slope")));
+}
+
+// ---- How it is written ----
+
+TEST(LuaParts, WhatLuaDoesNotNeedIsLeftOutOfCarts) {
+  EXPECT_EQ(
+      join_lua({"-- Head.\nlocal a = 1  -- px\n", "\n-- More.\nif a then\n  a = 2 - -a * \"b  c\"\nend\n"}),
+      "-- Head.\nlocal a=1\nif a then\na=2- -a*\"b  c\"\nend\n");
+  const std::string cart = exported(with_slope(flat_level()), "tic-text-playable").files.front().bytes;
+  EXPECT_EQ(cart.find("-- ----"), std::string::npos);
+  EXPECT_EQ(cart.find("\n  "), std::string::npos);
+}
+
+TEST(LuaParts, FoldersHaveTheModuleAsItIsToBeRead) {
+  for (const char* id : {"love", "lua-runtime"}) {
+    const std::string text = exported(with_slope(flat_level()), id).files.front().bytes;
+    const std::string parts = std::string(id) == "love" ? "slopes, balls, mouse" : "slopes, balls";
+    EXPECT_NE(text.find("\n--\n-- The parts of this module: " + parts + ".\n\n"), std::string::npos) << id;
+    for (const char* file : {"terrain", "cast", "slopes", "balls", "module"}) {
+      const std::string part = read_asset("runtime/" + std::string(file) + ".lua").value();
+      EXPECT_EQ(part.find("-- ---- "), 0U) << file;
+      EXPECT_NE(text.find("\n\n\n" + part), std::string::npos) << file;
+    }
+  }
+}
+
+TEST(LuaLevel, IsARowOfTheMapATileABodyALine) {
+  Level level = with_slope(flat_level());
+  level.map.set({7, 0}, 200);
+  level.curves.push_back({"", {Segment{{8, 8}, {16, 8.5}}, Curve::Faces::both}, ""});
+  level.spawns[0].name = "a \"b\"\n";
+  const std::string text = lua_level(level);
+  const std::string begin =
+      "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n"
+      "return {\n"
+      "  width = 8,\n"
+      "  height = 4,\n"
+      "  tiles = {\n"
+      "    0,0,0,0,0,0,0,200,\n"
+      "    0,0,0,0,0,0,0,0,\n"
+      "    0,0,2,0,0,0,0,0,\n"
+      "    1,1,1,1,1,1,1,1,\n"
+      "  },\n"
+      "  shapes = {\n"
+      "    [1] = {kind = \"solid\"},\n"
+      "    [2] = {kind = \"slope\", heights = {0, 8}},\n"
+      "  },\n"
+      "  balls = {},\n"
+      "  curves = {\n"
+      "    {kind = \"segment\", x0 = 8, y0 = 8, x1 = 16, y1 = 8.5, faces = \"both\"},\n"
+      "  },\n"
+      "  spawns = {\n"
+      "    {kind = \"ball\", name = \"a \\034b\\034\\010\", x = 16, y = 8, w = 8, h = 8, vx = 0, vy = 0, "
+      "foot = "
+      "\"box\"},\n"
+      "  },\n"
+      "  tuning = {\n";
+  EXPECT_EQ(text.substr(0, begin.size()), begin);
+  EXPECT_NE(text.find("\n    fall_speed = 5,\n"), std::string::npos);
+  const std::string end = ",\n  },\n  parts = {\"slopes\", \"segments\", \"balls\"},\n}\n";
+  EXPECT_EQ(text.substr(text.size() - end.size()), end);
+}
+
+TEST(LuaLevel, IsALineInACart) {
+  const std::string text = lua_level(with_slope(flat_level()), LuaForm::small);
+  EXPECT_EQ(
+      text.find(
+          "return {width=8,height=4,shapes={[1]={kind=\"solid\"},[2]={kind=\"slope\",heights={0,8}}},balls"),
+      0U)
+      << text;
+  EXPECT_EQ(text.find('\n'), text.size() - 1);
+  EXPECT_EQ(text.find("parts"), std::string::npos);
+}
+
+// ---- What a module says of what it lacks ----
+
+class LuaModule : public FolderTest {
+ protected:
+  // What a game prints that has the level's module, with parts asked for.
+  std::string run(const Level& level, const std::string& game, std::string_view parts = {}) {
+    for (const ExportedFile& file : exported(level, "lua-runtime", parts).files) put(file.name, file.bytes);
+    put("game.lua",
+        "local talus, level = require 'talus', require 'level'\nlocal world = talus.new(level)\n"
+        "local function try(what, ...) print(select(2, pcall(what, ...))) end\n" +
+            game);
+    return output_of("cd '" + folder_.string() + "' && lua5.3 game.lua 2>&1");
+  }
+};
+
+TEST_F(LuaModule, AnUnknownKindOfBodyIsAnError) {
+  const std::string add = "try(world.add, world, {kind = 'plyer', x = 8, y = 8})";
+  EXPECT_EQ(
+      run(flat_level(), add),
+      "there is no kind of body \"plyer\" here, but \"ball\"; more is in the parts that an export takes\n");
+  EXPECT_EQ(run(Level(), add),
+            "there is no kind of body \"plyer\" here, but none; more is in the parts that an export takes\n");
+}
+
+TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
+  const std::string add =
+      "level.tuning.balls_block = 0\nworld = talus.new(level)\n"
+      "try(world.add, world, {kind = 'player', x = 40, y = 8})\nprint(#world.bodies)";
+  EXPECT_EQ(run(flat_level(), add),
+            "there is no kind of body \"player\" here, but \"ball\"; more is in the parts that an export "
+            "takes\n1\n");
+  EXPECT_EQ(run(flat_level(), add, "players").substr(0, 6), "table:");
+}
+
+TEST_F(LuaModule, ASecondBodyTakesThePartByWhichTheyBlock) {
+  const std::string game =
+      "try(function() world:add {kind = 'ball', x = 16, y = -8} end)\n"
+      "for _ = 1, 200 do world:step() end\n"
+      "for _, b in ipairs(world.bodies) do print(b.y) end";
+  EXPECT_EQ(
+      run(flat_level(), game),
+      "game.lua:4: a second body takes the part pairs, as bodies block one another here: name it in the "
+      "export, or set balls_block in the level's tuning to 0\n16.0\n");
+  EXPECT_EQ(run(flat_level(), game, "pairs"), "nil\n16.0\n8.0\n");
+}
+
+TEST_F(LuaModule, ALevelWhosePartsAreNotThereIsAnError) {
+  const std::string game =
+      "level.parts = {'balls', 'curves'}\ntry(talus.new, level)\nprint(talus.parts.balls)";
+  EXPECT_EQ(run(flat_level(), game), "the level needs a part that is not in this module: curves\ntrue\n");
+}
+
+}  // namespace talus::lua_parts_test
