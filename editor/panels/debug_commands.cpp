@@ -125,8 +125,8 @@ std::vector<Command> seek_commands() {
       command(
           "timeline/go_to", ctrl(kKeyF10), "Go to frame...", "Shows the frame whose number is typed.",
           [](S, A, U ui) { ui.view.wants_text = "transport/frame"; }, has_frames),
-      command("timeline/mark", ctrl('m'), "Mark this frame",
-              "Sets a mark at the shown frame, or takes it away.", toggle_mark),
+      also_called("bookmark", command("timeline/mark", ctrl('m'), "Mark this frame",
+                                      "Sets a mark at the shown frame, or takes it away.", toggle_mark)),
       command("timeline/next_mark", alt(kKeyRight), "Next mark", "Shows the next marked frame.",
               jump_to_mark<true>, has_marks),
       command("timeline/previous_mark", alt(kKeyLeft), "Previous mark",
@@ -243,9 +243,11 @@ std::vector<Command> choice_commands() {
              pick_cell, [](S, const Ui& ui) { return ui.view.debugger.picks_cell; }),
       command("tuning/solver", alt_shift('t'), "Choose the solver...", "Opens the list of solvers.",
               [](S, A, U ui) { choose_in("tuning", "tuning/solver", ui); }),
-      command("tuning/fields", alt('t'), "Change the tuning...",
-              "Gives the keys to the first number of the tuning; Tab goes to the next.",
-              [](S, A, U ui) { choose_in("tuning", "tuning/" + tuning_fields()[0].path(), ui); }),
+      also_called(
+          "gravity friction physics speed",
+          command("tuning/fields", alt('t'), "Change the tuning...",
+                  "Gives the keys to the first number of the tuning; Tab goes to the next.",
+                  [](S, A, U ui) { choose_in("tuning", "tuning/" + tuning_fields()[0].path(), ui); })),
   };
 }
 

@@ -17,14 +17,16 @@ std::vector<Command> export_commands() {
           "Shows what the level is exported to, what will be written, and how large it is.",
           [](S, A, U ui) { ui.view.exports.open = !ui.view.exports.open; },
           [](S, const Ui& ui) { return ui.view.exports.open; }),
-      command("file/export_all", ctrl_shift('w'), "Export all again",
-              "Writes all presets of the level as it is now; without any, shows where they are made.",
-              [](S session, A actions, U ui) {
-                if (session.level().exports.empty())
-                  ui.view.exports.open = true;
-                else
-                  actions.push_back(action::RunExports{});
-              }),
+      also_called(
+          "build publish",
+          command("file/export_all", ctrl_shift('w'), "Export all again",
+                  "Writes all presets of the level as it is now; without any, shows where they are made.",
+                  [](S session, A actions, U ui) {
+                    if (session.level().exports.empty())
+                      ui.view.exports.open = true;
+                    else
+                      actions.push_back(action::RunExports{});
+                  })),
       command("file/export_cancel", {}, "Cancel the export",
               "Ends the export, or the preview of one, within a moment. What has not been written yet stays "
               "as it "

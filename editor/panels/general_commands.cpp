@@ -128,10 +128,11 @@ std::vector<Command> canvas_commands() {
       toggle("canvas/two_maps", ctrl('4'), "Show two maps",
              "Shows two places of the map, each with its own zoom.", show_canvas<CanvasMode::two_maps>,
              shows_canvas<CanvasMode::two_maps>),
-      toggle(
-          "canvas/grid", KeyChord{'`'}, "Grid", "Shows the borders of the cells.",
-          [](S s, A actions, U) { actions.push_back(action::SetGrid{!s.choices().grid}); },
-          [](S s, const Ui&) { return s.choices().grid; }),
+      also_called("lines cells",
+                  toggle(
+                      "canvas/grid", KeyChord{'`'}, "Grid", "Shows the borders of the cells.",
+                      [](S s, A actions, U) { actions.push_back(action::SetGrid{!s.choices().grid}); },
+                      [](S s, const Ui&) { return s.choices().grid; })),
       toggle(
           "canvas/borders", KeyChord{'b'}, "Screen borders",
           "Shows the borders of the screens, every 30 by 17 cells.",
@@ -173,17 +174,22 @@ std::vector<Command> zoom_commands() {
 
 std::vector<Command> play_commands() {
   return {
-      toggle("play/toggle", KeyChord{kKeyF5}, "Play or pause",
-             "Runs the simulation, or stops it where it is. A player runs with Left and Right, and jumps "
-             "with Up, Space or Z.",
-             emit_and_steer<action::TogglePlay>, [](S s, const Ui&) { return s.playback().running; }),
+      also_called(
+          "start stop simulate",
+          toggle("play/toggle", KeyChord{kKeyF5}, "Play or pause",
+                 "Runs the simulation, or stops it where it is. A player runs with Left and Right, and jumps "
+                 "with Up, Space or Z.",
+                 emit_and_steer<action::TogglePlay>, [](S s, const Ui&) { return s.playback().running; })),
       repeating(command("play/step", KeyChord{kKeyF10}, "Step one frame",
                         "Pauses and makes exactly one step, with the players' keys that are held.",
                         emit_and_steer<action::StepFrame>)),
       command("play/run", ctrl('r'), "Run from the start", "Goes back to frame 0 and runs.", run_from_start),
-      command("play/reset", shift(kKeyHome), "New run from frame 0",
+      also_called(
+          "restart",
+          command(
+              "play/reset", shift(kKeyHome), "New run from frame 0",
               "Puts every body back where the level has it, for a new run; the one before stays as a branch.",
-              emit<action::ResetPlay>),
+              emit<action::ResetPlay>)),
       repeating(command("play/slower", KeyChord{','}, "Slower", "Halves the speed, down to 1/8.",
                         change_speed<-1>, [](S s, const Ui&) { return s.playback().speed > 0.125; })),
       repeating(command("play/faster", KeyChord{'.'}, "Faster", "Doubles the speed, up to 8.",

@@ -120,9 +120,11 @@ std::vector<Command> map_tool_commands() {
                                 "Selects a dragged rectangle of cells. Drag inside it, or press the arrows, "
                                 "to move its tiles; with "
                                 "Ctrl, a drag leaves a copy behind. A click elsewhere selects nothing."),
-      map_tool<MapTool::fill>("map/fill", KeyChord{'4'}, "Fill",
-                              "Fills an area of equal tiles with the stamp; with Ctrl, that tile everywhere. "
-                              "Stays inside the selection."),
+      also_called("bucket flood",
+                  map_tool<MapTool::fill>(
+                      "map/fill", KeyChord{'4'}, "Fill",
+                      "Fills an area of equal tiles with the stamp; with Ctrl, that tile everywhere. "
+                      "Stays inside the selection.")),
       map_tool<MapTool::line>("map/line", KeyChord{'5'}, "Line", "Paints the stamp along a dragged line."),
       map_tool<MapTool::rectangle>("map/rectangle", KeyChord{'6'}, "Rectangle",
                                    "Fills a dragged rectangle with the stamp; with Shift, only its outline."),
@@ -132,20 +134,25 @@ std::vector<Command> map_tool_commands() {
       map_tool<MapTool::slope>(
           "map/slope", KeyChord{'8'}, "Lay a slope",
           "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn."),
-      map_tool<MapTool::segment>(
-          "map/segment", KeyChord{'9'}, "Add a segment",
-          "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
-          "ceiling. For the exact solver. Drag one that is there to move it, a chosen one's ends to turn it; "
-          "with Shift, a drag always draws. Ends snap; Ctrl: to half pixels, Alt: not at all."),
+      also_called(
+          "line edge collision",
+          map_tool<MapTool::segment>(
+              "map/segment", KeyChord{'9'}, "Add a segment",
+              "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
+              "ceiling. For the exact solver. Drag one that is there to move it, a chosen one's ends to turn "
+              "it; "
+              "with Shift, a drag always draws. Ends snap; Ctrl: to half pixels, Alt: not at all.")),
       also_called("spawn object entity player start",
                   map_tool<MapTool::body>(
                       "map/body", KeyChord{'0'}, "Place bodies",
                       "Places a ball or a player, as the inspector says, or moves one that is there; the "
                       "chosen one's arrow is its velocity at the start.")),
       map_tool<MapTool::erase>("map/erase", KeyChord{'e'}, "Erase", "Paints tile 0."),
-      map_tool<MapTool::pick>("map/pick", KeyChord{'i'}, "Pick tiles",
-                              "Takes the tiles of a dragged rectangle as the stamp; so does the middle "
-                              "button with any tool."),
+      also_called(
+          "eyedropper sample",
+          map_tool<MapTool::pick>("map/pick", KeyChord{'i'}, "Pick tiles",
+                                  "Takes the tiles of a dragged rectangle as the stamp; so does the middle "
+                                  "button with any tool.")),
       repeating(command("map/delete", KeyChord{kKeyDelete}, "Delete",
                         "Paints tile 0 over the selection, or else under the mouse, as large as the stamp; "
                         "with the body tool, removes the chosen body, and with those that draw curves, the "
@@ -202,8 +209,9 @@ void find_next_tile(S session, A actions, U ui) {
 
 std::vector<Command> whole_map_commands() {
   return {
-      command("map/find", ctrl('h'), "Find and replace tiles...",
-              "Finds the chosen tile on the map, counts it and replaces it.", open_find_tiles),
+      also_called("search swap count",
+                  command("map/find", ctrl('h'), "Find and replace tiles...",
+                          "Finds the chosen tile on the map, counts it and replaces it.", open_find_tiles)),
       repeating(command("map/find_next", KeyChord{'n'}, "Next such tile",
                         "Shows the next cell with the tile that is looked for, or else with the chosen one.",
                         find_next_tile<FindDirection::next>)),
@@ -211,9 +219,10 @@ std::vector<Command> whole_map_commands() {
           command("map/find_previous", shift('n'), "Previous such tile",
                   "Shows the cell before with the tile that is looked for, or else with the chosen one.",
                   find_next_tile<FindDirection::previous>)),
-      command("map/resize", ctrl('e'), "Size of the map...",
-              "Makes the map larger or smaller, or shifts everything on it.",
-              [](S, A, U ui) { ui.view.resize_open = true; }),
+      also_called("dimensions width height crop extend shift",
+                  command("map/resize", ctrl('e'), "Size of the map...",
+                          "Makes the map larger or smaller, or shifts everything on it.",
+                          [](S, A, U ui) { ui.view.resize_open = true; })),
   };
 }
 

@@ -13,9 +13,10 @@ void ask_for_file(const Session&, Actions&, Ui& ui) {
 
 std::vector<Command> picture_commands() {
   return {
-      command("picture/import", ctrl('i'), "Import a picture...",
-              "Takes a PNG into a sheet or the palette; what it changes is shown first.",
-              ask_for_file<FileDialog::import_png>),
+      also_called("png image load",
+                  command("picture/import", ctrl('i'), "Import a picture...",
+                          "Takes a PNG into a sheet or the palette; what it changes is shown first.",
+                          ask_for_file<FileDialog::import_png>)),
       command("picture/export_tiles", {}, "Export the tiles...", "Saves the sheet of tiles as a PNG.",
               ask_for_file<FileDialog::export_tiles>),
       command("picture/export_sprites", {}, "Export the sprites...", "Saves the sheet of sprites as a PNG.",

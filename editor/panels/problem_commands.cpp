@@ -44,10 +44,13 @@ std::vector<Command> problem_commands() {
             fix_all_problems(chosen_problem(ui)->code, session, actions, ui);
           },
           has_chosen),
-      command("reach/find", KeyChord{kKeyF12}, "Find where the player gets to",
+      also_called(
+          "reachable explore jump",
+          command(
+              "reach/find", KeyChord{kKeyF12}, "Find where the player gets to",
               "Lets the solver play every combination of keys from the player's start, and marks the cells "
               "that it gets to.",
-              find_reach),
+              find_reach)),
       command("reach/cancel", shift(kKeyF12), "Stop finding where the player gets to",
               "Keeps the cells that were found so far.", emit<action::CancelReach>,
               [](S session, const Ui&) { return session.reach().running(); }),

@@ -139,14 +139,16 @@ std::vector<Command> pixel_tools() {
   return {
       sprite_tool<SpriteTool::pencil>("pixels/pencil", KeyChord{'1'}, "Pencil",
                                       "Draws pixels; the right button draws the other colour."),
-      sprite_tool<SpriteTool::pick>("pixels/pick", KeyChord{'2'}, "Pick colour",
-                                    "Takes the colour under the mouse; so does the middle button."),
+      also_called("eyedropper sample", sprite_tool<SpriteTool::pick>(
+                                           "pixels/pick", KeyChord{'2'}, "Pick colour",
+                                           "Takes the colour under the mouse; so does the middle button.")),
       sprite_tool<SpriteTool::select>(
           "pixels/select", KeyChord{'3'}, "Select pixels",
           "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over what is there. "
           "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it."),
-      sprite_tool<SpriteTool::fill>("pixels/fill", KeyChord{'4'}, "Fill",
-                                    "Fills an area of one colour; with Ctrl, that colour everywhere."),
+      also_called("bucket flood", sprite_tool<SpriteTool::fill>(
+                                      "pixels/fill", KeyChord{'4'}, "Fill",
+                                      "Fills an area of one colour; with Ctrl, that colour everywhere.")),
       sprite_tool<SpriteTool::line>("pixels/line", KeyChord{'l'}, "Line",
                                     "Drag a line; with Shift, level, upright or diagonal."),
       sprite_tool<SpriteTool::rectangle>("pixels/rectangle", KeyChord{'r'}, "Rectangle",
@@ -233,8 +235,8 @@ std::vector<Command> palette_commands() {
 
 std::vector<Command> sheet_commands() {
   return {
-      command("sheet/switch", KeyChord{kKeyTab}, "Tiles or sprites", "Switches between the two sheets.",
-              switch_sheet),
+      also_called("spritesheet bank", command("sheet/switch", KeyChord{kKeyTab}, "Tiles or sprites",
+                                              "Switches between the two sheets.", switch_sheet)),
       arrow<-1, 0>("sheet/left", kKeyLeft, "To the left"),
       arrow<1, 0>("sheet/right", kKeyRight, "To the right"),
       arrow<0, -1>("sheet/up", kKeyUp, "Up"),
