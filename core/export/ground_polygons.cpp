@@ -76,15 +76,18 @@ class Merger {
 
   EdgeColumns merge() {
     const int columns = ground_.width + widest_;
-    edges_.resize(static_cast<std::size_t>(columns) + 1);
-    for (int column = 0; column < columns; ++column) {
-      if (ground_.progress && !ground_.progress(kMergeShare * column / columns)) return {};
-      merge_column(column);
-      std::vector<Edge>& edges = edges_[static_cast<std::size_t>(column)];
-      std::stable_sort(edges.begin(), edges.end(),
+    EdgeColumns merged;
+    for (column_ = 0; column_ < columns; ++column_) {
+      if (ground_.progress && !ground_.progress(kMergeShare * column_ / columns)) return {};
+      merge_column(column_);
+      std::stable_sort(edges_.begin(), edges_.end(),
                        [](const Edge& a, const Edge& b) { return is_before(a.from, b.from); });
+      merged.emplace_back(edges_.begin(), edges_.end());
+      edges_.swap(next_edges_);
+      next_edges_.clear();
     }
-    return std::move(edges_);
+    merged.push_back(std::move(edges_));
+    return merged;
   }
 
  private:
@@ -254,7 +257,9 @@ class Merger {
     return {line.base_x, line.base_y, line.slope, line.slope_rest};
   }
   void put_edge(const Edge& edge) {
-    if (edge.from != edge.to) edges_[column_of(edge.from.x)].push_back(edge);
+    if (edge.from == edge.to) return;
+    const bool is_here = column_of(edge.from.x) == static_cast<std::size_t>(column_);
+    (is_here ? edges_ : next_edges_).push_back(edge);
   }
 
   const TerrainSource& ground_;
@@ -262,7 +267,8 @@ class Merger {
   int widest_ = 1;                 // tiles
   std::vector<OutlineLine> flat_;  // the top of a full tile, alone
   std::vector<Turn> right_side_;
-  EdgeColumns edges_;
+  int column_ = 0;                        // the one that is merged
+  std::vector<Edge> edges_, next_edges_;  // that begin in it, and at its right side
 };
 
 // Chains edges, of which as many begin as end at each point.
