@@ -36,7 +36,7 @@ struct Edge {
 // points where they do: sorted as a whole, though no memory for the whole is ever moved.
 using EdgeColumns = std::vector<std::vector<Edge>>;
 
-bool is_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+bool lies_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 std::size_t column_of(double x) { return static_cast<std::size_t>(x / kTileSide); }
 
@@ -81,7 +81,7 @@ class Merger {
       if (ground_.progress && !ground_.progress(kMergeShare * column_ / columns)) return {};
       merge_column(column_);
       std::stable_sort(edges_.begin(), edges_.end(),
-                       [](const Edge& a, const Edge& b) { return is_before(a.from, b.from); });
+                       [](const Edge& a, const Edge& b) { return lies_before(a.from, b.from); });
       merged.emplace_back(edges_.begin(), edges_.end());
       edges_.swap(next_edges_);
       next_edges_.clear();
@@ -308,7 +308,7 @@ class RingLinker {
   Edge* next_of(const Edge& edge, Edge& first) {
     std::vector<Edge>& edges = columns_[column_of(edge.to.x)];
     auto next = std::lower_bound(edges.begin(), edges.end(), edge.to,
-                                 [](const Edge& e, Vec2 point) { return is_before(e.from, point); });
+                                 [](const Edge& e, Vec2 point) { return lies_before(e.from, point); });
     const auto begins_here = [&](auto at) { return at != edges.end() && at->from == edge.to; };
     if (begins_here(next) && !begins_here(next + 1)) return next->used ? &first : &*next;
     Edge* best = &first;
