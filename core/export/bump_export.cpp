@@ -7,7 +7,7 @@ namespace talus {
 
 FormatResult<Exported> export_bump(const ExportRequest& request) {
   Exported out;
-  out.files = {{"level.lua", lua_level(request.level)},
+  out.files = {{"level.lua", lua_level(request.level, LuaForm::readable, request.progress)},
                {"sheet.png", write_png_part(request.level, PngPart::tiles)}};
   struct Copied {
     const char *name, *asset;

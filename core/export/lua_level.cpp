@@ -141,9 +141,10 @@ void write_spawn(LuaTable&& table, const Spawn& spawn) {
   table.word("foot", foot_word(spawn.used_foot()));
 }
 
-void write_tiles(LuaTable&& rows, const TerrainSource& ground) {
+void write_tiles(LuaTable&& rows, const TerrainSource& ground, const Progress& progress) {
   const auto width = static_cast<std::size_t>(ground.width);
-  for (std::size_t from = 0; from < ground.cells.size(); from += width)
+  for (std::size_t from = 0; from < ground.cells.size() && progress.at(from, ground.cells.size());
+       from += width)
     rows.row(ground.cells.subspan(from, width));
 }
 
@@ -152,12 +153,12 @@ std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
 }
 
-void write_level(LuaTable&& table, const Level& level, bool with_tiles) {
+void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Progress& progress) {
   const TerrainSource ground = ground_of(level);
   const auto number_key = [](int tile) { return "[" + std::to_string(tile) + "]"; };
   table.number("width", ground.width);
   table.number("height", ground.height);
-  if (with_tiles) write_tiles(table.in_lines("tiles"), ground);
+  if (with_tiles) write_tiles(table.in_lines("tiles"), ground, progress);
   {
     LuaTable shapes = table.in_lines("shapes");
     for (int tile = 0; tile < kTileCount; ++tile) {
@@ -190,13 +191,13 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles) {
 
 }  // namespace
 
-std::string lua_level(const Level& level, LuaForm form) {
+std::string lua_level(const Level& level, LuaForm form, const Progress& progress) {
   std::string text;
   if (form == LuaForm::readable)
     text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
   text += "return ";
   write_level(LuaTable(text, form == LuaForm::readable ? LuaTable::Layout::lines : LuaTable::Layout::small),
-              level, form == LuaForm::readable);
+              level, form == LuaForm::readable, progress);
   return text + '\n';
 }
 

@@ -22,6 +22,6 @@ namespace talus {
 // "return {...}", numbers as the shortest decimals that read back as the same doubles. What cannot be used
 // (see lint) is left out, as the solver leaves it out. readable: a row of the map, a shape, a curve, a body
 // and a number of the tuning a line; small: without tiles and parts, as a cart has the map itself.
-std::string lua_level(const Level& level, LuaForm form = LuaForm::readable);
+std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, const Progress& progress = {});
 
 }  // namespace talus

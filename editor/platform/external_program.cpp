@@ -85,7 +85,7 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, co
   std::error_code error;
   fs::create_directories(copies, error);
   const ReadAsset read = [](const std::string& asset) { return read_file(asset_path(asset)); };
-  const auto exported = exporter.write({session.level(), copy_name, read});
+  const auto exported = exporter.make({session.level(), copy_name, read});
   if (!exported) return fail(to_string(exported.error(), copy));
   if (const auto written = write_exported(exporter, *exported, copy); !written)
     return fail(to_string(written.error(), copy));

@@ -5,11 +5,12 @@
 
 #include "export/export_plan.h"
 #include "exported_level.h"
+#include "formats/atomic_file.h"
 
 namespace talus::export_progress_test {
 
-const ReadAsset kNoAsset = [](const std::string& name) -> FormatResult<std::string> {
-  return tl::unexpected(FormatError{name, "is missing"});
+const ReadAsset kAssets = [](const std::string& name) {
+  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
 };
 
 // Solid tiles, slopes and one-way tiles beside one another: much for every exporter.
@@ -35,7 +36,7 @@ Told told_by(const std::string& id, const Level& level, double end) {
     shares.push_back(share);
     return share < end;
   });
-  auto result = find_exporter(id)->make({level, "cave", kNoAsset, {}, progress});
+  auto result = find_exporter(id)->make({level, "cave", kAssets, {}, progress});
   return {shares, std::move(result)};
 }
 
@@ -80,7 +81,8 @@ TEST_P(LongExport, TellsTheShareThatIsDone) {
   EXPECT_TRUE(std::is_sorted(told.shares.begin(), told.shares.end()));
   EXPECT_GE(told.shares.front(), 0);
   EXPECT_LE(told.shares.back(), 1);
-  const FormatResult<Exported> plain = exported(GetParam(), busy_level(), "cave");
+  const Level level = busy_level();
+  const FormatResult<Exported> plain = find_exporter(GetParam())->write({level, "cave", kAssets});
   ASSERT_EQ(plain->files.size(), told.result->files.size());
   for (std::size_t i = 0; i < plain->files.size(); ++i)
     EXPECT_EQ(plain->files[i].bytes, told.result->files[i].bytes) << plain->files[i].name;
@@ -97,12 +99,13 @@ TEST_P(LongExport, EndsWithAnErrorWhenItIsStopped) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, LongExport,
-                         testing::Values("json", "lua", "csv", "svg", "png", "ldtk", "tmj", "tmx", "sti"),
+                         testing::Values("json", "lua", "csv", "svg", "png", "ldtk", "tmj", "tmx", "sti",
+                                         "lua-runtime"),
                          [](const auto& value) { return std::string(value.param); });
 
 TEST(ExportProgress, APlanThatIsStoppedIsAProblemLikeAnother) {
   const auto plan =
-      plan_export(busy_level(), "json", "", kNoAsset, {}, Progress([](double share) { return share < 0.5; }));
+      plan_export(busy_level(), "json", "", kAssets, {}, Progress([](double share) { return share < 0.5; }));
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().field, ExportProblem::Field::level);
   EXPECT_EQ(plan.error().error.message, "was cancelled");
@@ -110,7 +113,7 @@ TEST(ExportProgress, APlanThatIsStoppedIsAProblemLikeAnother) {
 
 TEST(ExportProgress, APlanTakesWhatIsMadeAlready) {
   const Exported made{{{"", "bytes"}}, {"a thing"}};
-  const auto plan = plan_export(Level(), "json", "", kNoAsset, {}, {}, &made);
+  const auto plan = plan_export(Level(), "json", "", kAssets, {}, {}, &made);
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->content.files[0].bytes, "bytes");
   EXPECT_EQ(plan->content.dropped, std::vector<std::string>{"a thing"});
