@@ -145,11 +145,17 @@ void draw_progress_row(const char* widget, const std::string& text, double share
     cancel.run(session, actions, ui);
 }
 
-// Beside the button that exports: how far a preview is that takes its time, or how to get one.
-void draw_preview_progress(const Session& session, Actions& actions, Ui& ui) {
-  constexpr double kLong = 0.25;  // seconds; shorter ones would flicker
+// How far a preview is that takes its time; shorter ones would flicker.
+std::optional<ExportProgress> long_preview(const Session& session) {
+  constexpr double kLong = 0.25;  // seconds
   const auto progress = session.exporting().preview_progress();
-  if (progress && progress->seconds > kLong) {
+  return progress && progress->seconds > kLong ? progress : std::nullopt;
+}
+
+// Beside the button that exports: how far a preview is, or how to get one.
+void draw_preview_progress(const std::optional<ExportProgress>& progress, const Session& session,
+                           Actions& actions, Ui& ui) {
+  if (progress) {
     ImGui::SameLine(0, ui.px(8));
     draw_progress_row("export/preview_progress",
                       "Preview: " + std::to_string(static_cast<int>(progress->share * 100)) + " %",
@@ -220,13 +226,15 @@ void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
     return draw_progress_row("export/progress", progress_text(*progress), progress->share, session, actions,
                              ui);
   const ExportOutcome* outcome = shown_outcome(session, ui);
+  const std::optional<ExportProgress> preview = long_preview(session);
   const bool works = outcome != nullptr ? !outcome->problem : session.exporting().preview_cancelled();
   const std::string help = outcome != nullptr && !outcome->foreign.empty()
                                ? "Asks before it replaces what no export wrote."
                                : "Writes this preset's files, all of them or none.";
-  if (ui.text_button("export/export", export_label(outcome) + "##export", true, help, {}, works, ui.px(220)))
+  if (ui.text_button("export/export", (preview ? "Export" : export_label(outcome)) + "##export", true, help,
+                     {}, works, ui.px(preview ? 88 : 220)))
     actions.push_back(action::RunExports{ui.view.exports.preset});
-  draw_preview_progress(session, actions, ui);
+  draw_preview_progress(preview, session, actions, ui);
 }
 
 }  // namespace talus
