@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "cell_painter.h"
 #include "raster.h"
 #include "single_change.h"
 
@@ -66,8 +65,9 @@ std::uint8_t slope_tile(const AutoTiles& set, const Surroundings& around, const 
 // Ground around painted cells, as it is with them.
 class GroundPatch {
  public:
-  GroundPatch(const Level& level, CellRect painted)
+  GroundPatch(const Level& level, CellRect painted, Within within)
       : map_(level.map),
+        within_(within),
         set_(level.auto_tiles),
         area_{painted.x - 2 * kReachX, painted.y - 2 * kReachY, painted.w + 4 * kReachX,
               painted.h + 4 * kReachY},
@@ -81,7 +81,7 @@ class GroundPatch {
   }
 
   void change(Cell cell, GroundChange change) {
-    if (!map_.contains(cell)) return;
+    if (!map_.contains(cell) || (within_ && !within_->contains(cell))) return;
     PatchCell& painted = at(cell);
     painted.removed = change == GroundChange::remove && painted.ground;
     painted.ground = change == GroundChange::add;
@@ -91,7 +91,7 @@ class GroundPatch {
   }
 
   Edit finish(std::string label) {
-    CellPainter painter(map_);
+    CellPainter painter(map_, within_);
     const auto is_ground = [this](Cell cell) { return at(cell).ground; };
     for (int y = area_.y + kReachY; y < area_.y + area_.h - kReachY; ++y) {
       for (int x = area_.x + kReachX; x < area_.x + area_.w - kReachX; ++x) {
@@ -115,6 +115,7 @@ class GroundPatch {
   }
 
   const TileMap& map_;
+  Within within_;
   const AutoTiles& set_;
   CellRect area_;
   std::vector<PatchCell> cells_;
@@ -155,18 +156,18 @@ std::uint8_t ground_tile(const AutoTiles& set, FunctionRef<bool(Cell)> is_ground
   return set.of(inside);
 }
 
-Edit paint_ground(const Level& level, Cell from, Cell to, GroundChange change) {
+Edit paint_ground(const Level& level, Cell from, Cell to, GroundChange change, Within within) {
   const auto part = paintable_part(level, spanned(from, to));
   if (!part) return {label_of(change), {}};
-  GroundPatch patch(level, *part);
+  GroundPatch patch(level, *part, within);
   for_each_on_line(from, to, [&](Cell cell) { patch.change(cell, change); });
   return patch.finish(label_of(change));
 }
 
-Edit fill_ground(const Level& level, CellRect cells, GroundChange change) {
+Edit fill_ground(const Level& level, CellRect cells, GroundChange change, Within within) {
   const auto part = paintable_part(level, cells);
   if (!part) return {label_of(change), {}};
-  GroundPatch patch(level, *part);
+  GroundPatch patch(level, *part, within);
   for (int y = part->y; y < part->y + part->h; ++y) {
     for (int x = part->x; x < part->x + part->w; ++x) patch.change({x, y}, change);
   }

@@ -4,8 +4,8 @@
 
 #include <span>
 
+#include "cell_painter.h"
 #include "collision/function_ref.h"
-#include "map_tools.h"
 
 namespace talus {
 
@@ -24,9 +24,10 @@ enum class GroundChange { add, remove };
 
 // Makes the cells of a straight line ground, or takes the ground away there, and gives the ground around them
 // the tiles that fit. The order in which cells are painted does not matter. Without a tile for the inside
-// nothing happens, and removing leaves what is no ground alone.
-Edit paint_ground(const Level& level, Cell from, Cell to, GroundChange change);
-Edit fill_ground(const Level& level, CellRect cells, GroundChange change);  // the same with a rectangle
+// nothing happens, and removing leaves what is no ground alone. Cells outside `within` stay as they are.
+Edit paint_ground(const Level& level, Cell from, Cell to, GroundChange change, Within within = {});
+// The same with a rectangle.
+Edit fill_ground(const Level& level, CellRect cells, GroundChange change, Within within = {});
 
 // What the sheet has for ground. Slopes are told by their shapes, full tiles by their shapes and by which of
 // their sides are drawn unlike their middle; the others are those that look most like the inside.

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "cell_painter.h"
 #include "raster.h"
 #include "single_change.h"
 
@@ -47,20 +46,18 @@ std::uint8_t random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed) {
 }
 
 Edit paint_random_stroke(const Level& level, Cell from, Cell to, const Stamp& stamp, std::uint32_t seed,
-                         const std::optional<CellRect>& inside) {
-  CellPainter painter(level.map);
-  for_each_on_line(from, to, [&](Cell cell) {
-    if (!inside || inside->contains(cell)) painter.paint(cell, random_tile(stamp, cell, seed));
-  });
+                         Within within) {
+  CellPainter painter(level.map, within);
+  for_each_on_line(from, to, [&](Cell cell) { painter.paint(cell, random_tile(stamp, cell, seed)); });
   return painter.finish("Paint random tiles");
 }
 
 Edit fill_rect_at_random(const Level& level, CellRect cells, const Stamp& stamp, std::uint32_t seed,
-                         const std::optional<CellRect>& inside) {
+                         Within within) {
   CellPainter painter(level.map);
   const CellRect map{0, 0, level.map.width(), level.map.height()};
   const auto on_map = shared(cells, map);
-  const auto part = on_map && inside ? shared(*on_map, *inside) : on_map;
+  const auto part = on_map && within ? shared(*on_map, *within) : on_map;
   if (!part) return painter.finish("Fill rectangle at random");
   for (int y = part->y; y < part->y + part->h; ++y) {
     for (int x = part->x; x < part->x + part->w; ++x) painter.paint({x, y}, random_tile(stamp, {x, y}, seed));

@@ -1,9 +1,8 @@
 // Named brushes, and painting with tiles at random.
 #pragma once
 
-#include <optional>
-
-#include "map_tools.h"
+#include "cell_painter.h"
+#include "stamp.h"
 
 namespace talus {
 
@@ -11,12 +10,12 @@ namespace talus {
 // over a cell, and undoing and redoing it, changes nothing.
 std::uint8_t random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed);
 
-// The cells of the straight line between two, both included, each with a tile at random. `inside`: paints
+// The cells of the straight line between two, both included, each with a tile at random. `within`: paints
 // nothing beyond it.
 Edit paint_random_stroke(const Level& level, Cell from, Cell to, const Stamp& stamp, std::uint32_t seed,
-                         const std::optional<CellRect>& inside = {});
+                         Within within = {});
 Edit fill_rect_at_random(const Level& level, CellRect cells, const Stamp& stamp, std::uint32_t seed,
-                         const std::optional<CellRect>& inside = {});
+                         Within within = {});
 
 Stamp stamp_of_brush(const Brush& brush);
 // A stamp as a brush; cut at kMaxBrushSide.

@@ -6,7 +6,7 @@
 
 namespace talus {
 
-CellPainter::CellPainter(const TileMap& map, std::optional<CellRect> within)
+CellPainter::CellPainter(const TileMap& map, Within within)
     : map_(map),
       within_(within),
       max_listed_(std::max<std::size_t>(256, 2 * map.cells().size() / sizeof(Change))) {}

@@ -9,18 +9,21 @@
 
 namespace talus {
 
+// The cells that a tool may paint, such as the selection; nothing: all of the map.
+using Within = std::optional<CellRect>;
+
 // Past a number of cells a copy of the map takes less memory than their list.
 class CellPainter {
  public:
   // Cells outside the map, or outside `within`, are left out.
-  explicit CellPainter(const TileMap& map, std::optional<CellRect> within = {});
+  explicit CellPainter(const TileMap& map, Within within = {});
   // A cell may be painted once.
   void paint(Cell cell, std::uint8_t tile);
   Edit finish(std::string label);  // once, as the last call
 
  private:
   const TileMap& map_;
-  std::optional<CellRect> within_;
+  Within within_;
   std::size_t max_listed_;
   std::vector<CellChange> changes_;
   std::optional<TileMap> whole_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cell_painter.h"
+#include "stamp.h"
 
 namespace talus {
 namespace {

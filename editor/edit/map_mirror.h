@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "map_tools.h"
+#include "edit.h"
 
 namespace talus {
 

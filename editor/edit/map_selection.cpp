@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cell_painter.h"
+#include "map_stroke.h"
 
 namespace talus {
 namespace {

@@ -1,7 +1,7 @@
 // What is done with the selected cells of the map. Each makes an Edit and changes nothing itself.
 #pragma once
 
-#include "map_tools.h"
+#include "stamp.h"
 #include "undo_stack.h"
 
 namespace talus {

@@ -2,6 +2,7 @@
 #include "shape_tools.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -30,13 +31,17 @@ Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string 
   return single_change(std::move(label), CurvesChange{level.curves, std::move(curves)});
 }
 
-Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles) {
+Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within) {
   Edit edit{"Lay a slope", {}};
+  std::array<bool, kTileCount> is_shown{};
   for (const SlopeTiles::Placed& placed : tiles.placed) {
+    if (within && !within->contains(placed.cell)) continue;
+    is_shown[placed.tile] = true;
     const std::uint8_t before = level.map.at(placed.cell);
     if (before != placed.tile) edit.changes.emplace_back(CellChange{placed.cell, before, placed.tile});
   }
   for (const SlopeTiles::Drawn& drawn : tiles.drawn) {
+    if (!is_shown[drawn.tile]) continue;
     const TileImage& before = level.sheet(SheetId::tiles).images[drawn.tile];
     for (int pixel = 0; pixel < kTileSize * kTileSize; ++pixel) {
       if (before[pixel] != drawn.image[pixel])
@@ -50,7 +55,7 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles) {
 }
 
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
-                                          std::uint8_t line_color) {
+                                          std::uint8_t line_color, Within within) {
   if (a == b) return tl::unexpected<std::string>(kNoLength);
   SlopeTilesOptions options;
   options.line_color = line_color;
@@ -62,7 +67,7 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   }
   if (has_slope) options.set = stamp.tiles;
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
-    return put_slope_tiles(level, tiles);
+    return put_slope_tiles(level, tiles, within);
   });
 }
 

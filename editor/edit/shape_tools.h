@@ -1,8 +1,9 @@
 // Tools for the shapes of the ground. Each makes an Edit and changes nothing itself.
 #pragma once
 
+#include "cell_painter.h"
 #include "level/slope_tiles.h"
-#include "map_tools.h"
+#include "stamp.h"
 
 namespace talus {
 
@@ -11,13 +12,14 @@ Edit set_tile_shape(const Level& level, int tile, TileShape shape);  // tile: 0.
 Edit set_flag_shape(const Level& level, int flag, TileShape shape);  // flag: 0..7 (asserted)
 Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string label);
 
-// Puts the tiles along a slope on the map; they must have been made for this level.
-Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles);
+// Puts the tiles along a slope on the map; they must have been made for this level. Cells outside `within`
+// are left out, and so are drawn tiles that only they would show.
+Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within = {});
 
 // The slope tool: tiles along the line between two points, px. The tiles of `stamp` that are floors other
 // than full ones are laid; without any, blank tiles are drawn, their edge in `line_color` (0..15). The first
-// full tile of `stamp` goes below. The error is one clear sentence.
+// full tile of `stamp` goes below. Cells outside `within` are left out. The error is one clear sentence.
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
-                                          std::uint8_t line_color);
+                                          std::uint8_t line_color, Within within = {});
 
 }  // namespace talus

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "edit.h"
-#include "map_tools.h"
 #include "pixel_block.h"
 
 namespace talus {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "level/cell_rect.h"
 #include "level/level.h"
-#include "map_tools.h"
 
 namespace talus {
 

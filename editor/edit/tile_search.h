@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "map_tools.h"
+#include "cell_painter.h"
 
 namespace talus {
 

@@ -6,7 +6,8 @@
 #include "command_table.h"
 #include "edit/auto_tile.h"
 #include "edit/brushes.h"
-#include "ground_gesture.h"
+#include "edit/stamp.h"
+#include "ground_hint.h"
 
 namespace talus {
 namespace {

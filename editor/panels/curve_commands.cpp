@@ -1,8 +1,8 @@
 // The commands of curves and bodies on the map.
 #include "command_table.h"
-#include "curve_gesture.h"
+#include "chosen_curve.h"
 #include "edit/spawn_tools.h"
-#include "spawn_gesture.h"
+#include "chosen_spawn.h"
 
 namespace talus {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "commands.h"
-#include "curve_gesture.h"
+#include "chosen_curve.h"
 
 namespace talus {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "canvas_layers.h"
 #include "commands.h"
+#include "edit/map_replace.h"
 #include "edit/tile_search.h"
 
 namespace talus {

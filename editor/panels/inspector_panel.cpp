@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "commands.h"
-#include "curve_gesture.h"
+#include "chosen_curve.h"
 #include "debug/explain.h"
 #include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
-#include "spawn_gesture.h"
+#include "chosen_spawn.h"
 
 namespace talus {
 namespace {

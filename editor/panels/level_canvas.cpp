@@ -7,14 +7,17 @@
 
 #include "canvas_layers.h"
 #include "case_note.h"
+#include "chosen_curve.h"
 #include "commands.h"
 #include "compare_choice.h"
+#include "flag_brush.h"
 #include "flag_label.h"
 #include "input_roll.h"
 #include "mouse_mark.h"
 #include "other_side.h"
 #include "overlay_painter.h"
 #include "play_keys.h"
+#include "selection_drawing.h"
 #include "shape_drawing.h"
 #include "wrapped_text.h"
 
@@ -80,6 +83,12 @@ std::string cursor_hint(const Ui& ui) {
          keys_of(find_command("cursor/end"), ui) + ": end";
 }
 
+// Of those that tools are used with.
+int pressed_button() {
+  if (ImGui::IsMouseClicked(2)) return LevelToolHand::kMiddle;
+  return ImGui::IsMouseClicked(0) ? LevelToolHand::kLeft : LevelToolHand::kNoButton;
+}
+
 Rgb rgb_of(ImU32 color) {
   const auto channel = [color](int shift) { return static_cast<std::uint8_t>(color >> shift & 0xFF); };
   return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
@@ -111,7 +120,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   const bool paints = !is_play() || ui.view.paint_in_play;
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
   if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
-    draw_preview(session, view, ui);
+    hand_.draw(list, use(session, view, ui));
   if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
@@ -148,24 +157,10 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   list.PopClipRect();
 }
 
-void LevelCanvas::draw_preview(const Session& session, const CanvasView& view, Ui& ui) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+// What a tool gets to know; nothing of a drag, which is its hand's.
+LevelToolUse LevelCanvas::use(const Session& session, const CanvasView& view, Ui& ui) const {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Vec2 at = view.to_level(mouse);
-  const bool hovered = ImGui::IsItemHovered();
-  const MapTool tool = session.choices().map_tool;
-  if (curve_gesture_.active() || (draws_curves(tool) && !is_editing()))
-    curve_gesture_.draw(list, session, view, ui, at, hovered);
-  else if (line_gesture_.active() || (hovered && tool == MapTool::slope))
-    line_gesture_.draw_preview(list, view, ui, at);
-  else if (ground_gesture_.active() || (hovered && tool == MapTool::ground))
-    ground_gesture_.draw_preview(list, view, ui, view.to_cell(mouse));
-  else if (select_gesture_.active() || (hovered && selects(session.choices()) && !gesture_.active()))
-    select_gesture_.draw_preview(list, session, view, ui, view.to_cell(mouse));
-  else if (hovered || gesture_.active())
-    gesture_.draw_preview(list, session, view, ui, view.to_cell(mouse));
-  if (spawn_gesture_.active() || (tool == MapTool::body && !is_editing()))
-    spawn_gesture_.draw(list, session, view, ui, at, hovered);
+  return {session, ui, view, view.to_level(mouse), view.to_cell(mouse), ImGui::IsItemHovered()};
 }
 
 // Shows the first screen of another level, and shows it as large as a changed window allows until the user
@@ -235,7 +230,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   if (handle_panning(session, ui, paints, hovered)) return;
   if (handle_world_view(session, hovered)) return;
   if (paints || is_editing())
-    edit(session, actions, ui, view, hovered && ImGui::IsMouseClicked(0));
+    hand_.update(use(session, view, ui), actions, hovered ? pressed_button() : LevelToolHand::kNoButton);
   else
     handle_play_mouse(session, actions, view, hovered);
 }
@@ -256,32 +251,6 @@ void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
   const Body* body = session.state().find(session.choices().body);
   if (is_play() && ui.view.debugger.follow_body && body != nullptr && !panning_ && !holding_)
     camera_.keep_in_sight(body->box.center(), size_);
-}
-
-void LevelCanvas::edit(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
-                       bool pressed) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const MapTool tool = session.choices().map_tool;
-  const bool begins = !is_editing(), down = io.MouseDown[0];
-  const bool picks = begins && ImGui::IsItemHovered() && ImGui::IsMouseClicked(2);
-  const Vec2 at = view.to_level(io.MousePos);
-  if (gesture_.active() || picks)
-    gesture_.update(session, actions, view.to_cell(io.MousePos), picks ? 2 : MapGesture::kNoButton);
-  else if (curve_gesture_.active() || (begins && draws_curves(tool)))
-    curve_gesture_.update(session, actions, view, at, pressed, down);
-  else if (line_gesture_.active() || (begins && tool == MapTool::slope))
-    line_gesture_.update(session, actions, at, pressed, down);
-  else if (spawn_gesture_.active() || (begins && tool == MapTool::body))
-    spawn_gesture_.update(session, actions, view, at, pressed, down);
-  else if (flag_brush_.active() || (begins && tool == MapTool::flag))
-    flag_brush_.update(session, actions, SheetId::tiles, view.to_cell(io.MousePos),
-                       TileOfMap{session.level().map}, pressed, down);
-  else if (ground_gesture_.active() || (begins && tool == MapTool::ground))
-    ground_gesture_.update(session, actions, ui, view.to_cell(io.MousePos), pressed, down);
-  else if (select_gesture_.active() || (begins && selects(session.choices())))
-    select_gesture_.update(session, actions, view.to_cell(io.MousePos), pressed, down);
-  else
-    gesture_.update(session, actions, view.to_cell(io.MousePos), pressed ? 0 : MapGesture::kNoButton);
 }
 
 // Where lines are drawn, the keyboard's cursor goes from corner to corner.

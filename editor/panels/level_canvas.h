@@ -6,18 +6,12 @@
 #include <utility>
 
 #include "camera.h"
-#include "curve_gesture.h"
-#include "flag_brush.h"
-#include "ground_gesture.h"
 #include "level_then.h"
-#include "line_gesture.h"
-#include "map_gesture.h"
 #include "minimap.h"
 #include "overlay_legend.h"
-#include "select_gesture.h"
+#include "panels/level_tools/level_tools.h"
 #include "session/session.h"
 #include "sheet_overlay.h"
-#include "spawn_gesture.h"
 #include "ui.h"
 
 namespace talus {
@@ -38,12 +32,8 @@ class LevelCanvas {
 
  private:
   // Whether a drag that changes the level is under way: it goes on, whatever tool is chosen meanwhile.
-  bool is_editing() const {
-    return gesture_.active() || select_gesture_.active() || spawn_gesture_.active() ||
-           line_gesture_.active() || curve_gesture_.active() || flag_brush_.active() ||
-           ground_gesture_.active();
-  }
-  void edit(const Session& session, Actions& actions, Ui& ui, const CanvasView& view, bool pressed);
+  bool is_editing() const { return hand_.active(); }
+  LevelToolUse use(const Session& session, const CanvasView& view, Ui& ui) const;
   bool is_play() const { return kind_ == Kind::play; }
   void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
@@ -59,7 +49,6 @@ class LevelCanvas {
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
   void draw_ground(const Session& session, const LevelThen* then, int place, const CanvasView& view,
                    const Ui& ui) const;
-  void draw_preview(const Session& session, const CanvasView& view, Ui& ui) const;
   void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
   struct Caption {
     std::string text;
@@ -76,15 +65,9 @@ class LevelCanvas {
   bool is_second_;
   std::string name_;
   Camera camera_;
-  MapGesture gesture_;
-  SelectGesture select_gesture_;
+  LevelToolHand hand_;
   SheetOverlay sheet_overlay_;
-  GroundGesture ground_gesture_;
   Minimap minimap_;
-  FlagBrush flag_brush_;
-  SpawnGesture spawn_gesture_;
-  LineGesture line_gesture_;
-  CurveGesture curve_gesture_;
   LevelThen then_, other_then_;  // of play, at the shown frame: the level of this side and of the other one
   int level_number_ = -1;        // of the level that the camera was set for
   float wheel_ = 0;              // clicks of the wheel that made no whole step yet

@@ -158,7 +158,7 @@ void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
     ui.view.hover.sprite = pixel;
     change_size_by_wheel(session, actions, pixel);
   }
-  gesture_.update(session, actions, pixel, hovered);
+  hand_.update(session, actions, pixel, hovered);
   KeyCursor& cursor = ui.view.cursor;
   cursor.visit("pixels", view, {{0, 0, area.width(), area.height()}}, ImGui::GetIO().MousePos);
 
@@ -166,13 +166,13 @@ void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
   draw_image(list, area, view, ui);
   if (session.choices().grid) draw_grid_lines(list, area, view);
   if (surrounded) surroundings_.draw(list, session, view, ui);
-  gesture_.draw(list, session, view, pixel, hovered, ui.scale);
+  hand_.draw(list, session, view, pixel, hovered, ui.scale);
   cursor.draw("pixels", list, view, ui.scale);
 }
 
 // Up: fewer pixels, larger. Touch pads turn the wheel by fractions, which add up.
 void PixelPanel::change_size_by_wheel(const Session& session, Actions& actions, Cell pixel) {
-  if (gesture_.active()) return;
+  if (hand_.active()) return;
   wheel_ += ImGui::GetIO().MouseWheel;
   const int steps = static_cast<int>(wheel_);
   wheel_ -= static_cast<float>(steps);

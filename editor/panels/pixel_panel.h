@@ -2,7 +2,7 @@
 #pragma once
 
 #include "panel.h"
-#include "sprite_gesture.h"
+#include "panels/pixel_tools/pixel_tools.h"
 #include "sprite_surroundings.h"
 
 namespace talus {
@@ -20,7 +20,7 @@ class PixelPanel : public Panel {
   void draw_canvas(const Session& session, Actions& actions, Ui& ui);
   void change_size_by_wheel(const Session& session, Actions& actions, Cell pixel);
 
-  SpriteGesture gesture_;
+  PixelToolHand hand_;
   SpriteSurroundings surroundings_;
   float wheel_ = 0;  // clicks of the wheel that made no whole step yet
 };

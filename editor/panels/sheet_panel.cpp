@@ -8,6 +8,7 @@
 
 #include "canvas_layers.h"
 #include "commands.h"
+#include "edit/stamp.h"
 #include "shape_drawing.h"
 #include "tile_number.h"
 

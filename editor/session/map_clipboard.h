@@ -5,7 +5,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "edit/map_tools.h"
+#include "edit/stamp.h"
 
 namespace talus {
 

@@ -1,4 +1,5 @@
 // Drawing with the keyboard alone: no test here ever moves or presses the mouse.
+#include "edit/map_rectangle.h"
 #include "edit/map_resize.h"
 #include "edit/map_selection.h"
 #include "harness.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "edit/map_rectangle.h"
 #include "formats/format.h"
 #include "harness.h"
 #include "panels/commands.h"

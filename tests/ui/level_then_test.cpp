@@ -1,5 +1,6 @@
 // The play view over earlier frames and older branches: what is drawn is the level as it was there.
 #include "debugger_harness.h"
+#include "edit/map_stroke.h"
 #include "platform/picture.h"
 
 namespace talus::level_then_test {

@@ -1,6 +1,7 @@
 // Pictures of sheets and palettes through the dialogs.
 #include <fstream>
 
+#include "edit/map_rectangle.h"
 #include "formats/png_sheet.h"
 #include "harness.h"
 

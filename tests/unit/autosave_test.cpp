@@ -11,7 +11,6 @@
 #include <fstream>
 #include <thread>
 
-#include "edit/map_tools.h"
 #include "folder_test.h"
 
 namespace talus::autosave_test {

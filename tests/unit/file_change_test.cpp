@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "edit/map_tools.h"
 #include "folder_test.h"
 #include "formats/atomic_file.h"
 #include "session/file_stamp.h"

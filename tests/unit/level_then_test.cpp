@@ -1,4 +1,5 @@
 // The level that a view of what was played shows.
+#include "edit/map_stroke.h"
 #include "panels/level_then.h"
 
 #include <gmock/gmock.h>

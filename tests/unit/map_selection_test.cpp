@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/map_stroke.h"
 #include "map_text.h"
 #include "session/map_clipboard.h"
 #include "session/session.h"

@@ -1,7 +1,11 @@
 // Lines, rectangles, ellipses and fills of the map, inside a selection and without one.
 #include <gtest/gtest.h>
 
-#include "edit/map_tools.h"
+#include "edit/map_ellipse.h"
+#include "edit/map_fill.h"
+#include "edit/map_rectangle.h"
+#include "edit/map_replace.h"
+#include "edit/map_stroke.h"
 #include "edit/raster.h"
 #include "map_text.h"
 

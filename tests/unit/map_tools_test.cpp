@@ -1,8 +1,11 @@
 // The tools of the map.
-#include "edit/map_tools.h"
 
 #include <gtest/gtest.h>
 
+#include "edit/map_fill.h"
+#include "edit/map_rectangle.h"
+#include "edit/map_stroke.h"
+#include "edit/stamp.h"
 #include "map_text.h"
 
 namespace talus::map_tools_test {

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "ball_room.h"
+#include "edit/map_rectangle.h"
+#include "edit/map_stroke.h"
 #include "edit/shape_tools.h"
 #include "edit/spawn_tools.h"
 #include "session/session.h"

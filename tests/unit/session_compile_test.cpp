@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "edit/map_tools.h"
+#include "edit/map_stroke.h"
 #include "edit/spawn_tools.h"
 #include "folder_test.h"
 #include "formats/format.h"

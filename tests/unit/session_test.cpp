@@ -1,4 +1,5 @@
 // Session: edits with their history, choices and messages.
+#include "edit/map_stroke.h"
 #include "session/session.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 
 #include "ball_room.h"
 #include "edit/map_resize.h"
+#include "edit/map_stroke.h"
 #include "folder_test.h"
 #include "session/session.h"
 

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "edit/map_fill.h"
+#include "edit/map_rectangle.h"
+#include "edit/map_stroke.h"
 #include "edit/shape_tools.h"
 #include "edit/sprite_shapes.h"
 #include "edit/undo_stack.h"

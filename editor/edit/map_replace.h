@@ -1,0 +1,12 @@
+// Replacing a tile on the map by others.
+#pragma once
+
+#include "cell_painter.h"
+#include "stamp.h"
+
+namespace talus {
+
+// Every cell of `within` with the tile, filled with the stamp repeated from `origin`.
+Edit replace_tile(const Level& level, std::uint8_t tile, Cell origin, const Stamp& stamp, Within within = {});
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+// Taking and repeating stamps.
+#include "stamp.h"
+
+namespace talus {
+namespace {
+
+template <class TileAt>
+Stamp stamp_of(CellRect cells, CellRect room, TileAt tile_at) {
+  const auto part = shared(cells, room);
+  if (!part) return {};
+  Stamp stamp{part->w, part->h, {}};
+  for (int y = part->y; y < part->y + part->h; ++y) {
+    for (int x = part->x; x < part->x + part->w; ++x) stamp.tiles.push_back(tile_at(x, y));
+  }
+  return stamp;
+}
+
+int floor_divide(int a, int b) { return a / b - (a % b < 0 ? 1 : 0); }  // b > 0
+
+}  // namespace
+
+Stamp stamp_of_sheet(CellRect tiles) {
+  return stamp_of(tiles, {0, 0, kSheetColumns, kTileCount / kSheetColumns},
+                  [](int x, int y) { return static_cast<std::uint8_t>(y * kSheetColumns + x); });
+}
+
+Stamp stamp_of_map(const Level& level, CellRect cells) {
+  return stamp_of(cells, {0, 0, level.map.width(), level.map.height()}, [&](int x, int y) {
+    return level.map.at({x, y});
+  });
+}
+
+Cell corner_of_repeated(const Stamp& stamp, Cell origin, Cell cell) {
+  return {origin.x + floor_divide(cell.x - origin.x, stamp.w) * stamp.w,
+          origin.y + floor_divide(cell.y - origin.y, stamp.h) * stamp.h};
+}
+
+std::uint8_t repeated_tile(const Stamp& stamp, Cell origin, Cell cell) {
+  const Cell corner = corner_of_repeated(stamp, origin, cell);
+  return stamp.at(cell.x - corner.x, cell.y - corner.y);
+}
+
+}  // namespace talus

@@ -1,0 +1,12 @@
+// Finding the chosen body's spawn.
+#include "chosen_spawn.h"
+
+namespace talus {
+
+int chosen_spawn(const Session& session) {
+  const Body* body = session.state().find(session.choices().body);
+  if (body == nullptr || body->origin.spawn >= static_cast<int>(session.level().spawns.size())) return -1;
+  return body->origin.spawn;
+}
+
+}  // namespace talus
