@@ -178,6 +178,13 @@ void UiTest::push_click(ImVec2 at, int button) {
   push_button(button, false);
 }
 
+void UiTest::push_drag(const std::vector<ImVec2>& places, int button) {
+  push_motion(places.front());
+  push_button(button, true);
+  for (std::size_t i = 1; i < places.size(); ++i) push_motion(places[i]);
+  push_button(button, false);
+}
+
 void UiTest::move(ImVec2 to) {
   push_motion(to);
   frames();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "panels/keys.h"
 #include "platform/app.h"
@@ -69,6 +70,8 @@ class UiTest : public ::testing::Test {
   void push_typing(const std::string& text);  // each letter's press, text and release
   void push_stroke(KeyChord chord);           // press and release
   void push_click(ImVec2 at, int button = kLeft);
+  // From the first place, where the button goes down, over the others to the last one, where it goes up.
+  void push_drag(const std::vector<ImVec2>& places, int button = kLeft);
   void drop(const std::string& file);
 
  private:

@@ -126,6 +126,61 @@ TEST_F(UiMap, ShapesAndFillStayInsideTheSelection) {
             "The tools stay inside the selection: draw there, or press Escape first.");
 }
 
+TEST_F(UiMap, StrokesStayInsideTheSelection) {
+  const std::string hint = "The tools stay inside the selection: draw there, or press Escape first.";
+  select({2, 2}, {4, 3});
+  key('1');
+  drag(on_map({3, 2}), on_map({9, 2}));
+  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..11.....", ".........", "........."}));
+  EXPECT_FALSE(session().message());
+  click(on_map({7, 7}));
+  EXPECT_EQ(tile_at({7, 7}), 0);
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, hint);
+  key('d');
+  drag(on_map({1, 3}), on_map({6, 3}));
+  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..11.....", ".111.....", "........."}));
+  EXPECT_EQ(entries(), 2u);
+  key(27);
+  EXPECT_FALSE(selection());
+  key('1');
+  drag(on_map({1, 4}), on_map({6, 4}));
+  select({2, 2}, {4, 4});
+  key('e');
+  drag(on_map({3, 4}), on_map({9, 4}));
+  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..11.....", ".111.....", "11..11..."}));
+  session().apply(action::DismissMessage{});
+  click(on_map({6, 4}));
+  EXPECT_EQ(tile_at({6, 4}), 1);
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, hint);
+}
+
+TEST_F(UiMap, GroundAndSlopesStayInsideTheSelection) {
+  key(shift('g'));
+  key(kKeyF3);
+  select({2, 2}, {4, 3});
+  key('g');
+  drag(on_map({3, 2}), on_map({9, 2}));
+  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..11.....", ".........", "........."}));
+  hold_modifiers(shift(0));
+  drag(on_map({0, 3}), on_map({9, 9}));
+  hold_modifiers();
+  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..11.....", ".111.....", "........."}));
+  click(on_map({9, 9}));
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text,
+            "The tools stay inside the selection: draw there, or press Escape first.");
+  key(27);
+  select({12, 2}, {13, 9});
+  key('8');
+  drag(on_canvas("map", {80, 40}), on_canvas("map", {136, 40}));
+  EXPECT_EQ(tile_at({11, 5}), 0);
+  EXPECT_NE(tile_at({12, 5}), 0);
+  EXPECT_NE(tile_at({13, 5}), 0);
+  EXPECT_EQ(tile_at({14, 5}), 0);
+}
+
 TEST_F(UiMap, FillWithCtrlReplacesTheTileEverywhere) {
   stamp(3, 3, {2, 2});
   click(on_map({9, 8}));

@@ -224,6 +224,18 @@ TEST(AutoTile, AFilledRectangleIsAsIfPaintedAndIsCutAtTheMap) {
   EXPECT_EQ(ground_rows(level.map), (GroundRows{".....", ".....", "....."}));
 }
 
+TEST(AutoTile, WhatLiesOutsideTheSelectionStaysAsItIs) {
+  Level level = ground_level({".....", "..#..", "....."});
+  const CellRect selection{1, 0, 2, 2};
+  apply_edit(level, paint_ground(level, {0, 0}, {4, 0}, GroundChange::add, selection));
+  EXPECT_EQ(level.map.at({0, 0}) + level.map.at({3, 0}) + level.map.at({4, 0}), 0);
+  EXPECT_NE(level.map.at({1, 0}), 0);
+  EXPECT_NE(level.map.at({2, 0}), 0);
+  level = ground_level({"r=7", "[#]", "L_J"});
+  apply_edit(level, fill_ground(level, {0, 0, 3, 3}, GroundChange::remove, CellRect{0, 0, 3, 1}));
+  EXPECT_EQ(ground_rows(level.map), (GroundRows{"...", "[#]", "L_J"})) << "no other tiles below";
+}
+
 TEST(AutoTile, ALineFarBeyondTheMapIsCut) {
   Level level = ground_level({"...", "..."});
   apply_edit(level, paint_ground(level, {-2'000'000, 1}, {2'000'000, 1}, GroundChange::add));

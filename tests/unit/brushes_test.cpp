@@ -39,6 +39,13 @@ TEST(RandomTile, TakesEachTileAboutAsOften) {
   EXPECT_NEAR(unlike_the_next_seed, 7500, 200);
 }
 
+TEST(RandomTile, AStrokeStaysInsideTheSelection) {
+  Level level = empty_map(6, 3);
+  apply_edit(level, paint_random_stroke(level, {0, 1}, {5, 1}, kFour, 1, CellRect{2, 0, 2, 3}));
+  for (int x = 0; x < 6; ++x)
+    EXPECT_EQ(level.map.at({x, 1}), x == 2 || x == 3 ? random_tile(kFour, {x, 1}, 1) : 0) << x;
+}
+
 TEST(RandomTile, AStrokePaintsEachCellOnceAndUndoesExactly) {
   Level level = empty_map(6, 3);
   const Edit edit = paint_random_stroke(level, {0, 1}, {9, 1}, kFour, 1);

@@ -40,6 +40,26 @@ TEST(ShapeTools, SlopeIsDrawnWhereTheStampHasNone) {
   EXPECT_EQ(laid.map.at({2, 5}), 1);
 }
 
+TEST(ShapeTools, SlopeStaysInsideTheSelectionAndDrawsNoTileForWhatIsOutside) {
+  const Level level = level_with_slopes();
+  const CellRect selection{2, 0, 2, 17};
+  const Level laid = after(level, lay_slope(level, {0, 48}, {64, 16}, {1, 1, {1}}, 12, selection));
+  int shaped = 0, placed = 0;
+  for (const TileShape& shape : laid.tile_shapes) shaped += shape.kind == TileShape::Kind::slope ? 1 : 0;
+  for (int x = 0; x < 30; ++x) {
+    for (int y = 0; y < 17; ++y) {
+      if (laid.map.at({x, y}) == 0) continue;
+      EXPECT_TRUE(selection.contains({x, y})) << x << " " << y;
+      placed += laid.map.at({x, y}) != 1 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(placed, 2);
+  EXPECT_GE(shaped, 1);
+  EXPECT_LE(shaped, placed);
+  const Edit nothing = lay_slope(level, {0, 48}, {64, 16}, {1, 1, {1}}, 12, CellRect{20, 0, 2, 2}).value();
+  EXPECT_TRUE(nothing.empty());
+}
+
 TEST(ShapeTools, SlopeThatCannotBeLaidSaysWhy) {
   Level level = level_with_slopes();
   EXPECT_EQ(lay_slope(level, {16, 40}, {16, 40}, {}, 12).error(), "drag from one end to the other");
