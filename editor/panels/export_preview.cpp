@@ -20,10 +20,6 @@ std::string code_text(std::size_t bytes) {
                               : "Code: " + sizes + " of TIC-80's free version.";
 }
 
-const ExportPreset& shown_preset(const Session& session, const Ui& ui) {
-  return session.level().exports[ui.view.exports.preset];
-}
-
 // What went wrong with the shown preset in the last run, if it is as it was then.
 const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
   const ExportTask task = export_task(session.level(), ui.view.exports.preset, session.path());
