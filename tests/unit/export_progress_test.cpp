@@ -101,7 +101,11 @@ TEST_P(LongExport, EndsWithAnErrorWhenItIsStopped) {
 INSTANTIATE_TEST_SUITE_P(Of, LongExport,
                          testing::Values("json", "lua", "csv", "svg", "png", "ldtk", "tmj", "tmx", "sti",
                                          "lua-runtime"),
-                         [](const auto& value) { return std::string(value.param); });
+                         [](const auto& value) {
+                           std::string name = value.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(ExportProgress, APlanThatIsStoppedIsAProblemLikeAnother) {
   const auto plan =
