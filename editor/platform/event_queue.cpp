@@ -75,9 +75,9 @@ bool EventQueue::next(SDL_Event& event) {
 //   may give what is typed next another receiver.
 // - After a command key, nothing more that is typed or clicked: Enter or Escape may close what would get it,
 //   and a text field takes one such key a frame, after all letters.
-// - After the mouse has moved, no key: it is meant for what the mouse has come to.
-// - While a button is held, what is dragged gets every place: after the mouse has moved, no button, and no
-//   movement round a corner.
+// - After the mouse has moved, no key goes down and no button changes: they are meant for where the mouse has
+//   come to, and a drag is made of the movements after its press, up to its release.
+// - While a button is held, no movement round a corner: what is dragged gets every place.
 // - After anything typed, no button: a click may take the text's field away before it has looked.
 // - No key that counts changes twice.
 bool EventQueue::must_wait(const SDL_Event& event) const {
@@ -85,8 +85,8 @@ bool EventQueue::must_wait(const SDL_Event& event) const {
   if (button_changed_) return is_mouse(event) || is_key(event) || is_text(event);
   if (command_pressed_) return is_button(event) || is_key(event) || is_text(event);
   if (typed_ && is_button(event)) return true;
-  if (moved() && event.type == SDL_KEYDOWN) return true;
-  if (moved() && drags() && (is_button(event) || turns(event))) return true;
+  if (moved() && (event.type == SDL_KEYDOWN || is_button(event))) return true;
+  if (drags() && turns(event)) return true;
   return is_command_key(event) && event.key.repeat == 0 && changed_keys_[event.key.keysym.scancode];
 }
 

@@ -78,8 +78,9 @@ TEST_F(UiFastDrag, LineRectangleAndEllipseReachToTheRelease) {
   drag_over_cells({{1, 2}, {2, 3}, {3, 3}});
   EXPECT_EQ(drawn()[2] + drawn()[3], ".###.......###......");
   key('7');
-  drag_over_cells({{6, 4}, {7, 5}, {8, 6}});
-  EXPECT_EQ(drawn()[4] + drawn()[5] + drawn()[6], ".......#........###........#..");
+  drag_over_cells({{5, 4}, {7, 5}, {8, 7}});
+  EXPECT_EQ(drawn()[4] + drawn()[5], "......##.......####.");
+  EXPECT_EQ(drawn()[6] + drawn()[7], ".....####.......##..");
   EXPECT_EQ(undos(), 3u);
 }
 
@@ -187,7 +188,7 @@ TEST_F(UiFastDrag, ShapesAndSelectionOfPixelsReachToTheRelease) {
   EXPECT_EQ(pixels()[4], "########");
   click("pixels/ellipse");
   drag_over_pixels({{0, 5}, {1, 6}, {2, 7}});
-  EXPECT_EQ(pixels()[5] + pixels()[6] + pixels()[7], ".#......#.#......#......");
+  EXPECT_EQ(pixels()[5] + pixels()[6] + pixels()[7], "###.....#.#.....###.....");
   click("pixels/select");
   drag_over_pixels({{0, 0}, {5, 5}, {3, 1}});
   EXPECT_EQ(session().choices().pixels.rect(), (CellRect{0, 0, 4, 2}));
@@ -214,6 +215,16 @@ TEST_F(UiFastDrag, SplitterGoesToTheRelease) {
   push_drag({from, {from.x + 90, from.y}, {from.x + 40, from.y}});
   frames(2);
   EXPECT_NEAR(centre("layout/left").x, from.x + 40, 1);
+}
+
+TEST_F(UiFastDrag, ViewMovesByTheDragAlone) {
+  const ImVec2 from = on_map({12, 8});
+  move(on_map({3, 3}));
+  push_drag({from, {from.x - 60, from.y + 30}, {from.x - 20, from.y - 10}}, kRight);
+  frames(2);
+  const ImVec2 now = on_map({12, 8});
+  EXPECT_EQ(std::lround(now.x - from.x), -20);
+  EXPECT_EQ(std::lround(now.y - from.y), -10);
 }
 
 TEST_F(UiFastDrag, TimelineGoesToTheRelease) {

@@ -166,7 +166,8 @@ TEST_F(UiMap, GroundAndSlopesStayInsideTheSelection) {
   hold_modifiers(shift(0));
   drag(on_map({0, 3}), on_map({9, 9}));
   hold_modifiers();
-  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..11.....", ".111.....", "........."}));
+  EXPECT_EQ(drawn({1, 1, 9, 4}), (Rows{".........", "..34.....", ".111.....", "........."}))
+      << "two halves of a slope";
   click(on_map({9, 9}));
   ASSERT_TRUE(session().message());
   EXPECT_EQ(session().message()->text,
