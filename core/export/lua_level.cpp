@@ -186,7 +186,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   if (!with_tiles) return;
   LuaTable parts = table.in_a_row("parts");
-  for (const std::string& part : lua_parts(level).value()) parts.word("", part);
+  const std::vector<std::string> used = lua_parts(level).value();  // a loop would not keep it alive
+  for (const std::string& part : used) parts.word("", part);
 }
 
 }  // namespace
