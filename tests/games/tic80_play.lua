@@ -1,6 +1,8 @@
--- A stand-in for the part of TIC-80's API that a playable cart uses: runs its TIC() and prints, after each
--- frame, every body of its world: frame id x y vx vy. What is drawn must be within what TIC-80 takes.
---   lua5.3 tic80_play.lua CART.lua FRAMES
+-- A stand-in for the part of TIC-80's API that a playable cart uses: runs its TIC() with the keys and the mouse of
+-- a script, and prints, after each frame, every body of its world: frame id x y vx vy. What is drawn must be
+-- within what TIC-80 takes, and the mouse on its screen.
+--   lua5.3 tic80_play.lua CART.lua FRAMES [SCRIPT.jsonl]
+local held_in = dofile(arg[0]:gsub("[^/]*$", "") .. "script.lua")(arg[3])
 local cells, in_map = {}, false
 for line in io.lines(arg[1]) do
   if line:match("^%-%- <") then in_map = line == "-- <MAP>" end
@@ -12,15 +14,21 @@ for line in io.lines(arg[1]) do
   end
 end
 
-local drawn = 0
+local drawn, held, left, top = 0, nil, 0, 0
 function mget(x, y) return cells[y * 240 + x] or 0 end
-function mouse() return 0, 0, false, false, false end
-function btn() return false end
+function mouse()
+  if not held.mouse_down then return 0, 0, false, false, false end
+  local x, y = held.mouse_x - left, held.mouse_y - top
+  assert(x >= 0 and x < 240 and y >= 0 and y < 136, "the script's mouse is not on the screen")
+  return x, y, true, false, false
+end
+function btn(id) return id == 2 and held.left or id == 3 and held.right or id == 0 and held.jump or false end
 function btnp() return false end
 function cls(color) assert(color >= 0 and color < 16) end
 function map(x, y, w, h, sx, sy, colorkey, scale, remap)
   for _, number in ipairs {x, y, w, h, sx, sy} do assert(math.type(number) == "integer") end
   assert(scale == 1 and colorkey == -1 and math.type(remap(mget(x, y))) == "integer")
+  left, top = x * 8 - sx, y * 8 - sy  -- of what is shown until the next frame
 end
 function spr(id, x, y, colorkey)
   assert(id >= 0 and id < 512 and x == x and y == y and colorkey == 0)
@@ -34,6 +42,7 @@ end
 
 dofile(arg[1])
 for frame = 1, tonumber(arg[2]) do
+  held = held_in(frame)
   TIC()
   for _, b in ipairs(world.bodies) do
     print(string.format("%d %d %.17g %.17g %.17g %.17g", frame, b.id, b.x, b.y, b.vx, b.vy))
