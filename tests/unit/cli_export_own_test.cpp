@@ -50,7 +50,6 @@ TEST_F(CliOwnFiles, ChangedStartersAreKept) {
     const std::string begun = bytes_of(game + "/" + names[0]);
     for (const char* name : names) put(game + "/" + name, "mine");
     ASSERT_EQ(run_to(format, game), 0) << answer_.err;
-    std::string notes;
     for (const char* name : names) {
       EXPECT_EQ(bytes_of(game + "/" + name), "mine");
       EXPECT_THAT(answer_.err, HasSubstr(path(game + "/" + name) +
@@ -166,7 +165,8 @@ TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
     }
   }
   EXPECT_EQ(run_to("tic-text", "x.lua", "--playable"), 0) << answer_.err;
-  put("mine.js", "// script: js\nfunction TIC() {}\n// <TILES>\n// 000:11\n// </TILES>\n");
+  put("mine.js",
+      "// script: js\nfunction TIC() {}\n// <TILES>\n// 000:" + std::string(64, '1') + "\n// </TILES>\n");
   const CliAnswer kept = cli_answer({"export", path("mine.js"), "--to", "tic-text", "-o", path("out.js")});
   EXPECT_EQ(kept.status, 0) << kept.err;
   const CliAnswer other = cli_answer({"export", path("mine.js"), "--to", "tic-text", "-o", path("out.lua")});

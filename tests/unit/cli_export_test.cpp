@@ -53,6 +53,19 @@ TEST_F(CliExport, LoveIsAFolder) {
     EXPECT_TRUE(exists(std::string("game/") + name)) << name;
 }
 
+TEST_F(CliExport, PartsOfTheRuntimeAreAskedFor) {
+  ASSERT_EQ(run({"lua-runtime", "-o", path("game"), "--parts", "players,mouse"}), 0) << answer_.err;
+  const std::string text = bytes_of("game/talus.lua");
+  EXPECT_NE(text.find("\n-- The parts of this module: slopes, balls, players, pairs, mouse.\n"),
+            std::string::npos);
+  EXPECT_EQ(run({"love", "-o", path("other"), "--parts", "plyers"}), 1);
+  EXPECT_NE(answer_.err.find("\"plyers\" is no part of the runtime: there are slopes, one_way"),
+            std::string::npos)
+      << answer_.err;
+  EXPECT_FALSE(exists("other"));
+  EXPECT_EQ(run({"csv", "-o", path("other"), "--parts", "players"}), 2);
+}
+
 TEST_F(CliExport, AFolderIsNoStandardOutput) {
   EXPECT_EQ(run({"love", "-o", "-"}), 1);
   EXPECT_NE(answer_.err.find("is a folder: name one"), std::string::npos) << answer_.err;
@@ -61,7 +74,8 @@ TEST_F(CliExport, AFolderIsNoStandardOutput) {
 TEST_F(CliExport, AFolderUnderAFileIsRefused) {
   const std::string file = TALUS_SOURCE_DIR "/README.md/game";
   EXPECT_EQ(run({"lua-runtime", "-o", file}), 1);
-  EXPECT_NE(answer_.err.find("cannot be made"), std::string::npos) << answer_.err;
+  EXPECT_EQ(answer_.err,
+            file + ": error: " TALUS_SOURCE_DIR "/README.md is a file, where a folder is needed\n");
 }
 
 }  // namespace talus::cli_export_test

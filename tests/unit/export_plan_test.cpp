@@ -27,12 +27,12 @@ void expect_error(const std::string& exports, const std::string& place, const st
 }
 
 TEST(NativeExports, ComeBackAsTheyWere) {
-  const Level level = level_with({{"game", "love", "export/love", "", true, R"({"colour":"red"})"},
+  const Level level = level_with({{"game", "love", "export/love", "pairs", true, R"({"colour":"red"})"},
                                   {"", "no-such-target", "/tmp/x y.zip", "", false, ""}});
   const auto text = native_of_level(level);
   EXPECT_NE(text.find(R"(
   "exports": [
-    {"name": "game", "to": "love", "path": "export/love", "on_save": true, "colour": "red"},
+    {"name": "game", "to": "love", "path": "export/love", "parts": "pairs", "on_save": true, "colour": "red"},
     {"name": "", "to": "no-such-target", "path": "/tmp/x y.zip"}
   ],)"),
             std::string::npos)
@@ -45,6 +45,7 @@ TEST(NativeExports, WhatIsWrongIsSaidWithItsPlace) {
   expect_error("{}", "key exports", "must be a list of up to 100 presets");
   expect_error("[1]", "key exports[0]", "must be an object");
   expect_error(R"([{}, {"to": 1}])", "key exports[1].to", "must be a string of up to 4096 bytes");
+  expect_error(R"([{"parts": []}])", "key exports[0].parts", "must be a string of up to 4096 bytes");
   expect_error(R"([{"on_save": 1}])", "key exports[0].on_save", "must be true or false");
   const auto written = write_native(level_with({{std::string(4097, 'a'), "love", "", "", false, ""}}), {});
   ASSERT_FALSE(written) << "it could not be read again";
