@@ -18,13 +18,14 @@ struct ReadyLayout {
   std::string_view tab;  // id of the panel that comes to the front
 };
 
-constexpr Layout ready_sizes(double right) {
+constexpr Layout ready_sizes(double right, double pixels = Layout().pixels) {
   Layout layout;
   layout.right = right;
+  layout.pixels = pixels;
   return layout;
 }
-constexpr ReadyLayout kDrawLayout{ready_sizes(0.27), CanvasMode::map, true,
-                                  Focus::sprites,    false,           "problems"};
+constexpr ReadyLayout kDrawLayout{ready_sizes(0.27, 0.42), CanvasMode::map, true,
+                                  Focus::sprites,          false,           "problems"};
 constexpr ReadyLayout kPlayLayout{ready_sizes(0.27), CanvasMode::play, false, Focus::map, false, "tuning"};
 constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map, true, "inspector"};
 

@@ -103,8 +103,9 @@ std::string first_difference(const Picture& a, const Picture& b, Picture& shown)
   if (a.width != b.width || a.height != b.height) return "the size";
   shown = a;
   std::string first;
-  for (int top = 0; top < a.height; top += kBlock) {
-    for (int left = 0; left < a.width; left += kBlock) {
+  // Blocks that overlap by half, so that none is the one in whose corners a difference hides.
+  for (int top = 0; top < a.height; top += kBlock / 2) {
+    for (int left = 0; left < a.width; left += kBlock / 2) {
       int far_off = 0;
       for (int y = top; y < std::min(top + kBlock, a.height); ++y) {
         for (int x = left; x < std::min(left + kBlock, a.width); ++x) {

@@ -1,5 +1,6 @@
 // Settings, keys, layouts, the command palette and other programs, by hand.
 #include <algorithm>
+#include <cmath>
 
 #include "harness.h"
 #include "panels/commands.h"
@@ -57,22 +58,22 @@ TEST_F(UiSettings, SizesChangeAtOnceAndAreRemembered) {
   frames(2);
   click("settings/scale/125");
   frames(3);
-  EXPECT_EQ(ImGui::GetFontSize(), font * 1.25f);
+  EXPECT_EQ(app().ui().scale, 1.25f);
+  EXPECT_EQ(ImGui::GetFontSize(), std::round(font * 1.25f));
   start_again();
-  EXPECT_EQ(ImGui::GetFontSize(), font * 1.25f);
+  EXPECT_EQ(app().ui().scale, 1.25f);
 }
 
 TEST_F(UiSettings, NothingIsLargerThanTheWindowHasRoomFor) {
-  const float font = ImGui::GetFontSize();
   open_settings();
   click("settings/scale");
   frames(2);
   click("settings/scale/200");
   frames(3);
-  EXPECT_EQ(ImGui::GetFontSize(), font * 1.25f) << "in 1280x720 px";
+  EXPECT_EQ(app().ui().scale, 1.25f) << "in 1280x720 px";
   start(save_test_level("level.talus.json"), 2560, 1440);
   frames(3);
-  EXPECT_EQ(ImGui::GetFontSize(), font * 2);
+  EXPECT_EQ(app().ui().scale, 2);
 }
 
 TEST_F(UiSettings, OverlaysForColourBlindEyesAreRemembered) {
@@ -184,9 +185,10 @@ TEST_F(UiSettings, ReadyLayoutsByKey) {
   frames(3);
   EXPECT_EQ(view.canvas, CanvasMode::map);
   EXPECT_FALSE(view.dock_open);
-  EXPECT_GT(view.layout.left, Layout().left);
+  EXPECT_TRUE(view.pixels.enlarged);
   key(ctrl_shift('2'));
   frames(3);
+  EXPECT_FALSE(view.pixels.enlarged);
   EXPECT_EQ(view.canvas, CanvasMode::play);
   EXPECT_FALSE(view.dock_open);
   key(ctrl('0'));
