@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "dialog.h"
 #include "edit/map_resize.h"
@@ -180,6 +181,7 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
                                       .width = ui.px(96)},
                                      ui);
   ImGui::SameLine();
+  if (std::exchange(began_to_ask_, false)) ui.focus_next_item();
   const bool goes_back = dialog_button({.widget = "resize/cancel",
                                         .label = asks_ ? "Back" : "Cancel",
                                         .help = "Changes nothing.",
@@ -191,7 +193,7 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
   if (goes_back) {
     if (!std::exchange(asks_, false)) close(ui);
   } else if (resizes && !losses.empty() && !asks_) {
-    asks_ = true;
+    asks_ = began_to_ask_ = true;
   } else if (resizes) {
     actions.push_back(action::EditLevel{resize_map(session.level(), frame_, session.choices().selection)});
     close(ui);

@@ -25,7 +25,8 @@ class ResizePanel : public Panel {
   void close(Ui& ui);
 
   bool was_open_ = false;
-  bool asks_ = false;  // whether what is lost may be lost
+  bool asks_ = false;          // whether what is lost may be lost
+  bool began_to_ask_ = false;  // the way back is to get the keys
   MapFrame frame_;
   Cell anchor_{0, 0};  // 0, 1 or 2: where the old map stays: left or top, in the middle, right or bottom
   // What the frame gives, and for which frame and revision of the level.

@@ -155,6 +155,15 @@ void GlWindow::set_style(const WindowStyle& style) {
 
 void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
+// What is held down already was meant for something else. The control that has the keys is shown, but in
+// lists and menus, which the mouse may have opened.
+void GlWindow::begin_keys_to_controls() {
+  for (float& duration : ImGui::GetIO().NavInputsDownDuration) duration = 0;
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool has_list = !context.OpenPopupStack.empty() && ImGui::GetTopMostPopupModal() == nullptr;
+  if (!has_list) context.NavDisableHighlight = false;
+}
+
 // Where keys go from control to control, Enter takes what is chosen, as Space does. Elsewhere the keys are
 // the commands', and in a text the text's.
 void GlWindow::give_keys_to_controls(bool wanted) {
@@ -163,6 +172,7 @@ void GlWindow::give_keys_to_controls(bool wanted) {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     return;
   }
+  if ((io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) == 0) begin_keys_to_controls();
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }

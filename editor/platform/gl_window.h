@@ -55,6 +55,7 @@ class GlWindow {
   void present();
 
  private:
+  static void begin_keys_to_controls();
   static void give_keys_to_controls(bool wanted);
   static void let_tab_stop_everywhere();
   GlWindow() = default;
