@@ -212,7 +212,7 @@ TEST_F(SessionExports, APreviewIsCancelledAndStaysSo) {
   gate_.reset();
   wait();
   EXPECT_FALSE(exporting().preview());
-  EXPECT_FALSE(session().message()) << "the user knows";
+  EXPECT_EQ(message(), "Saved cave.talus.json.") << "the user knows without another";
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
   EXPECT_FALSE(exporting().previews(session().revision(), task)) << "of another level";
   preview(0);
