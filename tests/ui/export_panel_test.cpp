@@ -160,6 +160,28 @@ TEST_F(UiExport, APathThatCannotBeWrittenIsSaidUnderIt) {
   EXPECT_TRUE(find("export/export")->enabled);
 }
 
+TEST_F(UiExport, PartsOfTheRuntimeAreAskedForWhereThereIsOne) {
+  start();
+  open_window();
+  click("export/add");
+  settle();
+  choose_target("tic-80 cart", "tic");
+  EXPECT_EQ(find("export/parts"), nullptr);
+  choose_target("lua runtime", "lua-runtime");
+  ASSERT_NE(find("export/parts"), nullptr);
+  const std::size_t size = shown().files[0].size;
+  fill("export/parts", "players, mouse");
+  EXPECT_EQ(preset(0).parts, "players, mouse");
+  EXPECT_GT(shown().files[0].size, size + 2'000);
+  fill("export/parts", "plyers");
+  ASSERT_NE(find("export/error"), nullptr);
+  EXPECT_EQ(shown().problem->error.message.substr(0, 24), "\"plyers\" is no part of t");
+  EXPECT_FALSE(find("export/export")->enabled);
+  key(ctrl('z'));
+  settle();
+  EXPECT_EQ(preset(0).parts, "players, mouse");
+}
+
 TEST_F(UiExport, AFileOfSomebodyElsesIsAskedAbout) {
   start();
   open_window();
@@ -338,6 +360,14 @@ TEST_F(UiExport, AChangedStarterIsShownAsKept) {
   EXPECT_EQ(find("question/replace"), nullptr);
   EXPECT_EQ(bytes_of(path("export/love/main.lua")), "mine");
   EXPECT_NE(message().find("Kept main.lua, which is yours by now."), std::string::npos) << message();
+}
+
+TEST_F(UiExport, NamesHaveMoreThanLatin) {
+  start();
+  const ImFont& font = *ImGui::GetFont();
+  for (const ImWchar letter :
+       std::initializer_list<ImWchar>{0x2013, 0x201e, 0x17e, 0x3bb, 0x436})  // – „ ž λ ж
+    EXPECT_NE(font.FindGlyphNoFallback(letter), nullptr) << letter;
 }
 
 }  // namespace talus::export_panel_test

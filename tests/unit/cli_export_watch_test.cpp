@@ -190,4 +190,17 @@ TEST_F(CliWatch, AfterABadFileItGoesOn) {
   EXPECT_EQ(cart->level.map.at({0, 0}), 5);
 }
 
+TEST_F(CliWatch, KeepsCodeThatIsChangedMeanwhile) {
+  save({});
+  watch({"--to", "love", "-o", path("game"), "--fresh", "--force"});
+  wait_for(out_text_, 1);
+  std::ofstream(path("game/main.lua"), std::ios::binary) << "mine";
+  save({}, 1);
+  wait_for(err_text_, 1);
+  interrupt();
+  EXPECT_EQ(bytes_of("game/main.lua"), "mine") << "--fresh was said of what was there at first";
+  EXPECT_EQ(err_text_.text(),
+            path("game/main.lua") + ": note: kept, as it is yours by now; --fresh writes it anew\n");
+}
+
 }  // namespace talus::cli_export_watch_test
