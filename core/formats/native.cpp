@@ -447,7 +447,7 @@ std::vector<std::string_view> key_order() {
       {"x",        "y",      "vx",     "vy",       "size",  "foot",   "from",   "to",        "from_slope",
        "to_slope", "center", "radius", "x0",       "x1",    "upper",  "middle", "amplitude", "wavelength",
        "origin",   "ys",     "flags",  "pixels",   "width", "height", "rows",   "comment",   "chunks",
-       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "on_save"});
+       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "parts",     "on_save"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "dialog.h"
 #include "edit/export_presets.h"
+#include "export/lua_parts.h"
 #include "export/preset_clash.h"
 #include "export_preview.h"
 #include "fuzzy_match.h"
@@ -81,7 +82,7 @@ void draw_short(const std::string& text, ImVec2 at, std::uint32_t color) {
 
 // A field that shows `now` and holds what is typed until it is left. True when that is another text.
 bool text_field(const char* widget, const char* hint, std::string& typed, const std::string& now,
-                const char* help, Ui& ui) {
+                const std::string& help, Ui& ui) {
   take_text_focus(widget, ui);
   ImGui::InputTextWithHint((std::string("##") + widget).c_str(), hint, &typed);
   const bool changed = ImGui::IsItemDeactivatedAfterEdit() && typed != now;
@@ -215,6 +216,7 @@ void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) 
   draw_name(session, actions, ui);
   draw_target(session, actions, ui);
   draw_path(session, actions, ui);
+  draw_parts(session, actions, ui);
   ImGui::SetCursorPosX(ui.px(kExportLabels));
   ExportPreset preset = chosen_preset(session, ui);
   if (ImGui::Checkbox("Export it whenever the level is saved", &preset.on_save))
@@ -228,6 +230,25 @@ void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) 
   draw_export_notes(session, ui);
   ImGui::SetCursorPosY(bottom);
   draw_export_buttons(session, actions, ui);
+}
+
+void ExportPanel::draw_parts(const Session& session, Actions& actions, Ui& ui) {
+  const ExportPreset& preset = chosen_preset(session, ui);
+  const Exporter* exporter = find_exporter(preset.exporter);
+  if (exporter == nullptr || !exporter->takes_parts) return;
+  field_label("Parts", ui);
+  ImGui::SetNextItemWidth(-1);
+  if (!text_field(
+          "export/parts", "what the game adds while it runs: players, pairs ...", parts_, preset.parts,
+          "Parts of the runtime besides those that the level uses, with commas between: " + lua_part_names() +
+              ".",
+          ui))
+    return;
+  ExportPreset changed = preset;
+  changed.parts = parts_;
+  push_export_edit(
+      set_export(session.level(), ui.view.exports.preset, std::move(changed), "Change export parts"),
+      actions);
 }
 
 void ExportPanel::draw_name(const Session& session, Actions& actions, Ui& ui) {

@@ -19,9 +19,10 @@ class ExportPanel : public Panel {
   void draw_target(const Session& session, Actions& actions, Ui& ui);
   void draw_target_choice(const Session& session, Actions& actions, Ui& ui);
   void draw_path(const Session& session, Actions& actions, Ui& ui);
+  void draw_parts(const Session& session, Actions& actions, Ui& ui);
 
-  std::string name_, path_;  // as typed, until the field is left
-  std::string target_;       // what is looked for among the targets
+  std::string name_, path_, parts_;  // as typed, until the field is left
+  std::string target_;               // what is looked for among the targets
 };
 
 }  // namespace talus

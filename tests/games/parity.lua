@@ -1,4 +1,4 @@
--- Runs levels by the runtime and prints each body after each frame: frame id x y vx vy, with all digits.
+-- Runs levels by the runtime and prints each body after each frame: frame id x y vx vy grounded, with all digits.
 --   lua5.3 parity.lua LIST
 -- LIST: a table of {name, runtime, level, input, frames}; the three are files. An input is a table by frame of
 -- what world:step() takes; each holds until the next one.
@@ -14,7 +14,7 @@ for _, run in ipairs(list) do
     input = inputs[frame] or input
     world:step(input)
     for _, b in ipairs(world.bodies) do
-      print(string.format("%d %d %a %a %a %a", frame, b.id, b.x, b.y, b.vx, b.vy))
+      print(string.format("%d %d %a %a %a %a %s", frame, b.id, b.x, b.y, b.vx, b.vy, tostring(b.grounded)))
     end
   end
 end
