@@ -168,7 +168,7 @@ void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui)
             exports[i].name + ": " + target_label(exports[i].exporter) + ", to " + exports[i].path);
     ImGui::PopID();
     const std::string name = exports[i].name.empty() ? "(no name)" : exports[i].name;
-    const std::string target = target_label(exports[i].exporter) + (exports[i].on_save ? ", on save" : "");
+    const std::string target = (exports[i].on_save ? "On save: " : "") + target_label(exports[i].exporter);
     const bool is_known = find_exporter(exports[i].exporter) != nullptr;
     draw_short(name, at, theme::kText);
     draw_short(target, {at.x, at.y + line}, is_known ? theme::kMuted : theme::kError);
