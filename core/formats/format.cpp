@@ -48,7 +48,8 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
 }
 
 std::string to_string(const FormatError& error, std::string_view file) {
-  return std::string(file) + (error.place.empty() ? "" : ":" + error.place) + ": error: " + error.message;
+  return std::string(file) + (error.place.empty() ? "" : ":" + error.place) + ": error: " + error.message +
+         (error.remedy.empty() ? "" : ": " + error.remedy);
 }
 
 std::span<const Format> formats() {

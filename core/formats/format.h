@@ -15,9 +15,12 @@ namespace talus {
 struct FormatError {
   std::string place;    // "byte 12", "line 4"; empty when the whole file is meant
   std::string message;  // one sentence without the place
+  // Of a file that ImportChoices would make readable: the command line that makes them, as a sentence. Empty:
+  // none would.
+  std::string remedy = {};
 };
 
-// "FILE:PLACE: error: MESSAGE", or "FILE: error: MESSAGE" without a place.
+// "FILE:PLACE: error: MESSAGE: REMEDY", without what is empty.
 std::string to_string(const FormatError& error, std::string_view file);
 
 template <class T>
@@ -34,8 +37,12 @@ struct WrittenLevel {
 
 // What to take of a file of another program that holds more than a level can.
 struct ImportChoices {
-  std::string layer;        // of several layers of tiles, the name of the one; empty: there must be only one
+  // Of several layers of tiles, the name of the one; or, of none with that name, its number, from 1. Empty:
+  // there must be only one.
+  std::string layer = {};
+  int layer_number = 0;     // the same by number alone, which goes before the name; 0: by name
   bool used_tiles = false;  // only the tiles that the map shows, numbered anew, also of several tilesets
+  friend bool operator==(const ImportChoices&, const ImportChoices&) = default;
 };
 
 // What a reader or writer may need to know besides the content.

@@ -171,11 +171,28 @@ bool accepts_tiled_xml(std::string_view bytes, const FormatContext& context) {
   return is_named_so || bytes.find("<map ") != bytes.npos || bytes.find("<tileset ") != bytes.npos;
 }
 
+std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path) {
+  std::vector<TiledLayerName> layers;
+  const auto bytes = read_file(path);
+  if (!bytes) return layers;
+  const FormatContext context = context_for_file(path);
+  TiledDrops drops;
+  const auto map = TiledFiles(context, drops).read_map(*bytes);
+  if (!map) return layers;
+  for (const TiledLayer& layer : map->layers) {
+    if (!layer.has_tiles) continue;
+    const auto empty = std::count(layer.cells.begin(), layer.cells.end(), 0U);
+    layers.push_back({in_one_line(layer.name), layer.cells.size() - static_cast<std::size_t>(empty)});
+  }
+  return layers;
+}
+
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context) {
   TiledDrops drops;
   auto level = read_files(bytes, context, drops);
   if (!level)
-    return tl::unexpected(FormatError{in_one_line(level.error().place), in_one_line(level.error().message)});
+    return tl::unexpected(FormatError{in_one_line(level.error().place), in_one_line(level.error().message),
+                                      level.error().remedy});
   if (context.dropped != nullptr) {
     for (const std::string& phrase : drops.phrases()) context.dropped->push_back(in_one_line(phrase));
   }

@@ -11,6 +11,14 @@ namespace talus {
 
 bool accepts_tiled_json(std::string_view bytes, const FormatContext& context);
 bool accepts_tiled_xml(std::string_view bytes, const FormatContext& context);
+// A layer of tiles of a map.
+struct TiledLayerName {
+  std::string name;       // may be empty, and that of others too
+  std::size_t cells = 0;  // that are not empty
+};
+// In their order, as ImportChoices::layer_number counts them. None of a file that is no readable map.
+std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path);
+
 // Of either form, by content.
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context);
 

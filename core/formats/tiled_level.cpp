@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <bitset>
+#include <charconv>
+#include <cmath>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 #include "native.h"
 #include "native_objects.h"
+#include "number_text.h"
 #include "png_sheet.h"
 #include "tiled_objects.h"
+#include "tiled_shapes.h"
 
 namespace talus {
 namespace {
@@ -32,6 +38,7 @@ class TiledLevelMaker {
   std::uint8_t flags_of(const TiledTile& tile);
   TileShape own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
+  TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects, bool one_way);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
   void take_spawn(const TiledObject& object, Spawn spawn);
@@ -58,6 +65,59 @@ std::string named(std::string_view what, const std::string& name) {
   return std::string(what) + (name.empty() ? "" : " \"" + name + "\"");
 }
 
+// Its number in the level, and where that is another one, in its tileset.
+std::string name_of_tile(int number, const TiledSource& source) {
+  const std::string name = "tile " + std::to_string(number);
+  return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
+}
+
+std::string area_text(double area) {
+  std::string text;
+  append_number(text, std::round(area * 10) / 10);
+  return text + " px\u00b2";
+}
+
+// How a shape differs from the outline that it stands for, as the end of a sentence.
+std::string text_of(const NearestShape& nearest) {
+  const TileShape& shape = nearest.shape;
+  if (shape.one_way) return "which hangs in the air: its upper line is kept, as a one-way floor";
+  const bool is_floor = shape.side == TileShape::Side::floor;
+  const bool is_full = shape.kind == TileShape::Kind::solid;
+  std::string text = "which is no floor or ceiling of a level: ";
+  text += is_full ? "a whole tile" : is_floor ? "the nearest floor" : "the nearest ceiling";
+  constexpr double kSeen = 0.05;  // px²
+  if (nearest.more < kSeen && nearest.less < kSeen)
+    return text + " stands for it, off by less than 0.1 px\u00b2";
+  text += " stands for it, with ";
+  if (nearest.more >= kSeen) text += area_text(nearest.more) + " of ground more";
+  if (nearest.less < kSeen) return text;
+  return text + (nearest.more >= kSeen ? " and " : "") + area_text(nearest.less) + " less";
+}
+
+// With the heights of the tile's words, where these give the same line: it may have more than its corners
+// need.
+TileShape as_in_words(const TileShape& shape, const TiledTile& tile) {
+  const auto* const text = find_property<std::string>(tile.properties, "shape_heights");
+  if (text == nullptr || shape.heights.empty()) return shape;
+  TileShape said = shape;
+  said.heights.clear();
+  std::istringstream words(*text);
+  words.imbue(std::locale::classic());
+  for (double height = 0; words >> height;) said.heights.push_back(height);
+  said.kind = said.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
+  const std::vector<TiledObject> outline = tiled_objects(said);
+  if (outline.empty()) return shape;
+  return tile_shape_of(outline_of(outline.front()), shape.one_way) == shape ? said : shape;
+}
+
+// That the text is, from 1; else 0.
+int number_in(const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, problem] = std::from_chars(text.data(), end, number);
+  return problem == std::errc() && stopped == end && number > 0 ? number : 0;
+}
+
 FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& choices) const {
   std::vector<const TiledLayer*> layers;
   std::string names;
@@ -66,19 +126,30 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
     layers.push_back(&layer);
     names += (names.empty() ? "\"" : ", \"") + layer.name + "\"";
   }
-  const auto chosen = std::find_if(layers.begin(), layers.end(),
-                                   [&](const TiledLayer* layer) { return layer->name == choices.layer; });
-  const auto fail = [](std::string message) { return tl::unexpected(FormatError{"", std::move(message)}); };
+  const auto fail = [](std::string message, std::string remedy = {}) {
+    return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
+  };
   if (layers.empty()) return fail("has no layer of tiles");
-  if (!choices.layer.empty() && chosen == layers.end())
-    return fail("has no layer of tiles with the name \"" + choices.layer + "\", but " + names);
-  if (choices.layer.empty() && layers.size() > 1) {
-    return fail("has the layers of tiles " + names +
-                ", and a level has one: `talus import --layer NAME` takes the one of that name");
+  auto chosen = layers.begin();
+  const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
+  const auto by_number =
+      number > 0 && number <= static_cast<int>(layers.size()) ? layers.begin() + (number - 1) : layers.end();
+  if (choices.layer_number > 0) {
+    chosen = by_number;
+  } else if (!choices.layer.empty()) {
+    chosen = std::find_if(layers.begin(), layers.end(),
+                          [&](const TiledLayer* layer) { return layer->name == choices.layer; });
+    if (chosen == layers.end()) chosen = by_number;
+  } else if (layers.size() > 1) {
+    return fail("has the layers of tiles " + names + ", and a level has one",
+                "`talus import --layer NAME` takes the one of that name");
   }
-  const TiledLayer* const taken = choices.layer.empty() ? layers.front() : *chosen;
+  if (chosen == layers.end())
+    return fail("has no layer of tiles with the name \"" + choices.layer + "\", but " + names);
+  const TiledLayer* const taken = *chosen;
   for (const TiledLayer* layer : layers) {
-    if (layer != taken) drops_.add(named("the layer", layer->name));
+    if (layer != taken)
+      drops_.add(layer->name.empty() ? "a layer without a name" : named("the layer", layer->name));
   }
   return taken;
 }
@@ -237,20 +308,42 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
       is_own_ && tiles_.keeps_numbers && one_way == expected.one_way &&
       std::equal(old.begin(), old.end(), objects.begin(), objects.end(), is_same_outline);
   if (is_unchanged) return before;
-  std::optional<TileShape> shape;
-  for (const TiledObject& object : objects) {
-    auto made = shape ? std::nullopt : tile_shape_of(object);
-    if (made)
-      shape = std::move(made);
-    else
-      drops_.add("a collision shape of a tile, which is no floor, ceiling or whole tile");
-  }
   const bool* const collidable = find_property<bool>(tile.properties, "collidable");
   const bool is_solid = collidable != nullptr && *collidable && of_flags.kind == TileShape::Kind::none;
-  if (!shape && is_solid && objects.empty()) shape = TileShape{.kind = TileShape::Kind::solid};
-  if (!shape) return {};
-  shape->one_way = one_way || (!is_own_ && of_flags.one_way);
-  return *shape;
+  const bool stops_one_way = one_way || (!is_own_ && of_flags.one_way);
+  if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = stops_one_way};
+  const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, stops_one_way);
+  return source.turn == 0 ? as_in_words(shape, tile) : shape;
+}
+
+// Of several outlines the first that is a shape of a level, or else what comes nearest to the first that is
+// over its tile.
+TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
+                                            bool one_way) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const TiledObject& object : objects) {
+    outlines.push_back(outline_of(object));
+    if (!outlines.back().empty()) continue;
+    drops_.add("a collision shape of " + tile + ", which is no box or polygon");
+    outlines.pop_back();
+  }
+  if (outlines.size() > 1) {
+    drops_.add("that " + tile + " has " + std::to_string(outlines.size()) +
+               " collision shapes: a level's has one");
+  }
+  for (const auto& outline : outlines) {
+    if (auto shape = tile_shape_of(outline, one_way)) return *std::move(shape);
+  }
+  for (const auto& outline : outlines) {
+    auto nearest = nearest_tile_shape(outline);
+    if (!nearest) continue;
+    drops_.add("the outline of " + tile + ", " + text_of(*nearest));
+    nearest->shape.one_way = nearest->shape.one_way || one_way;
+    return std::move(nearest->shape);
+  }
+  if (!outlines.empty())
+    drops_.add("the outline of " + tile + ", of which nothing is in the tile or up and right of it");
+  return {};
 }
 
 // The outline counts; words of Talus beside it that say otherwise do not.

@@ -19,110 +19,6 @@ bool is_near(double a, double b) {
 }
 bool is_near(Vec2 a, Vec2 b) { return is_near(a.x, b.x) && is_near(a.y, b.y); }
 
-double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-
-// Without points that stand on another or on the line between their neighbours.
-std::vector<Vec2> corners_of(const std::vector<Vec2>& points) {
-  std::vector<Vec2> apart;
-  for (const Vec2 p : points) {
-    if (apart.empty() || !is_near(apart.back(), p)) apart.push_back(p);
-  }
-  while (apart.size() > 1 && is_near(apart.front(), apart.back())) apart.pop_back();
-  std::vector<Vec2> corners;
-  for (std::size_t i = 0; i < apart.size(); ++i) {
-    const Vec2 before = apart[(i + apart.size() - 1) % apart.size()], here = apart[i];
-    const Vec2 after = apart[(i + 1) % apart.size()];
-    const Vec2 way = after - before;
-    const double length = std::hypot(way.x, way.y);
-    const bool goes_on = dot(here - before, after - here) > 0;
-    if (goes_on && std::abs(cross(here - before, way)) <= kOnGrid * length) continue;
-    corners.push_back(here);
-  }
-  return corners;
-}
-
-// Twice the area; positive when the points go round clockwise on the screen.
-double area_of(const std::vector<Vec2>& corners) {
-  double area = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    area += cross(corners[i], corners[(i + 1) % corners.size()]);
-  return area;
-}
-
-// The upper line of a polygon, clockwise, whose other sides are level at y 8 or upright at x 0 and `width`.
-// Empty when it has other sides.
-std::vector<Vec2> floor_line(const std::vector<Vec2>& corners, double width) {
-  const auto at = [&](std::size_t i) { return corners[i % corners.size()]; };
-  std::size_t first = 0;
-  while (first < corners.size() && !(is_near(at(first).x, 0) && at(first + 1).x > kOnGrid)) ++first;
-  if (first == corners.size()) return {};
-  // Of the two corners at the left the upper one goes on to the right: the polygon is clockwise.
-  std::vector<Vec2> line = {at(first)};
-  std::size_t i = first + 1;
-  for (; i < first + corners.size() && !is_near(line.back().x, width); ++i) {
-    if (at(i).x <= line.back().x + kOnGrid) return {};
-    line.push_back(at(i));
-  }
-  if (!is_near(line.back().x, width)) return {};
-  for (; i < first + corners.size(); ++i) {
-    if (!is_near(at(i).y, kTileSize) || !(is_near(at(i).x, 0) || is_near(at(i).x, width))) return {};
-  }
-  return line;
-}
-
-// The heights of a line at the fewest equal distances that have all its corners; empty: at none.
-std::vector<double> heights_of(const std::vector<Vec2>& line, double width) {
-  for (int parts = 1; parts < kMaxShapeHeights; ++parts) {
-    const double step = width / parts;
-    const bool fits = std::all_of(line.begin(), line.end(), [&](Vec2 p) {
-      return std::abs(p.x - std::round(p.x / step) * step) <= kOnGrid;
-    });
-    if (!fits) continue;
-    std::vector<double> heights;
-    std::size_t at = 0;
-    for (int i = 0; i <= parts; ++i) {
-      const double x = i * step;
-      while (at + 2 < line.size() && line[at + 1].x < x - kOnGrid) ++at;
-      const Vec2 from = line[at], to = line[at + 1];
-      const double y = from.y + (to.y - from.y) * std::clamp((x - from.x) / (to.x - from.x), 0.0, 1.0);
-      heights.push_back(std::clamp(weld(kTileSize - y), 0.0, 64.0));
-    }
-    return heights;
-  }
-  return {};
-}
-
-std::optional<TileShape> shape_under(const std::vector<Vec2>& line, double width, TileShape::Side side) {
-  TileShape shape;
-  shape.side = side;
-  shape.tiles = static_cast<int>(std::lround(width / kTileSize));
-  shape.heights = heights_of(line, width);
-  shape.kind = shape.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
-  const bool in_range = std::all_of(line.begin(), line.end(), [](Vec2 p) {
-    return p.y <= kTileSize + kOnGrid && p.y >= kTileSize - 64 - kOnGrid;
-  });
-  if (!in_range || problem_of(shape)) return {};
-  const bool is_full = shape.tiles == 1 && shape.heights == std::vector<double>{kTileSize, kTileSize};
-  return is_full ? TileShape{.kind = TileShape::Kind::solid} : shape;
-}
-
-// Corners with the top side down, still clockwise.
-std::vector<Vec2> upside_down(std::vector<Vec2> corners) {
-  for (Vec2& p : corners) p.y = kTileSize - p.y;
-  std::reverse(corners.begin(), corners.end());
-  return corners;
-}
-
-std::vector<Vec2> points_in_tile(const TiledObject& object) {
-  if (object.form == TiledObject::Form::box) {
-    const Vec2 p = object.position, s = object.size;
-    return {p, {p.x + s.x, p.y}, p + s, {p.x, p.y + s.y}};
-  }
-  std::vector<Vec2> points;
-  for (const Vec2 p : object.points) points.push_back(object.position + p);
-  return points;
-}
-
 void add(TiledProperties& properties, std::string_view name, double value) {
   properties.push_back({std::string(name), value});
 }
@@ -258,24 +154,6 @@ TiledProperties tiled_properties(const TileShape& shape) {
   if (shape.one_way) properties.push_back({"shape_one_way", true});
   if (shape.side == TileShape::Side::ceiling) properties.push_back({"shape_side", std::string("ceiling")});
   return properties;
-}
-
-std::optional<TileShape> tile_shape_of(const TiledObject& object) {
-  const bool is_closed = object.form == TiledObject::Form::box || object.form == TiledObject::Form::polygon;
-  if (!is_closed || object.rotation != 0) return {};
-  std::vector<Vec2> corners = corners_of(points_in_tile(object));
-  const double area = area_of(corners);
-  if (corners.size() < 3 || std::abs(area) < kOnGrid) return {};
-  if (area < 0) std::reverse(corners.begin(), corners.end());
-  const auto rightmost =
-      std::max_element(corners.begin(), corners.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
-  const double width = std::round(rightmost->x / kTileSize) * kTileSize;
-  if (width < kTileSize || width > kMaxShapeTiles * kTileSize || !is_near(width, rightmost->x)) return {};
-  if (const auto line = floor_line(corners, width); !line.empty()) {
-    if (auto shape = shape_under(line, width, TileShape::Side::floor)) return shape;
-  }
-  const auto line = floor_line(upside_down(corners), width);
-  return line.empty() ? std::nullopt : shape_under(line, width, TileShape::Side::ceiling);
 }
 
 TiledObject tiled_object(const Spawn& spawn) {

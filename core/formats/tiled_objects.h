@@ -19,10 +19,6 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape);
 // What a tile with the shape says of it in words: `shape`, "solid", "slope" or "profile"; where they are not
 // so, `shape_side`, "floor", and `shape_one_way`, false; `shape_heights`, "0 8", in px; none for no shape.
 TiledProperties tiled_properties(const TileShape& shape);
-// The shape that a box or polygon is: the whole tile, or one with a level bottom or top side, upright ends
-// and between them one line over the tile's columns, that begins at the tile's left side and is whole tiles
-// wide. Nothing for any other. `one_way` is not the outline's to say.
-std::optional<TileShape> tile_shape_of(const TiledObject& object);
 
 TiledObject tiled_object(const Spawn& spawn);
 // Of an object of the type "ball" or "player"; nothing for others. A point gets a box of 8x8 px.

@@ -4,19 +4,24 @@
 #include <algorithm>
 #include <set>
 
+#include "tiled_shapes.h"
+
 namespace talus {
 namespace {
 
-constexpr std::string_view kTakeUsed = ": `talus import --tiles-used` takes those that are shown";
+constexpr const char* kTakeUsed = "`talus import --tiles-used` takes those that are shown";
 
-FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message) {
+FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message,
+                       std::string remedy = {}) {
   const auto width = static_cast<std::size_t>(map.width);
   return {"layer \"" + layer.name + "\", cell (" + std::to_string(cell % width) + ", " +
               std::to_string(cell / width) + ")",
-          std::move(message)};
+          std::move(message), std::move(remedy)};
 }
 
-FormatError whole_error(std::string message) { return {"", std::move(message)}; }
+FormatError whole_error(std::string message, std::string remedy = {}) {
+  return {"", std::move(message), std::move(remedy)};
+}
 
 // Columns and tiles of a tileset, reckoned from its picture where it does not say.
 struct TilesetGrid {
@@ -101,16 +106,17 @@ FormatResult<int> TileNumberer::only_tileset(const std::vector<TiledSource>& cel
     if (source.tileset >= 0) shown.insert(source.tileset);
   }
   if (shown.size() > 1) {
-    return tl::unexpected(whole_error("shows tiles of " + std::to_string(shown.size()) +
-                                      " tilesets, and a level has one" + std::string(kTakeUsed)));
+    return tl::unexpected(whole_error(
+        "shows tiles of " + std::to_string(shown.size()) + " tilesets, and a level has one", kTakeUsed));
   }
   const int only = !shown.empty() ? *shown.begin() : order_.empty() ? -1 : order_.front();
   for (const int i : order_) {
     if (i != only) drops_.add("the tileset \"" + tileset(i).name + "\", which the map does not show");
   }
   if (only >= 0 && grid_of(tileset(only)).count > kTileCount) {
-    return tl::unexpected(whole_error("has a tileset of " + std::to_string(grid_of(tileset(only)).count) +
-                                      " tiles, and a level has 256" + std::string(kTakeUsed)));
+    return tl::unexpected(whole_error(
+        "has a tileset of " + std::to_string(grid_of(tileset(only)).count) + " tiles, and a level has 256",
+        kTakeUsed));
   }
   return only;
 }
@@ -136,8 +142,10 @@ FormatResult<void> TileNumberer::free_tile_0() {
   const auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
                                   [&](const TiledSource& source) { return is_blank(source); });
   if (blank == tiles_.sources.end()) {
+    const std::set<std::uint32_t> cells(layer_.cells.begin(), layer_.cells.end());
     return tl::unexpected(cell_error(layer_, map_, static_cast<std::size_t>(empty - layer_.cells.begin()),
-                                     "is empty, and each of the 256 tiles is drawn: none is left for it"));
+                                     "is empty, and each of the 256 tiles is drawn: none is left for it",
+                                     cells.size() <= kTileCount ? kTakeUsed : ""));
   }
   std::swap(tiles_.sources[0], *blank);
   drops_.add("the number of tile 0, which is now " + std::to_string(blank - tiles_.sources.begin()) +
@@ -164,7 +172,7 @@ FormatResult<TiledTiles> TileNumberer::as_they_are() {
   if (turned != cells->end()) {
     return tl::unexpected(
         cell_error(layer_, map_, static_cast<std::size_t>(turned - cells->begin()),
-                   "holds a tile that is mirrored or turned, which those of a level are not: "
+                   "holds a tile that is mirrored or turned, which those of a level are not",
                    "`talus import --tiles-used` makes a tile of its own of it"));
   }
   if (*only >= 0) {
@@ -238,20 +246,15 @@ PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const 
 }
 
 TiledObject turned(const TiledObject& object, std::uint32_t turn) {
-  TiledObject result = object;
-  if (turn == 0) return result;
-  if (object.form == TiledObject::Form::box) {
-    result.form = TiledObject::Form::polygon;
-    result.points = {{0, 0}, {object.size.x, 0}, object.size, {0, object.size.y}};
-    result.size = {};
-  }
+  TiledObject result;
+  result.form = TiledObject::Form::polygon;
+  result.points = outline_of(object);
+  if (turn == 0 || result.points.empty()) return object;
   for (Vec2& p : result.points) {
-    p = p + object.position;
     if (turn & kTiledFlipXY) std::swap(p.x, p.y);
     if (turn & kTiledFlipX) p.x = kTileSize - p.x;
     if (turn & kTiledFlipY) p.y = kTileSize - p.y;
   }
-  result.position = {};
   return result;
 }
 

@@ -39,7 +39,7 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
 // The sheet of 128x128 px that the level's tiles make. Transparent where nothing is known.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
-// The outline as cells that turn it show it.
+// A box or polygon as cells that turn it show it; others stay as they are.
 TiledObject turned(const TiledObject& object, std::uint32_t turn);
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null: there is nothing about it

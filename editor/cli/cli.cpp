@@ -84,7 +84,8 @@ std::optional<Level> load_or_fail(CommandContext& context, const std::string& fi
                                   const ImportChoices& choices) {
   FormatResult<LoadedLevel> loaded = load_level(file, choices);
   if (!loaded) {
-    fail(context, file, loaded.error().place, loaded.error().message);
+    context.err << to_string(loaded.error(), file) << '\n';
+    context.status = kExitBad;
     return std::nullopt;
   }
   for (const std::string& what : loaded->dropped)

@@ -76,24 +76,19 @@ TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
             (TileShape{.kind = Kind::slope, .one_way = true, .heights = {3, 3}}));
 }
 
-TEST(ImportTiled, OtherOutlinesAreTold) {
-  const std::vector<std::string> others = {
-      R"({"x":2,"y":0,"width":6,"height":8})",                                // not the whole width
-      R"({"x":0,"y":2,"width":8,"height":3})",                                // in the air
-      R"({"x":0,"y":0,"width":8,"height":8,"rotation":10})",                  //
-      R"({"x":0,"y":0,"width":8,"height":8,"ellipse":true})",                 //
-      polygon(R"({"x":0,"y":8},{"x":4,"y":0},{"x":2,"y":6},{"x":8,"y":8})"),  // overhangs
-      polygon(R"({"x":0,"y":8},{"x":0,"y":0},{"x":8,"y":8},{"x":8,"y":0})"),  // crosses itself
-      polygon(R"({"x":0,"y":8},{"x":8,"y":8})"),                              //
-      R"({"x":0,"y":0,"polyline":[{"x":0,"y":8},{"x":8,"y":0}]})",            //
-      polygon(R"({"x":0,"y":0.3},{"x":0.123,"y":0.2},{"x":8,"y":0.1},{"x":8,"y":8},{"x":0,"y":8})")};
+TEST(ImportTiled, WhatIsNoOutlineOfATileIsTold) {
+  const std::vector<std::string> others = {R"({"x":0,"y":0,"width":8,"height":8,"ellipse":true})",
+                                           R"({"x":0,"y":0,"polyline":[{"x":0,"y":8},{"x":8,"y":0}]})"};
   for (const std::string& object : others) {
     const LoadedLevel loaded = read(map_text({.tiles = tile_text(object)}));
     EXPECT_EQ(loaded.level.tile_shapes[17], TileShape()) << object;
     EXPECT_THAT(loaded.dropped,
-                testing::Contains("a collision shape of a tile, which is no floor, ceiling or whole tile"))
+                testing::Contains("a collision shape of tile 17 (5 in Tiled), which is no box or polygon"))
         << object;
   }
+  const LoadedLevel flat = read(map_text({.tiles = tile_text(polygon(R"({"x":0,"y":8},{"x":8,"y":8})"))}));
+  EXPECT_THAT(flat.dropped, testing::Contains("the outline of tile 17 (5 in Tiled), of which nothing is in "
+                                              "the tile or up and right of it"));
 }
 
 TEST(ImportTiled, FlagsComeByNumberAndByName) {
@@ -346,7 +341,42 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
   EXPECT_EQ(loaded->level.tile_shapes[3], (TileShape{.kind = Kind::slope, .heights = {4, 0}}));
   EXPECT_EQ(loaded->level.tile_shapes[2],
             (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 4}}));
-  EXPECT_EQ(loaded->level.tile_shapes[4], TileShape()) << "it is steeper than a line over its columns can be";
+  EXPECT_EQ(loaded->level.tile_shapes[4], (TileShape{.kind = Kind::profile, .heights = {8, 0, 0}}))
+      << "as steep as it is";
+}
+
+TEST(ImportTiled, TakesALayerByItsNumberWhereNoneHasThatName) {
+  const std::string text =
+      map_text({.layers = R"(,{"type":"tilelayer","name":"ground","width":2,"height":2,"data":[3,3,3,3]})"});
+  FormatContext context{"tmj"};
+  const auto first_cell = [&] {
+    const auto loaded = read_level(text, context);
+    return loaded ? loaded->level.map.at({0, 0}) : 255;
+  };
+  context.choices.layer = "ground";
+  EXPECT_EQ(first_cell(), 0) << "of two of one name the first";
+  context.choices.layer = "2";
+  EXPECT_EQ(first_cell(), 2);
+  context.choices = {.layer_number = 2};
+  EXPECT_EQ(first_cell(), 2);
+  context.choices = {.layer_number = 3};
+  EXPECT_EQ(first_cell(), 255);
+}
+
+// A tileset of which each tile says something, so that none is free for empty cells.
+TEST(ImportTiled, SaysHowEmptyCellsGetATile) {
+  std::string tiles, cells;
+  for (int id = 0; id < kTileCount; ++id)
+    tiles += (id == 0 ? "" : ",") + std::string(R"({"id":)") + std::to_string(id) + "}";
+  std::string text = map_text({.cells = "1,0,1,1", .tiles = tiles});
+  const std::string count = "\"tilecount\":16";
+  text.replace(text.find(count), count.size(), "\"tilecount\":256");
+  EXPECT_EQ(error_of(text),
+            "map:layer \"ground\", cell (1, 0): error: is empty, and each of the 256 tiles is drawn: none is "
+            "left for it: `talus import --tiles-used` takes those that are shown");
+  FormatContext used{"tmj"};
+  used.choices.used_tiles = true;
+  EXPECT_TRUE(read_level(text, used));
 }
 
 class ImportTiledFiles : public FolderTest {
@@ -422,7 +452,7 @@ TEST_F(ImportTiledFiles, EmptyCellsBesideADrawnTile0GetAnother) {
   put("cave.tmj", text);
   put("cave.png", write_png_part(level, PngPart::tiles));
   const auto loaded = load_level(path("cave.tmj"));
-  ASSERT_TRUE(loaded);
+  ASSERT_TRUE(loaded) << to_string(loaded.error(), "map");
   EXPECT_EQ(loaded->level.map.at({2, 3}), 0);
   EXPECT_EQ(loaded->level.map.at({0, 0}), 8) << "the first blank one";
   EXPECT_EQ(loaded->level.sheet(SheetId::tiles).images[8][0], 2);

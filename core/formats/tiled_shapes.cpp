@@ -1,0 +1,260 @@
+// The exact shapes edge by edge, the nearest ones by columns.
+#include "tiled_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tiled_objects.h"
+
+namespace talus {
+namespace {
+
+constexpr double kSamePlace = 1.0 / 1024;  // px; nearer numbers are taken for the same
+constexpr double kHighest = kMaxShapeTiles * kTileSize;
+
+using Line = std::vector<Vec2>;  // from left to right
+
+bool is_at(double a, double b) { return std::abs(a - b) <= kSamePlace; }
+
+// Twice the area; positive when the points go round clockwise on the screen.
+double area_of(const Line& points) {
+  double area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 a = points[i], b = points[(i + 1) % points.size()];
+    area += a.x * b.y - a.y * b.x;
+  }
+  return area;
+}
+
+// Whole tiles from x 0 to an outline's right end.
+double width_of(const Line& points) {
+  double right = 0;
+  for (const Vec2 p : points) right = std::max(right, p.x);
+  return std::clamp(std::ceil((right - kSamePlace) / kTileSize), 1.0, double{kMaxShapeTiles}) * kTileSize;
+}
+
+Line upside_down(Line points) {
+  for (Vec2& p : points) p.y = kTileSize - p.y;
+  return points;
+}
+
+// Without those between two others on one line. The line goes on to the right, so that none is a turning
+// back.
+Line corners_of(const Line& line) {
+  Line corners;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == line.size();
+    if (!is_end) {
+      const Vec2 from = corners.back(), to = line[i + 1];
+      if (is_at(line[i].y, from.y + (to.y - from.y) * ((line[i].x - from.x) / (to.x - from.x)))) continue;
+    }
+    corners.push_back(line[i]);
+  }
+  return corners;
+}
+
+// The edges of an outline that go to the right, one after the other, when all others are level at y 8 or
+// upright at x 0 and `width`; the outline is clockwise. Empty when it is otherwise.
+Line upper_line(const Line& points, double width) {
+  const std::size_t count = points.size();
+  const auto at = [&](std::size_t i) { return points[i % count]; };
+  const auto goes_right = [&](std::size_t i) { return at(i + 1).x > at(i).x + kSamePlace; };
+  std::size_t first = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (goes_right(i) && (first == count || at(i).x < at(first).x)) first = i;
+  }
+  if (first == count) return {};
+  Line line = {at(first)};
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Vec2 from = at(i), to = at(i + 1);
+    if (goes_right(i)) {
+      if (!is_at(from.x, line.back().x) || !is_at(from.y, line.back().y)) return {};
+      line.push_back(to);
+    } else if (to.x < from.x - kSamePlace) {
+      if (!is_at(from.y, kTileSize) || !is_at(to.y, kTileSize)) return {};
+    } else if (!is_at(from.y, to.y) && !is_at(from.x, 0) && !is_at(from.x, width)) {
+      return {};
+    }
+  }
+  return line;
+}
+
+// With what lies on the bottom beside it, from x 0 to `width`. Empty when the line does not end there.
+Line over_whole_tiles(Line line, double width) {
+  if (line.empty() || line.front().x < -kSamePlace || line.back().x > width + kSamePlace) return {};
+  if (line.front().x > kSamePlace) {
+    if (!is_at(line.front().y, kTileSize)) return {};
+    line.insert(line.begin(), {0, kTileSize});
+  }
+  if (line.back().x < width - kSamePlace) {
+    if (!is_at(line.back().y, kTileSize)) return {};
+    line.push_back({width, kTileSize});
+  }
+  return line;
+}
+
+// The heights of a line at the fewest equal distances that have all its corners; empty: at none.
+std::vector<double> heights_of(const Line& line, double width) {
+  for (int parts = 1; parts < kMaxShapeHeights; ++parts) {
+    const double step = width / parts;
+    const bool fits = std::all_of(line.begin(), line.end(),
+                                  [&](Vec2 p) { return is_at(p.x, std::round(p.x / step) * step); });
+    if (!fits) continue;
+    std::vector<double> heights;
+    std::size_t at = 0;
+    for (int i = 0; i <= parts; ++i) {
+      const double x = i * step;
+      while (at + 2 < line.size() && line[at + 1].x < x - kSamePlace) ++at;
+      const Vec2 from = line[at], to = line[at + 1];
+      const double y = is_at(x, from.x) ? from.y
+                       : is_at(x, to.x) ? to.y
+                                        : from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));
+      heights.push_back(std::clamp(weld(kTileSize - y), 0.0, kHighest));
+    }
+    return heights;
+  }
+  return {};
+}
+
+std::optional<TileShape> shape_under(const Line& line, double width, TileShape::Side side) {
+  if (line.empty()) return {};
+  TileShape shape;
+  shape.side = side;
+  shape.tiles = static_cast<int>(std::lround(width / kTileSize));
+  shape.heights = heights_of(corners_of(line), width);
+  shape.kind = shape.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
+  const bool in_range = std::all_of(line.begin(), line.end(), [](Vec2 p) {
+    return p.y <= kTileSize + kSamePlace && p.y >= kTileSize - kHighest - kSamePlace;
+  });
+  if (!in_range || problem_of(shape)) return {};
+  const bool is_full = shape.tiles == 1 && shape.heights == std::vector<double>{kTileSize, kTileSize};
+  return is_full ? TileShape{.kind = TileShape::Kind::solid} : shape;
+}
+
+// ---- The nearest ----
+
+struct Stretch {  // of a column, from the upper y to the lower one
+  double from, to;
+  double length() const { return std::max(0.0, to - from); }
+};
+
+// What of an upright line is in the outline, from top to bottom, as far as shapes reach.
+std::vector<Stretch> column_at(const Line& outline, double x) {
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    if ((a.x <= x) != (b.x <= x))
+      crossings.push_back(std::clamp(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x)), -kHighest, 2 * kHighest));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<Stretch> column;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (crossings[i] < crossings[i + 1]) column.push_back({crossings[i], crossings[i + 1]});
+  }
+  return column;
+}
+
+// Of the upper line at x; the bottom where there is nothing.
+double top_at(const Line& outline, double x) {
+  const std::vector<Stretch> column = column_at(outline, x);
+  return column.empty() ? kTileSize
+                        : std::clamp(column.front().from, kTileSize - kHighest, double{kTileSize});
+}
+
+struct Candidate {
+  TileShape shape;
+  double both = 0, more = 0, less = 0;  // px², see NearestShape
+  bool is_mostly_air() const { return more > (both + less) / 2; }
+};
+
+// A floor along the upper line, with corners as near to one another as a profile can have them.
+std::optional<Candidate> nearest_floor(const Line& outline) {
+  constexpr int kParts = kMaxShapeHeights - 1;
+  constexpr double kBeside = 1.0 / 4096;  // px, to either side of a corner
+  const double width = width_of(outline), step = width / kParts;
+  Line line;
+  for (int i = 0; i <= kParts; ++i) {
+    const double x = i * step;
+    const double left = top_at(outline, i == 0 ? kBeside : x - kBeside);
+    const double right = top_at(outline, i == kParts ? width - kBeside : x + kBeside);
+    line.push_back({x, weld(std::min(left, right))});
+  }
+  auto shape = shape_under(line, width, TileShape::Side::floor);
+  if (!shape) return {};
+  Candidate nearest{*std::move(shape)};
+  constexpr int kSamples = 4;  // of each part
+  const double thickness = step / kSamples;
+  for (int i = 0; i < kParts * kSamples; ++i) {
+    const std::size_t part = static_cast<std::size_t>(i / kSamples);
+    const double along = (i % kSamples + 0.5) / kSamples;
+    const Stretch ground{line[part].y + (line[part + 1].y - line[part].y) * along, kTileSize};
+    double both = 0, there = 0;
+    for (const Stretch& s : column_at(outline, (i + 0.5) * thickness)) {
+      there += s.length();
+      both += Stretch{std::max(s.from, ground.from), std::min(s.to, ground.to)}.length();
+    }
+    nearest.both += both * thickness;
+    nearest.more += (ground.length() - both) * thickness;
+    nearest.less += (there - both) * thickness;
+  }
+  for (double x = -kHighest + 0.25; x < 0; x += 0.5) {  // left of the tile
+    for (const Stretch& s : column_at(outline, x)) nearest.less += s.length() / 2;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Vec2> outline_of(const TiledObject& object) {
+  Line points = object.points;
+  if (object.form == TiledObject::Form::box)
+    points = {{0, 0}, {object.size.x, 0}, object.size, {0, object.size.y}};
+  else if (object.form != TiledObject::Form::polygon)
+    return {};
+  const double angle = object.rotation * std::numbers::pi / 180;
+  const Vec2 right = object.rotation == 0 ? Vec2{1, 0} : Vec2{std::cos(angle), std::sin(angle)};
+  for (Vec2& p : points)
+    p = object.position + Vec2{p.x * right.x - p.y * right.y, p.x * right.y + p.y * right.x};
+  return points;
+}
+
+std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool one_way) {
+  Line points = outline;
+  const double area = area_of(points), width = width_of(points);
+  if (std::abs(area) < kSamePlace) return {};
+  if (area < 0) std::reverse(points.begin(), points.end());
+  for (const auto side : {TileShape::Side::floor, TileShape::Side::ceiling}) {
+    if (side == TileShape::Side::ceiling) {
+      points = upside_down(points);
+      std::reverse(points.begin(), points.end());  // clockwise again
+    }
+    const Line upper = upper_line(points, width), line = over_whole_tiles(upper, width);
+    // The line of a one-way tile stops bodies at the bottom, too.
+    if (one_way && line.size() != upper.size()) continue;
+    if (auto shape = shape_under(line, width, side)) {
+      shape->one_way = one_way;
+      return shape;
+    }
+  }
+  return {};
+}
+
+std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline) {
+  const bool is_in_reach = std::all_of(outline.begin(), outline.end(), [](Vec2 p) {
+    return std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate;
+  });
+  if (!is_in_reach) return {};
+  auto floor = nearest_floor(outline), ceiling = nearest_floor(upside_down(outline));
+  if (!floor || !ceiling || floor->both + ceiling->both < kSamePlace) return {};
+  if (floor->is_mostly_air() && ceiling->is_mostly_air()) {
+    floor->shape.one_way = true;
+    return NearestShape{std::move(floor->shape), 0, floor->both + floor->less};
+  }
+  const bool is_floor = floor->more + floor->less <= ceiling->more + ceiling->less;
+  Candidate& best = is_floor ? *floor : *ceiling;
+  if (!is_floor && best.shape.kind != TileShape::Kind::solid) best.shape.side = TileShape::Side::ceiling;
+  return NearestShape{std::move(best.shape), best.more, best.less};
+}
+
+}  // namespace talus
