@@ -15,6 +15,7 @@
 #include "input_roll_panel.h"
 #include "inspector_panel.h"
 #include "keys_panel.h"
+#include "level_import_panel.h"
 #include "menu_panel.h"
 #include "message_panel.h"
 #include "metrics_panel.h"
@@ -80,6 +81,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<ResizePanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));
   panels.push_back(place<PictureImportPanel>(Region::floating));
+  panels.push_back(place<LevelImportPanel>(Region::floating));
   panels.push_back(place<QuestionPanel>(Region::floating));
   panels.push_back(place<MessagePanel>(Region::floating));
   return panels;

@@ -53,4 +53,52 @@ TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
               testing::HasSubstr("room.tmx:line 1: error: is a map of the orientation "));
 }
 
+// Two layers, and a tile that is mirrored in the second.
+constexpr const char* kTwoLayers =
+    "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+    "<tileset firstgid=\"1\" name=\"t\" tilewidth=\"8\" tileheight=\"8\" tilecount=\"16\" columns=\"16\"/>"
+    "<layer name=\"back\"><data encoding=\"csv\">3,0</data></layer>"
+    "<layer name=\"front\"><data encoding=\"csv\">2147483654,6</data></layer></map>";
+
+TEST_F(SessionImportTest, AsksWhereTheMapHoldsMoreThanALevelCan) {
+  put("two.tmx", kTwoLayers);
+  Session session;
+  session.apply(action::OpenFile{path("two.tmx")});
+  EXPECT_FALSE(session.message());
+  ASSERT_TRUE(session.level_import());
+  const LevelImport& import = *session.level_import();
+  ASSERT_EQ(import.layers.size(), 2u);
+  EXPECT_EQ(import.layers[0].name, "back");
+  EXPECT_EQ(import.layers[0].cells, 1u);
+  EXPECT_EQ(import.choices, (ImportChoices{.layer_number = 2, .used_tiles = true}))
+      << "so that it can be opened";
+  EXPECT_EQ(import.plan->level.map.at({1, 0}), 1);
+
+  session.apply(action::SetLevelImport{{.layer_number = 2}});
+  EXPECT_FALSE(session.level_import()->plan) << "a tile is mirrored";
+  session.apply(action::ApplyLevelImport{});
+  EXPECT_TRUE(session.level_import()) << "it waits for another choice";
+  session.apply(action::SetLevelImport{{.layer_number = 1}});
+  ASSERT_TRUE(session.level_import()->plan);
+  session.apply(action::ApplyLevelImport{});
+  EXPECT_FALSE(session.level_import());
+  EXPECT_THAT(session.level().map.cells(), testing::ElementsAre(2, 0));
+  EXPECT_EQ(session.path(), "");
+  ASSERT_TRUE(session.message());
+  EXPECT_THAT(session.message()->text, testing::HasSubstr("Not in it: the layer \"front\""));
+}
+
+TEST_F(SessionImportTest, CancellingLeavesTheLevelAsItIs) {
+  put("two.tmx", kTwoLayers);
+  Session session;
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  session.apply(action::OpenFile{path("two.tmx")});
+  EXPECT_FALSE(session.level_import()) << "unsaved changes are asked about first";
+  session.apply({action::AnswerQuestion{action::Answer::discard}, action::CancelLevelImport{}});
+  EXPECT_FALSE(session.level_import());
+  session.apply(action::ApplyLevelImport{});
+  EXPECT_EQ(session.level().map.at({0, 0}), 4);
+  EXPECT_TRUE(session.modified());
+}
+
 }  // namespace talus::session_import_test

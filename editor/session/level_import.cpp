@@ -1,0 +1,24 @@
+// First choices.
+#include "level_import.h"
+
+#include <algorithm>
+
+namespace talus {
+
+LevelImport first_level_import(const std::string& path) {
+  LevelImport import{path, tiled_layers_of_file(path), {}, tl::unexpected(FormatError{})};
+  if (import.layers.size() > 1) {
+    const auto fullest =
+        std::max_element(import.layers.begin(), import.layers.end(),
+                         [](const TiledLayerName& a, const TiledLayerName& b) { return a.cells < b.cells; });
+    import.choices.layer_number = static_cast<int>(fullest - import.layers.begin()) + 1;
+  }
+  import.plan = load_level(path, import.choices);
+  if (!import.plan && !import.plan.error().remedy.empty()) {
+    import.choices.used_tiles = true;
+    import.plan = load_level(path, import.choices);
+  }
+  return import;
+}
+
+}  // namespace talus

@@ -1,0 +1,97 @@
+// The dialog that asks what of a map of Tiled becomes the level.
+#include <fstream>
+
+#include "harness.h"
+
+namespace talus::level_import_test {
+
+class UiLevelImport : public UiTest {
+ protected:
+  // Three layers, of which the second has the most tiles, one of them mirrored.
+  std::string save_map() {
+    std::ofstream(path("big.tmx"))
+        << R"(<map orientation="orthogonal" width="3" height="1" tilewidth="8" tileheight="8">)"
+           R"(<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="16" columns="16"/>)"
+           R"(<layer name="sky"><data encoding="csv">3,0,0</data></layer>)"
+           R"(<layer name="ground"><data encoding="csv">2147483654,6,0</data></layer>)"
+           R"(<layer name="sky"><data encoding="csv">4,0,0</data></layer></map>)";
+    return path("big.tmx");
+  }
+  void press_key(int key_code) {
+    key(key_code);
+    frames(3);
+  }
+  void press_letter(char letter) {
+    push_typing(std::string(1, letter));
+    frames(4);
+  }
+  const LevelImport& import() { return *session().level_import(); }
+};
+
+TEST_F(UiLevelImport, TheLayerIsChosenByTheMouse) {
+  start();
+  drop(save_map());
+  frames(3);
+  ASSERT_TRUE(session().level_import());
+  EXPECT_EQ(import().choices.layer_number, 2);
+  ASSERT_NE(find("choose/report"), nullptr) << "it can be opened at once";
+  click("choose/all_tiles");
+  frames(2);
+  ASSERT_NE(find("choose/error"), nullptr);
+  EXPECT_FALSE(find("choose/open")->enabled) << "a tile is mirrored";
+  click("choose/layer3");
+  frames(2);
+  EXPECT_NE(find("choose/report"), nullptr);
+  click("choose/open");
+  frames(3);
+  EXPECT_EQ(find("choose/open"), nullptr);
+  EXPECT_EQ(tile_at({0, 0}), 3) << "the number of a tile of Tiled counts from 1";
+  EXPECT_EQ(session().path(), "") << "the map is not written over";
+}
+
+TEST_F(UiLevelImport, TheKeysDoTheSame) {
+  start(save_map());
+  frames(3);
+  ASSERT_NE(find("choose/open"), nullptr) << "the program's argument is asked about, too";
+  for (int i = 0; i < 2; ++i) press_key(kKeyUp);  // over the tiles that are used
+  press_key(' ');
+  EXPECT_FALSE(import().choices.used_tiles);
+  ASSERT_NE(find("choose/error"), nullptr);
+  press_letter('o');
+  ASSERT_NE(find("choose/open"), nullptr) << "it cannot be opened so";
+  for (int i = 0; i < 3; ++i) press_key(kKeyUp);
+  press_key(' ');
+  EXPECT_EQ(import().choices, (ImportChoices{.layer_number = 1}));
+  press_key(kKeyDown);
+  press_key(' ');
+  for (int i = 0; i < 3; ++i) press_key(kKeyDown);
+  press_key(' ');
+  EXPECT_EQ(import().choices, (ImportChoices{.layer_number = 2, .used_tiles = true}));
+  press_letter('o');
+  EXPECT_EQ(find("choose/open"), nullptr);
+  EXPECT_EQ(level().map.width(), 3);
+  EXPECT_EQ(tile_at({1, 0}), 1);
+  EXPECT_EQ(tile_at({0, 0}), 2) << "a tile of its own for the mirrored one";
+}
+
+TEST_F(UiLevelImport, EnterOpensWhatIsProposed) {
+  start(save_map());
+  frames(3);
+  press_key(kKeyEnter);
+  EXPECT_EQ(find("choose/open"), nullptr);
+  EXPECT_EQ(level().map.width(), 3);
+}
+
+TEST_F(UiLevelImport, EscapeGoesBack) {
+  start();
+  const Level before = level();
+  drop(save_map());
+  frames(3);
+  ASSERT_NE(find("choose/cancel"), nullptr);
+  key(kKeyEscape);
+  frames(3);
+  EXPECT_EQ(find("choose/cancel"), nullptr);
+  EXPECT_TRUE(level() == before);
+}
+
+}  // namespace talus::level_import_test
