@@ -14,13 +14,18 @@ namespace {
 
 constexpr int kMaxCells = (1 << 23) / kTileSide - 1;  // px that 24.8 holds, with a cell to spare
 
-// What names begin with: the file's, made a word of C.
+// What names begin with: the file's, made a word of C, with one _ for whatever is none in between.
 std::string c_name(const std::string& stem) {
   std::string name;
   for (const char c : stem) {
     const auto byte = static_cast<unsigned char>(c);
-    name += byte < 128 && std::isalnum(byte) != 0 ? static_cast<char>(std::tolower(byte)) : '_';
+    if (byte < 128 && std::isalnum(byte) != 0)
+      name += static_cast<char>(std::tolower(byte));
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
   }
+  while (name.ends_with('_')) name.pop_back();
+  if (name.empty()) return "level";
   return name.front() >= 'a' && name.front() <= 'z' ? name : "level_" + name;
 }
 
@@ -80,11 +85,21 @@ std::string floor_row(const PlainShape& shape, int column, const std::string& no
   return text + '}';
 }
 
+bool is_same(const PlainShape& a, const PlainShape& b) {
+  return a.kind == b.kind && a.is_ceiling == b.is_ceiling && a.one_way == b.one_way && a.tiles == b.tiles &&
+         a.ys == b.ys;
+}
+
 class CHeader {
  public:
   CHeader(const Level& level, std::string name)
       : level_(level), name_(std::move(name)), macro_(upper(name_)), shapes_(plain_shapes(ground_of(level))) {
-    for (const PlainShape& shape : shapes_) by_tile_[static_cast<std::size_t>(shape.tile)] = &shape;
+    for (const PlainShape& shape : shapes_) {
+      const auto same = std::find_if(distinct_.begin(), distinct_.end(),
+                                     [&](const PlainShape* other) { return is_same(*other, shape); });
+      by_tile_[static_cast<std::size_t>(shape.tile)] = static_cast<int>(same - distinct_.begin()) + 1;
+      if (same == distinct_.end()) distinct_.push_back(&shape);
+    }
   }
 
   std::string take() {
@@ -125,7 +140,8 @@ class CHeader {
   const Level& level_;
   std::string name_, macro_;
   std::vector<PlainShape> shapes_;
-  std::array<const PlainShape*, kTileCount> by_tile_{};  // null: none
+  std::vector<const PlainShape*> distinct_;  // of tiles with the same shape the first one's
+  std::array<int, kTileCount> by_tile_{};    // from 1; 0: none
   std::string text_;
 };
 
@@ -173,35 +189,33 @@ void CHeader::put_map() {
 
 void CHeader::put_shapes() {
   line(
-      R"(/* Shapes by tile. kind: 0 none, 1 solid, 2 slope, 3 profile. is_ceiling: ground is above the line, from
-   the tile's top; else below it, to its bottom. one_way: the line alone stops bodies. tiles: its width; what
-   is beyond the first tile reaches over the cells to the right. more: the row of @_floors for the second tile
-   of a wide shape, which those of the others follow; else 0. The line goes through heights at equal distances,
-   @_ys[first] to @_ys[first + parts]. A slope is also y = y0 + (slope * x >> 8), x from the tile's left side:
-   both numbers are rounded, so that it is off by up to 1/512 px for each px of x; @_line_y is not.
+      R"(/* Shapes; tile t has @_shapes[@_shape_of[t]]. kind: 0 none, 1 solid, 2 slope, 3 profile. is_ceiling:
+   ground is above the line, from the tile's top; else below it, to its bottom. one_way: the line alone stops
+   bodies. tiles: its width; what is beyond the first tile reaches over the cells to the right. row: of
+   @_floors, for its first tile, which those of the others follow. The line goes through heights at equal
+   distances, @_ys[first] to @_ys[first + parts]. A slope is also y = y0 + (slope * x >> 8), x from the tile's
+   left side: both numbers are rounded, so that it is off by up to 1/512 px for each px of x; @_line_y is not.
    ^_WIDEST and ^_HIGHEST: how many tiles a shape reaches over, at most. */
 typedef struct @_shape {
   uint8_t kind, is_ceiling, one_way, tiles;
-  uint16_t more, first, parts;
+  uint16_t row, first, parts;
   int32_t slope, y0;
-} @_shape;
-static const @_shape @_shapes[256] = {)");
-  std::size_t more = kTileCount, first = 0;
+} @_shape;)");
+  text_ += "static const uint8_t " + name_ + "_shape_of[256] = " + c_list(by_tile_) + ";\n";
+  line("static const @_shape @_shapes[" + std::to_string(distinct_.size() + 1) + "] = {");
+  line("{0,0,0,0,0,0,0,0,0},");
+  std::size_t row = 1, first = 0;
   std::vector<std::int64_t> ys;
-  for (const PlainShape* shape : by_tile_) {
-    if (shape == nullptr) {
-      line("{0,0,0,0,0,0,0,0,0},");
-      continue;
-    }
+  for (const PlainShape* shape : distinct_) {
     const double width = shape->tiles * kTileSide;
     const bool is_slope = shape->kind == TileShape::Kind::slope;
     const double slope = is_slope ? (shape->ys.back() - shape->ys.front()) / width : 0;
-    std::string row = c_list(std::vector<std::int64_t>{
-        static_cast<int>(shape->kind), shape->is_ceiling, shape->one_way, shape->tiles,
-        shape->tiles > 1 ? static_cast<std::int64_t>(more) : 0, static_cast<std::int64_t>(first),
-        static_cast<std::int64_t>(shape->ys.size()) - 1, fixed(slope), fixed(shape->ys.front())});
-    line(row + ",");
-    more += static_cast<std::size_t>(shape->tiles) - 1;
+    line(c_list(std::vector<std::int64_t>{
+             static_cast<int>(shape->kind), shape->is_ceiling, shape->one_way, shape->tiles,
+             static_cast<std::int64_t>(row), static_cast<std::int64_t>(first),
+             static_cast<std::int64_t>(shape->ys.size()) - 1, fixed(slope), fixed(shape->ys.front())}) +
+         ",");
+    row += static_cast<std::size_t>(shape->tiles);
     first += shape->ys.size();
     for (const double y : shape->ys) ys.push_back(fixed(y));
   }
@@ -211,21 +225,19 @@ static const @_shape @_shapes[256] = {)");
 }
 
 void CHeader::put_floors() {
-  line(
-      R"(/* By tile, then the further columns of wide shapes: where bodies can stand, in the middle of each column
-   of pixels. ^_NO_FLOOR: nowhere. */
-#define ^_NO_FLOORS \
-  {^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR, ^_NO_FLOOR})");
-  std::string rows, more;
-  std::size_t count = kTileCount;
+  std::string rows;
+  std::size_t count = 1;
   const std::string none = macro_ + "_NO_FLOOR";
-  for (const PlainShape* shape : by_tile_) {
-    rows += (shape == nullptr ? none + "S" : floor_row(*shape, 0, none)) + ",\n";
-    for (int column = 1; shape != nullptr && column < shape->tiles; ++column, ++count)
-      more += floor_row(*shape, column, none) + ",\n";
+  for (const PlainShape* shape : distinct_) {
+    for (int column = 0; column < shape->tiles; ++column, ++count)
+      rows += floor_row(*shape, column, none) + ",\n";
   }
+  line(
+      R"(/* Where bodies can stand, in the middle of each column of pixels: first of tiles without a shape, then of
+   each tile that a shape reaches over to the right, see `row`. ^_NO_FLOOR: nowhere. */)");
   line("static const int32_t @_floors[" + std::to_string(count) + "][8] = {");
-  text_ += rows + more;
+  line("{^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR},");
+  text_ += rows;
   line("};\n");
 }
 
@@ -267,7 +279,7 @@ static inline int32_t @_floor_below(int32_t x, int32_t y) {
   if (x < 0 || x >= ^_WIDTH * 2048) return best;
   for (row = y < 0 ? 0 : y >> 11; row < ^_HEIGHT && best > (row + 1 - ^_HIGHEST) * 2048; ++row) {
     for (left = 0; left < ^_WIDEST && left <= x >> 11; ++left) {
-      const @_shape *shape = &@_shapes[@_map[row][(x >> 11) - left]];
+      const @_shape *shape = &@_shapes[@_shape_of[@_map[row][(x >> 11) - left]]];
       int32_t line, floor;
       if (left >= shape->tiles) continue;
       line = @_line_y(shape, (x & 2047) + left * 2048);

@@ -25,17 +25,29 @@ TEST(ExportC, NamesComeFromTheFiles) {
   EXPECT_THAT(header(Level(), "My-Cave 2.h"), HasSubstr("#ifndef MY_CAVE_2_INCLUDED\n"));
   EXPECT_THAT(header(Level(), "2.h"), HasSubstr("static const uint8_t level_2_map[LEVEL_2_HEIGHT]"));
   EXPECT_THAT(header(Level(), "-"), HasSubstr("#define LEVEL_WIDTH 240\n"));
+  EXPECT_THAT(header(Level(), "H\u00f6hle 1 \u2013 \u2603.h"), HasSubstr("#define H_HLE_1_WIDTH 240\n"));
 }
 
 TEST(ExportC, HoldsFloorsAndSlopesIn256ths) {
   const std::string text = header(level_of_shapes({"25"}));
   EXPECT_THAT(text, HasSubstr("cave_map[CAVE_HEIGHT][CAVE_WIDTH] = {\n{2,5},\n};"));
-  EXPECT_THAT(text, HasSubstr("\n{2,0,0,1,0,2,1,-256,2048},\n"));    // tile 2: down a px each px
-  EXPECT_THAT(text, HasSubstr("\n{2,0,0,3,256,11,1,-85,2048},\n"));  // tile 5: three tiles wide
+  EXPECT_THAT(text, HasSubstr("\n{2,0,0,1,2,2,1,-256,2048},\n"));  // tile 2: down a px each px
+  EXPECT_THAT(text, HasSubstr("\n{2,0,0,3,5,11,1,-85,2048},\n"));  // tile 5: three tiles wide
   EXPECT_THAT(text, HasSubstr("_ys[] = {0,0,2048,0,0,2048,2048,1024,512,1024,2048,2048,0,0,2048,"));
-  EXPECT_THAT(text, HasSubstr("cave_floors[266][8] = {"));
+  EXPECT_THAT(text, HasSubstr("cave_floors[23][8] = {"));
   EXPECT_THAT(text, HasSubstr("\n{1920,1664,1408,1152,896,640,384,128},\n"));  // tile 2
   EXPECT_THAT(text, HasSubstr("#define CAVE_WIDEST 8\n#define CAVE_HIGHEST 8\n"));
+}
+
+TEST(ExportC, TilesOfOneShapeShareItsRows) {
+  Level level;
+  level.map = TileMap(40, 20);
+  for (const std::size_t tile : {3u, 7u, 200u}) level.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
+  const std::string text = header(level);
+  EXPECT_THAT(text, HasSubstr("cave_shape_of[256] = {0,0,0,1,0,0,0,1,0,"));
+  EXPECT_THAT(text, HasSubstr("cave_shapes[2] = {\n{0,0,0,0,0,0,0,0,0},\n{1,0,0,1,1,0,1,0,0},\n};\n"));
+  EXPECT_THAT(text, HasSubstr("cave_floors[2][8] = {\n"));
+  EXPECT_LT(text.size(), 8000u) << "it was 16 KB, mostly rows of tiles without floors";
 }
 
 TEST(ExportC, WithoutShapesThereIsNoFloor) {
