@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "json_text.h"
+
 namespace talus {
 namespace {
 
@@ -108,6 +110,13 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 std::string size_text(const TileMap& map) {
   return std::to_string(map.width()) + "x" + std::to_string(map.height());
+}
+
+// extra: as Level has it. What a hard case is, is known, and of no use to a game.
+bool has_unknown_keys(const std::string& extra) {
+  if (extra.empty()) return false;
+  const auto keys = parse_json(extra);
+  return !keys || keys->size() > (keys->contains("hard_case") ? 1U : 0U);
 }
 
 }  // namespace
@@ -227,7 +236,7 @@ FormatResult<std::vector<std::string>> dropped_by_carts(const Level& level) {
   if (!level.brushes.empty()) dropped.emplace_back("the brushes");
   if (!level.auto_tiles.empty()) dropped.emplace_back("the tiles of painted ground");
   if (!level.exports.empty()) dropped.push_back(counted(level.exports.size(), "export preset"));
-  if (!level.extra.empty()) dropped.emplace_back("keys that this version does not know");
+  if (has_unknown_keys(level.extra)) dropped.emplace_back("keys that this version does not know");
   return dropped;
 }
 

@@ -17,6 +17,8 @@ Exported exported(const Level& level, std::string_view id) {
 
 TEST(ExportLove, SaysThatTheGameMovesByExact) {
   Level level;
+  level.map = TileMap(40, 20);  // which a cart's code has, too
+  level.map.set({39, 19}, 7);
   for (const char* id : {"love", "lua-runtime", "tic-playable", "tic-text-playable"}) {
     level.tuning.solver = SolverKind::exact;
     EXPECT_EQ(exported(level, id).dropped, std::vector<std::string>{}) << id;
@@ -25,6 +27,19 @@ TEST(ExportLove, SaysThatTheGameMovesByExact) {
               std::vector<std::string>{"the solver article: the game moves by exact"})
         << id;
   }
+}
+
+TEST(ExportLove, ACartHasTheMapAtItsTopLeft) {
+  Level level;
+  level.map = TileMap(40, 20);
+  level.map.set({39, 19}, 7);
+  level.map.set({0, 1}, 5);
+  const auto cart = read_level(exported(level, "tic-playable").files.front().bytes, {"tic"});
+  ASSERT_TRUE(cart);
+  TileMap map;
+  map.set({39, 19}, 7);
+  map.set({0, 1}, 5);
+  EXPECT_EQ(cart->level.map, map);
 }
 
 TEST(ExportLove, WritesAFolderThatNeedsNothingElse) {

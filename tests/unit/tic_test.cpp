@@ -197,6 +197,10 @@ TEST(Tic, ListsWhatACartCannotHold) {
               ElementsAre("2 spawns", "1 flag name", "the flag roles", "the tuning",
                           "the map's size of 30x17 (a cart's map is 240x136)",
                           "keys that this version does not know"));
+  level.extra = R"({"hard_case":{"number":1}})";
+  EXPECT_THAT(write_tic(level, {})->dropped,
+              testing::Not(testing::Contains("keys that this version does not know")))
+      << "a hard case is known";
 }
 
 TEST(Tic, AMapTooLargeIsAnError) {
