@@ -1,4 +1,6 @@
 // The window of exports: presets, what they would write, and writing it.
+#include <imgui_internal.h>
+
 #include <chrono>
 #include <thread>
 
@@ -260,7 +262,7 @@ TEST_F(UiExport, ALongPreviewShowsItsShareAndIsCancelled) {
   settle();
 }
 
-TEST_F(UiExport, TheMessageAndTheTooltipsCoverNothingOfTheWindow) {
+TEST_F(UiExport, TheMessageAndTheTooltipsOfButtonsCoverNoControl) {
   for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{2560, 1440}}) {
     start("", width, height);
     open_window();
@@ -273,6 +275,14 @@ TEST_F(UiExport, TheMessageAndTheTooltipsCoverNothingOfTheWindow) {
                         message.min.y > window.max.y || message.max.y < window.min.y;
     EXPECT_TRUE(beside) << width;
     EXPECT_LE(message.max.y, static_cast<float>(height));
+    const float buttons = find("export/add")->min.y;
+    for (const char* name : {"export/add", "export/remove", "export/all"}) {
+      move(centre(name));
+      frames(40);
+      const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+      ASSERT_TRUE(tooltip != nullptr && tooltip->Active) << name;
+      EXPECT_LE(tooltip->Rect().Max.y, buttons) << name;
+    }
   }
 }
 
