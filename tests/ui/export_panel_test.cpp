@@ -278,7 +278,7 @@ TEST_F(UiExport, TheMessageAndTheTooltipsOfButtonsCoverNoControl) {
     const float buttons = find("export/add")->min.y;
     for (const char* name : {"export/add", "export/remove", "export/all"}) {
       move(centre(name));
-      frames(40);
+      frames(60);
       const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
       ASSERT_TRUE(tooltip != nullptr && tooltip->Active) << name;
       EXPECT_LE(tooltip->Rect().Max.y, buttons) << name;
