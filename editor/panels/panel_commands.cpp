@@ -44,7 +44,7 @@ std::vector<Command> tab_commands() {
       panel_command<kInspectorPanel>("tabs/inspector", "Tab: Inspector",
                                      "The chosen body's or curve's numbers, and its contacts.",
                                      "body spawn object properties contacts position velocity curve"),
-      panel_command<kWhyPanel>("tabs/why", "Tab: Why?", "The stages of the chosen body's step.",
+      panel_command<kWhyPanel>("tabs/why", "Tab: Why", "The stages of the chosen body's step.",
                                "explain reason stage"),
       panel_command<kShapePanel>("tabs/shape", "Tab: Shape", "The ground that the selected tile is.",
                                  "slope profile collision heights one-way ceiling"),

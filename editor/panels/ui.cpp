@@ -103,8 +103,9 @@ bool Ui::text_button(std::string_view name, std::string_view label, bool lit, st
                      std::string_view key, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
   if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
+  // It stays the same control, with the keys, when its label changes.
   const bool pressed =
-      ImGui::Button((std::string(label) + "##" + std::string(name)).c_str(), {width, px(theme::kButton)});
+      ImGui::Button((std::string(label) + "###" + std::string(name)).c_str(), {width, px(theme::kButton)});
   if (lit) ImGui::PopStyleColor();
   ImGui::EndDisabled();
   item(name, help, key, enabled);

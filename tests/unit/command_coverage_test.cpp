@@ -181,7 +181,7 @@ TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
   EXPECT_EQ(found_by("spawn"), "map/body");
   EXPECT_EQ(found_by("spawn rename"), "bodies/name");
   EXPECT_EQ(found_by("shortcuts"), "edit/keys");
-  EXPECT_EQ(found_by("flag 3"), "flags/name3");
+  EXPECT_EQ(found_by("name flag 3"), "flags/name3");
   EXPECT_EQ(found_by("hex flags"), "flags/type_byte");
   EXPECT_EQ(found_by("type rgb"), "palette/type");
   EXPECT_EQ(found_by("killed"), "file/recover") << "of its help";
