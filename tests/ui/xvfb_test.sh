@@ -43,13 +43,12 @@ done
 [ -n "$window" ] || fail "no window appears"
 xdotool windowfocus "$window" || true
 
-# A tile of the sheet's first row, then a stroke on the map, which lies in the upper half of the window's middle.
+# A tile of the sheet's first row, then a fast stroke over six cells of the map, which lies in the upper half of the
+# window's middle.
 xdotool mousemove --window "$window" 36 62 click 1
 sleep 0.3
-xdotool mousemove --window "$window" 520 200 mousedown 1
-xdotool mousemove --window "$window" 600 200
-sleep 0.3
-xdotool mouseup 1
+xdotool mousemove --window "$window" 520 200 mousedown 1 mousemove --window "$window" 560 200 \
+  mousemove --window "$window" 600 200 mouseup 1
 sleep 0.3
 xdotool key --window 0 ctrl+s
 for _ in $(seq 50); do
@@ -57,6 +56,7 @@ for _ in $(seq 50); do
   sleep 0.1
 done
 cmp -s "$folder/before.talus.json" "$folder/level.talus.json" && fail "the stroke is not in the file"
+grep -q '010101010101' "$folder/level.talus.json" || fail "the stroke has lost its end"
 
 xdotool key --window 0 ctrl+q
 for _ in $(seq 50); do
