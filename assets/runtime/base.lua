@@ -9,11 +9,20 @@
 --
 -- A body has kind ("ball" or "player"), x, y, w, h, vx, vy, grounded, and tile, where a tile of the map is one.
 -- Between steps you may change vx and vy, or x and y, and then set clear to false, which frees it from walls.
--- world:add {kind = "ball", x = 40, y = 8} adds one. In games for LÖVE and TIC-80 step() also takes mouse_x,
--- mouse_y and mouse_down, and drags bodies. Of the ground one can ask, for any box:
+-- With the part mouse, step() also takes mouse_x, mouse_y and mouse_down, and drags bodies; games for LÖVE and
+-- TIC-80 have it. Of the ground one can ask, for any box:
 --   world:floor(x, y, w, h, 16)      -- the floor's y, at most 16 px below, and its normal nx, ny; or nil
 --   world:cast(x, y, w, h, dx, dy)   -- its first contact on that way: t (0..1), x, y, nx, ny; or nil
 --   world:overlaps(x, y, w, h)       -- whether it is in the ground
+--
+-- What the game adds to the level while it runs:
+--   world:add {kind = "player", x = 40, y = 8}   -- a body, which it returns
+--   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0
+-- takes the parts for it: players and balls, for such bodies; pairs, for more than one body where they block one
+-- another; slopes and one_way, for tiles of these shapes. What the level itself has no use for is named in the
+-- export, as in `talus export FILE --to lua-runtime --parts players,pairs -o OUT`, or in the preset's field
+-- Parts. talus.parts tells which are there.
+
 local floor, ceil, abs, sqrt, huge = math.floor, math.ceil, math.abs, math.sqrt, math.huge
 local TILE = 8.0                  -- px, side of a cell
 local ROUNDING = 8 * 2.0 ^ -52    -- what a few roundings make of a number, of its size
