@@ -32,7 +32,7 @@ TEST(NativeExports, ComeBackAsTheyWere) {
   const auto text = native_of_level(level);
   EXPECT_NE(text.find(R"(
   "exports": [
-    {"name": "game", "to": "love", "path": "export/love", "on_save": true, "parts": "pairs", "colour": "red"},
+    {"name": "game", "to": "love", "path": "export/love", "parts": "pairs", "on_save": true, "colour": "red"},
     {"name": "", "to": "no-such-target", "path": "/tmp/x y.zip"}
   ],)"),
             std::string::npos)
