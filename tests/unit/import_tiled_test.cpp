@@ -450,7 +450,7 @@ TEST_F(ImportTiledFiles, EmptyCellsBesideADrawnTile0GetAnother) {
   const std::string row = "2,2,2,2,2,2";
   text.replace(text.find(row), row.size(), "2,2,0,2,2,2");
   put("cave.tmj", text);
-  put("cave.png", write_png_part(level, PngPart::tiles));
+  put("cave-tiles.png", write_png_part(level, PngPart::tiles));
   const auto loaded = load_level(path("cave.tmj"));
   ASSERT_TRUE(loaded) << to_string(loaded.error(), "map");
   EXPECT_EQ(loaded->level.map.at({2, 3}), 0);
