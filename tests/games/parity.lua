@@ -1,15 +1,15 @@
 -- Runs levels by the runtime and prints each body after each frame: frame id x y vx vy grounded, with all digits.
 --   lua5.3 parity.lua LIST
--- LIST: a table of {name, runtime, level, input, frames}; the three are files. An input is a table by frame of
--- what world:step() takes; each holds until the next one.
+-- LIST: a file with a table of {name, runtime, level, input, frames}. The runtime is a file; level and input are
+-- functions that give a level and a table by frame of what world:step() takes, which holds until the next one.
 local list = dofile(arg[1])
 local runtimes = {}
 setmetatable(_G, {__index = function(_, name) error("unknown name " .. name, 2) end})
 for _, run in ipairs(list) do
   print("# " .. run.name)
   runtimes[run.runtime] = runtimes[run.runtime] or dofile(run.runtime)
-  local world = runtimes[run.runtime].new(dofile(run.level))
-  local inputs, input = dofile(run.input), {}
+  local world = runtimes[run.runtime].new(run.level())
+  local inputs, input = run.input(), {}
   for frame = 1, run.frames do
     input = inputs[frame] or input
     world:step(input)

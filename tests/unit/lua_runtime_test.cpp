@@ -39,16 +39,10 @@ class LuaRuntime : public FolderTest {
       solver->step(state, input);
       for (const Body& body : state.bodies) expected_ += body_text(frame, body);
     }
-    std::vector<std::string> texts;
-    for (const std::string& file : lua_part_files(lua_parts(level, entries.empty() ? "" : "mouse").value()))
-      texts.push_back(bytes_of(TALUS_SOURCE_DIR "/assets/runtime/" + file + ".lua"));
-    const std::string number = std::to_string(levels_++);
-    list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames);
-    const std::string runtime = join_lua(texts);
-    const auto same = runtimes_.emplace(runtime, runtimes_.size()).first;  // most levels need the same parts
-    list_ += put_part("runtime", std::to_string(same->second), runtime) +
-             put_part("level", number, lua_level(level));
-    list_ += put_part("input", number, inputs + "}") + "},\n";
+    list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames) + ",runtime='" +
+             runtime_file(lua_parts(level, entries.empty() ? "" : "mouse").value()) + "',level=function()\n" +
+             lua_level(level) + "end,input=function() " + inputs + "} end},\n";
+    ++levels_;
     frames_ += frames;
     body_frames_ += frames * static_cast<std::int64_t>(state.bodies.size());
   }
@@ -117,14 +111,21 @@ class LuaRuntime : public FolderTest {
     }
     return found;
   }
-  std::string put_part(const std::string& kind, const std::string& number, const std::string& text) const {
-    const std::string file = kind + number + ".lua";
-    put(file, text);
-    return "," + kind + "='" + file + "'";
+  // The name of the file of a module of these parts: most levels need the same.
+  std::string runtime_file(const std::vector<std::string>& parts) {
+    const auto [entry, is_new] =
+        runtimes_.emplace(parts, "runtime" + std::to_string(runtimes_.size()) + ".lua");
+    if (is_new) {
+      std::vector<std::string> texts;
+      for (const std::string& file : lua_part_files(parts))
+        texts.push_back(bytes_of(TALUS_SOURCE_DIR "/assets/runtime/" + file + ".lua"));
+      put(entry->second, join_lua(texts));
+    }
+    return entry->second;
   }
 
   std::string expected_, list_;
-  std::map<std::string, std::size_t> runtimes_;  // the numbers of their files
+  std::map<std::vector<std::string>, std::string> runtimes_;  // by parts, their files
   int levels_ = 0;
   std::int64_t frames_ = 0, body_frames_ = 0;
 };
