@@ -19,10 +19,8 @@ FormatResult<std::string> no_asset(const std::string& name) {
 // kept: own_starters() of the plan.
 ExportOutcome outcome_of(const ExportTask& task, const std::string& output, const ExportPlan& plan,
                          const ExportRecord& record, const std::vector<std::size_t>& kept) {
-  ExportOutcome outcome{.task = task,
-                        .output = output,
-                        .dropped = plan.content.dropped,
-                        .code_bytes = plan.content.code_bytes};
+  ExportOutcome outcome{
+      .task = task, .output = output, .dropped = plan.content.dropped, .code_bytes = plan.content.code_bytes};
   for (std::size_t i = 0; i < plan.files.size(); ++i) {
     const PlannedFile& file = plan.files[i];
     const bool is_kept = std::binary_search(kept.begin(), kept.end(), i);
