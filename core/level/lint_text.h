@@ -10,8 +10,8 @@ namespace talus {
 std::string cell_text(Cell cell);  // "(12, 9)"
 // A length or position in px, rounded to a millionth, without the zeros of a whole number.
 std::string px_text(double px);
-std::string role_label(TileRole role);                  // "up-slope"
-std::string role_with_article(TileRole role);           // "an up-slope"
+std::string role_label(TileRole role);                       // "up-slope"
+std::string role_with_article(TileRole role);                // "an up-slope"
 std::string spawn_name(const Level& level, int index);       // "spawn "hero"", or as below
 std::string kind_and_number(const Level& level, int index);  // "player 2", counted among all spawns from 1
 

@@ -1,8 +1,8 @@
 // The commands of curves and bodies on the map.
-#include "command_table.h"
 #include "chosen_curve.h"
-#include "edit/spawn_tools.h"
 #include "chosen_spawn.h"
+#include "command_table.h"
+#include "edit/spawn_tools.h"
 
 namespace talus {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "commands.h"
 #include "chosen_curve.h"
+#include "commands.h"
 
 namespace talus {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <utility>
 
-#include "commands.h"
 #include "chosen_curve.h"
+#include "chosen_spawn.h"
+#include "commands.h"
 #include "debug/explain.h"
 #include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
-#include "chosen_spawn.h"
 
 namespace talus {
 namespace {

@@ -17,7 +17,8 @@ constexpr float kBelowCanvas = 92;                      // px at scale 1, what i
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
                                                     "turned by a half"};
 
-// The tile left of this one on the sheet whose shape is wide enough to reach over this one; -1: there is none.
+// The tile left of this one on the sheet whose shape is wide enough to reach over this one; -1: there is
+// none.
 int tile_reaching_over(const Level& level, int tile) {
   for (int left = tile - 1; left >= tile - tile % kSheetColumns && tile - left < kMaxShapeTiles; --left) {
     const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(left));

@@ -123,9 +123,9 @@ struct CancelSaveAs {};
 // A level that was saved by itself before the program was killed: its file is opened, if it has one, and the
 // level comes as a change of it that can be undone. Asks as OpenFile does.
 struct RecoverLevel {
-  std::shared_ptr<const Level> level;               // never null
-  std::string path;                                 // empty: none
-  std::string name;                                 // for titles, without a path
+  std::shared_ptr<const Level> level;  // never null
+  std::string path;                    // empty: none
+  std::string name;                    // for titles, without a path
   // Of the runs that were saved with it, none null; the last one is shown.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
 };
@@ -325,13 +325,13 @@ using Action = std::variant<
     action::SaveFile, action::SaveFileAs, action::ExportPng, action::PreviewExport, action::RunExports,
     action::CancelExport, action::OpenPng, action::SetPngImport, action::ApplyPngImport,
     action::CancelPngImport, action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
-    action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel,
-    action::CheckFile, action::ShowMessage, action::DismissMessage, action::Play, action::Pause,
-    action::TogglePlay, action::StepFrame, action::ResetPlay, action::SetSpeed, action::HoldMouse,
-    action::HoldKeys, action::StepBack, action::SeekStart, action::SeekEnd, action::SeekFrame,
-    action::SetMark, action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch,
-    action::DropBranch, action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule,
-    action::Rerun, action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
+    action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel, action::CheckFile,
+    action::ShowMessage, action::DismissMessage, action::Play, action::Pause, action::TogglePlay,
+    action::StepFrame, action::ResetPlay, action::SetSpeed, action::HoldMouse, action::HoldKeys,
+    action::StepBack, action::SeekStart, action::SeekEnd, action::SeekFrame, action::SetMark,
+    action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch, action::DropBranch,
+    action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule, action::Rerun,
+    action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
     action::FindParting, action::SetParting, action::CancelSearch, action::SetWatch, action::RemoveWatch,
     action::CompareVariant, action::SelectBody, action::SelectSpawn, action::SelectCurve,
     action::SetCurveKind, action::SelectTiles, action::SetStamp, action::SetRandomStamp, action::SelectCells,

@@ -14,8 +14,8 @@
 #include "exporting.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
-#include "level_import.h"
 #include "level/lint.h"
+#include "level_import.h"
 #include "overlay/overlay_id.h"
 #include "png_import.h"
 #include "reach_finder.h"
@@ -158,9 +158,9 @@ class Session {
   const std::optional<PngImport>& png_import() const;  // waits for ApplyPngImport or CancelPngImport
   // Waits for ApplyLevelImport or CancelLevelImport.
   const std::optional<LevelImport>& level_import() const;
-  bool wants_save_as() const;                          // waits for SaveFileAs or CancelSaveAs
-  bool wants_save_recording() const;                   // waits for SaveRecording or CancelSaveAs
-  bool wants_quit() const;                             // the program should end
+  bool wants_save_as() const;         // waits for SaveFileAs or CancelSaveAs
+  bool wants_save_recording() const;  // waits for SaveRecording or CancelSaveAs
+  bool wants_quit() const;            // the program should end
 
   // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and
   // give the same number to each of its edits.

@@ -1,6 +1,6 @@
 // The level that a view of what was played shows.
-#include "edit/map_stroke.h"
 #include "panels/level_then.h"
+#include "edit/map_stroke.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

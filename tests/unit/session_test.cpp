@@ -1,6 +1,6 @@
 // Session: edits with their history, choices and messages.
-#include "edit/map_stroke.h"
 #include "session/session.h"
+#include "edit/map_stroke.h"
 
 #include <gtest/gtest.h>
 
