@@ -137,8 +137,11 @@ void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
   const bool surrounded = ui.view.pixels.neighbours && area.sheet == SheetId::tiles;
   const float margin = surrounded ? kSurroundings : 0;  // px of the art
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float longer = static_cast<float>(std::max(area.width(), area.height())) + 2 * margin;
-  const float zoom = std::max(1.0f, std::floor((std::min(room.x, room.y) - 2) / longer));
+  const auto zoom_for = [&](float pixels, int art) {
+    return (pixels - 2) / (static_cast<float>(art) + 2 * margin);
+  };
+  const float zoom =
+      std::max(1.0f, std::floor(std::min(zoom_for(room.x, area.width()), zoom_for(room.y, area.height()))));
   const ImVec2 size{static_cast<float>(area.width()) * zoom, static_cast<float>(area.height()) * zoom};
   ImVec2 at = ImGui::GetCursorScreenPos();
   at = {std::floor(at.x + std::max(1.0f, (room.x - size.x) / 2)), std::floor(at.y + 1 + margin * zoom)};
