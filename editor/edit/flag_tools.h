@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "sprite_tools.h"
+#include "sprite_area.h"
 
 namespace talus {
 

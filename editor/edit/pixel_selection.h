@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sprite_tools.h"
+#include "sprite_area.h"
 
 namespace talus {
 

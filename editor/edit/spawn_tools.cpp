@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "level/lint_text.h"
-#include "sprite_tools.h"
+#include "level_settings.h"
 
 namespace talus {
 

@@ -1,5 +1,7 @@
 // Reading and writing hex digits.
 #include "sprite_clipboard.h"
+#include "flag_lamps.h"
+#include "level_settings.h"
 
 #include <algorithm>
 #include <cassert>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "sprite_tools.h"
+#include "sprite_area.h"
 
 namespace talus {
 

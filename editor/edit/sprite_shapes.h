@@ -1,7 +1,7 @@
 // Tools that draw lines, rectangles and ellipses of pixels on a canvas. What lies outside it is left out.
 #pragma once
 
-#include "sprite_tools.h"
+#include "sprite_area.h"
 
 namespace talus {
 

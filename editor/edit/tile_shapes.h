@@ -6,7 +6,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "sprite_tools.h"
+#include "sprite_area.h"
 
 namespace talus {
 

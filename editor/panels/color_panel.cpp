@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands.h"
+#include "edit/level_settings.h"
 
 namespace talus {
 namespace {

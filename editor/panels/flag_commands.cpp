@@ -2,6 +2,7 @@
 #include <array>
 
 #include "command_table.h"
+#include "edit/flag_lamps.h"
 #include "edit/flag_tools.h"
 #include "flag_label.h"
 #include "level/flag_search.h"

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "edit/flag_tools.h"
+#include "edit/level_settings.h"
 #include "edit/shape_tools.h"
 #include "flag_label.h"
 #include "shape_editor.h"

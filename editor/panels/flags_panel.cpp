@@ -9,6 +9,7 @@
 
 #include "canvas_layers.h"
 #include "commands.h"
+#include "edit/flag_lamps.h"
 #include "edit/flag_tools.h"
 #include "flag_label.h"
 #include "shape_editor.h"

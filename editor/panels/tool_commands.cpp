@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "command_table.h"
+#include "edit/sprite_clear.h"
 #include "edit/sprite_clipboard.h"
+#include "edit/sprite_turn.h"
 
 namespace talus {
 namespace {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands.h"
+#include "edit/level_settings.h"
 #include "text_focus.h"
 
 namespace talus {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app.h"
+#include "edit/level_settings.h"
 #include "panels/canvas_layers.h"
 #include "picture.h"
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "edit/sprite_turn.h"
 #include "session_impl.h"
 
 namespace talus {

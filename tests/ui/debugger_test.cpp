@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "debugger_harness.h"
+#include "edit/level_settings.h"
 
 namespace talus::debugger_test {
 

@@ -1,4 +1,5 @@
 // Painting, pixels, flags, palette, tuning, and taking it all back.
+#include "edit/flag_lamps.h"
 #include "harness.h"
 #include "panels/edit_text.h"
 #include "panels/tile_number.h"

@@ -1,4 +1,5 @@
 // What the debugger shows, against pictures of it.
+#include "edit/level_settings.h"
 #include "golden_harness.h"
 
 namespace talus::golden_test {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ball_room.h"
+#include "edit/level_settings.h"
 
 namespace talus::level_then_test {
 

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "ball_room.h"
+#include "edit/flag_lamps.h"
+#include "edit/level_settings.h"
 #include "edit/map_rectangle.h"
 #include "edit/map_stroke.h"
 #include "edit/shape_tools.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "edit/level_settings.h"
 #include "session/session.h"
 
 namespace talus::session_debug_test {

@@ -10,6 +10,7 @@
 #include <future>
 
 #include "edit/export_presets.h"
+#include "edit/level_settings.h"
 #include "folder_test.h"
 #include "session/session.h"
 

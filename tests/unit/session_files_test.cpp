@@ -1,6 +1,7 @@
 // Session: opening, saving, and the questions before changes are lost. Works on real files.
 #include <gtest/gtest.h>
 
+#include "edit/level_settings.h"
 #include "edit/map_stroke.h"
 #include "folder_test.h"
 #include "png_bytes.h"

@@ -1,5 +1,6 @@
 // Session: edits with their history, choices and messages.
 #include "session/session.h"
+#include "edit/flag_lamps.h"
 #include "edit/map_stroke.h"
 
 #include <gtest/gtest.h>

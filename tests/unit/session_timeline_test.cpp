@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ball_room.h"
+#include "edit/level_settings.h"
 #include "edit/map_resize.h"
 #include "edit/map_stroke.h"
 #include "folder_test.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "edit/sprite_tools.h"
+#include "edit/sprite_area.h"
 
 namespace talus {
 

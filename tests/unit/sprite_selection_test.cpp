@@ -1,6 +1,8 @@
 // Selected pixels: what moves, what stays behind, and what comes back.
 #include <gtest/gtest.h>
 
+#include "edit/sprite_clear.h"
+#include "edit/sprite_fill.h"
 #include "session/session.h"
 #include "sprite_picture.h"
 

@@ -1,5 +1,10 @@
 // The tools of the sprite canvas, the flags and the palette.
-#include "edit/sprite_tools.h"
+#include "edit/flag_lamps.h"
+#include "edit/level_settings.h"
+#include "edit/sprite_area.h"
+#include "edit/sprite_clear.h"
+#include "edit/sprite_fill.h"
+#include "edit/sprite_turn.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "edit/flag_lamps.h"
+#include "edit/level_settings.h"
 #include "edit/map_fill.h"
 #include "edit/map_rectangle.h"
 #include "edit/map_stroke.h"
 #include "edit/shape_tools.h"
+#include "edit/sprite_clear.h"
+#include "edit/sprite_fill.h"
 #include "edit/sprite_shapes.h"
+#include "edit/sprite_turn.h"
 #include "edit/undo_stack.h"
 
 namespace talus::undo_test {

@@ -1,4 +1,5 @@
 // The fill tool: fills the area of one colour at the press; with Ctrl replaces the colour everywhere.
+#include "edit/sprite_fill.h"
 #include "pixel_tools.h"
 
 namespace talus {

@@ -1,0 +1,17 @@
+// The lamps of flags: what the tiles of an area have of each, and what a click makes of it.
+#pragma once
+
+#include "sprite_area.h"
+
+namespace talus {
+
+// Whether a flag is set in none, some or all of the area's tiles.
+enum class FlagLamp { none, some, all };
+FlagLamp flag_lamp(const Level& level, const SpriteArea& area, int flag);
+Edit set_flag(const Level& level, const SpriteArea& area, int flag, bool on);
+// The flags of each tile of the area, row by row.
+Edit set_flags(const Level& level, const SpriteArea& area, const std::vector<std::uint8_t>& flags);
+// TIC-80's click: clears the flag if any tile has it, else sets it in all.
+Edit toggle_flag(const Level& level, const SpriteArea& area, int flag);
+
+}  // namespace talus

@@ -1,0 +1,18 @@
+// What a level has once: its colours, names and roles of flags, tuning and bodies placed by hand. Each makes
+// an Edit and changes nothing itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edit.h"
+
+namespace talus {
+
+Edit set_color(const Level& level, int color, Rgb rgb);            // color: 0..15 (asserted)
+Edit rename_flag(const Level& level, int flag, std::string name);  // flag: 0..7 (asserted)
+Edit set_roles(const Level& level, const FlagRoles& roles);
+Edit set_tuning(const Level& level, const Tuning& tuning);
+Edit set_spawns(const Level& level, std::vector<Spawn> spawns, std::string label);
+
+}  // namespace talus

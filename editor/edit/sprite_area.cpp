@@ -1,0 +1,62 @@
+// Where the pixels of a canvas are on its sheet.
+#include "sprite_area.h"
+
+#include <cassert>
+#include <utility>
+
+namespace talus {
+namespace {
+
+// A change of one pixel of the area to nothing yet: before == after.
+PixelChange pixel_of(const Level& level, const SpriteArea& area, Cell pixel) {
+  assert(area.lies_in_sheet() && area.contains(pixel));
+  const int tile = area.tile_at(pixel.x / kTileSize, pixel.y / kTileSize);
+  const int index = pixel.y % kTileSize * kTileSize + pixel.x % kTileSize;
+  const std::uint8_t color = level.sheet(area.sheet).images[tile][index];
+  return {area.sheet, tile, index, color, color};
+}
+
+void paint_pixel(Edit& edit, const Level& level, const SpriteArea& area, Cell pixel, std::uint8_t color) {
+  assert(color < kColorCount);
+  PixelChange change = pixel_of(level, area, pixel);
+  change.after = color;
+  if (change.before != change.after) edit.changes.emplace_back(change);
+}
+
+}  // namespace
+
+bool SpriteArea::contains(Cell pixel) const {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < width() && pixel.y < height();
+}
+
+bool SpriteArea::lies_in_sheet() const {
+  constexpr int kRows = kTileCount / kSheetColumns;
+  return tiles.x >= 0 && tiles.y >= 0 && tiles.w >= 1 && tiles.h >= 1 && tiles.x + tiles.w <= kSheetColumns &&
+         tiles.y + tiles.h <= kRows;
+}
+
+std::uint8_t pixel_at(const Level& level, const SpriteArea& area, int x, int y) {
+  return pixel_of(level, area, {x, y}).before;
+}
+
+PixelBlock copy_pixels(const Level& level, const SpriteArea& area, CellRect rect) {
+  PixelBlock block{rect.w, rect.h, {}};
+  block.colors.reserve(static_cast<std::size_t>(rect.w) * rect.h);
+  for (int y = rect.y; y < rect.y + rect.h; ++y)
+    for (int x = rect.x; x < rect.x + rect.w; ++x) block.colors.push_back(pixel_at(level, area, x, y));
+  return block;
+}
+
+Edit put_pixels(const Level& level, const SpriteArea& area, const PixelBlock& block, Cell at,
+                std::string label) {
+  Edit edit{std::move(label), {}};
+  for (int y = 0; y < block.h; ++y) {
+    for (int x = 0; x < block.w; ++x) {
+      const Cell pixel{at.x + x, at.y + y};
+      if (area.contains(pixel)) paint_pixel(edit, level, area, pixel, block.at(x, y));
+    }
+  }
+  return edit;
+}
+
+}  // namespace talus

@@ -1,0 +1,13 @@
+// Clearing the sprite canvas, or a part of it.
+#pragma once
+
+#include "sprite_area.h"
+
+namespace talus {
+
+// Fills the area with a colour and clears its flags, as TIC-80 does when it erases a whole sprite.
+Edit clear_area(const Level& level, const SpriteArea& area, std::uint8_t color);
+// Fills a rectangle of px of the canvas; what lies outside is left out.
+Edit clear_pixels(const Level& level, const SpriteArea& area, CellRect rect, std::uint8_t color);
+
+}  // namespace talus

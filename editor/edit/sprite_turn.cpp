@@ -1,0 +1,14 @@
+// The canvas as a block, turned, and put back.
+#include "sprite_turn.h"
+
+#include <cassert>
+
+namespace talus {
+
+Edit turn_pixels(const Level& level, const SpriteArea& area, PixelTurn turn) {
+  assert(turn != PixelTurn::rotate || area.tiles.w == area.tiles.h);
+  const PixelBlock canvas = copy_pixels(level, area, area.canvas());
+  return put_pixels(level, area, turned(canvas, turn), {0, 0}, label_of(turn));
+}
+
+}  // namespace talus

@@ -1,0 +1,11 @@
+// Flips, turns and shifts of the sprite canvas.
+#pragma once
+
+#include "sprite_area.h"
+
+namespace talus {
+
+// To rotate, the area must be square (asserted).
+Edit turn_pixels(const Level& level, const SpriteArea& area, PixelTurn turn);
+
+}  // namespace talus
