@@ -9,6 +9,7 @@
 namespace talus {
 namespace {
 
+constexpr int kLabelWordScore = 1'000'000;                       // above that of single letters
 constexpr int kWordScore = -1'000'000, kHelpScore = -2'000'000;  // below those of all labels
 
 bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
@@ -42,7 +43,8 @@ bool has_words(std::string_view text, std::string_view typed) {
 }  // namespace
 
 std::optional<int> command_score(const Command& command, std::string_view typed) {
-  if (const auto score = fuzzy_score(command.label, typed)) return score;
+  if (const auto score = fuzzy_score(command.label, typed))
+    return *score + (has_words(command.label, typed) ? kLabelWordScore : 0);
   const std::string named = std::string(command.label) + " " + std::string(command.words);
   if (has_words(named, typed)) return kWordScore;
   constexpr std::size_t kLeastLetters = 3;  // fewer are in too many sentences

@@ -7,9 +7,9 @@
 
 namespace talus {
 
-// How well a command fits what was typed: its letters in the label, in their order, or each typed word at the
-// beginning of one of the command's other words, or, as the worst, of its help. The larger the better.
-// Nothing when it does not fit.
+// How well a command fits what was typed: each typed word at the beginning of one of the label's, or its
+// letters in the label, in their order, or each typed word at the beginning of one of the command's other
+// words, or, as the worst, of its help. The larger the better. Nothing when it does not fit.
 std::optional<int> command_score(const Command& command, std::string_view typed);
 
 }  // namespace talus

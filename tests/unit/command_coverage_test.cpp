@@ -186,6 +186,7 @@ TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
   EXPECT_EQ(found_by("type rgb"), "palette/type");
   EXPECT_EQ(found_by("killed"), "file/recover") << "of its help";
   EXPECT_EQ(found_by("undo"), "edit/undo") << "labels come first";
+  EXPECT_EQ(found_by("flag"), "flags/find") << "and of those whole words, not Flip Left And riGht";
   EXPECT_EQ(found_by("no such thing anywhere"), "");
 }
 
