@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "lint_cache.h"
 
@@ -47,7 +46,7 @@ std::string_view rule_label(std::string_view code) {
 
 std::vector<Problem> lint(const Level& level, const LintOptions& options) {
   LintCache cache;
-  cache.advance(level, options, std::numeric_limits<std::size_t>::max());
+  cache.finish(level, options);
   return cache.problems();
 }
 

@@ -8,12 +8,26 @@
 namespace talus {
 namespace {
 
-constexpr int kBlockCells = 16'384;  // about: full of slopes, they take some ms
+// A block full of slopes takes a fraction of a ms. On large maps blocks are larger: each of them may hold
+// kMaxProblems.
+constexpr int kLeastSide = 32;
+constexpr int kMostBlocks = 1024;
 constexpr std::size_t kMostCellsAlone =
     64;  // of which each is looked at with its surroundings; else blocks are
 
+int blocks_along(int cells, int side) { return (cells + side - 1) / side; }
+
 bool holds(const std::array<Cell, 2>& area, Cell c) {
   return c.x >= area[0].x && c.x <= area[1].x && c.y >= area[0].y && c.y <= area[1].y;
+}
+
+std::optional<Cell> find_in(const TileMap& map, std::uint8_t tile, const std::array<Cell, 2>& area) {
+  for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
+    for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
+      if (map.at(c) == tile) return c;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -25,15 +39,14 @@ void LintCache::note_cell(Cell cell) {
   if (!map_) cells_.push_back(cell);
 }
 
-bool LintCache::advance(const Level& level, const LintOptions& options, std::size_t most_cells) {
+bool LintCache::advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on) {
   if (is_done()) return true;
   begin(level, options);
   look_at_cells(level);
-  std::size_t looked_at = 0;
-  for (; next_ < blocks_.size() && looked_at < most_cells; ++next_) {
+  for (bool more = true; next_ < blocks_.size() && more; ++next_) {
     if (blocks_[next_].is_known) continue;
     look_at_block(level, next_);
-    looked_at += static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    more = go_on();
   }
   list(level);
   return is_done();
@@ -48,10 +61,10 @@ void LintCache::begin(const Level& level, const LintOptions& options) {
   tiles_ = std::move(tiles);
   if (resized) {
     width_ = level.map.width(), height_ = level.map.height();
-    rows_ = std::max(kBlockCells / width_, 1);
-    columns_ = std::min(width_, kBlockCells);
-    across_ = (width_ + columns_ - 1) / columns_;
-    blocks_.assign(static_cast<std::size_t>((height_ + rows_ - 1) / rows_ * across_), {});
+    for (side_ = kLeastSide; blocks_along(width_, side_) * blocks_along(height_, side_) > kMostBlocks;)
+      side_ *= 2;
+    across_ = blocks_along(width_, side_);
+    blocks_.assign(static_cast<std::size_t>(across_ * blocks_along(height_, side_)), {});
   }
   if (map_ || others) {
     for (Block& block : blocks_) block.is_known = false;
@@ -63,21 +76,12 @@ void LintCache::begin(const Level& level, const LintOptions& options) {
 
 std::array<Cell, 2> LintCache::area_of(std::size_t block) const {
   const int number = static_cast<int>(block);
-  const int x = number % across_ * columns_, y = number / across_ * rows_;
-  return {Cell{x, y}, Cell{std::min(x + columns_, width_) - 1, std::min(y + rows_, height_) - 1}};
-}
-
-std::array<std::ptrdiff_t, 2> LintCache::cells_of(std::size_t block) const {
-  const auto index = [this](Cell c) { return std::ptrdiff_t{c.y} * width_ + c.x; };
-  const auto [first, last] = area_of(block);
-  return {index(first), index(last) + 1};
+  const int x = number % across_ * side_, y = number / across_ * side_;
+  return {Cell{x, y}, Cell{std::min(x + side_, width_) - 1, std::min(y + side_, height_) - 1}};
 }
 
 void LintCache::look_at_cells(const Level& level) {
   const int reach = tiles_->reach();
-  const auto block_at = [this](Cell c) {
-    return static_cast<std::size_t>(c.y / rows_ * across_ + c.x / columns_);
-  };
   for (const Cell cell : cells_) {
     const std::array<Cell, 2> around = {
         Cell{std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)},
@@ -114,9 +118,9 @@ void LintCache::look_at_block(const Level& level, std::size_t number) {
   lint_cells(level, *tiles_, area, found);
   put(block, std::move(found));
   block.tiles.reset();
-  const auto begin = level.map.cells().begin();
-  const auto [from, to] = cells_of(number);
-  std::for_each(begin + from, begin + to, [&](std::uint8_t tile) { block.tiles.set(tile); });
+  for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
+    for (c.x = area[0].x; c.x <= area[1].x; ++c.x) block.tiles.set(level.map.at(c));
+  }
   block.is_known = true;
 }
 
@@ -131,18 +135,18 @@ void LintCache::put(Block& block, std::vector<Problem> found) {
 
 // The first cell with a tile, if there is one. What the blocks noted may be out of date.
 std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
+  std::optional<Cell> first;
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
+    const bool begins_row = number % static_cast<std::size_t>(across_) == 0;
+    if (begins_row && first) return first;
     if (!blocks_[number].tiles.test(tile)) continue;
-    const auto begin = level.map.cells().begin();
-    const auto [from, to] = cells_of(number);
-    const auto found = std::find(begin + from, begin + to, static_cast<std::uint8_t>(tile));
-    if (found != begin + to) {
-      const std::ptrdiff_t index = found - begin;
-      return Cell{static_cast<int>(index % width_), static_cast<int>(index / width_)};
+    if (const auto found = find_in(level.map, static_cast<std::uint8_t>(tile), area_of(number))) {
+      if (!first || found->y < first->y) first = found;
+    } else {
+      blocks_[number].tiles.reset(tile);
     }
-    blocks_[number].tiles.reset(tile);
   }
-  return std::nullopt;
+  return first;
 }
 
 void LintCache::list(const Level& level) {
@@ -166,12 +170,15 @@ void LintCache::list(const Level& level) {
     left_out += count;
     if (count > 0) worst = std::max(worst, severity);
   };
-  std::size_t room = kMaxProblems;  // for those of the blocks, the first of which come first
-  for (const Block& block : blocks_) {
+  // Of the blocks beside one another all, while there is room: those of the next row come later.
+  std::size_t listed = 0, row_begins_at = 0;
+  for (std::size_t number = 0; number < blocks_.size(); ++number) {
+    const Block& block = blocks_[number];
+    if (number % static_cast<std::size_t>(across_) == 0) row_begins_at = listed;
     for (const Problem& problem : block.problems) {
-      if (room > 0) {
+      if (row_begins_at < kMaxProblems) {
         problems_.push_back(problem);
-        --room;
+        ++listed;
       } else {
         leave_out(problem.severity, 1);
       }

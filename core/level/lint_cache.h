@@ -5,17 +5,18 @@
 #include <bitset>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "../collision/function_ref.h"
 #include "lint.h"
 
 namespace talus {
 
 class LintTiles;
 
-// The map is cut into blocks of whole rows, or, where one row is longer than a block, of parts of one row. A
-// changed cell is looked at again with its surroundings alone; a
-// change of a tile, or of what counts, has all blocks looked at again.
+// The map is cut into square blocks. A changed cell is looked at again with its surroundings alone; a change
+// of a tile, or of what counts, has all blocks looked at again.
 class LintCache {
  public:
   LintCache();
@@ -25,9 +26,12 @@ class LintCache {
   void note_map() { map_ = true; }    // so may any cell, and the map another size
   void note_rest() { rest_ = true; }  // anything but the map may be another
 
-  // Looks at what has changed, and at so many more cells of what is left, but no less than a block. True when
-  // nothing is left. level: the same one each time, but for the noted changes.
-  bool advance(const Level& level, const LintOptions& options, std::size_t most_cells);
+  // Looks at what has changed, and at the blocks that are left: at one, and at more while `go_on` says so.
+  // True when nothing is left. level: the same one each time, but for the noted changes.
+  bool advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on);
+  void finish(const Level& level, const LintOptions& options) {
+    advance(level, options, [] { return true; });
+  }
   bool is_done() const { return !map_ && !rest_ && cells_.empty() && next_ == blocks_.size(); }
 
   // By row, then column, then rule, as lint() gives them. Of blocks still to be looked at, what was found
@@ -50,17 +54,18 @@ class LintCache {
   std::optional<Cell> find(const Level& level, std::size_t tile);
   void list(const Level& level);
   std::array<Cell, 2> area_of(std::size_t block) const;
-  // Indices of the first and behind the last of its cells, which lie one after the other in the map.
-  std::array<std::ptrdiff_t, 2> cells_of(std::size_t block) const;
+  std::size_t block_at(Cell cell) const {
+    return static_cast<std::size_t>(cell.y / side_ * across_ + cell.x / side_);
+  }
 
   std::vector<Cell> cells_;        // noted
   bool map_ = true, rest_ = true;  // noted
   std::unique_ptr<const LintTiles> tiles_;
-  int width_ = 0, height_ = 0;    // cells, of the map
-  int rows_ = 1;                  // of a block
-  int columns_ = 1, across_ = 1;  // of a block, and blocks beside one another: 1, or else rows_ is
-  std::vector<Block> blocks_;
-  std::size_t next_ = 0;  // no block before it is unknown
+  int width_ = 0, height_ = 0;  // cells, of the map
+  int side_ = 1;                // cells, of a block
+  int across_ = 1;              // blocks beside one another
+  std::vector<Block> blocks_;   // row by row
+  std::size_t next_ = 0;        // no block before it is unknown
   std::vector<Problem> problems_;
 };
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "session_impl.h"
 
@@ -11,7 +10,6 @@ namespace {
 
 constexpr double kLintSeconds = 0.003;   // of real time that a call of advance() spends
 constexpr double kReachSeconds = 0.006;  // the same
-constexpr std::size_t kLintCells = 16'384;
 
 }  // namespace
 
@@ -24,8 +22,7 @@ void Session::Impl::lint_some() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const std::chrono::duration<double> most(kLintSeconds);
-  while (!lint_cache.is_done() && Clock::now() - start < most)
-    lint_cache.advance(level, lint_options, kLintCells);
+  lint_cache.advance(level, lint_options, [&] { return Clock::now() - start < most; });
 }
 
 void Session::Impl::carry_out(const action::FindReach&) {
@@ -58,7 +55,7 @@ void Session::Impl::carry_out(const action::ShowWay& a) {
 void Session::Impl::find_reach() { reach.advance(kReachSeconds); }
 
 const std::vector<Problem>& Session::problems() const {
-  impl_->lint_cache.advance(impl_->level, impl_->lint_options, std::numeric_limits<std::size_t>::max());
+  impl_->lint_cache.finish(impl_->level, impl_->lint_options);
   return impl_->lint_cache.problems();
 }
 
