@@ -46,6 +46,7 @@ class Timeline {
   const State& state() const { return cursor_.state(); }
   const StepRecord& record() const { return record_; }     // of the step that led there; empty at frame 0
   const Scene& scene() const { return *cursor_.scene(); }  // of the level as it was there
+  const ScenePtr& shown_scene() const { return cursor_.scene(); }
   std::int64_t frame() const { return state().frame; }
   std::int64_t last_frame() const { return current().last_frame(); }
   bool in_past() const { return frame() < last_frame(); }

@@ -24,12 +24,11 @@ class Clock {
 }  // namespace
 
 FrameView Debugger::view(const Timeline& timeline) const {
-  return shown_frame_.view(timeline, source(), side_.has(timeline.frame()) ? side_.run() : 0);
+  return shown_frame_.view(timeline, source(), other_run(timeline));
 }
 
 const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) const {
-  view(timeline);
-  return shown_frame_.stages(body);
+  return shown_frame_.stages(timeline, source(), other_run(timeline), body);
 }
 
 const State* Debugger::other_state(const Timeline& timeline) const {

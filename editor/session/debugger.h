@@ -73,6 +73,8 @@ class Debugger {
  private:
   // The shown run with the other side; it must be followed (asserted).
   ComparedFrames source() const { return {*shown_.get(), side_.frames()}; }
+  // The run of the other side, if it has the shown frame; else 0.
+  int other_run(const Timeline& timeline) const { return side_.has(timeline.frame()) ? side_.run() : 0; }
   bool advance_plots(const Timeline& timeline, int chosen_body);
   bool advance_parting();
   void forget_parting();

@@ -4,29 +4,48 @@
 
 namespace talus {
 
-FrameView ShownFrame::view(const Timeline& timeline, const FrameSource& source, int other) {
+ShownFrame::Key ShownFrame::key_of(const Timeline& timeline, int other) {
   const Branch& branch = timeline.current();
   const std::int64_t frame = timeline.frame();
+  return {branch.id, branch.revision, frame, branch.hashes[static_cast<std::size_t>(frame)], other};
+}
+
+FrameView ShownFrame::view(const Timeline& timeline, const FrameSource& source, int other) {
+  const std::int64_t frame = timeline.frame();
   assert(frame <= source.last());
-  const Key key{branch.id, branch.revision, frame, branch.hashes[static_cast<std::size_t>(frame)], other};
+  const Key key = key_of(timeline, other);
   if (key == key_) return history_.view();
   const bool follows =
       key.branch == key_.branch && key.revision == key_.revision && key.frame == key_.frame + 1;
   if (!follows) history_.clear();
   history_.go_to(source, frame);
   key_ = key;
-  staged_body_.reset();
   return history_.view();
 }
 
 void ShownFrame::forget() {
-  key_ = {};
+  key_ = staged_ = {};
+  staged_frame_ = {};
   history_.clear();
 }
 
-const std::vector<Stage>& ShownFrame::stages(int body) {
-  if (staged_body_ != body) stages_ = stages_of(history_.view().now(), body);
+const std::vector<Stage>& ShownFrame::stages(const Timeline& timeline, const FrameSource& source, int other,
+                                             int body) {
+  const Key key = key_of(timeline, 0);
+  if (key == staged_ && body == staged_body_) return stages_;
+  staged_ = key;
   staged_body_ = body;
+  const ScenePtr& scene = timeline.shown_scene();
+  if (scene->single_ground) {
+    stages_ = stages_of(view(timeline, source, other).now(), body);
+    return stages_;
+  }
+  staged_frame_.scene = scene;
+  staged_frame_.ground = scene->ground;
+  staged_frame_.state = timeline.state();
+  staged_frame_.record = timeline.record();
+  staged_frame_.input = timeline.frame() > 0 ? timeline.current().input(timeline.frame()) : Input();
+  stages_ = stages_of(staged_frame_, body);
   return stages_;
 }
 

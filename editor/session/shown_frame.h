@@ -14,9 +14,10 @@ class ShownFrame {
   // next call for another frame.
   // other: the run of the other side whose frame is there; 0: none is.
   FrameView view(const Timeline& timeline, const FrameSource& source, int other);
+  // Of what the timeline shows, the same way. The step is not made again for them, unless their ground is
+  // known only to those who do.
+  const std::vector<Stage>& stages(const Timeline& timeline, const FrameSource& source, int other, int body);
   void forget();  // the run is of another level now
-  // Of the frame that was viewed last.
-  const std::vector<Stage>& stages(int body);
 
  private:
   struct Key {
@@ -26,10 +27,13 @@ class ShownFrame {
     int other = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };
+  static Key key_of(const Timeline& timeline, int other);
 
   Key key_;
   FrameHistory history_{kMaxBefore + 1};
-  std::optional<int> staged_body_;  // whose stages are known
+  Key staged_;  // whose stages are known, of a body
+  int staged_body_ = 0;
+  Frame staged_frame_;  // kept for its memory
   std::vector<Stage> stages_;
 };
 

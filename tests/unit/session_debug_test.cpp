@@ -277,6 +277,32 @@ TEST_F(SessionDebug, SinglePrecisionPartsFromDoubleAtTheFrameThatIsFound) {
   EXPECT_LE(apart(), 1e-9);
 }
 
+TEST_F(SessionDebug, StagesAreThoseOfTheStepMadeAgain) {
+  for (const auto& [solver, is_single] :
+       {std::pair(SolverKind::article, false), std::pair(SolverKind::exact, false),
+        std::pair(SolverKind::exact, true)}) {
+    Level level = bouncing_level();
+    level.tuning.solver = solver;
+    level.tuning.exact.single_precision = is_single;
+    Session run(level);
+    run.apply(action::SelectBody{2});
+    for (int i = 0; i < 5; ++i) {
+      run.apply(action::StepFrame{});
+      const std::vector<Stage> stages = run.stages(), again = stages_of(run.frame_view().now(), 2);
+      ASSERT_EQ(stages.size(), again.size());
+      EXPECT_GE(stages.size(), 2u);
+      for (std::size_t k = 0; k < stages.size(); ++k) {
+        EXPECT_EQ(stages[k].sentence, again[k].sentence);
+        EXPECT_EQ(stages[k].box, again[k].box);
+        EXPECT_EQ(stages[k].cells, again[k].cells);
+      }
+    }
+    run.apply(action::SelectBody{1});
+    ASSERT_FALSE(run.stages().empty());
+    EXPECT_EQ(run.stages().front().box, stages_of(run.frame_view().now(), 1).front().box);
+  }
+}
+
 TEST_F(SessionDebug, BreakpointsStopAndPlotsGoOnBeyondTheEndOfTheOtherSide) {
   step(3);
   session.apply(action::SeekFrame{1});
