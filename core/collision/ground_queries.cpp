@@ -6,20 +6,26 @@
 namespace talus {
 namespace {
 
-template <class Real>
+// From the first to the last.
 struct CellBlock {
   int left, top, right, bottom;
-  // The cells that a box meets, grown by `margin`.
-  CellBlock(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real margin) {
-    const auto cell = [](Real at, int count) {
-      return static_cast<int>(std::clamp<Real>(std::floor(at / kTileSide), -1, static_cast<Real>(count)));
-    };
-    left = std::max(cell(box.x - margin, ground.width()), 0);
-    right = std::min(cell(box.x + box.w + margin, ground.width()), ground.width() - 1);
-    top = std::max(cell(box.y - margin, ground.height()), 0);
-    bottom = std::min(cell(box.y + box.h + margin, ground.height()), ground.height() - 1);
+
+  template <class Real>
+  CellBlock on(const BasicTerrain<Real>& ground) const {
+    return {std::max(left, 0), std::max(top, 0), std::min(right, ground.width() - 1),
+            std::min(bottom, ground.height() - 1)};
   }
 };
+
+// The cells that a box meets, grown by `margin`; those beside the terrain, too, but for the ones further off.
+template <class Real>
+CellBlock cells_met(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real margin) {
+  const auto cell = [](Real at, int count) {
+    return static_cast<int>(std::clamp<Real>(std::floor(at / kTileSide), -1, static_cast<Real>(count)));
+  };
+  return {cell(box.x - margin, ground.width()), cell(box.y - margin, ground.height()),
+          cell(box.x + box.w + margin, ground.width()), cell(box.y + box.h + margin, ground.height())};
+}
 
 // The same rounding forgiveness as a cast of the box.
 template <class Real>
@@ -31,7 +37,7 @@ Real slack_of(const BasicRect<Real>& box) {
 template <class Real>
 bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
                    bool skip_detailed) {
-  const CellBlock block(ground, box, -slack);
+  const CellBlock block = cells_met(ground, box, -slack).on(ground);
   for (int column = block.left; column <= block.right; column += 64) {
     const int count = std::min(block.right - column + 1, 64);
     typename BasicTerrain<Real>::Window window(ground, column, count);
@@ -137,8 +143,11 @@ bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& bo
   if (overlaps_tile(ground, box, slack, centre)) return true;
   if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false)) return true;
   if (!ground.features().pieces) return false;
-  // A slope's body may lie up to eight cells from its own cell.
-  const CellBlock block(ground, box, Real(kMaxShapeTiles * kTileSide));
+  // A slope's body may lie some cells from its own cell.
+  const CellBlock met = cells_met(ground, box, slack);
+  const auto [first, last] =
+      ground.outlines().sources_of({Cell{met.left, met.top}, Cell{met.right, met.bottom}});
+  const CellBlock block = CellBlock{first.x, first.y, last.x, last.y}.on(ground);
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
       const TileOutline& shape = ground.outline_at(c);
@@ -157,7 +166,7 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   const auto consider = [&](const Piece<Real>& piece) {
     if (const auto exit = exit_past(ground, piece, box, foot, slack)) exits.push_back(*exit);
   };
-  const CellBlock block(ground, box, slack);
+  const CellBlock block = cells_met(ground, box, slack).on(ground);
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
       if (ground.is_detailed(c)) {

@@ -94,6 +94,7 @@ class BasicTerrain {
   void set_cell(Cell cell, std::uint8_t tile);
   std::uint8_t tile_at(Cell cell) const;  // 0 outside
   const TileShape& shape_at(Cell cell) const { return parts_->shapes[tile_at(cell)]; }
+  const TileOutlines& outlines() const { return parts_->outlines; }  // by tile number
   const TileOutline& outline_at(Cell cell) const { return parts_->outlines[tile_at(cell)]; }
 
   // What is in a few columns of a row. Bit i tells of the cell in the window's column + i; it is 0 outside of

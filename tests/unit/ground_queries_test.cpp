@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "reference/exact_ground.h"
 #include "test_map.h"
@@ -111,6 +113,39 @@ TEST(GroundQueriesOfThinShapes, NoHeightIsNoGround) {
   TestMap map({"....", "...2", "...."});
   map.cells[5] = kFlat;
   EXPECT_FALSE(overlaps_ground(map.compile(), {9, 14, 4, 4}, Foot::box));
+}
+
+// Of a rising slope, whose body may be in other cells than its own, and reach over the map's edge.
+TEST(GroundQueriesOfWideShapes, ABoxIsFoundInThemFarFromTheirCell) {
+  constexpr int kWidth = 14, kHeight = 11;
+  struct Rising {
+    std::uint8_t tile;
+    int tiles;
+    double height;  // px
+  };
+  constexpr std::array<Rising, 3> kRising = {{{kTall, 8, 64}, {kWide, 3, 8}, {kUp, 1, 8}}};
+  std::mt19937 random(1);
+  const auto in = [&](double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(random);
+  };
+  int inside = 0, beyond = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Rising& rising = kRising[static_cast<std::size_t>(i) % kRising.size()];
+    const Cell cell{static_cast<int>(in(0, kWidth)), static_cast<int>(in(0, kHeight))};
+    TestMap map(kWidth, kHeight);
+    map.cells[static_cast<std::size_t>(cell.y * kWidth + cell.x)] = rising.tile;
+    const Rect box{in(-40, 140), in(-40, 110), in(0.5, 20), in(0.5, 20)};
+    const double left = cell.x * kTileSide, base = (cell.y + 1) * kTileSide;
+    const double x = std::min(box.right(), left + rising.tiles * kTileSide);  // where it is the highest
+    const double top = base - (x - left) * rising.height / (rising.tiles * kTileSide);
+    const double deep = std::min({x - std::max(left, box.x), base - box.y, box.bottom() - top});
+    if (std::abs(deep) < 0.01) continue;
+    ASSERT_EQ(overlaps_ground(map.compile(), box), deep > 0) << i;
+    inside += deep > 0;
+    beyond += deep > 0 && (box.x > kWidth * kTileSide || box.bottom() < 0);
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_GT(beyond, 10);
 }
 
 }  // namespace talus::ground_queries_test
