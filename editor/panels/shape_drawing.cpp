@@ -59,6 +59,7 @@ void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, fl
     return;
   }
   std::vector<ImVec2> points;
+  points.reserve(shape.heights.size());
   const float step = cell * static_cast<float>(shape.tiles) / static_cast<float>(shape.heights.size() - 1);
   for (std::size_t i = 0; i < shape.heights.size(); ++i) {
     const float height = static_cast<float>(shape.heights[i]) * cell / kTileSize;
