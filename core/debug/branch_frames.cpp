@@ -10,16 +10,21 @@ void BranchFrames::know(const VersionPtr& version, const ScenePtr& scene) const 
   scenes_.put(version, scene);
 }
 
+const std::shared_ptr<const Terrain>& BranchFrames::ground(std::int64_t frame) const {
+  assert(frame >= 0 && frame <= last());
+  const VersionPtr& version = branch_.version_at(frame);
+  if (version != ground_version_) {
+    ground_version_ = version;
+    ground_ = measured_ground(*scenes_.scene_of(version), level_of(*version));
+  }
+  return ground_;
+}
+
 void BranchFrames::read(std::int64_t frame, Frame& into) const {
   assert(frame >= 0 && frame <= last());
   runner_.go_to(branch_, frame, &into.record);
-  const VersionPtr& version = branch_.chapters[branch_.chapter_at(frame)].version;
-  if (version != ground_version_) {
-    ground_version_ = version;
-    ground_ = measured_ground(*runner_.scene(), level_of(*version));
-  }
   into.scene = runner_.scene();
-  into.ground = ground_;
+  into.ground = ground(frame);
   into.state = runner_.state();
   into.input = frame > 0 ? branch_.input(frame) : Input();
   into.other.reset();

@@ -20,6 +20,8 @@ class BranchFrames final : public FrameSource {
 
   std::int64_t last() const override { return branch_.run_frame(); }
   void read(std::int64_t frame, Frame& into) const override;
+  // Frame::ground of a frame, 0..last(), without running to it.
+  const std::shared_ptr<const Terrain>& ground(std::int64_t frame) const;
 
  private:
   Branch branch_;  // a copy, which is cheap

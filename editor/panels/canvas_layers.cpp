@@ -309,7 +309,7 @@ std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet ove
   if (session.scene().ground || SceneCompiler::is_large(session.level())) return session.scene().ground;
   for (const OverlayId id : {OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way,
                              OverlayId::floor_height, OverlayId::penetration})
-    if (overlays.has(id)) return session.frame_view().now().ground;
+    if (overlays.has(id)) return session.ground();
   return nullptr;
 }
 

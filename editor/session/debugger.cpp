@@ -24,11 +24,18 @@ class Clock {
 }  // namespace
 
 FrameView Debugger::view(const Timeline& timeline) const {
-  return shown_frame_.view(timeline, source(), other_run(timeline));
+  return shown_frame_.view(timeline, source(), side_.has(timeline.frame()) ? side_.run() : 0);
+}
+
+const std::shared_ptr<const Terrain>& Debugger::ground(const Timeline& timeline) const {
+  const auto& own = timeline.scene().ground;
+  return own != nullptr ? own : shown_.get()->ground(timeline.frame());
 }
 
 const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) const {
-  return shown_frame_.stages(timeline, source(), other_run(timeline), body);
+  // The other solvers' stages have nothing of the ground.
+  const bool is_exact = timeline.scene().tuning.solver == SolverKind::exact;
+  return shown_frame_.stages(timeline, is_exact ? ground(timeline) : nullptr, body);
 }
 
 const State* Debugger::other_state(const Timeline& timeline) const {

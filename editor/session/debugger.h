@@ -56,6 +56,9 @@ class Debugger {
   const std::optional<Stop>& stop() const { return stop_; }  // where it was stopped last
   // The shown frame with those before it, and the other side's, once that is there.
   FrameView view(const Timeline& timeline) const;
+  // The ground there, whatever the solver. Compiling it takes time by the size of the level, where the scene
+  // has none.
+  const std::shared_ptr<const Terrain>& ground(const Timeline& timeline) const;
   const std::vector<Stage>& stages(const Timeline& timeline, int body) const;
   // The other side's state in the shown frame; null: there is none, or it has not come that far.
   const State* other_state(const Timeline& timeline) const;
@@ -73,8 +76,6 @@ class Debugger {
  private:
   // The shown run with the other side; it must be followed (asserted).
   ComparedFrames source() const { return {*shown_.get(), side_.frames()}; }
-  // The run of the other side, if it has the shown frame; else 0.
-  int other_run(const Timeline& timeline) const { return side_.has(timeline.frame()) ? side_.run() : 0; }
   bool advance_plots(const Timeline& timeline, int chosen_body);
   bool advance_parting();
   void forget_parting();

@@ -228,6 +228,7 @@ const std::vector<TrailPoint>& Session::trail(const Branch& branch, int body, st
 const Choices& Session::choices() const { return impl_->choices; }
 const Debugger& Session::debugger() const { return impl_->debugger; }
 FrameView Session::frame_view() const { return impl_->debugger.view(timeline()); }
+const std::shared_ptr<const Terrain>& Session::ground() const { return impl_->debugger.ground(timeline()); }
 const std::vector<Stage>& Session::stages() const {
   return impl_->debugger.stages(timeline(), impl_->choices.body);
 }

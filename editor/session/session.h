@@ -140,6 +140,8 @@ class Session {
 
   // What stops, is watched and is compared; brought up to what is shown by apply() and advance().
   const Debugger& debugger() const;
+  // The ground of the shown frame's level, whatever the solver; see Debugger::ground().
+  const std::shared_ptr<const Terrain>& ground() const;
   FrameView frame_view() const;              // the shown frame and those before it
   const std::vector<Stage>& stages() const;  // of the chosen body's step to the shown frame
   const State* other_state() const;          // of the other side of a comparison; null: none, or not yet run

@@ -29,19 +29,14 @@ void ShownFrame::forget() {
   history_.clear();
 }
 
-const std::vector<Stage>& ShownFrame::stages(const Timeline& timeline, const FrameSource& source, int other,
+const std::vector<Stage>& ShownFrame::stages(const Timeline& timeline, std::shared_ptr<const Terrain> ground,
                                              int body) {
   const Key key = key_of(timeline, 0);
   if (key == staged_ && body == staged_body_) return stages_;
   staged_ = key;
   staged_body_ = body;
-  const ScenePtr& scene = timeline.shown_scene();
-  if (scene->single_ground) {
-    stages_ = stages_of(view(timeline, source, other).now(), body);
-    return stages_;
-  }
-  staged_frame_.scene = scene;
-  staged_frame_.ground = scene->ground;
+  staged_frame_.scene = timeline.shown_scene();
+  staged_frame_.ground = std::move(ground);
   staged_frame_.state = timeline.state();
   staged_frame_.record = timeline.record();
   staged_frame_.input = timeline.frame() > 0 ? timeline.current().input(timeline.frame()) : Input();

@@ -14,9 +14,8 @@ class ShownFrame {
   // next call for another frame.
   // other: the run of the other side whose frame is there; 0: none is.
   FrameView view(const Timeline& timeline, const FrameSource& source, int other);
-  // Of what the timeline shows, the same way. The step is not made again for them, unless their ground is
-  // known only to those who do.
-  const std::vector<Stage>& stages(const Timeline& timeline, const FrameSource& source, int other, int body);
+  // Of what the timeline shows, for which the step is not made again. ground: as Frame::ground.
+  const std::vector<Stage>& stages(const Timeline& timeline, std::shared_ptr<const Terrain> ground, int body);
   void forget();  // the run is of another level now
 
  private:
