@@ -218,7 +218,11 @@ void App::turn() {
 
 bool App::follow_work() {
   const bool busy = ImGui::IsAnyMouseDown() || frames_to_hold_ > 0;
-  return guard_ && guard_->follow(*session_, options_.clock(), busy);
+  const double now = options_.clock();
+  if (!guard_ || !guard_->follow(*session_, ui_.view, now, busy)) return false;
+  last_event_ = now;  // a dialog is measured in its first frame and seen in a later one
+  note_waits_ = true;
+  return true;
 }
 
 bool App::wait() {
@@ -234,7 +238,7 @@ bool App::wait() {
     return true;
   }
   double next_frame = now + kIdleWait;
-  if (!note_.empty()) next_frame = std::min(next_frame, note_since_ + note_time(note_));
+  if (!note_.empty() && !note_waits_) next_frame = std::min(next_frame, note_since_ + note_time(note_));
   if (ImGui::GetIO().WantTextInput) next_frame = std::min(next_frame, last_time_ + kBlinkWait);
   const double until = guard_ ? std::min(next_frame, guard_->due()) : next_frame;
   const double ms = std::ceil(std::max(0.0, until - now) * 1000);
@@ -314,6 +318,7 @@ void App::handle_events() {
     Actions actions;
     window_->process_event(event);
     last_event_ = options_.clock();
+    note_waits_ = false;
     if (event.type == SDL_QUIT) {
       actions.push_back(action::Quit{});
     } else if (event.type == SDL_KEYDOWN) {
@@ -470,7 +475,7 @@ void App::note_changes() {
 void App::dismiss_old_note() {
   const auto& message = session_->message();
   const std::string text = message && !message->is_error ? message->text : "";
-  if (text != note_) {
+  if (text != note_ || note_waits_) {
     note_ = text;
     note_since_ = last_time_;
   } else if (!note_.empty() && last_time_ - note_since_ > note_time(note_)) {

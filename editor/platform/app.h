@@ -87,7 +87,7 @@ class App {
   Ui ui_;
 
   double last_time_ = 0;    // s, of the last frame
-  double last_event_ = 0;   // s
+  double last_event_ = 0;   // s, of the user's, or of what came from outside
   std::string noted_path_;  // of the session, when last looked at
   std::uint64_t noted_revision_ = 0;
   std::string title_;
@@ -98,6 +98,7 @@ class App {
   int frames_to_hold_ = 0;                 // in which presses wait
   std::string note_;                       // the message that is timed
   double note_since_ = 0;                  // s
+  bool note_waits_ = false;                // for the user, who was elsewhere: its time has not begun
   Preferences noted_preferences_;          // that were remembered last
   int drawn_frames_ = 0;
 };

@@ -6,25 +6,33 @@
 #include <tuple>
 
 namespace talus {
+namespace {
+
+constexpr int kSecondOffer = 3;  // looks at the file, after which it looks again for what was left behind
+
+}  // namespace
 
 void WorkGuard::start(View& view) {
   works_ = autosave_.left_behind();
   view.program.recovery_open = was_open_ = !works_.empty();
 }
 
-bool WorkGuard::follow(Session& session, double now, bool busy) {
+bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
   const auto error = autosave_.follow(session, now);
   if (error) session.apply(action::ShowMessage{*error, true});
   if (now < next_look_) return error.has_value();
   next_look_ = now + kFileInterval;
   if (busy) return error.has_value();
+  // A process that was killed just before this one started may have been ending still.
+  const bool was_open = view.program.recovery_open;
+  if (++looks_ == kSecondOffer && !was_open && works_.empty()) start(view);
   const auto shown = [&] {
     return std::tuple(session.revision(), session.modified(),
                       session.message() ? session.message()->text : "", session.question().has_value());
   };
   const auto before = shown();
   session.apply(action::CheckFile{});
-  return error || before != shown();
+  return error || before != shown() || view.program.recovery_open != was_open;
 }
 
 double WorkGuard::due() const {

@@ -18,8 +18,8 @@ class WorkGuard {
   // Offers what was left behind, if there is any.
   void start(View& view);
   // To be called often; now: s. busy: the user is in the middle of a gesture, so that no question may come.
-  // True when the session has something new to show.
-  bool follow(Session& session, double now, bool busy);
+  // True when there is something new to show.
+  bool follow(Session& session, View& view, double now, bool busy);
   // When follow() has something to do next, s.
   double due() const;
   void draw(Session& session, Ui& ui);
@@ -34,6 +34,7 @@ class WorkGuard {
   std::vector<SavedWork> works_;  // offered
   bool was_open_ = false;         // the dialog, when last looked at
   double next_look_ = 0;          // s, at the file
+  int looks_ = 0;                 // at it so far
 };
 
 }  // namespace talus

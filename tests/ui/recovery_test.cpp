@@ -51,6 +51,24 @@ TEST_F(UiRecovery, WorkIsOfferedAfterACrashAndRecovered) {
   EXPECT_EQ(find("recovery/recover0"), nullptr) << "nothing is left once it is saved";
 }
 
+// As when a script starts the program again at once.
+TEST_F(UiRecovery, WorkOfAProcessThatWasStillEndingIsOfferedToo) {
+  stop();
+  auto ending = std::make_unique<Autosave>(path("state/autosave"));
+  Session killed(test_level(), level_file(), "level.talus.json");
+  killed.apply(action::EditLevel{Edit{"Paint", {CellChange{{12, 9}, 0, 5}}}});
+  ASSERT_TRUE(ending->save_now(killed));
+  start(level_file());
+  frames(2);
+  EXPECT_EQ(find("recovery/recover0"), nullptr);
+  ending.reset();
+  frames(3 * 60);
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(tile_at({12, 9}), 5);
+}
+
 TEST_F(UiRecovery, AMarkedRunIsAskedAboutAndOfferedAfterACrash) {
   for (int i = 0; i < 12; ++i) key(kKeyF10);
   key(ctrl('m'));
@@ -166,7 +184,11 @@ TEST_F(UiRecovery, AFileChangedOutsideIsReadAgain) {
   ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
   frames(90);
   EXPECT_EQ(tile_at({1, 1}), 6);
-  ASSERT_TRUE(session().message());
+  frames(900);
+  ASSERT_TRUE(session().message()) << "it waits for the user to come back";
+  move({640, 400});
+  frames(900);
+  EXPECT_FALSE(session().message());
   key(ctrl('z'));
   EXPECT_EQ(tile_at({1, 1}), 0);
 }
@@ -220,7 +242,8 @@ TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
   EXPECT_EQ((*app)->drawn_frames(), before);
   std::ofstream(level_file()) << "{ not a level";
   turns_for(1.2);
-  EXPECT_GT((*app)->drawn_frames(), before) << "the changed file is told";
+  EXPECT_GT((*app)->drawn_frames(), before + 5)
+      << "the changed file is told, in a dialog in its later frames";
 }
 
 }  // namespace talus::recovery_test
