@@ -169,6 +169,11 @@ std::vector<Command> zoom_commands() {
                       repeating(command("canvas/zoom_out", KeyChord{'-'}, "Zoom out",
                                         "Zooms out; the wheel does it at the mouse.",
                                         [](S, A, U ui) { --ui.view.zoom_by; })),
+                      also_called("home reset view zoom level",
+                                  command("canvas/fit", alt(kKeyHome), "Fit the first screen",
+                                          "Shows the level as when it was opened: its first screen, as large "
+                                          "as there is room for.",
+                                          [](S, A, U ui) { ui.view.fit_first_screen = true; })),
                   });
 }
 

@@ -171,11 +171,15 @@ void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size
   level_number_ = ui.view.level_number;
   size_ = size;
   if (!another && !(resized && camera_.is_untouched())) return;
-  if (another) camera_ = Camera();
-  const Vec2 map = size_in_pixels(session.level().map);
-  camera_.fit(
-      {std::min<double>(map.x, kScreenColumns * kTileSize), std::min<double>(map.y, kScreenRows * kTileSize)},
-      size);
+  fit_first_screen(session.level().map, size);
+}
+
+void LevelCanvas::fit_first_screen(const TileMap& map, ImVec2 size) {
+  camera_ = Camera();
+  const Vec2 whole = size_in_pixels(map);
+  camera_.fit({std::min<double>(whole.x, kScreenColumns * kTileSize),
+               std::min<double>(whole.y, kScreenRows * kTileSize)},
+              size);
 }
 
 // Whether the requests of the view are for this canvas, of the two that may be shown.
@@ -198,9 +202,10 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
   if (v.zoom_by != 0) camera_.zoom_at({size.x / 2, size.y / 2}, v.zoom_by);
   camera_.scroll(v.scroll_by);
   if (v.fit_map) camera_.toggle_whole(map, size);
+  if (v.fit_first_screen) fit_first_screen(session.level().map, size);
   v.zoom_by = 0;
   v.scroll_by = {};
-  v.fit_map = false;
+  v.fit_map = v.fit_first_screen = false;
 }
 
 void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view) {

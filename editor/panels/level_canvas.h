@@ -36,6 +36,7 @@ class LevelCanvas {
   LevelToolUse use(const Session& session, const CanvasView& view, Ui& ui) const;
   bool is_play() const { return kind_ == Kind::play; }
   void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
+  void fit_first_screen(const TileMap& map, ImVec2 size);
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
   void follow_cursor(const Session& session, Ui& ui, const CanvasView& view);

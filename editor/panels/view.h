@@ -104,14 +104,15 @@ struct View {
   ProblemsView problems;
   ExportView exports;
   DebuggerView debugger;
-  bool play_active = false;  // of the two canvases, the play view was used last: it gets these requests,
-  Vec2 scroll_by;            // each taken by the next frame: scroll, px of the screen
-  int zoom_by = 0;           // zoom in (> 0) or out
-  bool minimap = false;      // the whole map in a corner of the map, to go elsewhere
-  bool second_map = false;   // of two maps, the second was used last: as play_active
-  bool fit_map = false;      // show the whole map, or go back
-  int level_number = 0;      // grows when another file is opened: the canvases start afresh
-  Hover hover;               // of this frame
+  bool play_active = false;       // of the two canvases, the play view was used last: it gets these requests,
+  Vec2 scroll_by;                 // each taken by the next frame: scroll, px of the screen
+  int zoom_by = 0;                // zoom in (> 0) or out
+  bool minimap = false;           // the whole map in a corner of the map, to go elsewhere
+  bool second_map = false;        // of two maps, the second was used last: as play_active
+  bool fit_map = false;           // show the whole map, or go back
+  bool fit_first_screen = false;  // as when the level was opened
+  int level_number = 0;           // grows when another file is opened: the canvases start afresh
+  Hover hover;                    // of this frame
 };
 
 }  // namespace talus

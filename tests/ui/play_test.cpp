@@ -1,4 +1,6 @@
 // Running, stepping, painting while it runs, holding balls, and the overlays.
+#include <array>
+
 #include "harness.h"
 
 namespace talus::play_test {
@@ -198,6 +200,26 @@ TEST_F(UiPlay, ArrowsScrollAndTabShowsTheWholeMap) {
   key(kKeyTab);
   key('-');
   EXPECT_EQ(on_map({8, 8}).x, before.x);
+}
+
+TEST_F(UiPlay, TheFirstScreenIsFittedAgain) {
+  key(kKeyF3);
+  const auto places = [&] {
+    const ImVec2 a = on_map({8, 8}), b = on_map({9, 9});
+    return std::array{a.x, a.y, b.x, b.y};
+  };
+  const auto before = places();
+  for (const int steps : {2, -6}) {
+    move(on_map({8, 8}));
+    wheel(steps);
+    key(kKeyRight);
+    EXPECT_NE(places(), before);
+    key(alt(kKeyHome));
+    EXPECT_EQ(places(), before);
+  }
+  key(kKeyTab);
+  key(alt(kKeyHome));
+  EXPECT_EQ(places(), before) << "from the world view, too";
 }
 
 }  // namespace talus::play_test
