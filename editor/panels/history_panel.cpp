@@ -22,7 +22,7 @@ void HistoryPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
     if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), i == history.position())) wanted = i;
     if (undone) ImGui::PopStyleColor();
-    ui.item("history/entry" + std::to_string(i), "Undoes or redoes up to here.");
+    ui.item("history/entry" + std::to_string(i), label + ": undoes or redoes up to here.");
   }
   ImGui::EndChild();
   for (std::size_t i = history.position(); i > wanted; --i) actions.push_back(action::Undo{});

@@ -198,7 +198,7 @@ void KeysPanel::draw_question(Ui& ui) {
     const Command* other = command_with_key(capture->pressed, command, bindings);
     ui.hint(other == nullptr
                 ? "Press the new key for " + std::string(command.label) + ", or Escape."
-                : to_string(capture->pressed) + " is the key of " + std::string(other->label) + ".");
+                : to_string(capture->pressed) + " is the key of \"" + std::string(other->label) + "\".");
     return draw_taken_question(command, other, ui);
   }
   ui.hint(

@@ -42,11 +42,11 @@ void give(const Session& session, Actions& actions, Ui&) {
 
 std::vector<Command> shape_commands() {
   return {
-      command("shape/suggest", KeyChord{}, "Suggest from pixels",
+      command("shape/suggest", KeyChord{}, "Suggest the shape from pixels",
               "Proposes a shape from the opaque pixels of each selected tile; colour 0 is clear. One undo "
               "takes it back.",
               suggest, has_tiles),
-      command("shape/give", KeyChord{}, "Give to all selected",
+      command("shape/give", KeyChord{}, "Give the shape to all selected",
               "Gives the shape of the first selected tile to all selected ones.", give, has_many_tiles),
   };
 }
