@@ -23,6 +23,10 @@ std::string place_of(const Problem& problem) {
   return problem.tile >= 0 ? "#" + std::to_string(problem.tile) : "level";
 }
 
+std::string looking_text(const Session& session) {
+  return "Looking at the level: " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %.";
+}
+
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
 }  // namespace
@@ -31,14 +35,14 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   looked_for_ = 0;
   if (remedies_.size() > kMostRemedies) remedies_.clear();
   if (ui.problems->empty()) {
-    ui.hint(session.is_linting() ? "Looking at the level..." : "No problem found in this level.");
+    ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
     ui.view.problems.kind.clear();
     return;
   }
   draw_bar(session, actions, ui);
   const std::vector<std::size_t> rows = listed_rows(ui);
   if (rows.empty()) {
-    ui.hint("None of this kind is left.");
+    ui.hint(session.is_linting() ? looking_text(session) : "None of this kind is left.");
     return;
   }
   draw_rows(rows, session, actions, ui);
@@ -127,6 +131,11 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
     ImGui::TableSetColumnIndex(1);
     ui.hint("... and " + std::to_string(rows.size() - shown) + " more.");
   }
+  if (session.is_linting()) {  // below the rows, which stand still
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(1);
+    ui.hint(looking_text(session));
+  }
   ImGui::EndTable();
 }
 
@@ -154,8 +163,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
                         {0, height}))
     go_to_problem(index, session, actions, ui);
   ImGui::PopStyleColor();
-  ui.item("problems/row" + row, problem.message + "\n" + std::string(rule_label(problem.code)),
-          "click to go there");
+  ui.item("problems/row" + row, std::string(rule_label(problem.code)), "click to go there");
   if (is_chosen && std::exchange(ui.view.problems.scroll, false)) ImGui::SetScrollHereY(0.5f);
   if (ImGui::IsItemVisible()) {
     const Remedy& remedy = remedy_of(problem, session);
