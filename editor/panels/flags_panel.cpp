@@ -20,7 +20,8 @@ namespace {
 constexpr float kFlagRow = 20;  // px at scale 1
 
 void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lamp, int flag) {
-  list.AddCircleFilled(centre, radius, theme::color(theme::kDark), 20);
+  const ImU32 unlit = theme::is_light() ? theme::tone(theme::kBackground) : theme::color(theme::kDark);
+  list.AddCircleFilled(centre, radius, unlit, 20);
   if (lamp == FlagLamp::all) list.AddCircleFilled(centre, radius - 1, flag_color(flag, 255), 20);
   if (lamp == FlagLamp::some) {  // half lit
     list.PathArcTo(centre, radius - 1, 1.5707963f, 4.7123890f, 12);
