@@ -102,7 +102,9 @@ std::vector<Command> commands_of_all_flags() {
       toggle(
           "flags/brush", ctrl_shift('f'), "Paint flags",
           "The left button paints the tinted flag: on the sheet, and on the map, where it changes the tile "
-          "in all its cells. A drag that begins where the flag is set clears it.",
+          "in all its cells. A drag that begins where the flag is set clears it; one over the map that "
+          "begins "
+          "on a drawn tile leaves out blank ones.",
           toggle_brush,
           [](const Session& session, const Ui&) { return session.choices().map_tool == MapTool::flag; }),
       command("flags/find", alt('g'), "Find flags", "Lists the tiles that have a flag, and their cells.",

@@ -1,4 +1,5 @@
 // Flags: bytes, fields, the brush, and finding where a flag is.
+#include "edit/map_stroke.h"
 #include "harness.h"
 
 namespace talus::flags_test {
@@ -78,6 +79,22 @@ TEST_F(UiFlags, TheBrushPaintsTheTilesOfTheMap) {
   EXPECT_EQ(flags_of(1), 0x01);
   click("flags/brush");
   EXPECT_EQ(session().choices().map_tool, MapTool::stamp);
+}
+
+TEST_F(UiFlags, AStrokeOverTheMapLeavesTheAirOut) {
+  key(ctrl_shift('f'));
+  drag(on_map({5, 10}), on_map({20, 16}));
+  EXPECT_EQ(flags_of(2), 0x03) << "the ball's tile, where it began";
+  EXPECT_EQ(flags_of(1), 0x01) << "the floor's has the flag";
+  EXPECT_EQ(flags_of(0), 0x00) << "the air between";
+  session().apply(action::EditLevel{paint_stroke(level(), {8, 10}, {8, 10}, {8, 10}, {1, 1, {200}}, {})});
+  drag(on_map({5, 10}), on_map({9, 10}));
+  EXPECT_EQ(flags_of(2), 0x02);
+  EXPECT_EQ(flags_of(200), 0x00) << "it has no picture either";
+  click(on_map({8, 10}));
+  EXPECT_EQ(flags_of(200), 0x01) << "on purpose";
+  click(on_map({12, 10}));
+  EXPECT_EQ(flags_of(0), 0x01);
 }
 
 TEST_F(UiFlags, TheRightButtonSelectsUnderTheBrush) {

@@ -1,13 +1,21 @@
 // The flag brush on the map: sets or clears the chosen flag of the tiles that it passes.
+#include <algorithm>
+
 #include "level_tools.h"
 #include "panels/flag_brush.h"
 
 namespace talus {
 namespace {
 
+bool is_blank(const Level& level, int tile) {
+  const TileImage& image = level.sheet(SheetId::tiles).images[static_cast<std::size_t>(tile)];
+  return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });
+}
+
 class FlagTool : public LevelTool {
  public:
   bool press(const LevelToolUse& use, Actions& actions) override {
+    first_ = TileOfMap{use.session.level().map}(use.cell);
     update(use, actions, true, true);
     return brush_.active();
   }
@@ -16,11 +24,20 @@ class FlagTool : public LevelTool {
 
  private:
   void update(const LevelToolUse& use, Actions& actions, bool pressed, bool down) {
-    brush_.update(use.session, actions, SheetId::tiles, use.cell, TileOfMap{use.session.level().map}, pressed,
-                  down);
+    const Level& level = use.session.level();
+    const auto tile_at = [&](Cell cell) {
+      const std::optional<int> tile = TileOfMap{level.map}(cell);
+      return tile && !is_left_out(level, *tile) ? tile : std::nullopt;
+    };
+    brush_.update(use.session, actions, SheetId::tiles, use.cell, tile_at, pressed, down);
+  }
+  // What the stroke passes between the tiles that it is meant for: the air, unless it began there.
+  bool is_left_out(const Level& level, int tile) const {
+    return first_ && ((tile == 0 && *first_ != 0) || (is_blank(level, tile) && !is_blank(level, *first_)));
   }
 
   FlagBrush brush_;
+  std::optional<int> first_;  // the tile that the stroke began on
 };
 
 }  // namespace
