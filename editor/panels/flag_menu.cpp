@@ -9,6 +9,7 @@
 #include "edit/flag_tools.h"
 #include "edit/level_settings.h"
 #include "edit/shape_tools.h"
+#include "edit/tile_shapes.h"
 #include "flag_label.h"
 #include "shape_editor.h"
 
@@ -111,7 +112,9 @@ void FlagMenu::draw_shape_of_flag(const Session& session, Actions& actions, Ui& 
   const Level& level = session.level();
   ui.heading("Shape of tiles without a role");
   const TileShape& now = level.flag_shapes[static_cast<std::size_t>(flag_)];
-  if (const auto shape = draw_shape("flags/shape", now, session, shape_stroke_, ui))
+  if (const auto kind = choose_shape_kind("flags/shape", now.kind, std::string(kind_label(now)), ui))
+    actions.push_back(action::EditLevel{set_flag_shape(level, flag_, with_kind(now, *kind))});
+  if (const auto shape = draw_shape_fields("flags/shape", now, session, shape_stroke_, ui))
     actions.push_back(action::EditLevel{set_flag_shape(level, flag_, *shape), shape_stroke_});
 }
 

@@ -15,6 +15,7 @@ using Side = TileShape::Side;
 constexpr std::array<Kind, 4> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile};
 constexpr double kLowest = 0, kHighest = kMaxShapeTiles * kTileSide;
 constexpr int kLeastTiles = 1, kMostTiles = kMaxShapeTiles;
+constexpr float kKindWidth = 132;   // px at scale 1, of the list of kinds
 constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
 constexpr float kHeightWidth = 32;  // px at scale 1, of one height of a profile
 
@@ -23,14 +24,17 @@ std::string_view label_of(Kind kind) {
   return kLabels[static_cast<std::size_t>(kind)];
 }
 
-class ShapeEditor {
+std::string named_part(std::string_view name, std::string_view part) {
+  return std::string(name) + "_" + std::string(part);
+}
+
+class ShapeFields {
  public:
-  ShapeEditor(std::string_view name, const TileShape& shape, const Session& session, int& stroke, Ui& ui)
+  ShapeFields(std::string_view name, const TileShape& shape, const Session& session, int& stroke, Ui& ui)
       : name_(name), shape_(shape), session_(session), stroke_(stroke), ui_(ui) {}
 
   bool draw() {
-    draw_kind();
-    if (shape_.kind == Kind::none) return changed_;
+    if (shape_.kind == Kind::none) return false;
     if (shape_.kind != Kind::solid) {
       if (shape_.kind == Kind::slope)
         draw_slope();
@@ -42,32 +46,14 @@ class ShapeEditor {
       check("ceiling", "ceiling", hangs, "The ground hangs above the line, and is measured downwards.");
       shape_.side = hangs ? Side::ceiling : Side::floor;
     }
-    ui_.same_line_if_fits(ui_.px(kCheckWidth));
+    if (shape_.kind != Kind::solid) ui_.same_line_if_fits(ui_.px(kCheckWidth));
     check("one_way", "one-way", shape_.one_way, "Stops only what comes from the open side of its line.");
     return changed_;
   }
   const TileShape& shape() const { return shape_; }
 
  private:
-  std::string named(std::string_view part) const { return name_ + "_" + std::string(part); }
-
-  void draw_kind() {
-    const bool open =
-        ui_.begin_combo(name_, std::string(kind_label(shape_)), ui_.px(180),
-                        "What the ground is where a tile has this: a full tile, a slope between "
-                        "two heights, or a profile with a height for each column line.");
-    if (!open) return;
-    const Kind now = shape_.kind;
-    for (const Kind kind : kChoices) {
-      const std::string label(label_of(kind));
-      if (ImGui::Selectable(label.c_str(), kind == now) && kind != now) {
-        shape_ = with_kind(shape_, kind);
-        note_click();
-      }
-      ui_.item(named(label));
-    }
-    ImGui::EndCombo();
-  }
+  std::string named(std::string_view part) const { return named_part(name_, part); }
 
   void draw_slope() {
     drag("left", ImGuiDataType_Double, &shape_.heights[0], &kLowest, &kHighest, "left %.6g px");
@@ -129,11 +115,26 @@ class ShapeEditor {
 
 std::string_view kind_label(const TileShape& shape) { return label_of(shape.kind); }
 
-std::optional<TileShape> draw_shape(std::string_view name, const TileShape& shape, const Session& session,
-                                    int& stroke, Ui& ui) {
-  ShapeEditor editor(name, shape, session, stroke, ui);
-  if (!editor.draw()) return std::nullopt;
-  return editor.shape();
+std::optional<Kind> choose_shape_kind(std::string_view name, Kind now, const std::string& shown, Ui& ui) {
+  const bool open = ui.begin_combo(name, shown, ui.px(kKindWidth),
+                                   "What the ground is where a tile has this: a full tile, a slope between "
+                                   "two heights, or a profile with a height for each column line.");
+  if (!open) return std::nullopt;
+  std::optional<Kind> chosen;
+  for (const Kind kind : kChoices) {
+    const std::string label(label_of(kind));
+    if (ImGui::Selectable(label.c_str(), kind == now) && kind != now) chosen = kind;
+    ui.item(named_part(name, label));
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+std::optional<TileShape> draw_shape_fields(std::string_view name, const TileShape& shape,
+                                           const Session& session, int& stroke, Ui& ui) {
+  ShapeFields fields(name, shape, session, stroke, ui);
+  if (!fields.draw()) return std::nullopt;
+  return fields.shape();
 }
 
 }  // namespace talus

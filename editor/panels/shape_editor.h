@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "session/session.h"
@@ -9,10 +10,14 @@
 
 namespace talus {
 
-// Draws them under names that begin with `name`. The shape as the user has just made it; nothing while it
-// stays. stroke: kept between frames; the number of the edit's stroke, 0 when it is no drag.
-std::optional<TileShape> draw_shape(std::string_view name, const TileShape& shape, const Session& session,
-                                    int& stroke, Ui& ui);
+// The list of kinds, which is `shown` while it is closed. The one that has just been chosen instead of `now`.
+std::optional<TileShape::Kind> choose_shape_kind(std::string_view name, TileShape::Kind now,
+                                                 const std::string& shown, Ui& ui);
+// The fields of its kind, under names that begin with `name`; none of no shape. The shape as the user has
+// just made it; nothing while it stays. stroke: kept between frames; the number of the edit's stroke, 0 when
+// it is no drag.
+std::optional<TileShape> draw_shape_fields(std::string_view name, const TileShape& shape,
+                                           const Session& session, int& stroke, Ui& ui);
 std::string_view kind_label(const TileShape& shape);  // "slope"
 
 }  // namespace talus

@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr float kLeastCanvas = 104, kMostCanvas = 260;  // px at scale 1, height
-constexpr float kBelowCanvas = 92;                      // px at scale 1, what is drawn there
+constexpr float kBelowCanvas = 140;                     // px at scale 1, what is drawn there
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
                                                     "turned by a half"};
 
@@ -50,27 +50,39 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   const int tile = area.tile_at(0, 0);
   ImGui::BeginChild("shape");
+  draw_kind(session, actions, ui, tile);
+  ui.same_line_if_fits(ui.px(132));
+  command_text_button("shape/suggest", "shape/suggest", session, actions, ui);
+  // What the shape changes the height of is below the canvas, which stands still under a held mouse.
+  draw_canvas(session, actions, ui, tile);
   draw_origin(session.level(), tile, ui);
   draw_fields(session, actions, ui, tile);
-  draw_canvas(session, actions, ui, tile);
-  command_text_button("shape/suggest", "shape/suggest", session, actions, ui);
-  ui.same_line_if_fits(ui.px(120));
   command_text_button("shape/give", "shape/give", session, actions, ui);
   draw_copy(session, actions, ui, tile);
   ImGui::EndChild();
 }
 
+void ShapePanel::draw_kind(const Session& session, Actions& actions, Ui& ui, int tile) const {
+  const Level& level = session.level();
+  const TileShape& own = level.tile_shapes[static_cast<std::size_t>(tile)];
+  const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  std::string shown(kind_label(shape));
+  if (own.kind != shape.kind) shown += " by its flags";
+  // The first of its own is as like what its flags gave as may be.
+  if (const auto kind = choose_shape_kind("shape/kind", own.kind, shown, ui))
+    actions.push_back(action::EditLevel{set_tile_shape(level, tile, with_kind(shape, *kind))});
+}
+
 void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui, int tile) {
-  const TileShape& own = session.level().tile_shapes[static_cast<std::size_t>(tile)];
-  auto shape = draw_shape("shape/kind", own, session, field_stroke_, ui);
-  if (!shape) return;
-  if (own.kind == TileShape::Kind::none)  // the first of its own is as like what its flags gave as may be
-    shape = with_kind(shape_of_tile(session.level(), static_cast<std::uint8_t>(tile)), shape->kind);
-  actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_stroke_});
+  const TileShape now = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
+  if (const auto shape = draw_shape_fields("shape/kind", now, session, field_stroke_, ui))
+    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_stroke_});
 }
 
 void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile) {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  // As wide as beside a scroll bar, which may come and go.
+  const ImVec2 room{ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize,
+                    ImGui::GetContentRegionAvail().y};
   const float height = std::clamp(room.y - ui.px(kBelowCanvas), ui.px(kLeastCanvas), ui.px(kMostCanvas));
   const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
   if (const auto dragged = canvas_.draw(session, tile, shape, {room.x, height}, ui))

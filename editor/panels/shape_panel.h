@@ -14,6 +14,7 @@ class ShapePanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  void draw_kind(const Session& session, Actions& actions, Ui& ui, int tile) const;
   void draw_fields(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_copy(const Session& session, Actions& actions, Ui& ui, int tile);

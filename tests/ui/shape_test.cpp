@@ -55,6 +55,34 @@ TEST_F(UiShape, FirstShapeOfItsOwnIsAsItsFlagsHadIt) {
   EXPECT_EQ(shape(3), TileShape());
 }
 
+TEST_F(UiShape, CanvasStandsStillUnderAHeldMouse) {
+  click(on_sheet(3));
+  frames(2);
+  const ImVec2 left = centre("shape/handle0"), right = centre("shape/handle1");
+  const float px = (right.x - left.x) / 16;
+  move(left);
+  press();
+  for (const float up : {1.0f, 2.0f, 3.0f}) {
+    move({left.x, left.y - up * px});
+    frames(2);
+    EXPECT_NEAR(centre("shape/handle0").y, left.y - up * px, 1);
+    EXPECT_EQ(centre("shape/handle1").y, right.y) << "the tile has a shape of its own from the first px on";
+  }
+  release();
+  EXPECT_EQ(shape(3), (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {3, 8}}));
+}
+
+TEST_F(UiShape, SuggestingTwiceEditsOnce) {
+  click(on_sheet(7));
+  const ImVec2 button = centre("shape/suggest");
+  click(button);
+  click(button);
+  frames(2);
+  EXPECT_EQ(centre("shape/suggest").y, button.y);
+  EXPECT_EQ(shape(7), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
+  EXPECT_EQ(session().history().edits().size(), 1u);
+}
+
 TEST_F(UiShape, ProfileIsDrawnOverItsColumns) {
   click(on_sheet(9));
   click("shape/kind");
