@@ -72,9 +72,13 @@ bool dialog_button(const DialogButton& button, Ui& ui) {
   return button.enabled && (clicked || by_enter || by_escape || letter_pressed(button.letter, ui.view));
 }
 
-bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+bool key_pressed(ImGuiKey key) {
+  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
 
-bool key_repeats(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), true); }
+bool key_repeats(ImGuiKey key) {
+  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), true);
+}
 
 bool floating_window_has_keys() {
   const ImGuiWindow* window = ImGui::GetCurrentContext()->NavWindow;

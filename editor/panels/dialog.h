@@ -28,7 +28,8 @@ struct DialogButton {
 // Whether it was pressed by the mouse or a key.
 bool dialog_button(const DialogButton& button, Ui& ui);
 
-// Whether the key went down in this frame.
+// Whether the key went down in this frame. In a dialog's first frame nothing did: what opened it, such as the
+// Enter that chose a command, is no answer to it.
 bool key_pressed(ImGuiKey key);
 // The same, or whether it is held down and counts again.
 bool key_repeats(ImGuiKey key);

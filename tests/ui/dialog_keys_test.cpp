@@ -301,6 +301,34 @@ TEST_F(UiDialogKeys, ThePaletteNamesABody) {
   EXPECT_EQ(level().spawns[0].name, "hero");
 }
 
+TEST_F(UiDialogKeys, TheEnterThatOpensADialogIsNoAnswerToIt) {
+  run_from_palette("export the tiles");
+  ASSERT_NE(find("files/confirm"), nullptr) << "it asks for a name";
+  EXPECT_FALSE(std::filesystem::exists(path("level-tiles.png")));
+  press_key({kKeyEnter});
+  EXPECT_TRUE(std::filesystem::exists(path("level-tiles.png")));
+  EXPECT_EQ(find("files/confirm"), nullptr);
+  const std::string before = bytes_of(level_file());
+  paint({12, 9});
+  run_from_palette("save as");
+  ASSERT_NE(find("files/confirm"), nullptr);
+  press_key({kKeyEnter});
+  EXPECT_NE(find("files/confirm"), nullptr) << "it asks whether to replace the level";
+  EXPECT_EQ(bytes_of(level_file()), before);
+  press_letter('r');
+  EXPECT_EQ(find("files/confirm"), nullptr);
+  EXPECT_NE(bytes_of(level_file()), before);
+}
+
+TEST_F(UiDialogKeys, TheEnterThatOpensAListFromAMenuChoosesNothingInIt) {
+  run_from_palette("menu help");
+  press_key({kKeyDown});
+  press_key({kKeyEnter});
+  EXPECT_TRUE(view().command_palette_open) << "the second one finds commands";
+  press_key(kEscapeKey);
+  EXPECT_FALSE(view().command_palette_open);
+}
+
 TEST_F(UiDialogKeys, TabsComeByNameAndGoByKeys) {
   for (const char* tab : {"history", "brushes", "problems", "shape", "inspector", "tuning"}) {
     run_from_palette(std::string("tab ") + tab);
