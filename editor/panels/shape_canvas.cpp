@@ -18,6 +18,12 @@ constexpr float kMostZoom = 24;                        // px for each px of a ti
 
 bool has_line(const TileShape& shape) { return shape.kind >= TileShape::Kind::slope; }
 
+// A length of the mouse's: whole px, with Alt halves.
+double rounded(double px) {
+  const double grain = ImGui::GetIO().KeyAlt ? 2 : 1;
+  return std::round(px * grain) / grain;
+}
+
 }  // namespace
 
 // Where the tiles lie on the screen in this frame.
@@ -40,28 +46,24 @@ struct ShapeCanvas::Frame {
     const float y = static_cast<float>(shape.heights[i]) * zoom;
     return {at.x + part * width(), hangs() ? at.y + y : at.y + height() - y};
   }
-  // The height at a place of the mouse: whole px, with Alt halves.
-  double height_at(float y) const {
-    const double px = (hangs() ? y - at.y : at.y + height() - y) / zoom;
-    const double grain = ImGui::GetIO().KeyAlt ? 2 : 1;
-    return std::clamp(std::round(px * grain) / grain, 0.0, static_cast<double>(tiles.h * kTileSize));
-  }
+  double highest() const { return tiles.h * kTileSize; }  // px, that a drag makes
+  double height_at(float y) const { return (hangs() ? y - at.y : at.y + height() - y) / zoom; }  // px
+  double rise(float from_y, float to_y) const { return height_at(to_y) - height_at(from_y); }    // px
   int nearest_by_x(float x) const {
     const float last = static_cast<float>(shape.heights.size() - 1);
     return static_cast<int>(std::clamp(std::round((x - at.x) / width() * last), 0.0f, last));
   }
-  void set_height(int i, float y) {
-    double& height = shape.heights[static_cast<std::size_t>(i)];
-    const double wanted = height_at(y);
-    changed = changed || wanted != height;
-    height = wanted;
+  void set_height(std::size_t i, double wanted) {
+    wanted = std::clamp(wanted, 0.0, highest());
+    changed = changed || wanted != shape.heights[i];
+    shape.heights[i] = wanted;
   }
 };
 
 std::optional<TileShape> ShapeCanvas::draw(const Session& session, int tile, const TileShape& shape,
                                            ImVec2 room, Ui& ui) {
   CellRect tiles = tiles_of_shape(tile, shape);
-  if (held_ >= 0 && tiles.h != rows_) {  // as it was when the drag began
+  if (grip_ != Grip::none && tiles.h != rows_) {  // as it was when the drag began
     if (shape.side == TileShape::Side::floor) tiles.y += tiles.h - rows_;
     tiles.h = rows_;
   }
@@ -77,8 +79,8 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, int tile, con
   ImGui::InvisibleButton("shape canvas", {room.x, frame.height() + 2 * margin});
   frame.at = {std::floor(corner.x + (room.x - frame.width()) / 2), std::floor(corner.y + margin)};
   ui.item("shape/canvas",
-          "Drag the line's handles; they keep to whole pixels, with Alt to halves. Over a "
-          "profile, a drag beside them draws it.");
+          "Drag the line or its handles; they keep to whole pixels, with Alt to halves. Over a "
+          "profile, a drag beside the handles draws it.");
   if (has_line(shape)) drag(frame);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -111,22 +113,47 @@ void ShapeCanvas::follow_cursor(const Frame& frame, Ui& ui) const {
   ui.view.cursor.draw("shape", *ImGui::GetWindowDrawList(), view, ui.scale);
 }
 
+void ShapeCanvas::take_hold(const Frame& frame, ImVec2 mouse) {
+  stroke_ = frame.session.next_stroke();
+  held_ = frame.nearest_by_x(mouse.x);
+  from_y_ = mouse.y;
+  from_ = frame.shape.heights;
+  const ImVec2 point = frame.point(static_cast<std::size_t>(held_));
+  if (std::hypot(point.x - mouse.x, point.y - mouse.y) <= frame.reach)
+    grip_ = Grip::handle;
+  else
+    grip_ = frame.shape.kind == TileShape::Kind::profile ? Grip::free : Grip::line;
+}
+
 void ShapeCanvas::drag(Frame& frame) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  if (ImGui::IsItemActivated()) {
-    stroke_ = frame.session.next_stroke();
-    held_ = frame.nearest_by_x(mouse.x);
-    const ImVec2 point = frame.point(static_cast<std::size_t>(held_));
-    const bool on_handle = std::hypot(point.x - mouse.x, point.y - mouse.y) <= frame.reach;
-    free_ = !on_handle && frame.shape.kind == TileShape::Kind::profile;
+  if (ImGui::IsItemActivated() && ImGui::IsMouseDown(0)) take_hold(frame, mouse);  // not by the Space key
+  if (!ImGui::IsItemActive()) grip_ = Grip::none;
+  if (grip_ == Grip::none || from_.size() != frame.shape.heights.size()) return;
+  if (grip_ == Grip::free)
+    draw_freely(frame, mouse);
+  else
+    move_held(frame, mouse.y);
+}
+
+// A handle, or the whole line, which keeps its rise.
+void ShapeCanvas::move_held(Frame& frame, float y) const {
+  const double by = frame.rise(from_y_, y);
+  if (grip_ == Grip::handle) {
+    const auto held = static_cast<std::size_t>(held_);
+    return frame.set_height(held, by == 0 ? from_[held] : rounded(from_[held] + by));
   }
-  if (!ImGui::IsItemActive()) held_ = -1;
-  if (held_ < 0 || held_ >= static_cast<int>(frame.shape.heights.size())) return;
-  if (!free_) return frame.set_height(held_, mouse.y);
-  const int to = frame.nearest_by_x(mouse.x);  // a fast hand leaves none out
-  const int step = to < held_ ? -1 : 1;
-  for (int i = held_; i != to; i += step) frame.set_height(i, mouse.y);
-  frame.set_height(to, mouse.y);
+  const auto [least, most] = std::minmax_element(from_.begin(), from_.end());
+  const double kept = std::clamp(rounded(by), -*least, std::max(-*least, frame.highest() - *most));
+  for (std::size_t i = 0; i < from_.size(); ++i) frame.set_height(i, from_[i] + kept);
+}
+
+// From the height that the mouse was at to the one that it is at: a fast hand leaves none out.
+void ShapeCanvas::draw_freely(Frame& frame, ImVec2 mouse) {
+  const double height = rounded(frame.height_at(mouse.y));
+  const int to = frame.nearest_by_x(mouse.x), step = to < held_ ? -1 : 1;
+  for (int i = held_; i != to; i += step) frame.set_height(static_cast<std::size_t>(i), height);
+  frame.set_height(static_cast<std::size_t>(to), height);
   held_ = to;
 }
 
@@ -149,7 +176,7 @@ void ShapeCanvas::draw_line(const Frame& frame, Ui& ui) const {
 void ShapeCanvas::draw_handles(const Frame& frame, const std::vector<ImVec2>& points, Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const int pointed = ImGui::IsItemHovered() ? frame.nearest_by_x(ImGui::GetIO().MousePos.x) : -1;
-  const int lit = held_ >= 0 ? held_ : pointed, count = static_cast<int>(points.size());
+  const int lit = grip_ == Grip::none ? pointed : held_, count = static_cast<int>(points.size());
   const float side = std::min(ui.px(kHandle), std::max(2.0f, frame.width() / static_cast<float>(3 * count)));
   for (int i = 0; i < count; ++i) {
     const ImVec2 p = points[static_cast<std::size_t>(i)];

@@ -72,6 +72,26 @@ TEST_F(UiShape, CanvasStandsStillUnderAHeldMouse) {
   EXPECT_EQ(shape(3), (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {3, 8}}));
 }
 
+TEST_F(UiShape, LineIsMovedBesideItsHandles) {
+  click(on_sheet(9));
+  click("shape/kind");
+  click("shape/kind_slope");
+  frames(2);
+  const ImVec2 left = centre("shape/handle0"), right = centre("shape/handle1");
+  drag(right, {right.x, right.y + 5 * zoom()});
+  ASSERT_EQ(shape(9).heights, (std::vector<double>{0, 3}));
+  const std::size_t edits = session().history().edits().size();
+  const ImVec2 middle{(left.x + right.x) / 2, left.y - 6 * zoom()};
+  click(middle);
+  click(ImVec2{left.x + 4, left.y - 4});  // on the handle, beside its middle
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{0, 3}));
+  EXPECT_EQ(session().history().edits().size(), edits) << "a click changes nothing";
+  drag(middle, {middle.x, middle.y - 2 * zoom()});
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{2, 5}));
+  drag(middle, {middle.x, middle.y - 20 * zoom()});
+  EXPECT_EQ(shape(9).heights, (std::vector<double>{5, 8})) << "it keeps its rise at the top, too";
+}
+
 TEST_F(UiShape, SuggestingTwiceEditsOnce) {
   click(on_sheet(7));
   const ImVec2 button = centre("shape/suggest");
