@@ -157,13 +157,15 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.layout.sheet = (sheet + moved) / size.y;
   const float y = at.y + sheet + bar;
-  if (ui.view.pixels.enlarged) {
-    draw_region(frame, Region::palette, {at.x, y}, {size.x, std::min(pixels, 3 * palette)});
+  if (ui.view.pixels.enlarged) {  // elsewhere: the flags get the room that is left
+    const float colors = std::min(pixels, 3 * palette);
+    draw_region(frame, Region::palette, {at.x, y}, {size.x, colors});
+    draw_region(frame, Region::flags, {at.x, y + colors}, {size.x, pixels - colors + flags});
   } else {
     draw_region(frame, Region::pixels, {at.x, y}, {size.x, pixels - palette});
     draw_region(frame, Region::palette, {at.x, y + pixels - palette}, {size.x, palette});
+    draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
   }
-  draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
 }
 
 float Workspace::draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room) {
