@@ -7,8 +7,6 @@
 namespace talus {
 namespace {
 
-constexpr int kSamples = 4;  // cells along each side of a block that are looked at
-
 Rgb main_color(const TileImage& image, const Palette& palette) {
   std::array<int, kColorCount> counts{};
   for (const std::uint8_t pixel : image) ++counts[pixel];
@@ -22,25 +20,55 @@ Rgb mixed(Rgb color, Rgb tint) {
   return {channel(color.r, tint.r), channel(color.g, tint.g), channel(color.b, tint.b)};
 }
 
+// The three channels of a colour in one number, so that those of many cells are added at once: a picture of
+// the largest map looks at 16 million of them.
+constexpr int kChannelBits = 21;
+constexpr std::uint64_t kChannelMask = (1 << kChannelBits) - 1;
+constexpr int kMostAtOnce = 1 << (kChannelBits - 8);  // colours whose sums fit
+using PackedColors = std::array<std::uint64_t, kTileCount>;
+
+PackedColors packed(const TileColors& colors) {
+  PackedColors all{};
+  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+    const Rgb color = colors[tile];
+    all[tile] = color.r | std::uint64_t{color.g} << kChannelBits | std::uint64_t{color.b} << 2 * kChannelBits;
+  }
+  return all;
+}
+
 struct Sum {
-  int r = 0, g = 0, b = 0, count = 0;
-  void add(Rgb color) {
-    r += color.r;
-    g += color.g;
-    b += color.b;
-    ++count;
+  std::uint64_t r = 0, g = 0, b = 0, count = 0;
+
+  // The cells of a row of the map from `tiles` on.
+  void add(const std::uint8_t* tiles, int cells, const PackedColors& colors) {
+    count += static_cast<std::uint64_t>(cells);
+    while (cells > 0) {
+      const int now = std::min(cells, kMostAtOnce);
+      std::uint64_t sum = 0;
+      for (int i = 0; i < now; ++i) sum += colors[tiles[i]];
+      r += sum & kChannelMask;
+      g += sum >> kChannelBits & kChannelMask;
+      b += sum >> 2 * kChannelBits;
+      tiles += now;
+      cells -= now;
+    }
   }
 };
 
-// Of the cells of a block that are on the map.
-Sum sum_of_block(const TileMap& map, const TileColors& colors, Cell from, int block) {
-  Sum sum;
-  const int step = std::max(1, block / kSamples);
-  const int right = std::min(from.x + block, map.width()), bottom = std::min(from.y + block, map.height());
-  for (Cell cell{from.x, from.y}; cell.y < bottom; cell.y += step) {
-    for (cell.x = from.x; cell.x < right; cell.x += step) sum.add(colors[map.at(cell)]);
+// Of a row of blocks: of each the cells that are on the map.
+std::vector<Sum> sums_of_row(const TileMap& map, const PackedColors& colors, Cell from, int block,
+                             int blocks) {
+  std::vector<Sum> sums(static_cast<std::size_t>(blocks));
+  const int bottom = std::min(from.y + block, map.height());
+  for (int y = from.y; y < bottom; ++y) {
+    const std::uint8_t* row = map.cells().data() + static_cast<std::size_t>(y) * map.width();
+    int x = from.x;
+    for (Sum& sum : sums) {
+      sum.add(row + x, std::min(block, map.width() - x), colors);
+      x += block;
+    }
   }
-  return sum;
+  return sums;
 }
 
 }  // namespace
@@ -60,17 +88,18 @@ std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colo
                                       int width, int height) {
   assert(block >= 1 && block <= kMaxBlock);
   std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  const PackedColors all = packed(colors);
   // In blocks, so that no number overflows beyond the map.
-  const int columns = std::min(width, (map.width() - from.x + block - 1) / block);
+  const int columns = std::clamp((map.width() - from.x + block - 1) / block, 0, width);
   const int rows = std::min(height, (map.height() - from.y + block - 1) / block);
   for (int y = 0; y < rows; ++y) {
     std::uint8_t* out = &rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4];
-    for (int x = 0; x < columns; ++x, out += 4) {
-      const Sum sum = sum_of_block(map, colors, {from.x + x * block, from.y + y * block}, block);
+    for (const Sum& sum : sums_of_row(map, all, {from.x, from.y + y * block}, block, columns)) {
       out[0] = static_cast<std::uint8_t>(sum.r / sum.count);
       out[1] = static_cast<std::uint8_t>(sum.g / sum.count);
       out[2] = static_cast<std::uint8_t>(sum.b / sum.count);
       out[3] = 255;
+      out += 4;
     }
   }
   return rgba;

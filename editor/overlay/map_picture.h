@@ -28,7 +28,7 @@ TileColors tile_colors(const Level& level, const MapLook& look);
 inline constexpr int kMaxBlock = 1 << 21;
 
 // RGBA, width * height pixels, row by row. The first pixel stands for the block with its top-left cell at
-// `from`; each is the mean of up to 4x4 of its cells, and clear where it lies beyond the map.
+// `from`; each is the mean of its cells on the map, and clear where it has none.
 // block: a power of 2, 1..kMaxBlock.
 std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colors, Cell from, int block,
                                       int width, int height);

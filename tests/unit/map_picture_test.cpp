@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace talus::map_picture_test {
 
 constexpr Rgb kBlack{0, 0, 0}, kRed{200, 0, 0}, kBlue{0, 0, 100};
@@ -67,12 +69,29 @@ TEST(MapPicture, ABlockIsTheMeanOfItsCellsOnTheMap) {
   EXPECT_EQ(pixel(rgba, 1), (Rgb{100, 0, 0})) << "of its four cells two are on the map";
 }
 
-TEST(MapPicture, AHugeBlockIsSampled) {
-  Level level = picture_level(16, 16);
-  for (int y = 0; y < 16; y += 4)
-    for (int x = 0; x < 16; x += 4) level.map.set({x, y}, 1);
-  EXPECT_EQ(pixel(map_picture(level.map, tile_colors(level, {}), {0, 0}, 16, 1, 1), 0), kRed)
-      << "every fourth cell of every fourth row";
+TEST(MapPicture, RowsAndColumnsAreNeverMissed) {
+  for (int phase = 0; phase < 4; ++phase) {
+    Level rows = picture_level(64, 64), columns = picture_level(64, 64);
+    for (int far = phase; far < 64; far += 4) {
+      for (int near = 0; near < 64; ++near) {
+        rows.map.set({near, far}, 1);
+        columns.map.set({far, near}, 1);
+      }
+    }
+    for (const int block : {4, 16, 64}) {
+      const TileColors colors = tile_colors(rows, {});
+      EXPECT_EQ(pixel(map_picture(rows.map, colors, {0, 0}, block, 1, 1), 0), (Rgb{50, 0, 0})) << block;
+      EXPECT_EQ(pixel(map_picture(columns.map, colors, {0, 0}, block, 1, 1), 0), (Rgb{50, 0, 0})) << block;
+    }
+  }
+}
+
+TEST(MapPicture, TheLongestRowFitsAPixel) {
+  Level level = picture_level(kMaxTerrainSide, 8);
+  level.palette[1] = {255, 255, 255};
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  EXPECT_EQ(pixel(map_picture(level.map, tile_colors(level, {}), {0, 0}, kMaxBlock, 1, 1), 0),
+            (Rgb{255, 255, 255}));
 }
 
 }  // namespace talus::map_picture_test
