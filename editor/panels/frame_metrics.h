@@ -9,7 +9,8 @@
 namespace talus {
 
 struct FrameCost {
-  double interface_ms = 0;  // processor time for panels, canvases and overlays, without showing the picture
+  double interface_ms = 0;  // processor time for panels, canvases and overlays
+  double opengl_ms = 0;     // for handing them to OpenGL, without showing the picture; 0: offscreen
   int vertices = 0;
   int draw_calls = 0;
 };
@@ -26,23 +27,24 @@ class FrameMetrics {
   void clear() { count_ = next_ = 0; }
   std::size_t frames() const { return count_; }
   // Of the frames that are remembered; all 0 before the first one.
-  double median_ms() const {
-    std::vector<double> times = all_ms();
+  using Part = double FrameCost::*;
+  double median_ms(Part part = &FrameCost::interface_ms) const {
+    std::vector<double> times = all_ms(part);
     if (times.empty()) return 0;
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), middle, times.end());
     return *middle;
   }
-  double max_ms() const {
-    const std::vector<double> times = all_ms();
+  double max_ms(Part part = &FrameCost::interface_ms) const {
+    const std::vector<double> times = all_ms(part);
     return times.empty() ? 0 : *std::max_element(times.begin(), times.end());
   }
   FrameCost last() const { return count_ == 0 ? FrameCost{} : costs_[(next_ + kFrames - 1) % kFrames]; }
 
  private:
-  std::vector<double> all_ms() const {
+  std::vector<double> all_ms(Part part) const {
     std::vector<double> times;
-    for (std::size_t i = 0; i < count_; ++i) times.push_back(costs_[i].interface_ms);
+    for (std::size_t i = 0; i < count_; ++i) times.push_back(costs_[i].*part);
     return times;
   }
   std::array<FrameCost, kFrames> costs_{};

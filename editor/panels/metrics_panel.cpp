@@ -33,10 +33,13 @@ void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(180));
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
       constexpr const char* kFrames =
-          "Processor time for panels, canvases and overlays, without showing the picture; of the last 120 "
-          "frames.";
-      metric_row("frame, median   ms", "%.2f", metrics.median_ms(), kFrames, ui);
-      metric_row("frame, longest   ms", "%.2f", metrics.max_ms(), kFrames, ui);
+          "Processor time for panels, canvases and overlays; of the last 120 frames.";
+      metric_row("interface, median   ms", "%.2f", metrics.median_ms(), kFrames, ui);
+      metric_row("interface, longest   ms", "%.2f", metrics.max_ms(), kFrames, ui);
+      metric_row("OpenGL, median   ms", "%.2f", metrics.median_ms(&FrameCost::opengl_ms),
+                 "Processor time for handing the picture to OpenGL, without showing it. A driver that has no "
+                 "graphics hardware draws then.",
+                 ui);
       metric_row("vertices", "%.0f", last.vertices, "That Dear ImGui drew in the last frame.", ui);
       metric_row("draw calls", "%.0f", last.draw_calls, "That they were drawn with.", ui);
       if (steps != nullptr && !steps->points().empty())

@@ -219,8 +219,9 @@ void GlWindow::begin_picture(ImVec2 size) {
   new_frame();
 }
 
-void GlWindow::end_frame() {
-  ImGui::Render();
+void GlWindow::end_frame() { ImGui::Render(); }
+
+void GlWindow::draw() {
   if (offscreen_) return;
   const ImDrawData* data = ImGui::GetDrawData();
   glViewport(0, 0, static_cast<int>(data->DisplaySize.x * data->FramebufferScale.x),

@@ -49,9 +49,11 @@ class GlWindow {
   void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer,
                    bool keys_to_controls);
   void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
-  // Draws what was put into Dear ImGui since begin_frame(); present() shows it. Offscreen nobody would see
-  // it: there draw_picture() draws, when a picture is wanted.
+  // Makes triangles of what was put into Dear ImGui since begin_frame(); draw() gives them to OpenGL, and
+  // present() shows them. Offscreen nobody would see them: there draw_picture() draws, when a picture is
+  // wanted.
   void end_frame();
+  void draw();
   void present();
 
  private:
