@@ -1,12 +1,18 @@
 // Sliders, hex and clipboard.
 #include "color_panel.h"
 
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "commands.h"
+#include "dialog.h"
 #include "edit/level_settings.h"
+#include "formats/hex.h"
 
 namespace talus {
 namespace {
@@ -26,47 +32,56 @@ constexpr float kNumberWidth = 48;  // px at scale 1
 // What the user does to the colour in this frame.
 struct Touched {
   bool changed = false, begins = false;  // begins: a stroke, which is one undo
+  bool cancelled = false;                // the stroke, by Escape
   Touched& operator|=(Touched other) {
     changed |= other.changed;
     begins |= other.begins;
+    cancelled |= other.cancelled;
     return *this;
   }
 };
 
+// Of ImGui's last item, which a drag ends with when it is cancelled.
+Touched touched_item(bool changed) {
+  Touched touched{changed, ImGui::IsItemActivated()};
+  touched.cancelled = (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && key_pressed(ImGuiKey_Escape);
+  if (touched.cancelled && ImGui::IsItemActive()) ImGui::ClearActiveID();
+  return touched;
+}
+
 // A slider, and its number beside it, where the knob does not cover it.
 Touched draw_channel(const Channel& channel, int& value, Ui& ui) {
-  Touched touched;
   const std::string name = channel.name, hidden = "##" + name;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(kNumberWidth + theme::kGap));
   ImGui::PushStyleColor(ImGuiCol_SliderGrab, theme::color(channel.color));
   ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, theme::color(channel.color));
-  touched.changed = ImGui::SliderInt(hidden.c_str(), &value, 0, 255, "", ImGuiSliderFlags_NoInput);
+  Touched touched =
+      touched_item(ImGui::SliderInt(hidden.c_str(), &value, 0, 255, "", ImGuiSliderFlags_NoInput));
   ImGui::PopStyleColor(2);
-  touched.begins = ImGui::IsItemActivated();
-  ui.item(name, "Drag; undoable.");
+  ui.item(name, "Drag; undoable.", "Esc cancels");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  touched.changed |= ImGui::DragInt((hidden + "_number").c_str(), &value, 0.5f, 0, 255, channel.format,
-                                    ImGuiSliderFlags_AlwaysClamp);
-  touched.begins |= ImGui::IsItemActivated();
+  touched |= touched_item(ImGui::DragInt((hidden + "_number").c_str(), &value, 0.5f, 0, 255, channel.format,
+                                         ImGuiSliderFlags_AlwaysClamp));
   ui.item(name + "_number", "From 0 to 255; undoable.", "drag, or double click to type");
   return touched;
 }
 
-// The colour as RRGGBB; true when another one was typed.
-bool draw_hex(std::array<int, 3>& rgb, Ui& ui) {
+std::string hex_of(Rgb color) {
   std::array<char, 8> hex{};
-  std::snprintf(hex.data(), hex.size(), "%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
-  unsigned typed = 0;
-  ImGui::SetNextItemWidth(ui.px(kHex));
-  const bool entered =
-      ImGui::InputText("##hex", hex.data(), hex.size(),
-                       ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue);
-  ui.item("palette/hex", "The colour as RRGGBB; Enter sets it.");
-  if (!entered || std::sscanf(hex.data(), "%6x", &typed) != 1) return false;
-  const auto byte = [&](int shift) { return static_cast<int>(typed >> shift) & 255; };
-  rgb = {byte(16), byte(8), byte(0)};
-  return true;
+  std::snprintf(hex.data(), hex.size(), "%02x%02x%02x", color.r, color.g, color.b);
+  return hex.data();
+}
+
+// Of six hexadecimal digits, or of three, each of which stands for two.
+std::optional<Rgb> color_of(std::string_view hex) {
+  if (hex.size() != 3 && hex.size() != 6) return std::nullopt;
+  const std::size_t digits = hex.size() / 3;
+  const auto channel = [&](std::size_t i) {
+    const int high = hex_value(hex[i * digits]), low = hex_value(hex[i * digits + digits - 1]);
+    return static_cast<std::uint8_t>(16 * high + low);
+  };
+  return Rgb{channel(0), channel(1), channel(2)};
 }
 
 void draw_swatch(Rgb color, int number, Ui& ui) {
@@ -88,23 +103,51 @@ void draw_clipboard(std::string_view id, const char* label, const Session& sessi
 
 void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const int color = ui.view.palette_color;
-  const Rgb now = session.level().palette[static_cast<std::size_t>(color)];
-  std::array<int, 3> rgb = {now.r, now.g, now.b};
   const float padding = (ui.px(kRow) - ImGui::GetFontSize()) / 2;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), padding));
-  Touched touched;
-  for (std::size_t i = 0; i < kChannels.size(); ++i) touched |= draw_channel(kChannels[i], rgb[i], ui);
-  draw_swatch(now, color, ui);
+  draw_swatch(session.level().palette[static_cast<std::size_t>(color)], color, ui);
   ImGui::SameLine();
-  if (draw_hex(rgb, ui)) touched = {true, true};
+  const Rgb now = draw_hex(session, actions, ui);
   draw_clipboard("palette/copy", "Copy", session, actions, ui);
   draw_clipboard("palette/paste", "Paste", session, actions, ui);
+  std::array<int, 3> rgb = {now.r, now.g, now.b};
+  Touched touched;
+  for (std::size_t i = 0; i < kChannels.size(); ++i) touched |= draw_channel(kChannels[i], rgb[i], ui);
   ImGui::PopStyleVar();
-  if (touched.begins) stroke_ = session.next_stroke();
-  if (!touched.changed) return;
+  if (touched.begins) {
+    stroke_ = session.next_stroke();
+    before_ = now;
+  }
+  if (!touched.changed && !touched.cancelled) return;
   const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
-  actions.push_back(action::EditLevel{
-      set_color(session.level(), color, {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}), stroke_});
+  const Rgb wanted = touched.cancelled ? before_ : Rgb{byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+  actions.push_back(action::EditLevel{set_color(session.level(), color, wanted), stroke_});
+}
+
+// What is typed is taken when the typing ends, by Enter, Tab or a click elsewhere; Escape brings back what
+// was there. It is for the colour that it began with, as that click may choose another one.
+Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
+  const Palette& palette = session.level().palette;
+  const Rgb chosen = palette[static_cast<std::size_t>(ui.view.palette_color)];
+  if (!typing_) {
+    typed_color_ = ui.view.palette_color;
+    typed_ = hex_of(chosen);
+  }
+  ImGui::SetNextItemWidth(ui.px(kHex));
+  ImGui::InputText("##hex", &typed_, ImGuiInputTextFlags_CharsHexadecimal);
+  typing_ = ImGui::IsItemActive();
+  ui.item("palette/hex", "The colour as RRGGBB, or RGB for short; Enter or Tab sets it.");
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return chosen;
+  const auto typed = color_of(typed_);
+  if (!typed) {
+    actions.push_back(action::ShowMessage{
+        "\"" + typed_ + "\" is no colour: that is six hexadecimal digits, or three such as f80 for ff8800.",
+        true});
+    return chosen;
+  }
+  if (*typed != palette[static_cast<std::size_t>(typed_color_)])
+    actions.push_back(action::EditLevel{set_color(session.level(), typed_color_, *typed)});
+  return typed_color_ == ui.view.palette_color ? *typed : chosen;
 }
 
 }  // namespace talus

@@ -31,9 +31,10 @@ constexpr std::string_view kColorTab = "color", kColorHex = "palette/hex", kColo
 
 std::vector<Command> color_fields() {
   return {
-      field_command<kColorTab, kColorHex>("palette/type", "Type the colour...",
-                                          "Goes to the field of the chosen colour, as RRGGBB; Enter sets it.",
-                                          "hex rgb edit color palette"),
+      field_command<kColorTab, kColorHex>(
+          "palette/type", "Type the colour...",
+          "Goes to the field of the chosen colour, as RRGGBB or RGB; Enter sets it.",
+          "hex rgb edit color palette"),
       field_command<kColorTab, kColorRed>(
           "palette/type_red", "Type the colour's red...",
           "Goes to the number of red, 0 to 255; Tab goes on to green and blue.",

@@ -231,6 +231,58 @@ TEST_F(UiEdit, NumberOfAColourIsTypedAfterADoubleClick) {
   EXPECT_EQ(level().palette[12].g, 77);
 }
 
+TEST_F(UiEdit, EscapeCancelsTheDragOfAColour) {
+  click("palette/color12");
+  click("tabs/color");
+  frames(2);
+  for (const char* control : {"palette/red", "palette/green_number"}) {
+    const ImVec2 at = centre(control);
+    move(at);
+    press();
+    move({at.x - 30, at.y});
+    EXPECT_NE(level().palette[12], default_palette()[12]) << control;
+    key(KeyChord{27});
+    EXPECT_EQ(level().palette[12], default_palette()[12]) << control;
+    move({at.x - 50, at.y});
+    release();
+    EXPECT_EQ(level().palette[12], default_palette()[12]) << control << " is let go";
+    EXPECT_TRUE(session().history().edits().empty()) << control;
+  }
+}
+
+TEST_F(UiEdit, AColourIsTypedAsHexadecimalDigits) {
+  click("palette/color12");
+  click("tabs/color");
+  frames(2);
+  const auto type_hex = [&](const std::string& digits, KeyChord end) {
+    click("palette/hex");
+    key(ctrl('a'));
+    type(digits);
+    key(end);
+    frames(2);
+  };
+  type_hex("f0f", KeyChord{kKeyTab});
+  EXPECT_EQ(level().palette[12], (Rgb{0xff, 0, 0xff}));
+  type_hex("102030", KeyChord{27});
+  EXPECT_EQ(level().palette[12], (Rgb{0xff, 0, 0xff})) << "Escape takes nothing";
+  EXPECT_FALSE(session().message());
+  for (const char* wrong : {"ff00", "1", "1122334"}) {
+    type_hex(wrong, KeyChord{kKeyEnter});
+    EXPECT_EQ(level().palette[12], (Rgb{0xff, 0, 0xff})) << wrong;
+    ASSERT_TRUE(session().message()) << wrong;
+    EXPECT_NE(session().message()->text.find("is no colour"), std::string::npos) << session().message()->text;
+    session().apply(action::DismissMessage{});
+  }
+  click("palette/hex");
+  key(ctrl('a'));
+  type("102030");
+  click("palette/color3");
+  frames(2);
+  EXPECT_EQ(level().palette[12], (Rgb{0x10, 0x20, 0x30}));
+  EXPECT_EQ(level().palette[3], default_palette()[3]) << "another one was chosen with the click";
+  EXPECT_EQ(session().history().edits().size(), 2u);
+}
+
 TEST_F(UiEdit, TuningIsDraggedInOneUndoAndReset) {
   click("tabs/tuning");
   frames(2);
