@@ -39,6 +39,12 @@ void LintCache::note_cell(Cell cell) {
   if (!map_) cells_.push_back(cell);
 }
 
+double LintCache::progress() const {
+  if (is_done()) return 1;
+  if (map_ || rest_) return 0;  // nobody knows yet
+  return static_cast<double>(next_) / static_cast<double>(blocks_.size());
+}
+
 bool LintCache::advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on) {
   if (is_done()) return true;
   begin(level, options);

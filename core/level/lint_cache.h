@@ -33,6 +33,7 @@ class LintCache {
     advance(level, options, [] { return true; });
   }
   bool is_done() const { return !map_ && !rest_ && cells_.empty() && next_ == blocks_.size(); }
+  double progress() const;  // the part of the blocks that are known, 0 to 1
 
   // By row, then column, then rule, as lint() gives them. Of blocks still to be looked at, what was found
   // before.

@@ -7,6 +7,16 @@
 
 namespace talus {
 
+std::string problems_text(const Session& session, const Ui& ui) {
+  const std::size_t count = ui.problems->size();
+  const std::string found =
+      count == 0 ? "no problems" : std::to_string(count) + (count == 1 ? " problem" : " problems");
+  if (!session.is_linting()) return found;
+  const std::string looking =
+      "looking... " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %";
+  return count == 0 ? looking : found + ", " + looking;
+}
+
 std::vector<std::size_t> listed_rows(const Ui& ui) {
   std::vector<std::size_t> rows;
   const std::string& kind = ui.view.problems.kind;

@@ -1,10 +1,16 @@
 // The problems as they are listed: those of one kind, or all, and going from one to the next.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "session/session.h"
 #include "ui.h"
 
 namespace talus {
+
+// "3 problems" or "no problems"; of a level that is still looked at "looking... 40 %", too.
+std::string problems_text(const Session& session, const Ui& ui);
 
 // Indices into Ui::problems of those that are listed.
 std::vector<std::size_t> listed_rows(const Ui& ui);

@@ -6,6 +6,7 @@
 
 #include "canvas_layers.h"
 #include "overlay/number_label.h"
+#include "problem_list.h"
 #include "tile_number.h"
 
 namespace talus {
@@ -132,11 +133,9 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
   draw_part(ui, 670, file, session.modified() ? theme::kWarning : theme::kMuted,
             session.path().empty() ? "Not in a file yet." : session.path());
-  const std::size_t problems = ui.problems->size();
-  const std::string text =
-      problems == 0 ? "no problems" : std::to_string(problems) + (problems == 1 ? " problem" : " problems");
   ImGui::SameLine();
-  ui.right_aligned(text, theme::tone(problems == 0 ? theme::kMuted : theme::kWarning));
+  ui.right_aligned(problems_text(session, ui),
+                   theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
   ui.tooltip("See the Problems tab.");
 }
 

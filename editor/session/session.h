@@ -114,11 +114,13 @@ class Session {
   const std::string& path() const;               // empty when it has none
   std::string file_name() const;                 // for titles: "demo.talus.json"
   bool modified() const;                         // differs from the file
+  int saves() const;                             // how often a level has been written to its file
   const std::vector<Problem>& problems() const;  // lint of the level as it is
   // The same as far as advance() has come since the last change, and what was known before of the rest: for
   // those who must not wait.
   const std::vector<Problem>& listed_problems() const;
-  bool is_linting() const;  // they are not all of the level as it is
+  bool is_linting() const;       // they are not all of the level as it is
+  double lint_progress() const;  // how much of the level has been looked at, 0 to 1
   const LintOptions& lint_options() const;
   const std::optional<HardCase>& hard_case() const;  // that the opened level is, whose input is played too
 

@@ -61,6 +61,7 @@ const std::vector<Problem>& Session::problems() const {
 
 const std::vector<Problem>& Session::listed_problems() const { return impl_->lint_cache.problems(); }
 bool Session::is_linting() const { return !impl_->lint_cache.is_done(); }
+double Session::lint_progress() const { return impl_->lint_cache.progress(); }
 const LintOptions& Session::lint_options() const { return impl_->lint_options; }
 const ReachFinder& Session::reach() const { return impl_->reach; }
 

@@ -2,6 +2,7 @@
 // alone. And where a player gets to.
 #include "harness.h"
 #include "level/lint.h"
+#include "panels/problem_list.h"
 
 namespace talus::problems_test {
 
@@ -109,6 +110,28 @@ TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   frames(4);
   EXPECT_EQ(session().lint_options().seam, 3);
   EXPECT_EQ(codes().size(), 5u);
+}
+
+TEST_F(UiProblems, ItSaysHowFarALargeLevelIsLookedAt) {
+  Level level = test_level();
+  level.map = TileMap(2048, 512);
+  for (std::size_t i = 0; i < level.map.cells().size(); i += 30) level.map.cells()[i] = 3;
+  const std::string file = path("large.talus.json");
+  ASSERT_TRUE(save_level(level, *format_for_file(file), file));
+  start(file);
+  ASSERT_TRUE(session().is_linting());
+  EXPECT_NE(problems_text(session(), app().ui()).find("looking... "), std::string::npos);
+  double before = -1;
+  for (int i = 0; i < 20'000 && session().is_linting(); ++i) {
+    EXPECT_GE(session().lint_progress(), before);
+    EXPECT_LT(session().lint_progress(), 1);
+    before = session().lint_progress();
+    session().advance(0);
+  }
+  EXPECT_GT(before, 0.5);
+  EXPECT_EQ(session().lint_progress(), 1);
+  frames(2);
+  EXPECT_EQ(problems_text(session(), app().ui()).find("looking"), std::string::npos);
 }
 
 TEST_F(UiProblems, FarCellsAreNotCutOff) {
