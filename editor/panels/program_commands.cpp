@@ -104,14 +104,14 @@ std::vector<Command> file_guard_commands() {
               [](S, A, U ui) { ui.view.program.recovery_open = true; }),
       command(
           "program/tic80", ctrl_shift('t'), "Open in TIC-80",
-          "Saves the cart and opens it in TIC-80; of a level that is no cart, a copy. TIC-80 reads it again "
-          "whenever it is saved here.",
+          "Saves the cart and opens it in TIC-80; of a level that is no cart, a copy, which is written with "
+          "it whenever it is saved. TIC-80 reads either again then.",
           open_program<ProgramId::tic80>),
       command("program/love", ctrl_shift('l'), "Run in LÖVE",
               "Saves the level and runs the game in its folder in LÖVE.", open_program<ProgramId::love>),
       command("program/tiled", ctrl_shift('i'), "Open in Tiled",
-              "Writes a copy of the level as a map of Tiled and opens it there. Opened here, the copy is a "
-              "level again.",
+              "Writes a copy of the level as a map of Tiled, and again whenever it is saved, and opens it "
+              "there. What Tiled saves in it stays. Opened here, the copy is a level again.",
               open_program<ProgramId::tiled>),
   };
 }

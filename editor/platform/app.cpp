@@ -272,6 +272,7 @@ void App::frame() {
   window_->present();
   ++drawn_frames_;
   session_->apply(actions);
+  copies_.follow(*session_);
   open_wanted_program();
   note_dialog_result();
   note_changes();
@@ -379,8 +380,7 @@ bool App::capture_key(KeyChord chord, bool repeated) {
 void App::open_wanted_program() {
   const auto wanted = std::exchange(ui_.view.program.wanted_program, std::nullopt);
   if (!wanted) return;
-  const std::string copies = (std::filesystem::path(state_folder()) / "copies").string();
-  open_in_program(*session_, *wanted, ui_.view.preferences.programs, copies);
+  open_in_program(*session_, *wanted, ui_.view.preferences.programs, copies_);
 }
 
 // Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the
@@ -453,6 +453,7 @@ void App::note_changes() {
   if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&
       session_->history().edits().empty()) {
     ++ui_.view.level_number;
+    copies_.forget();
     ui_.view.marked_cell.reset();
     const DebuggerView before = std::exchange(ui_.view.debugger, {});  // what was about the old one
     ui_.view.debugger.legend_folded = before.legend_folded;

@@ -11,12 +11,14 @@
 #include "file_browser.h"
 #include "gl_window.h"
 #include "map_texture_cache.h"
+#include "open_copies.h"
 #include "panels/keys.h"
 #include "panels/play_keys.h"
 #include "panels/workspace.h"
 #include "session/session.h"
 #include "settings.h"
 #include "sheet_textures.h"
+#include "user_folder.h"
 #include "work_guard.h"
 
 namespace talus {
@@ -82,6 +84,7 @@ class App {
   Workspace workspace_;
   FileBrowser browser_;
   std::optional<WorkGuard> guard_;  // none where nothing is remembered
+  OpenCopies copies_{state_folder() + "/copies"};
   EventQueue events_;
   HeldPlayKeys play_keys_;
   Ui ui_;

@@ -10,10 +10,6 @@
 #include <optional>
 #include <system_error>
 
-#include "asset_path.h"
-#include "export/exporter.h"
-#include "formats/atomic_file.h"
-
 namespace talus {
 namespace {
 
@@ -62,7 +58,7 @@ struct FileToOpen {
 
 // The level's own file, saved if need be, or a copy in the program's format. Nothing when it cannot be had;
 // then a message or question of the session tells why.
-std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, const std::string& copies) {
+std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, OpenCopies& copies) {
   const auto fail = [&](const std::string& text) {
     session.apply(action::ShowMessage{text, true});
     return std::nullopt;
@@ -77,20 +73,10 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, co
     if (session.modified() || !session.message()) return std::nullopt;
     return FileToOpen{session.path(), session.message()->text + " "};
   }
-  const Exporter& exporter = *find_exporter(info.format);
-  const std::string name = session.file_name();
-  const std::string copy_name =
-      name.substr(0, name.find('.')) + "." + std::string(exporter.extensions.front());
-  const std::string copy = (fs::path(copies) / copy_name).string();
-  std::error_code error;
-  fs::create_directories(copies, error);
-  const ReadAsset read = [](const std::string& asset) { return read_file(asset_path(asset)); };
-  const auto exported = exporter.make({session.level(), copy_name, read});
-  if (!exported) return fail(to_string(exported.error(), copy));
-  if (const auto written = write_exported(exporter, *exported, copy); !written)
-    return fail(to_string(written.error(), copy));
-  FileToOpen file{copy, "Wrote a copy of the level. "};
-  for (const std::string& what : exported->dropped) file.note += "Not in it: " + what + ". ";
+  const auto copy = copies.write(session, info);
+  if (!copy) return fail(copy.error());
+  FileToOpen file{copy->path, "Wrote a copy of the level, which is written again with every saving. "};
+  for (const std::string& what : copy->dropped) file.note += "Not in it: " + what + ". ";
   return file;
 }
 
@@ -150,7 +136,7 @@ tl::expected<void, std::string> start_detached(const std::vector<std::string>& a
 }
 
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
-                     const std::string& copies) {
+                     OpenCopies& copies) {
   const auto index = static_cast<std::size_t>(program);
   const ProgramInfo& info = program_infos()[index];
   const std::string label(info.label);

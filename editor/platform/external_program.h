@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "open_copies.h"
 #include "panels/programs.h"
 #include "session/session.h"
 
@@ -23,8 +24,8 @@ tl::expected<std::vector<std::string>, std::string> split_command(std::string_vi
 tl::expected<void, std::string> start_detached(const std::vector<std::string>& arguments);
 
 // Opens the level in the program: saves it to its own file when that is one of the program's format, or else
-// writes a copy of it into `copies`, a folder. A message tells what was done, or what went wrong.
+// has a copy of it written, which `copies` keeps up to it. A message tells what was done, or what went wrong.
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
-                     const std::string& copies);
+                     OpenCopies& copies);
 
 }  // namespace talus

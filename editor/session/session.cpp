@@ -213,6 +213,7 @@ const UndoStack& Session::history() const { return impl_->history; }
 const std::string& Session::path() const { return impl_->path; }
 std::string Session::file_name() const { return impl_->file_name(); }
 bool Session::modified() const { return !impl_->history.is_saved(); }
+int Session::saves() const { return impl_->saves; }
 
 const std::optional<HardCase>& Session::hard_case() const { return impl_->hard_case; }
 const Scene& Session::scene() const { return timeline().scene(); }

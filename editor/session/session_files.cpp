@@ -344,6 +344,7 @@ bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_f
   format = &saved_format;
   note_file();
   history.mark_saved();
+  ++saves;
   std::string text = "Saved " + file_name() + ".";
   if (!dropped->empty()) text += " Not stored in this format: " + joined(*dropped, "") + ".";
   message = Message{std::move(text), false};

@@ -185,6 +185,7 @@ struct Session::Impl {
 
   std::string name;                // for titles, while there is no file
   std::string path;                // empty: none
+  int saves = 0;
   std::optional<FileStamp> stamp;  // of the file as it was read, written or asked about last; none: no file
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
 

@@ -57,6 +57,17 @@ class ExternalProgramTest : public FolderTest {
     all[1] = "\"" + path("program") + "\" {folder}";
     return all;
   }
+  void paint(Session& session, std::uint8_t tile) const {
+    session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, session.level().map.at({0, 0}), tile}}}});
+  }
+  void save(Session& session) {
+    session.apply(action::SaveFile{});
+    ASSERT_FALSE(session.modified());
+    copies_.follow(session);
+  }
+  int first_tile(const std::string& name) const { return load_level(path(name))->level.map.at({0, 0}); }
+
+  OpenCopies copies_{path("copies")};
 };
 
 TEST_F(ExternalProgramTest, StartsWithItsArguments) {
@@ -73,7 +84,7 @@ TEST_F(ExternalProgramTest, AMissingOneIsAnError) {
 TEST_F(ExternalProgramTest, ACartIsSavedAndOpenedItself) {
   Session session;
   save_and_paint(session, "my game.tic");
-  open_in_program(session, ProgramId::tic80, commands(), path("copies"));
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
   EXPECT_EQ(told(), path("my game.tic") + "\n");
   EXPECT_FALSE(session.modified());
   EXPECT_EQ(load_level(path("my game.tic"))->level.map.at({0, 0}), 4);
@@ -84,7 +95,7 @@ TEST_F(ExternalProgramTest, ACartIsSavedAndOpenedItself) {
 TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
   Session session;
   save_and_paint(session, "level.talus.json");
-  open_in_program(session, ProgramId::tic80, commands(), path("copies"));
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
   EXPECT_EQ(told(), path("copies/level.tic") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
   EXPECT_EQ(load_level(path("copies/level.tic"))->level.map.at({0, 0}), 4);
@@ -93,20 +104,82 @@ TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
 TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
   Session session;
   save_and_paint(session, "level.talus.json");
-  open_in_program(session, ProgramId::tiled, commands(), path("copies"));
+  open_in_program(session, ProgramId::tiled, commands(), copies_);
   EXPECT_EQ(told(), path("copies/level.tmj") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
   EXPECT_TRUE(load_level(path("copies/level.tmj"))->level == session.level());
   EXPECT_TRUE(exists("copies/level-tiles.png"));
 }
 
+TEST_F(ExternalProgramTest, CopiesFollowWhatIsSaved) {
+  Session session;
+  save_and_paint(session, "level.talus.json");
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  open_in_program(session, ProgramId::tiled, commands(), copies_);
+  paint(session, 5);
+  copies_.follow(session);
+  EXPECT_EQ(first_tile("copies/level.tic"), 4) << "nothing was saved";
+  save(session);
+  EXPECT_EQ(first_tile("copies/level.tic"), 5);
+  EXPECT_EQ(first_tile("copies/level.tmj"), 5);
+  EXPECT_EQ(session.message()->text,
+            "Saved level.talus.json. Wrote the copy for TIC-80 again. Wrote the copy for Tiled again.");
+  EXPECT_FALSE(session.message()->is_error);
+
+  session.apply(action::SaveFileAs{path("other.talus.json")});
+  paint(session, 6);
+  save(session);
+  EXPECT_EQ(first_tile("copies/level.tic"), 5) << "it is a copy of the other file";
+}
+
+TEST_F(ExternalProgramTest, CopiesOfAnUnnamedLevelFollowItToItsFile) {
+  Session session;
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  ASSERT_TRUE(exists("copies/untitled.tic"));
+  paint(session, 5);
+  session.apply(action::SaveFileAs{path("level.talus.json")});
+  copies_.follow(session);
+  EXPECT_EQ(first_tile("copies/untitled.tic"), 5);
+  copies_.forget();  // another level is opened
+  paint(session, 6);
+  save(session);
+  EXPECT_EQ(first_tile("copies/untitled.tic"), 5);
+}
+
+TEST_F(ExternalProgramTest, WhatAnotherProgramSavedInItsCopyStays) {
+  Session session, other;
+  save_and_paint(session, "level.talus.json");
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  paint(other, 9);
+  ASSERT_TRUE(save_level(other.level(), *find_format("tic"), path("copies/level.tic")));
+  save(session);
+  EXPECT_EQ(first_tile("copies/level.tic"), 9);
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_NE(session.message()->text.find("The copy for TIC-80 was changed by another program"),
+            std::string::npos);
+  paint(session, 5);
+  save(session);
+  EXPECT_FALSE(session.message()->is_error) << "it was told once";
+}
+
+TEST_F(ExternalProgramTest, ACopyThatCannotBeWrittenIsTold) {
+  Session session;
+  save_and_paint(session, "level.talus.json");
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  fs::remove_all(path("copies"));
+  put("copies", "a file, no folder");
+  save(session);
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_NE(session.message()->text.find("The copy for TIC-80 cannot be written again"), std::string::npos);
+}
+
 TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
   Session session;
-  open_in_program(session, ProgramId::love, commands(), path("copies"));
+  open_in_program(session, ProgramId::love, commands(), copies_);
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error) << "a level without a file belongs to no game";
   session.apply(action::SaveFileAs{path("level.talus.json")});
-  open_in_program(session, ProgramId::love, commands(), path("copies"));
+  open_in_program(session, ProgramId::love, commands(), copies_);
   EXPECT_EQ(told(), folder_.string() + "\n");
 }
 
@@ -115,7 +188,7 @@ TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {
   save_and_paint(session, "game.tic");
   ProgramCommands wrong = commands();
   wrong[0] = "tic80 {fil}";
-  open_in_program(session, ProgramId::tic80, wrong, path("copies"));
+  open_in_program(session, ProgramId::tic80, wrong, copies_);
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
   EXPECT_NE(session.message()->text.find("{fil} stands for nothing"), std::string::npos);

@@ -1,0 +1,86 @@
+// Writing copies, once and again.
+#include "open_copies.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "asset_path.h"
+#include "formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+const ProgramInfo& info_of(ProgramId program) { return program_infos()[static_cast<std::size_t>(program)]; }
+
+// What could not be held.
+tl::expected<std::vector<std::string>, std::string> write_copy(const Level& level, const Exporter& exporter,
+                                                               const std::string& path) {
+  const ReadAsset read = [](const std::string& asset) { return read_file(asset_path(asset)); };
+  const auto exported = exporter.make({level, fs::path(path).filename().string(), read});
+  if (!exported) return tl::unexpected(to_string(exported.error(), path));
+  if (const auto written = write_exported(exporter, *exported, path); !written)
+    return tl::unexpected(to_string(written.error(), path));
+  return exported->dropped;
+}
+
+}  // namespace
+
+tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& session,
+                                                                 const ProgramInfo& program) {
+  const Exporter& exporter = *find_exporter(program.format);
+  const std::string name = session.file_name();
+  const std::string copy_name =
+      name.substr(0, name.find('.')) + "." + std::string(exporter.extensions.front());
+  const std::string path = (fs::path(folder_) / copy_name).string();
+  std::error_code error;
+  fs::create_directories(folder_, error);  // where that fails, so does the writing
+  auto dropped = write_copy(session.level(), exporter, path);
+  if (!dropped) return tl::unexpected(dropped.error());
+  if (level_file_ != session.path()) forget();
+  level_file_ = session.path();
+  saves_ = session.saves();
+  std::erase_if(copies_, [&](const Copy& copy) { return copy.program == program.id; });
+  copies_.push_back({program.id, {path, *std::move(dropped)}, stamp_of_file(path)});
+  return copies_.back().written;
+}
+
+void OpenCopies::follow(Session& session) {
+  if (session.saves() == std::exchange(saves_, session.saves())) return;
+  if (level_file_.empty()) level_file_ = session.path();
+  if (level_file_ != session.path()) forget();  // the copies are of the file before
+  std::string told, problems;
+  const auto add = [](std::string& text, const std::string& more) {
+    text += (text.empty() ? "" : " ") + more;
+  };
+  std::erase_if(copies_, [&](Copy& copy) {
+    const std::string problem = write_again(session, copy);
+    add(problem.empty() ? told : problems,
+        problem.empty() ? "Wrote the copy for " + std::string(info_of(copy.program).label) + " again."
+                        : problem);
+    return !problem.empty();
+  });
+  if (told.empty() && problems.empty()) return;
+  std::string text = session.message() ? session.message()->text : "";
+  add(text, told);
+  const bool failed = !problems.empty();
+  if (failed) add(text, problems);
+  session.apply(action::ShowMessage{std::move(text), failed});
+}
+
+// One sentence on why it was not written; empty: it was.
+std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
+  const ProgramInfo& info = info_of(copy.program);
+  if (copy.stamp && file_change(copy.written.path, *copy.stamp) == FileChange::content)
+    return "The copy for " + std::string(info.label) +
+           " was changed by another program, and is left as it is: it does not follow this level any more.";
+  const auto written = write_copy(session.level(), *find_exporter(info.format), copy.written.path);
+  if (!written)
+    return "The copy for " + std::string(info.label) + " cannot be written again: " + written.error() + ".";
+  copy.stamp = stamp_of_file(copy.written.path);
+  return "";
+}
+
+}  // namespace talus
