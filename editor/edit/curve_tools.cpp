@@ -321,6 +321,12 @@ std::vector<Vec2> handles_of(const Curve& curve) {
   return handles;
 }
 
+bool is_end_handle(const Curve& curve, int handle) {
+  const auto* line = std::get_if<Polyline>(&curve.form);
+  if (line == nullptr) return handle < 2;
+  return handle == 0 || handle + 1 == static_cast<int>(line->ys.size());
+}
+
 std::vector<std::pair<int, int>> handle_lines(const Curve& curve) {
   switch (kind_of(curve)) {
     case CurveKind::parabola:

@@ -37,6 +37,7 @@ tl::expected<Edit, std::string> duplicate_curve(const Level& level, int curve);
 // The points by which a curve is held: its first end, its last end, then those that bend it. Those of a
 // polyline are its points, from left to right; a sine has where it crosses its middle and its first crest.
 std::vector<Vec2> handles_of(const Curve& curve);
+bool is_end_handle(const Curve& curve, int handle);  // or one that bends it
 // Handles that only show where the curve's own line is not: pairs of indices to join by a thin line.
 std::vector<std::pair<int, int>> handle_lines(const Curve& curve);
 // The curve with one of its handles as near to `to` as may be; it may be unusable then.

@@ -80,4 +80,9 @@ SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules) {
   return {{x.value_or(std::round(point.x)), y.value_or(std::round(point.y))}, x || y ? To::tile : To::pixel};
 }
 
+Vec2 onto_map(const TileMap& map, Vec2 point) {
+  return {std::clamp<double>(point.x, 0, map.width() * kTileSize),
+          std::clamp<double>(point.y, 0, map.height() * kTileSize)};
+}
+
 }  // namespace talus

@@ -23,4 +23,8 @@ struct SnappedPoint {
 // the border of a tile within 2 px of the screen, else to a whole pixel.
 SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules);
 
+// The nearest point on the map, its edges included: where a drag that goes beside it is meant to begin or
+// end.
+Vec2 onto_map(const TileMap& map, Vec2 point);
+
 }  // namespace talus

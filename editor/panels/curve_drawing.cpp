@@ -43,7 +43,7 @@ void CurvePen::handles(const Curve& curve, int lit, Ui& ui) const {
   const int last = static_cast<int>(handles.size()) - 1;
   for (int i = 0; i <= last; ++i) {
     const ImVec2 at = view_.to_screen(handles[static_cast<std::size_t>(i)]);
-    const bool is_end = is_polyline ? i == 0 || i == last : i < 2;
+    const bool is_end = is_end_handle(curve, i);
     if (is_polyline && !is_end &&
         view_.to_screen(handles[static_cast<std::size_t>(i + 1)]).x - at.x < kLeastPointGap)
       continue;

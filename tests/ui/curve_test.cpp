@@ -106,6 +106,22 @@ TEST_F(UiCurve, BadPlaceSaysWhyAndChangesNothing) {
             "The parabola has its right end left of its left end there, so it stays where it was last good.");
 }
 
+TEST_F(UiCurve, EndsBesideTheMapAreTakenToItsEdge) {
+  key('-');  // so that there is room around the map
+  frames(2);
+  draw_kind(CurveKind::parabola, {-12, 40}, {80, 40});
+  ASSERT_EQ(level().curves.size(), 1u);
+  EXPECT_EQ(std::get<Parabola>(curve(0).form).from, (Vec2{0, 40}));
+  drag_handle(1, {252, 48});
+  EXPECT_EQ(std::get<Parabola>(curve(0).form).to, (Vec2{240, 48}));
+  drag_handle(2, {120, -6});
+  EXPECT_EQ(std::get<Parabola>(curve(0).form).control_y, -6) << "what bends it may be anywhere";
+  click("map/slope");
+  drag(on_canvas("map", {-12, 128}), on_canvas("map", {32, 120}));
+  EXPECT_FALSE(session().message());
+  EXPECT_EQ(session().history().edits().size(), 4u);
+}
+
 TEST_F(UiCurve, InspectorEditsNameAndNumbers) {
   draw_kind(CurveKind::parabola, {16, 40}, {80, 40});
   click("inspector/curve_name");

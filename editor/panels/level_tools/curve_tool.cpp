@@ -20,6 +20,12 @@ SnapRules rules_of(const CanvasView& view, int without_curve = -1) {
   return {.zoom = view.zoom, .off = io.KeyAlt, .halves = io.KeyCtrl, .without_curve = without_curve};
 }
 
+// Where an end of a curve goes with the mouse: ends stay on the map.
+SnappedPoint end_at(const LevelToolUse& use, int without_curve = -1) {
+  const Level& level = use.session.level();
+  return snap(level, onto_map(level.map, use.at), rules_of(use.view, without_curve));
+}
+
 CurveKind kind_to_draw(const Choices& choices) {
   return choices.map_tool == MapTool::segment ? CurveKind::segment : choices.curve_kind;
 }
@@ -74,6 +80,7 @@ class CurveTool : public LevelTool {
  private:
   enum class Drag { none, line, handle, whole };
 
+  SnappedPoint handle_goes_to(const LevelToolUse& use) const;
   LevelCurve changed(const LevelToolUse& use) const;
   void finish_line(const LevelToolUse& use, Actions& actions) const;
   void draw_new_line(ImDrawList& list, const LevelToolUse& use) const;
@@ -92,7 +99,7 @@ bool CurveTool::press(const LevelToolUse& use, Actions& actions) {
   held_ = grip_at(use);
   if (held_.curve < 0) {
     drag_ = Drag::line;
-    from_ = snap(use.session.level(), use.at, rules_of(use.view)).point;
+    from_ = end_at(use).point;
     return true;
   }
   drag_ = held_.handle >= 0 ? Drag::handle : Drag::whole;
@@ -120,16 +127,20 @@ void CurveTool::drag(const LevelToolUse& use, Actions& actions) {
     problem_ = edit.error();
 }
 
+SnappedPoint CurveTool::handle_goes_to(const LevelToolUse& use) const {
+  if (is_end_handle(before_.curve, held_.handle)) return end_at(use, held_.curve);
+  return snap(use.session.level(), use.at, rules_of(use.view, held_.curve));
+}
+
 // The curve that is held, with the handle or all of it where the mouse is.
 LevelCurve CurveTool::changed(const LevelToolUse& use) const {
-  const Level& level = use.session.level();
-  const SnapRules rules = rules_of(use.view, held_.curve);
   LevelCurve result = before_;
   if (drag_ == Drag::handle) {
-    result.curve = with_handle(before_.curve, held_.handle, snap(level, use.at, rules).point);
+    result.curve = with_handle(before_.curve, held_.handle, handle_goes_to(use).point);
   } else {
     const Vec2 end = ends_of_curve(before_.curve).first;
-    result.curve = moved(before_.curve, snap(level, end + use.at - from_, rules).point - end);
+    const SnapRules rules = rules_of(use.view, held_.curve);
+    result.curve = moved(before_.curve, snap(use.session.level(), end + use.at - from_, rules).point - end);
   }
   return result;
 }
@@ -151,7 +162,7 @@ void CurveTool::release(const LevelToolUse& use, Actions& actions) {
 void CurveTool::finish_line(const LevelToolUse& use, Actions& actions) const {
   const Level& level = use.session.level();
   const CurveKind kind = kind_to_draw(use.session.choices());
-  const Vec2 to = snap(level, use.at, rules_of(use.view)).point;
+  const Vec2 to = end_at(use).point;
   auto edit = add_curve(level, kind, from_, to);
   if (!edit) {
     actions.push_back(action::ShowMessage{capitalized(label_of(kind)) + " from " + position_text(from_) +
@@ -180,15 +191,14 @@ void CurveTool::draw(ImDrawList& list, const LevelToolUse& use) const {
     pen.title(title_of(session.level(), chosen), use.view.to_screen(handles_of(curve)[0]), theme::kAccent);
   }
   if (drag_ == Drag::line || (use.hovered && grip.curve < 0)) return draw_new_line(list, use);
-  if (drag_ == Drag::handle)
-    pen.snapped(snap(session.level(), use.at, rules_of(use.view, held_.curve)), use.ui);
+  if (drag_ == Drag::handle) pen.snapped(handle_goes_to(use), use.ui);
   if (!problem_.empty()) pen.title(problem_, ImGui::GetIO().MousePos, theme::kError);
 }
 
 void CurveTool::draw_new_line(ImDrawList& list, const LevelToolUse& use) const {
   const Session& session = use.session;
   const CurvePen pen(list, use.view, use.ui.px(2));
-  const SnappedPoint to = snap(session.level(), use.at, rules_of(use.view));
+  const SnappedPoint to = end_at(use);
   const CurveKind kind = kind_to_draw(session.choices());
   if (drag_ == Drag::line && from_ != to.point) {
     const Curve curve = curve_between(kind, from_, to.point);
