@@ -13,12 +13,15 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostHeights = 65;  // of a polyline, that get a field each
+constexpr std::size_t kMostHeights = 65;           // of a polyline, that get a field each
+constexpr const char* kLongNumber = "-0.1234567";  // that a field has room for
 
 // The numbers of a form, one after another.
 class FormFields {
  public:
-  FormFields(const Session& session, NumberEdit& edit, Ui& ui) : session_(session), edit_(edit), ui_(ui) {}
+  // is_refused: the last number was, which is told below the fields, where their help would cover it.
+  FormFields(const Session& session, NumberEdit& edit, Ui& ui, bool is_refused)
+      : session_(session), edit_(edit), ui_(ui), is_refused_(is_refused) {}
   bool changed() const { return changed_; }
 
   void draw(Segment& s) {
@@ -29,9 +32,9 @@ class FormFields {
   void draw(Arc& a) {
     point("centre", a.center);
     row();
-    number("radius", "radius %.8g", a.radius, "The radius of the circle, px.", 104);
-    number("x0", "x %.8g", a.x0, "Where it begins, px.");
-    number("x1", "to x %.8g", a.x1, "Where it ends, px.");
+    number("radius", "radius ", a.radius, "The radius of the circle, px.");
+    number("x0", "x ", a.x0, "Where it begins, px.");
+    number("x1", "to x ", a.x1, "Where it ends, px.");
     row();
     if (ImGui::Checkbox("hill", &a.upper)) note_click();
     ui_.item("inspector/curve_upper", "The upper half of its circle; off: the lower half, a bowl.");
@@ -41,52 +44,53 @@ class FormFields {
     row();
     point("to", p.to);
     row();
-    number("control", "control y %.8g", p.control_y,
-           "The height of its control point half way, px; it comes half as close.", 124);
+    number("control", "control y ", p.control_y,
+           "The height of its control point half way, px; it comes half as close.");
   }
   void draw(Cubic& c) {
     point("from", c.from);
-    number("from_slope", "slope %.8g", c.from_slope, "How many px it goes down for each px, at its start.",
-           84, 0.02f);
+    number("from_slope", "slope ", c.from_slope, "How many px it goes down for each px, at its start.",
+           0.02f);
     row();
     point("to", c.to);
-    number("to_slope", "slope %.8g", c.to_slope, "How many px it goes down for each px, at its end.", 84,
-           0.02f);
+    number("to_slope", "slope ", c.to_slope, "How many px it goes down for each px, at its end.", 0.02f);
   }
   void draw(Sine& s) {
-    number("x0", "x %.8g", s.x0, "Where it begins, px.");
-    number("x1", "to x %.8g", s.x1, "Where it ends, px.");
+    number("x0", "x ", s.x0, "Where it begins, px.");
+    number("x1", "to x ", s.x1, "Where it ends, px.");
     row();
-    number("middle", "middle y %.8g", s.middle, "The height about which it swings, px.", 124);
-    number("amplitude", "amplitude %.8g", s.amplitude,
-           "How far it swings, px; positive: first down from its origin.", 124);
+    number("middle", "middle y ", s.middle, "The height about which it swings, px.");
+    number("amplitude", "amplitude ", s.amplitude,
+           "How far it swings, px; positive: first down from its origin.");
     row();
-    number("wavelength", "wavelength %.8g", s.wavelength, "The length of a whole wave, px.", 124);
-    number("origin", "origin x %.8g", s.origin, "Where it crosses its middle, px.", 124);
+    number("wavelength", "wavelength ", s.wavelength, "The length of a whole wave, px.");
+    number("origin", "origin x ", s.origin, "Where it crosses its middle, px.");
   }
   void draw(Polyline& p) {
-    number("x0", "x %.8g", p.x0, "Where it begins, px.");
-    number("x1", "to x %.8g", p.x1, "Where it ends, px.");
+    number("x0", "x ", p.x0, "Where it begins, px.");
+    number("x1", "to x ", p.x1, "Where it ends, px.");
     row();
     if (p.ys.size() > kMostHeights)
       return ui_.hint("It has " + std::to_string(p.ys.size()) + " heights, too many for fields.");
     for (std::size_t i = 0; i < p.ys.size(); ++i)
-      number("y" + std::to_string(i), "%.8g", p.ys[i], "Its y there, px.", 48);
+      number("y" + std::to_string(i), "", p.ys[i], "Its y there, px.");
   }
 
  private:
   void row() { first_ = true; }
-  void number(const std::string& part, const char* format, double& value, std::string_view help,
-              float width = 84, float speed = 1) {
+  void number(const std::string& part, const std::string& label, double& value, std::string_view help,
+              float speed = 1) {
+    const float text = ImGui::CalcTextSize((label + kLongNumber).c_str()).x;
+    const float width = (text + 2 * ImGui::GetStyle().FramePadding.x) / ui_.scale;
     if (!first_) ui_.same_line_if_fits(ui_.px(width));
     first_ = false;
-    const std::string name = "inspector/curve_" + part;
-    changed_ |= draw_number_field({name, format, help, width, speed}, value, session_, edit_, ui_);
+    const std::string name = "inspector/curve_" + part, format = label + "%.8g";
+    if (is_refused_) help = {};
+    changed_ |= draw_number_field({name, format.c_str(), help, width, speed}, value, session_, edit_, ui_);
   }
   void point(const std::string& part, Vec2& value) {
-    const std::string x = part + " x %.8g";
-    number(part + "_x", x.c_str(), value.x, "px", 104);
-    number(part + "_y", "y %.8g", value.y, "px");
+    number(part + "_x", part + " x ", value.x, "px");
+    number(part + "_y", "y ", value.y, "px");
   }
   void note_click() {
     changed_ = true;
@@ -96,6 +100,7 @@ class FormFields {
   const Session& session_;
   NumberEdit& edit_;
   Ui& ui_;
+  bool is_refused_;
   bool first_ = true;  // in its row
   bool changed_ = false;
 };
@@ -194,7 +199,7 @@ void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui
 
 void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& ui, int curve) {
   LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
-  FormFields fields(session, number_, ui);
+  FormFields fields(session, number_, ui, !problem_.empty());
   std::visit([&](auto& form) { fields.draw(form); }, changed.curve.form);
   if (fields.changed())
     change(session, actions, curve, std::move(changed), "Change a curve's numbers", number_.stroke);

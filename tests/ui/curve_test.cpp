@@ -1,4 +1,6 @@
 // Segments and curves on the map: drawn, bent by their handles, named, copied and removed.
+#include <imgui_internal.h>
+
 #include "harness.h"
 
 namespace talus::curve_test {
@@ -145,6 +147,17 @@ TEST_F(UiCurve, InspectorEditsNameAndNumbers) {
   key(KeyChord{'\r'});
   EXPECT_EQ(curve(0), before);
   EXPECT_NE(find("inspector/curve_problem"), nullptr) << "told below the fields";
+  frames(90);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active) << "which would lie over it";
+}
+
+TEST_F(UiCurve, NumbersAreNotCutInTheirFields) {
+  draw_kind(CurveKind::arc, {16, 40}, {80, 33});
+  frames(2);
+  const Widget* radius = find("inspector/curve_radius");
+  ASSERT_NE(radius, nullptr);
+  EXPECT_GT(radius->max.x - radius->min.x, ImGui::CalcTextSize("radius 40.527344").x);
 }
 
 TEST_F(UiCurve, CopiedAndRemovedByKeys) {
