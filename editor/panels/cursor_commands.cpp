@@ -65,8 +65,8 @@ std::vector<Command> cursor_keys() {
               "Takes it to the next of the map, the play view, the sheet, the pixels and the shape.",
               [](S, A, U ui) { ui.view.cursor.go_to_next(); }),
       command("cursor/end", KeyChord{kKeyEscape}, "Pen up, or end",
-              "Takes the pen up; then gives the arrows back to the view and to what is selected. So does a "
-              "move of the mouse.",
+              "Takes the pen up, and its drag back; then gives the arrows back to the view and to what is "
+              "selected. So does a move of the mouse.",
               end_cursor),
   };
 }

@@ -1,6 +1,7 @@
 // The stroke of the flag brush.
 #include "flag_brush.h"
 
+#include "drag_cancel.h"
 #include "edit/flag_tools.h"
 #include "edit/raster.h"
 #include "flag_label.h"
@@ -30,14 +31,20 @@ void FlagBrush::update(const Session& session, Actions& actions, SheetId sheet, 
   if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit), stroke_});
 }
 
-std::string brush_text(const Session& session, SheetId sheet, std::optional<int> tile) {
+void FlagBrush::cancel(const Session& session, Actions& actions) {
+  take_back(session, actions, stroke_);
+  last_.reset();
+}
+
+std::string FlagBrush::text(const Session& session, SheetId sheet, std::optional<int> tile) const {
   const auto pattern = session.choices().flag_overlay;
   if (!pattern) return "no flag is chosen to paint";
   const std::string label = pattern_label(session.level(), *pattern);
-  if (!tile) return "paints " + label;
+  const auto verb = [](bool sets) { return sets ? "sets " : "clears "; };
+  if (!tile) return (active() ? verb(sets_) : "paints ") + label;
   const std::uint8_t flags = session.level().sheet(sheet).flags[static_cast<std::size_t>(*tile)];
   return "tile " + std::to_string(number_on_screen(sheet, *tile)) + ": " +
-         (stroke_sets(*pattern, flags) ? "sets " : "clears ") + label;
+         verb(active() ? sets_ : stroke_sets(*pattern, flags)) + label;
 }
 
 }  // namespace talus

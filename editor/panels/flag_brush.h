@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "collision/function_ref.h"
 #include "session/session.h"
@@ -17,7 +18,11 @@ class FlagBrush {
   // `down` while it is held. The first tile says whether the stroke sets the chosen flag or clears it.
   void update(const Session& session, Actions& actions, SheetId sheet, Cell at, TileAt tile_at, bool pressed,
               bool down);
+  void cancel(const Session& session, Actions& actions);  // takes the stroke back
   bool active() const { return last_.has_value(); }
+  // What the stroke does to a tile, or a press on it would do: "tile 12: clears flag 0  solid". tile: 0..255,
+  // nothing outside.
+  std::string text(const Session& session, SheetId sheet, std::optional<int> tile) const;
 
  private:
   std::optional<Cell> last_;  // where the stroke has come to
@@ -32,9 +37,5 @@ struct TileOfMap {
     return map.contains(cell) ? std::optional<int>(map.at(cell)) : std::nullopt;
   }
 };
-
-// What a press of the button on a tile would do: "tile 12: clears flag 0  solid". tile: 0..255, nothing
-// outside.
-std::string brush_text(const Session& session, SheetId sheet, std::optional<int> tile);
 
 }  // namespace talus

@@ -21,7 +21,7 @@ void toggle_brush(const Session& session, Actions& actions, Ui&) {
 template <bool forwards>
 void go_to_flagged(const Session& session, Actions&, Ui& ui) {
   const auto cell =
-      find_flagged_cell(session.level(), *session.choices().flag_overlay, ui.view.marked_cell, forwards);
+      find_flagged_cell(session.level(), *session.choices().flag_overlay, ui.view.search_start(), forwards);
   if (!cell) return;
   ui.view.centre_on = ui.view.marked_cell = cell;
   if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
@@ -103,8 +103,7 @@ std::vector<Command> commands_of_all_flags() {
           "flags/brush", ctrl_shift('f'), "Paint flags",
           "The left button paints the tinted flag: on the sheet, and on the map, where it changes the tile "
           "in all its cells. A drag that begins where the flag is set clears it; one over the map that "
-          "begins "
-          "on a drawn tile leaves out blank ones.",
+          "begins on a drawn tile leaves out blank ones. Escape takes the drag back.",
           toggle_brush,
           [](const Session& session, const Ui&) { return session.choices().map_tool == MapTool::flag; }),
       command("flags/find", alt('g'), "Find flags", "Lists the tiles that have a flag, and their cells.",

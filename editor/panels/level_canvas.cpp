@@ -10,7 +10,6 @@
 #include "chosen_curve.h"
 #include "commands.h"
 #include "compare_choice.h"
-#include "flag_brush.h"
 #include "flag_label.h"
 #include "input_roll.h"
 #include "mouse_mark.h"
@@ -63,15 +62,6 @@ std::vector<std::string> plate_lines(const std::string& text, const CanvasView& 
 std::string zoom_text(float zoom) {
   if (zoom >= 1) return std::to_string(static_cast<int>(zoom)) + "x";
   return "1/" + std::to_string(static_cast<int>(1 / zoom)) + "x";
-}
-
-// What is tinted, or what the flag brush does at the mouse.
-std::string flag_caption(const Session& session, FlagPattern pattern, bool paints,
-                         std::optional<Cell> hovered) {
-  if (!paints || session.choices().map_tool != MapTool::flag)
-    return "tinted: " + pattern_label(session.level(), pattern);
-  if (!hovered) return brush_text(session, SheetId::tiles, {});
-  return brush_text(session, SheetId::tiles, session.level().map.at(*hovered)) + ", in all its cells";
 }
 
 // What the keyboard's cursor is ready for.
@@ -430,7 +420,7 @@ OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view
   return {session.choices(), view, beside ? view.min.y : captions.max.y, ui};
 }
 
-void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const {
+void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap = ui.px(4);
   float at = view.min.y + gap;
@@ -441,7 +431,8 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   if (is_play()) legend(session, view, ui).draw(list);
   if (const auto pattern = session.choices().flag_overlay) {
     const bool paints = !is_play() || ui.view.paint_in_play;
-    const std::string text = flag_caption(session, *pattern, paints, ui.view.hover.cell);
+    const std::string hint = paints ? hand_.hint(use(session, view, ui)) : std::string();
+    const std::string text = hint.empty() ? "tinted: " + pattern_label(session.level(), *pattern) : hint;
     const float height = ImGui::GetTextLineHeight() + ui.px(4);
     draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text,
                flag_color(pattern->lowest_flag(), 255), ui);

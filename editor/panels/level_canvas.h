@@ -60,7 +60,7 @@ class LevelCanvas {
   OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
   bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
   void follow_body(const Session& session, const Ui& ui);
-  void draw_captions(const Session& session, const CanvasView& view, const Ui& ui) const;
+  void draw_captions(const Session& session, const CanvasView& view, Ui& ui) const;
 
   Kind kind_;
   bool is_second_;

@@ -26,7 +26,9 @@ Command map_tool(std::string_view id, KeyChord key, std::string_view label, std:
 }
 
 bool has_selection(S session, const Ui&) { return session.choices().selection.has_value(); }
+// In a drag the key cancels that alone.
 bool has_something_to_drop(S session, const Ui&) {
+  if (ImGui::IsAnyMouseDown()) return false;
   return session.choices().selection.has_value() || session.choices().pasted.has_value();
 }
 

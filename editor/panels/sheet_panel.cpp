@@ -8,6 +8,7 @@
 
 #include "canvas_layers.h"
 #include "commands.h"
+#include "drag_cancel.h"
 #include "edit/stamp.h"
 #include "shape_drawing.h"
 #include "tile_number.h"
@@ -121,10 +122,11 @@ void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, 
   const bool selects = !paints || io.MouseDown[1];
   if (drag_from_ && selects) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});
   if (paints) {
+    if (flag_brush_.active() && is_drag_cancelled()) flag_brush_.cancel(session, actions);
     flag_brush_.update(
         session, actions, sheet, tile, [](Cell c) { return std::optional(c.y * kSheetColumns + c.x); },
         ImGui::IsItemHovered() && ImGui::IsMouseClicked(0), io.MouseDown[0]);
-    ui.tooltip(brush_text(session, sheet, number), "the right button selects");
+    ui.tooltip(flag_brush_.text(session, sheet, number), "the right button selects");
   }
   if (!ImGui::IsItemActive()) drag_from_.reset();
 }

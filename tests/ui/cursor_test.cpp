@@ -125,6 +125,16 @@ TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
   EXPECT_FALSE(cursor().pen_down());
   EXPECT_EQ(tile_at({3, 2}), 1);
   EXPECT_EQ(tile_at({4, 3}), 0);
+  // Escape takes the pen up without it.
+  press_key(ctrl('z'));
+  go_to({3, 2});
+  press_key(kKeyEnter);
+  go_to({6, 4});
+  press_key(kKeyEscape);
+  EXPECT_FALSE(cursor().pen_down());
+  EXPECT_TRUE(cursor().on());
+  frames(2);
+  EXPECT_EQ(tile_at({3, 2}), 0);
 }
 
 TEST_F(UiCursor, LineEllipseFillAndBrushWorkAtIt) {

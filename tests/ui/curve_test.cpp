@@ -61,6 +61,27 @@ TEST_F(UiCurve, HandlesBendTheChosenCurveAsOneUndo) {
   EXPECT_EQ(std::get<Cubic>(curve(1).form).to, (Vec2{160, 108}));
 }
 
+TEST_F(UiCurve, EscapeLeavesACurveAsItWas) {
+  const auto cancel_drag = [&](ImVec2 from, Vec2 to) {
+    move(from);
+    press();
+    move(on_canvas("map", to));
+    key(kKeyEscape);
+    move(on_canvas("map", {to.x + 8, to.y}));
+    release();
+  };
+  draw_kind(CurveKind::arc, {16, 40}, {80, 40});
+  const Curve before = curve(0);
+  cancel_drag(centre("map/curve_handle1"), {120, 60});
+  EXPECT_EQ(curve(0), before) << "an end";
+  cancel_drag(on_canvas("map", {48, 24}), {90, 70});
+  EXPECT_EQ(curve(0), before) << "all of it";
+  cancel_drag(on_canvas("map", {150, 60}), {200, 60});
+  EXPECT_EQ(level().curves.size(), 1u) << "a new one";
+  EXPECT_EQ(session().history().position(), 1u);
+  EXPECT_EQ(session().choices().curve, 0) << "it stays chosen";
+}
+
 TEST_F(UiCurve, LineIsChosenByAClickAndMovedByADrag) {
   draw_kind(CurveKind::parabola, {16, 40}, {80, 40});
   click(on_canvas("map", {200, 20}));

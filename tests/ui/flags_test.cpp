@@ -97,6 +97,27 @@ TEST_F(UiFlags, AStrokeOverTheMapLeavesTheAirOut) {
   EXPECT_EQ(flags_of(0), 0x01);
 }
 
+TEST_F(UiFlags, EscapeTakesAStrokeBack) {
+  choose_tint(6);
+  key(ctrl_shift('f'));
+  move(on_sheet(40));
+  press();
+  move(on_sheet(43));
+  EXPECT_EQ(flags_of(43), 0x40);
+  key(kEscapeKey);
+  move(on_sheet(45));
+  release();
+  for (int tile = 40; tile <= 45; ++tile) EXPECT_EQ(flags_of(tile), 0) << tile;
+  move(on_map({3, 16}));
+  press();
+  move(on_map({6, 16}));
+  EXPECT_EQ(flags_of(1), 0x41);
+  key(kEscapeKey);
+  release();
+  EXPECT_EQ(flags_of(1), 0x01);
+  EXPECT_FALSE(session().history().can_undo());
+}
+
 TEST_F(UiFlags, TheRightButtonSelectsUnderTheBrush) {
   key(ctrl_shift('f'));
   EXPECT_EQ(session().choices().flag_overlay, pattern_of_flag(0)) << "it paints something from the start";

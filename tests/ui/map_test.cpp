@@ -220,6 +220,35 @@ TEST_F(UiMap, ClicksAndEscapeChangeTheSelection) {
   EXPECT_EQ(entries(), 0u);
 }
 
+TEST_F(UiMap, EscapeTakesADragBack) {
+  const auto cancel_drag = [&](Cell from, Cell to) {
+    move(on_map(from));
+    press();
+    move(on_map(to));
+    key(kKeyEscape);
+    move(on_map({to.x + 1, to.y}));
+    release();
+  };
+  stamp(3, 4, {3, 3});
+  for (const char* tool :
+       {"map/stamp", "map/erase", "map/rectangle", "map/ellipse", "map/line", "map/fill"}) {
+    click(tool);
+    cancel_drag({3, 3}, {9, 5});
+    EXPECT_EQ(drawn({3, 3, 7, 3}), (Rows{"34.....", ".......", "......."})) << tool;
+  }
+  click("map/select");
+  cancel_drag({3, 3}, {6, 5});
+  EXPECT_EQ(selection(), std::nullopt);
+  select({3, 3}, {4, 3});
+  cancel_drag({10, 8}, {12, 9});
+  EXPECT_EQ(selection(), (CellRect{3, 3, 2, 1})) << "that before comes back";
+  drag(on_map({3, 3}), on_map({3, 4}));
+  cancel_drag({4, 4}, {8, 5});
+  EXPECT_EQ(selection(), (CellRect{3, 4, 2, 1}));
+  EXPECT_EQ(drawn({3, 3, 7, 3}), (Rows{".......", "34.....", "......."})) << "the move before stays";
+  EXPECT_EQ(session().history().position(), 2u);
+}
+
 TEST_F(UiMap, SelectionIsMovedByTheMouseInOneEntry) {
   stamp(3, 4, {3, 3});
   stamp(1, 1, {6, 3});

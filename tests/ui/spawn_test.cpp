@@ -50,6 +50,24 @@ TEST_F(UiSpawn, BodyIsMovedNamedAndCopied) {
   EXPECT_EQ(spawn().position, (Vec2{127, 49}));
 }
 
+TEST_F(UiSpawn, EscapePutsABodyBack) {
+  const auto cancel_drag = [&](ImVec2 from, Vec2 to) {
+    move(from);
+    press();
+    move(on_canvas("map", to));
+    key(kKeyEscape);
+    release();
+  };
+  click(on_canvas("map", {100, 60}));
+  cancel_drag(on_canvas("map", {100, 60}), {131, 53});
+  EXPECT_EQ(spawn().position, (Vec2{96, 56}));
+  cancel_drag(centre("map/velocity_handle"), {120, 40});
+  EXPECT_EQ(spawn().velocity, Vec2{});
+  cancel_drag(on_canvas("map", {40, 60}), {60, 60});
+  EXPECT_EQ(level().spawns.size(), 1u) << "that of the press is gone";
+  EXPECT_EQ(session().history().position(), 1u);
+}
+
 TEST_F(UiSpawn, StartIsTypedAsNumbers) {
   click(on_canvas("map", {100, 60}));
   const auto set = [&](const char* field, const char* text) {

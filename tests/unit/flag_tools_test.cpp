@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "panels/flag_brush.h"
+
 namespace talus::flag_tools_test {
 
 constexpr std::uint8_t kAllFlags = 0xff;
@@ -39,6 +41,34 @@ TEST(FlagTools, AStrokeDoesWhatChangesItsFirstTile) {
   const FlagPattern none{0b1100, 0};
   EXPECT_TRUE(stroke_sets(none, 0b0000)) << "there is nothing else that it could do";
   EXPECT_TRUE(stroke_sets(none, 0b0100));
+}
+
+TEST(FlagTools, TheBrushSaysWhatItsStrokeDoes) {
+  Session session(flagged_level());
+  session.apply(action::SetFlagOverlay{pattern_of_flag(0)});
+  FlagBrush brush;
+  const auto text = [&](std::optional<int> tile) { return brush.text(session, SheetId::tiles, tile); };
+  const auto stroke_at = [&](int tile, bool pressed) {
+    Actions actions;
+    brush.update(
+        session, actions, SheetId::tiles, {tile, 0}, [](Cell c) { return std::optional(c.x); }, pressed,
+        true);
+    session.apply(actions);
+  };
+  EXPECT_EQ(text(1), "tile 1: clears flag 0  solid");
+  EXPECT_EQ(text(2), "tile 2: sets flag 0  solid");
+  EXPECT_EQ(text({}), "paints flag 0  solid");
+  stroke_at(1, true);
+  EXPECT_EQ(text(1), "tile 1: clears flag 0  solid") << "although it is clear by now";
+  EXPECT_EQ(text(2), "tile 2: clears flag 0  solid");
+  EXPECT_EQ(text({}), "clears flag 0  solid");
+  stroke_at(0, false);
+  EXPECT_EQ(session.level().tile_flags(0), 0);
+  Actions actions;
+  brush.cancel(session, actions);
+  session.apply(actions);
+  EXPECT_EQ(session.level(), flagged_level());
+  EXPECT_FALSE(brush.active());
 }
 
 TEST(FlagTools, TellWhatTilesHaveInCommon) {

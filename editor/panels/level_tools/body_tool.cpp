@@ -53,12 +53,20 @@ class BodyTool : public LevelTool {
  public:
   bool press(const LevelToolUse& use, Actions& actions) override;
   void drag(const LevelToolUse& use, Actions& actions) override;
-  void release(const LevelToolUse&, Actions&) override { held_ = -1; }
+  void release(const LevelToolUse&, Actions&) override { let_go(); }
+  void cancel(const LevelToolUse& use, Actions& actions) override {
+    LevelTool::cancel(use, actions);
+    let_go();
+  }
   // The arrow of the chosen body, whose tip is registered as "map/velocity_handle", its name, and, with the
   // mouse over the canvas, the name of the body under it.
   void draw(ImDrawList& list, const LevelToolUse& use) const override;
 
  private:
+  void let_go() {
+    held_ = -1;
+    pulls_ = false;
+  }
   void move(const LevelToolUse& use, Actions& actions) const;
   void pull(const LevelToolUse& use, Actions& actions) const;
   void draw_arrow(ImDrawList& list, const CurvePen& pen, const Spawn& spawn, const LevelToolUse& use) const;

@@ -73,6 +73,7 @@ class CurveTool : public LevelTool {
   bool press(const LevelToolUse& use, Actions& actions) override;
   void drag(const LevelToolUse& use, Actions& actions) override;
   void release(const LevelToolUse& use, Actions& actions) override;
+  void cancel(const LevelToolUse& use, Actions& actions) override;
   // The chosen curve with its handles, which are registered as "map/curve_handle0" and on, and, with the
   // mouse over the canvas, what a press would take or begin.
   void draw(ImDrawList& list, const LevelToolUse& use) const override;
@@ -157,6 +158,12 @@ void CurveTool::release(const LevelToolUse& use, Actions& actions) {
   } else {
     finish_line(use, actions);
   }
+}
+
+void CurveTool::cancel(const LevelToolUse& use, Actions& actions) {
+  LevelTool::cancel(use, actions);
+  drag_ = Drag::none;
+  problem_.clear();
 }
 
 void CurveTool::finish_line(const LevelToolUse& use, Actions& actions) const {

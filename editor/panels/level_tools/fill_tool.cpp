@@ -17,7 +17,7 @@ class FillTool : public LevelTool {
     Edit edit = ImGui::GetIO().KeyCtrl
                     ? replace_tile(level, level.map.at(cell), cell, choices.stamp, choices.selection)
                     : flood_fill(level, cell, choices.stamp, choices.selection);
-    if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
+    if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit), use.stroke});
     return true;
   }
 };

@@ -21,6 +21,14 @@ class FlagTool : public LevelTool {
   }
   void drag(const LevelToolUse& use, Actions& actions) override { update(use, actions, false, true); }
   void release(const LevelToolUse& use, Actions& actions) override { update(use, actions, false, false); }
+  void cancel(const LevelToolUse& use, Actions& actions) override { brush_.cancel(use.session, actions); }
+  std::string hint(const LevelToolUse& use) const override {
+    const Level& level = use.session.level();
+    const auto tile = use.hovered ? TileOfMap{level.map}(use.cell) : std::nullopt;
+    if (tile && brush_.active() && is_left_out(level, *tile))
+      return "tile " + std::to_string(*tile) + ": left out, as the drag began on a drawn tile";
+    return brush_.text(use.session, SheetId::tiles, tile) + (tile ? ", in all its cells" : "");
+  }
 
  private:
   void update(const LevelToolUse& use, Actions& actions, bool pressed, bool down) {

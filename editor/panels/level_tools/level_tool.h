@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "panels/camera.h"
 #include "panels/ui.h"
@@ -35,8 +36,13 @@ class LevelTool {
   virtual void drag(const LevelToolUse&, Actions&) {}
   // The button goes up, after drag().
   virtual void release(const LevelToolUse&, Actions&) {}
+  // Escape ends the drag, instead of drag() and release(): all is as it was before the press. Takes back the
+  // edits of its stroke.
+  virtual void cancel(const LevelToolUse& use, Actions& actions);
   // What a press here would do, or the release of the button that is held: a frame around the cell.
   virtual void draw(ImDrawList& list, const LevelToolUse& use) const;
+  // The same in words, for the foot of the canvas; empty: nothing to say.
+  virtual std::string hint(const LevelToolUse&) const { return {}; }
 };
 
 }  // namespace talus

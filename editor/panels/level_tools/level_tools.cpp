@@ -2,12 +2,17 @@
 #include "level_tools.h"
 
 #include "panels/canvas_layers.h"
+#include "panels/drag_cancel.h"
 
 namespace talus {
 
 void LevelTool::draw(ImDrawList& list, const LevelToolUse& use) const {
   if (use.is_seen())
     draw_cell_frame(list, {use.cell.x, use.cell.y, 1, 1}, use.view, theme::color(theme::kText), use.ui.px(1));
+}
+
+void LevelTool::cancel(const LevelToolUse& use, Actions& actions) {
+  take_back(use.session, actions, use.stroke);
 }
 
 LevelToolHand::LevelToolHand() {
@@ -52,6 +57,11 @@ void LevelToolHand::update(LevelToolUse use, Actions& actions, int pressed) {
     return;
   }
   add_drag(use);
+  if (is_drag_cancelled()) {
+    held_->cancel(use, actions);
+    held_ = nullptr;
+    return;
+  }
   held_->drag(use, actions);
   last_ = use.cell;
   if (ImGui::GetIO().MouseDown[button_]) return;
@@ -61,7 +71,13 @@ void LevelToolHand::update(LevelToolUse use, Actions& actions, int pressed) {
 
 void LevelToolHand::draw(ImDrawList& list, LevelToolUse use) const {
   if (active()) add_drag(use);
-  if (const LevelTool* tool = active() ? held_ : chosen(use.session.choices())) tool->draw(list, use);
+  if (const LevelTool* tool = shown(use.session.choices())) tool->draw(list, use);
+}
+
+std::string LevelToolHand::hint(LevelToolUse use) const {
+  if (active()) add_drag(use);
+  const LevelTool* tool = shown(use.session.choices());
+  return tool == nullptr ? std::string() : tool->hint(use);
 }
 
 }  // namespace talus

@@ -23,7 +23,7 @@ std::unique_ptr<LevelTool> make_ground_tool();
 std::unique_ptr<LevelTool> make_flag_tool();
 
 // Uses the chosen tool with the left button; a drag goes on with the tool that began it, whatever is chosen
-// meanwhile.
+// meanwhile. Escape cancels it.
 class LevelToolHand {
  public:
   static constexpr int kNoButton = -1, kLeft = 0, kMiddle = 2;
@@ -34,10 +34,12 @@ class LevelToolHand {
   // kNoButton.
   void update(LevelToolUse use, Actions& actions, int pressed);
   void draw(ImDrawList& list, LevelToolUse use) const;
+  std::string hint(LevelToolUse use) const;  // of the tool; see LevelTool
   bool active() const { return held_ != nullptr; }
 
  private:
   LevelTool* chosen(const Choices& choices) const;
+  const LevelTool* shown(const Choices& choices) const { return active() ? held_ : chosen(choices); }
   void add_drag(LevelToolUse& use) const;
 
   std::map<MapTool, std::unique_ptr<LevelTool>> tools_;  // none to move the view: the canvas does

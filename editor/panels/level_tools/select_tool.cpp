@@ -20,15 +20,17 @@ class SelectTool : public LevelTool {
   bool press(const LevelToolUse& use, Actions& actions) override;
   void drag(const LevelToolUse& use, Actions& actions) override;
   void release(const LevelToolUse& use, Actions& actions) override;
+  void cancel(const LevelToolUse& use, Actions& actions) override;
   void draw(ImDrawList& list, const LevelToolUse& use) const override;
 
  private:
+  void move_to(Cell corner, const LevelToolUse& use, Actions& actions);
   static void paste(const LevelToolUse& use, Actions& actions);
 
-  bool moves_ = false;          // what is selected; else it selects
-  Cell grip_;                   // from the selection's corner to where the button went down
-  bool moved_ = false;          // the mouse has left that cell since
-  bool had_selection_ = false;  // when the button went down
+  bool moves_ = false;              // what is selected; else it selects
+  Cell grip_;                       // from the selection's corner to where the button went down
+  bool moved_ = false;              // the mouse has left that cell since
+  std::optional<CellRect> before_;  // what was selected when the button went down
   bool leaves_copy_ = false;
 };
 
@@ -39,7 +41,7 @@ bool SelectTool::press(const LevelToolUse& use, Actions& actions) {
     return false;
   }
   moved_ = false;
-  had_selection_ = choices.selection.has_value();
+  before_ = choices.selection;
   leaves_copy_ = ImGui::GetIO().KeyCtrl;
   moves_ = choices.selection && choices.selection->contains(use.cell);
   if (moves_) grip_ = {use.cell.x - choices.selection->x, use.cell.y - choices.selection->y};
@@ -59,23 +61,36 @@ void SelectTool::paste(const LevelToolUse& use, Actions& actions) {
 void SelectTool::drag(const LevelToolUse& use, Actions& actions) {
   if (use.cell == *use.from && !moved_) return;
   moved_ = true;
-  const auto& selection = use.session.choices().selection;
-  if (!moves_) {
+  if (moves_)
+    move_to({use.cell.x - grip_.x, use.cell.y - grip_.y}, use, actions);
+  else
     actions.push_back(action::SelectCells{use.dragged()});
-  } else if (selection) {  // Undo may have taken it away
-    const Cell by{use.cell.x - grip_.x - selection->x, use.cell.y - grip_.y - selection->y};
-    if (by == Cell{0, 0}) return;
-    MovedCells moved = move_selection(use.session.level(), use.session.history(), *selection, by,
-                                      use.session.next_stroke(), leaves_copy_);
-    leaves_copy_ = false;  // the copy goes on as it is
-    actions.push_back(action::EditLevel{std::move(moved.edit), moved.stroke});
-  }
+}
+
+void SelectTool::move_to(Cell corner, const LevelToolUse& use, Actions& actions) {
+  const auto& selection = use.session.choices().selection;
+  if (!selection) return;  // Undo may have taken it away
+  const Cell by{corner.x - selection->x, corner.y - selection->y};
+  if (by == Cell{0, 0}) return;
+  MovedCells moved = move_selection(use.session.level(), use.session.history(), *selection, by,
+                                    use.session.next_stroke(), leaves_copy_);
+  leaves_copy_ = false;  // the copy goes on as it is
+  actions.push_back(action::EditLevel{std::move(moved.edit), moved.stroke});
 }
 
 // A click selects the cell, or nothing where there was a selection.
 void SelectTool::release(const LevelToolUse& use, Actions& actions) {
   if (moved_ || moves_) return;
-  actions.push_back(had_selection_ ? action::SelectCells{} : action::SelectCells{use.dragged()});
+  actions.push_back(before_ ? action::SelectCells{} : action::SelectCells{use.dragged()});
+}
+
+// A move may go on with one before, which stays: this one goes back alone.
+void SelectTool::cancel(const LevelToolUse& use, Actions& actions) {
+  if (!moved_) return;
+  if (moves_)
+    move_to({before_->x, before_->y}, use, actions);
+  else
+    actions.push_back(action::SelectCells{before_});
 }
 
 void SelectTool::draw(ImDrawList& list, const LevelToolUse& use) const {
