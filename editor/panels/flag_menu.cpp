@@ -3,6 +3,7 @@
 
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "commands.h"
@@ -23,6 +24,13 @@ std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
   std::vector<FlagField> others = level.flag_fields;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
   return others;
+}
+
+// Of its field, px of the screen: all of it can be read, with room for a letter more. least: px at scale 1.
+float width_of_name(const std::string& name, float least, const Ui& ui) {
+  constexpr float kMost = 480;  // px at scale 1
+  const float text = ImGui::CalcTextSize((name + "W").c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  return std::clamp(text, ui.px(least), ui.px(kMost));
 }
 
 }  // namespace
@@ -68,7 +76,7 @@ void FlagMenu::draw(const Session& session, Actions& actions, Ui& ui) {
 void FlagMenu::draw_flag(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   ui.heading("Flag " + std::to_string(flag_));
-  ImGui::SetNextItemWidth(ui.px(180));
+  ImGui::SetNextItemWidth(width_of_name(new_name_, 180, ui));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   const bool named =
       ImGui::InputTextWithHint("##name", "name", &new_name_, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -143,7 +151,7 @@ void FlagMenu::draw_field(const Session& session, Actions& actions, Ui& ui, std:
   const Level& level = session.level();
   const FlagField& field = level.flag_fields[index];
   ui.heading("Field of flags " + std::to_string(field.first) + " to " + std::to_string(field.last()));
-  ImGui::SetNextItemWidth(ui.px(200));
+  ImGui::SetNextItemWidth(width_of_name(field.name, 200, ui));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   FlagField changed = field;
   if (ImGui::InputTextWithHint("##field_name", "name, such as slope kind", &changed.name))

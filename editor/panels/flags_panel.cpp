@@ -1,6 +1,7 @@
 // The lamps in two columns, the fields below them, each with a menu for its names and its role.
 #include "flags_panel.h"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <array>
@@ -30,8 +31,11 @@ void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lam
   list.AddCircle(centre, radius, flag_color(flag, 200), 20);
 }
 
-std::string lamp_help(FlagLamp lamp, int flag, const FlagRoleInfo* role, const TileShape& shape) {
-  std::string help = "Flag " + std::to_string(flag) + ", ";
+std::string lamp_help(const Level& level, FlagLamp lamp, int flag) {
+  const FlagRoleInfo* role = role_of_flag(level.roles, flag);
+  const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
+  const std::string& name = level.flag_names[static_cast<std::size_t>(flag)];
+  std::string help = "Flag " + std::to_string(flag) + (name.empty() ? "" : ", \"" + name + "\"") + ", ";
   help += lamp == FlagLamp::all    ? "set"
           : lamp == FlagLamp::some ? "set in some of the selected tiles"
                                    : "not set";
@@ -144,7 +148,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   if (ImGui::Button(("##" + name).c_str(), {width - menu, height}))
     actions.push_back(action::EditLevel{toggle_flag(level, session.choices().area, flag)});
   bool opens = ImGui::IsItemClicked(1);
-  ui.item(name, lamp_help(lamp, flag, role, shape));
+  ui.item(name, lamp_help(level, lamp, flag));
   ImGui::SameLine();
   opens |= draw_menu_button("flags/menu" + number, "Names flag " + number + " and chooses its role or shape.",
                             menu, ui);
@@ -155,10 +159,11 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   draw_lamp_light(list, {at.x + ui.px(11), at.y + height / 2}, ui.px(6), lamp, flag);
   const std::string label = number + " " + flag_name(level, flag);
   const bool has_physics = role != nullptr || shape.kind != TileShape::Kind::none;
-  const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
-  list.PushClipRect(at, {at.x + width - menu, at.y + height}, true);
-  list.AddText({at.x + ui.px(22), y}, theme::tone(has_physics ? theme::kText : theme::kMuted), label.c_str());
-  list.PopClipRect();
+  const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2, right = at.x + width - menu;
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(has_physics ? theme::kText : theme::kMuted));
+  ImGui::RenderTextEllipsis(&list, {at.x + ui.px(22), y}, {right, at.y + height}, right, right, label.c_str(),
+                            nullptr, nullptr);
+  ImGui::PopStyleColor();
 }
 
 void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, const FlagField& field) {

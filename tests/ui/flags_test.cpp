@@ -1,4 +1,6 @@
 // Flags: bytes, fields, the brush, and finding where a flag is.
+#include <imgui_internal.h>
+
 #include "edit/map_stroke.h"
 #include "harness.h"
 
@@ -124,6 +126,28 @@ TEST_F(UiFlags, TheRightButtonSelectsUnderTheBrush) {
   click(on_sheet(77), kRight);
   EXPECT_EQ(session().choices().area.tile_at(0, 0), 77);
   EXPECT_EQ(flags_of(77), 0);
+}
+
+TEST_F(UiFlags, ALongNameCanBeRead) {
+  const std::string name = "conveyor belt that runs to the left";
+  click("flags/menu6");
+  frames(2);
+  type(name);
+  key(kReturn);
+  EXPECT_EQ(level().flag_names[6], name);
+  const auto text_width = [&] { return ImGui::CalcTextSize(name.c_str()).x; };
+  EXPECT_LT(find("flags/lamp6")->max.x - find("flags/lamp6")->min.x, text_width()) << "it does not fit there";
+  const auto height_of_help = [&](const char* lamp) {
+    move(centre(lamp));
+    frames(90);
+    const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+    return tooltip != nullptr && tooltip->Active ? tooltip->Size.y : 0;
+  };
+  EXPECT_GT(height_of_help("flags/lamp7"), 0);
+  EXPECT_GT(height_of_help("flags/lamp6"), height_of_help("flags/lamp7")) << "a line more, by the name";
+  click("flags/menu6");
+  frames(2);
+  EXPECT_GT(find("flags/name")->max.x - find("flags/name")->min.x, text_width());
 }
 
 TEST_F(UiFlags, FieldsAreMadeNamedAndChosen) {
