@@ -25,7 +25,7 @@ bool draw_number_field(const NumberField& field, double& value, const Session& s
     changed = true;
   }
   ui.item(field.name, field.help, "drag, or double click to type");
-  if (!changed || !std::isfinite(edited) || edited == value) return false;
+  if (!changed || std::isnan(edited) || edited == value) return false;
   value = edited;
   return true;
 }

@@ -23,7 +23,7 @@ struct NumberEdit {
   std::optional<double> typed;  // not taken before the typing ends
 };
 
-// Draws it. Whether the value has just been changed, to a finite one.
+// Draws it. Whether the value has just been changed; to an infinite one where so much is typed.
 bool draw_number_field(const NumberField& field, double& value, const Session& session, NumberEdit& edit,
                        Ui& ui);
 

@@ -3,12 +3,13 @@
 
 #include <imgui_stdlib.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "edit/spawn_tools.h"
+#include "overlay/number_label.h"
 
 namespace talus {
 namespace {
@@ -34,6 +35,13 @@ const Spawn& spawn_of(const Session& session, int index) {
 void change(const Session& session, int index, Spawn spawn, std::string label, int stroke, Actions& actions) {
   actions.push_back(
       action::EditLevel{change_spawn(session.level(), index, std::move(spawn), std::move(label)), stroke});
+}
+
+// Further away, or faster, nothing can be.
+void refuse(const std::string& part, Actions& actions) {
+  const std::string most = no_decimals(kMaxCoordinate);
+  actions.push_back(
+      action::ShowMessage{"Not taken: " + part + " is a number from -" + most + " to " + most + ".", true});
 }
 
 }  // namespace
@@ -94,21 +102,20 @@ void SpawnInspector::draw_name(const Session& session, int index, Actions& actio
 void SpawnInspector::draw_start(const Session& session, int index, Actions& actions, Ui& ui) {
   Spawn spawn = spawn_of(session, index);
   bool changed = false;
-  const auto number = [&](const char* name, const char* format, double& value, const char* help,
-                          float speed) {
-    if (std::string_view(name) != "inspector/start_x") ui.same_line_if_fits(ui.px(76));
-    changed |= draw_number_field({name, format, help, 76, speed}, value, session, number_, ui);
+  const auto number = [&](const std::string& part, double& value, const char* help, float speed) {
+    if (part != "x") ui.same_line_if_fits(ui.px(76));
+    const std::string name = "inspector/start_" + part, format = part + " %.8g";
+    double edited = value;
+    if (!draw_number_field({name, format.c_str(), help, 76, speed}, edited, session, number_, ui)) return;
+    if (std::abs(edited) > kMaxCoordinate) return refuse(part, actions);
+    value = edited;
+    changed = true;
   };
   ui.heading("Starts at");
-  number("inspector/start_x", "x %.8g", spawn.position.x, "Where its box's left side starts, px.", 1);
-  number("inspector/start_y", "y %.8g", spawn.position.y, "Where its box's top starts, px.", 1);
-  number("inspector/start_vx", "vx %.8g", spawn.velocity.x, "Its speed to the right at the start, px/frame.",
-         0.05f);
-  number("inspector/start_vy", "vy %.8g", spawn.velocity.y, "Its speed downwards at the start, px/frame.",
-         0.05f);
-  const double reach = kMaxCoordinate;
-  for (double* part : {&spawn.position.x, &spawn.position.y, &spawn.velocity.x, &spawn.velocity.y})
-    *part = std::clamp(*part, -reach, reach);
+  number("x", spawn.position.x, "Where its box's left side starts, px.", 1);
+  number("y", spawn.position.y, "Where its box's top starts, px.", 1);
+  number("vx", spawn.velocity.x, "Its speed to the right at the start, px/frame.", 0.05f);
+  number("vy", spawn.velocity.y, "Its speed downwards at the start, px/frame.", 0.05f);
   if (changed) change(session, index, std::move(spawn), "Change how a body starts", number_.stroke, actions);
 }
 

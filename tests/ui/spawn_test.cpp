@@ -81,6 +81,17 @@ TEST_F(UiSpawn, StartIsTypedAsNumbers) {
   set("inspector/start_vy", "-1.25");
   EXPECT_EQ(spawn().position, (Vec2{33.5, 56}));
   EXPECT_EQ(spawn().velocity, (Vec2{0, -1.25}));
+
+  for (const auto& [part, number] : {std::pair{"x", "1e99"}, {"y", "-16777217"}, {"vx", "1e999"}}) {
+    session().apply(action::DismissMessage{});
+    set((std::string("inspector/start_") + part).c_str(), number);
+    ASSERT_TRUE(session().message()) << number;
+    EXPECT_EQ(session().message()->text,
+              "Not taken: " + std::string(part) + " is a number from -16777216 to 16777216.");
+  }
+  EXPECT_EQ(spawn().position, (Vec2{33.5, 56}));
+  EXPECT_EQ(spawn().velocity, (Vec2{0, -1.25}));
+  EXPECT_EQ(session().history().edits().size(), 3u);
 }
 
 }  // namespace talus::spawn_test
