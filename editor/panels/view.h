@@ -100,7 +100,8 @@ struct View {
   bool keys_in_panel = false;               // the arrows, Tab, Space and Enter go from control to control
   bool split_compared = false;              // the other side of a comparison has a view of its own
   std::optional<Cell> centre_on;            // asks the canvases to show this cell; taken by the next frame
-  std::optional<Cell> marked_cell;          // outlined on the map: the last problem that was clicked
+  // Outlined on the map: what was looked for or is a problem. A click on the map or Escape takes it away.
+  std::optional<Cell> marked_cell;
   ProblemsView problems;
   ExportView exports;
   DebuggerView debugger;
@@ -113,6 +114,9 @@ struct View {
   bool fit_first_screen = false;  // as when the level was opened
   int level_number = 0;           // grows when another file is opened: the canvases start afresh
   Hover hover;                    // of this frame
+
+  // Where a search on the map goes on from.
+  std::optional<Cell> search_start() const { return marked_cell ? marked_cell : hover.cell; }
 };
 
 }  // namespace talus
