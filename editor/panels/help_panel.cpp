@@ -105,7 +105,9 @@ void draw_control_keys(Ui& ui) {
   draw_help_row("Space, Enter", "Press it", "Enter also presses the highlighted answer of a dialog.", ui);
   draw_help_row("Underlined letters", "Press a button", "While a text is typed, with Alt.", ui);
   draw_help_row("Esc", "Cancel, close, end",
-                "First what is open; then an error that covers the view; then what is selected.", ui);
+                "First what is open; then an error that covers the view, or the mark of what was found; then "
+                "what is selected.",
+                ui);
   ImGui::EndTable();
 }
 

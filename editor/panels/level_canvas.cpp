@@ -215,7 +215,10 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
       ui.view.second_map = is_second_;
     }
   }
-  if (hovered && ImGui::IsMouseClicked(0) && ui.view.hover.cell) ui.view.debugger.clicked_cell = cell;
+  if (hovered && ImGui::IsMouseClicked(0)) {
+    ui.view.marked_cell.reset();
+    if (ui.view.hover.cell) ui.view.debugger.clicked_cell = cell;
+  }
   const bool is_held = panning_ || holding_ || is_editing();
   if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
   if (pick_cell(session, ui, cell, hovered)) return;

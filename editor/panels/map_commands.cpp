@@ -199,7 +199,7 @@ void find_next_tile(S session, A actions, U ui) {
   if (!ui.view.find_tiles_open) ui.view.find_tile = session.choices().stamp.tiles.front();
   const auto tile = static_cast<std::uint8_t>(ui.view.find_tile);
   const auto cell =
-      find_tile(session.level().map, tile, ui.view.marked_cell, direction, session.choices().selection);
+      find_tile(session.level().map, tile, ui.view.search_start(), direction, session.choices().selection);
   if (!cell) {
     const std::string place = session.choices().selection ? "selection" : "map";
     actions.push_back(action::ShowMessage{"The " + place + " has no tile " + std::to_string(tile) + "."});

@@ -348,7 +348,7 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
 }
 
 // The error that covers the view, or else the window about the program that was opened last, as far as is
-// known. True when that is all that the key does: no selection is lost to it.
+// known, or else the mark on the map. True when that is all that the key does: no selection is lost to it.
 bool App::close_window(Actions& actions) {
   if (ImGui::GetIO().WantTextInput || is_popup_open()) return false;
   if (std::exchange(ui_.view.keys_in_panel, false)) return true;
@@ -358,9 +358,9 @@ bool App::close_window(Actions& actions) {
   }
   for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open,
                      &ui_.view.exports.open, &ui_.view.find_tiles_open, &ui_.view.debugger.picks_cell}) {
-    if (std::exchange(*open, false)) break;
+    if (std::exchange(*open, false)) return false;
   }
-  return false;
+  return std::exchange(ui_.view.marked_cell, std::nullopt).has_value();
 }
 
 // Lists, menus, dialogs, windows that float, and a panel that was given the keys.

@@ -449,6 +449,27 @@ TEST_F(UiMap, TilesAreFoundAndReplaced) {
   EXPECT_EQ(describe(session().history().edits().back()), "Replace 2 tiles at (2, 2)");
 }
 
+TEST_F(UiMap, EscapeOrAClickTakesTheMarkOfWhatWasFoundAway) {
+  const auto& marked = app().ui().view.marked_cell;
+  stamp(3, 3, {2, 2});
+  click(on_map({20, 12}));
+  key(ctrl('a'));
+  key('n');
+  ASSERT_EQ(marked, (Cell{2, 2}));
+  key(KeyChord{kKeyEscape});
+  EXPECT_FALSE(marked);
+  EXPECT_TRUE(session().choices().selection) << "which is for the next Escape";
+  key(KeyChord{kKeyEscape});
+  EXPECT_FALSE(session().choices().selection);
+  key('n');
+  ASSERT_EQ(marked, (Cell{20, 12}));
+  key('1');
+  click(on_map({19, 12}));
+  EXPECT_FALSE(marked);
+  key('n');
+  EXPECT_EQ(marked, (Cell{20, 12})) << "the search goes on from the mouse";
+}
+
 TEST_F(UiMap, NextTileByItsKeyIsTheChosenOne) {
   stamp(3, 3, {2, 2});
   click(on_map({20, 12}));
