@@ -67,6 +67,14 @@ bool is_full(const TileShape& shape) { return shape.kind == TileShape::Kind::sol
 
 bool is_line_shape(const TileShape& shape) { return shape.kind != TileShape::Kind::none && !is_full(shape); }
 
+double height_of_line(const TileShape& shape, double x) {
+  if (shape.kind == TileShape::Kind::solid) return kTileSide;
+  const double step = shape.tiles * kTileSide / static_cast<double>(shape.heights.size() - 1);
+  const std::size_t i = std::min(shape.heights.size() - 2, static_cast<std::size_t>(x / step));
+  const double along = x / step - static_cast<double>(i);
+  return (1 - along) * shape.heights[i] + along * shape.heights[i + 1];
+}
+
 std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell) {
   const int extra = extra_rows(shape);
   const bool floor = shape.side == TileShape::Side::floor;

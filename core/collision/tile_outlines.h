@@ -14,6 +14,8 @@ namespace talus {
 bool is_full(const TileShape& shape);
 // A shape that is neither none nor a full tile: its outline is in pieces.
 bool is_line_shape(const TileShape& shape);
+// The height of its line, px, at a distance from its left side, px; of a good one up to its width.
+double height_of_line(const TileShape& shape, double x);
 // The first and the last of the cells whose outline such a shape may change.
 std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell);
 

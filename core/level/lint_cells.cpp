@@ -23,7 +23,10 @@ class CellLinter {
   void check(Cell cell) {
     const std::uint8_t tile = level_.map.at(cell);
     if (!matters_[tile]) return;
-    if (tiles_.is_slope(tile)) check_slope(cell, tile);
+    if (tiles_.is_slope(tile))
+      check_slope(cell, tile);
+    else
+      check_drawn(cell, tile);
     if (!tiles_.is_slope(tile) || tiles_[tile].own_shape) check_covered(cell, tile);
     if (tiles_[tile].half_of >= 0) check_right_half(cell, tile);
     if (tiles_[tile].role == TileRole::ball) check_ball(cell, tile);
@@ -40,6 +43,21 @@ class CellLinter {
     add(Severity::error, fault->code,
         "tile " + std::to_string(tile) + " at " + cell_text(cell) + " is " +
             role_with_article(tiles_[static_cast<std::size_t>(tile)].role) + ", but " + fault->text,
+        cell, tile);
+  }
+
+  // The same of a shape of its own, in all its columns and rows.
+  void check_drawn(Cell cell, int tile) {
+    const std::vector<Cell> undrawn = undrawn_cells(level_, tiles_, cell);
+    if (undrawn.empty()) return;
+    const std::size_t more = undrawn.size() - 1;
+    const bool sheet_ends = tile % kSheetColumns + undrawn.back().x - cell.x >= kSheetColumns;
+    add(Severity::warning, "slope-half-missing",
+        "tile " + std::to_string(tile) + " at " + cell_text(cell) + " has a shape that goes on over " +
+            cell_text(undrawn.front()) +
+            (more == 0 ? "" : " and " + std::to_string(more) + (more == 1 ? " cell more" : " cells more")) +
+            ", where nothing shows it" +
+            (sheet_ends ? ": it is wider than what the sheet has at the tile's right" : ""),
         cell, tile);
   }
 
@@ -126,6 +144,18 @@ std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& ti
     }
   }
   return std::nullopt;
+}
+
+std::vector<Cell> undrawn_cells(const Level& level, const LintTiles& tiles, Cell cell) {
+  const std::uint8_t number = level.map.at(cell);
+  const LintTiles::Tile& tile = tiles[number];
+  std::vector<Cell> undrawn;
+  if (!tile.line || tile.blank || tiles.is_slope(number)) return undrawn;
+  for (const Cell by : tile.to_draw) {
+    const Cell at{cell.x + by.x, cell.y + by.y};
+    if (level.map.contains(at) && tiles.is_empty(level.map.at(at))) undrawn.push_back(at);
+  }
+  return undrawn;
 }
 
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at) {

@@ -42,6 +42,10 @@ struct SlopeFault {
 };
 std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& tiles, Cell cell);
 
+// The cells on the map that lack a tile to draw the rest of the shape in a cell, from left to right: none
+// where there is no shape, where flags make it a slope, or where its own tile is not drawn either.
+std::vector<Cell> undrawn_cells(const Level& level, const LintTiles& tiles, Cell cell);
+
 // How deep a body of this size with this corner, px, lies below the floor that the article computes for a
 // slope flagged in the cell; 0 when it is above, or beside the slope's box.
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at);

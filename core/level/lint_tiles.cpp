@@ -36,6 +36,29 @@ std::vector<Curve> usable_curves(const Level& level) {
   return curves;
 }
 
+// See Tile::to_draw: where its ground is more than a px high in half of a cell's columns of pixels. Of a
+// one-way line, those that the line goes through. What is one tile wide is drawn by its tile, as far as it
+// is.
+std::vector<Cell> cells_to_draw(const TileShape& shape) {
+  std::vector<Cell> cells;
+  if (shape.kind == TileShape::Kind::solid || shape.tiles < 2) return cells;
+  for (int column = 0; column < shape.tiles; ++column) {
+    std::array<int, kMaxShapeTiles> pixels{};  // by row
+    for (int x = 0; x < kTileSize; ++x) {
+      const double height = height_of_line(shape, column * kTileSize + x + 0.5);
+      const int rows = static_cast<int>(std::ceil((height - 1) / kTileSize));
+      const int last = std::clamp(rows, 0, kMaxShapeTiles);
+      for (int row = shape.one_way ? std::max(last - 1, 0) : 0; row < last; ++row)
+        ++pixels[static_cast<std::size_t>(row)];
+    }
+    for (int row = 0; row < kMaxShapeTiles; ++row) {
+      if ((column == 0 && row == 0) || pixels[static_cast<std::size_t>(row)] < kTileSize / 2) continue;
+      cells.push_back({column, shape.side == TileShape::Side::floor ? -row : row});
+    }
+  }
+  return cells;
+}
+
 }  // namespace
 
 LintTiles::LintTiles(const Level& level, const LintOptions& options)
@@ -57,6 +80,7 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
     // The neighbours that it touches are not covered by it.
     const std::array<Cell, 2> touched = cells_touched_by(shapes_[i], {0, 0});
     tile.covered = {Cell{touched[0].x + 1, touched[0].y + 1}, Cell{touched[1].x - 1, touched[1].y - 1}};
+    tile.to_draw = cells_to_draw(shapes_[i]);
   }
   note_masks(level);
   for (const Spawn& spawn : level.spawns) {

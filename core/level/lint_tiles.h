@@ -25,6 +25,8 @@ class LintTiles {
     int half_of = -1;        // the flagged slope whose right half it is drawn as; -1: of none
     // Of a line: the cells that it reaches over, from its own, which is {0, 0}.
     std::array<Cell, 2> covered{};
+    // And those of them, but its own, that it fills or goes through so far that a picture has to show it.
+    std::vector<Cell> to_draw;
     friend bool operator==(const Tile&, const Tile&) = default;
   };
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "../collision/tile_outlines.h"
+
 namespace talus {
 namespace {
 
@@ -29,17 +31,6 @@ struct Line {
 };
 
 int cells_up_to(double px) { return static_cast<int>(std::ceil(px / kTileSize)); }
-
-// The height of a floor above its cell's bottom, at a distance from its left side; of good shapes only.
-double height_at(const TileShape& shape, double x) {
-  if (shape.kind == TileShape::Kind::solid) return kTileSize;
-  const double step =
-      shape.tiles * static_cast<double>(kTileSize) / static_cast<double>(shape.heights.size() - 1);
-  const auto last = shape.heights.size() - 2;
-  const std::size_t i = std::min(last, static_cast<std::size_t>(x / step));
-  const double along = x / step - static_cast<double>(i);
-  return (1 - along) * shape.heights[i] + along * shape.heights[i + 1];
-}
 
 double highest_of(const TileShape& shape) {
   if (shape.kind == TileShape::Kind::solid) return kTileSize;
@@ -212,7 +203,7 @@ class Chooser {
   std::optional<Choice> choose(int column, std::optional<double> floor) const {
     std::optional<Choice> best;
     for (const Candidate& candidate : candidates_) {
-      const double begin = height_at(candidate.shape, 0);
+      const double begin = height_of_line(candidate.shape, 0);
       const double wanted = floor.value_or(line_.y_at(column * kTileSize)) + begin;
       const double row = std::round(wanted / kTileSize);
       if (floor && row * kTileSize != wanted) continue;
@@ -225,9 +216,9 @@ class Chooser {
   Choice judged(const Candidate& candidate, int column, int bottom_row) const {
     const int width = candidate.shape.tiles * kTileSize;
     const double bottom = bottom_row * kTileSize;
-    Choice choice{&candidate, bottom_row, 0, bottom - height_at(candidate.shape, width)};
+    Choice choice{&candidate, bottom_row, 0, bottom - height_of_line(candidate.shape, width)};
     for (int x = 0; x <= width; ++x) {
-      const double y = bottom - height_at(candidate.shape, x);
+      const double y = bottom - height_of_line(candidate.shape, x);
       choice.off = std::max(choice.off, std::abs(y - line_.y_at(column * kTileSize + x)));
     }
     return choice;

@@ -37,6 +37,28 @@ void fix_missing_half(const Level& level, const LintTiles& tiles, const Problem&
   }
 }
 
+// The tiles that lie on the sheet around the shape's as its cells do on the map. None where one of them is
+// not drawn, or is something to the physics itself.
+void fix_undrawn_shape(const Level& level, const LintTiles& tiles, const Problem& problem,
+                       std::vector<Edit>& out) {
+  const Cell cell = *problem.cell;
+  Edit edit;
+  for (const Cell at : undrawn_cells(level, tiles, cell)) {
+    const int row = problem.tile / kSheetColumns + at.y - cell.y;
+    const auto right = beside(problem.tile, at.x - cell.x);
+    if (!right || row < 0 || row >= kSheetColumns) return;
+    const auto tile = static_cast<std::uint8_t>(*right + (at.y - cell.y) * kSheetColumns);
+    if (tiles[tile].blank || !tiles[tile].shapeless) return;
+    edit.changes.emplace_back(CellChange{at, level.map.at(at), tile});
+  }
+  const auto& first = std::get<CellChange>(edit.changes.front());
+  const bool is_one = edit.changes.size() == 1;
+  edit.label = "Place " + (is_one ? tile_text(first.after) : std::to_string(edit.changes.size()) + " tiles") +
+               ", the rest of " + tile_text(problem.tile) + "'s shape, at " + cell_text(first.cell) +
+               (is_one ? "" : " and on");
+  out.push_back(std::move(edit));
+}
+
 void fix_overlap(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out) {
   for (int i = 1; i < tiles.slope_cells(); ++i) {
     const Cell right{problem.cell->x + i, problem.cell->y};
@@ -214,7 +236,9 @@ class SeamFixer {
 }  // namespace
 
 void fix_slope(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out) {
-  if (problem.code == "slope-half-missing") fix_missing_half(level, tiles, problem, out);
+  const bool is_flagged = problem.tile >= 0 && tiles.is_slope(static_cast<std::size_t>(problem.tile));
+  if (problem.code == "slope-half-missing" && is_flagged) fix_missing_half(level, tiles, problem, out);
+  if (problem.code == "slope-half-missing" && !is_flagged) fix_undrawn_shape(level, tiles, problem, out);
   if (problem.code == "slope-left-missing") fix_missing_left(level, tiles, problem, out);
   if (problem.code == "slope-overlap") fix_overlap(level, tiles, problem, out);
   if (problem.code == "slope-unflagged") fix_unflagged(level, tiles, problem, out);

@@ -47,6 +47,26 @@ TEST(Fixes, SlopesGetTheirOtherHalf) {
               ElementsAre("Place tile 9, the slope's left half, at (1, 1)", "Take tile 10 away from (2, 1)"));
 }
 
+TEST(Fixes, ShapesGetTheTilesThatDrawTheRest) {
+  using Kind = TileShape::Kind;
+  Level level = slope_level({"o....", ".....", "..../"});
+  level.map.set({4, 2}, 0);
+  const std::uint8_t wide = 40, tall = 60;
+  for (const std::size_t tile : {40u, 41u, 60u}) level.sheet(SheetId::tiles).images[tile].fill(1);
+  level.tile_shapes[wide] = {.kind = Kind::slope, .tiles = 2, .heights = {0, 8}};
+  level.map.set({1, 2}, wide);
+  EXPECT_THAT(labels_of(level, "slope-half-missing"),
+              ElementsAre("Place tile 41, the rest of tile 40's shape, at (2, 2)"));
+  level.map.set({1, 2}, tall);
+  level.tile_shapes[tall] = {.kind = Kind::slope, .tiles = 2, .heights = {0, 16}};
+  EXPECT_THAT(labels_of(level, "slope-half-missing"), IsEmpty()) << "the sheet has no picture of it";
+  for (const std::size_t tile : {45u, 61u}) level.sheet(SheetId::tiles).images[tile].fill(1);
+  EXPECT_THAT(labels_of(level, "slope-half-missing"),
+              ElementsAre("Place 2 tiles, the rest of tile 60's shape, at (2, 2) and on"));
+  level.tile_shapes[61] = {.kind = Kind::solid};
+  EXPECT_THAT(labels_of(level, "slope-half-missing"), IsEmpty()) << "it is something else";
+}
+
 TEST(Fixes, FlagsOfSlopes) {
   Level level = slope_level({"o....", "./-..", "#####"});
   level.sheet(SheetId::tiles).flags[kFlaggedHalf] = 4;

@@ -56,6 +56,8 @@ TEST(LintSeams, ACeilingJumps) {
 TEST(LintSeams, AWideSlopeJumpsAtItsEnd) {
   Level level = slope_level({"o.......", ".a......", "########"});
   level.tile_shapes[kSlopeA] = {.kind = TileShape::Kind::slope, .tiles = 3, .heights = {0, 6}};
+  level.sheet(SheetId::tiles).images[40].fill(1);
+  for (const int x : {2, 3}) level.map.set({x, 1}, 40);
   EXPECT_THAT(lint_lines(level), ElementsAre("seam: floor jumps 6 px between (3, 1) and (4, 2)"));
 }
 

@@ -74,11 +74,11 @@ TEST(Lint, NothingWillMove) {
 
 TEST(Lint, AShapeReachesOverTheMapsEdge) {
   Level level = level_of({"o.........", "..........", ".........."});
+  level.sheet(SheetId::tiles).images = {};  // nor need the rest of the shapes be drawn
   level.tile_shapes[100] = {.kind = TileShape::Kind::slope, .tiles = 8, .heights = {0, 8}};
   level.tile_shapes[101] = {.kind = TileShape::Kind::slope, .heights = {0, 16}};
   level.tile_shapes[102] = level.tile_shapes[101];
   level.tile_shapes[102].side = TileShape::Side::ceiling;
-  for (const std::size_t tile : {100u, 101u, 102u}) level.sheet(SheetId::tiles).images[tile].fill(1);
   for (const Cell cell : {Cell{2, 1}, Cell{3, 1}, Cell{9, 2}}) level.map.set(cell, 100);
   level.map.set({4, 0}, 101);
   level.map.set({5, 0}, 102);
@@ -109,6 +109,47 @@ TEST(Lint, HalfOfASlopeIsNotDrawn) {
                           "E slope-half-missing (5, 1) 3: tile 3 at (5, 1) is an up-slope, but the map ends "
                           "at its right: the rest "
                           "of the slope is cut off"));
+}
+
+TEST(Lint, TheRestOfAShapeIsNotDrawn) {
+  using Kind = TileShape::Kind;
+  constexpr std::size_t kWide = 100, kTall = 102, kLast = 111, kDrawn = 120;
+  Level level = level_of({"o.......", "........", "........"});
+  for (const std::size_t tile : {kWide, kTall, kLast, kDrawn})
+    level.sheet(SheetId::tiles).images[tile].fill(1);
+  level.tile_shapes[kWide] = {.kind = Kind::slope, .tiles = 2, .heights = {8, 0}};
+  level.map.set({1, 2}, kWide);
+  const auto only = [&] { return problems(level); };
+  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 100: tile 100 at (1, 2) has a shape that goes "
+                                  "on over (2, 2), where nothing shows it"));
+  level.map.set({2, 2}, kDrawn);
+  EXPECT_THAT(only(), IsEmpty());
+  level.map.set({2, 2}, 0);
+  level.tile_shapes[kWide].one_way = true;
+  EXPECT_THAT(only(), testing::SizeIs(1));
+  level.tile_shapes[kWide].heights = {2, 0};
+  EXPECT_THAT(only(), IsEmpty()) << "less than a pixel of it is there";
+  level.sheet(SheetId::tiles).images[kWide].fill(0);
+  level.tile_shapes[kWide].heights = {8, 0};
+  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("invisible"))) << "which says it already";
+
+  level.map.set({1, 2}, kTall);
+  level.tile_shapes[kTall] = {.kind = Kind::slope, .tiles = 2, .heights = {0, 16}};
+  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 102: tile 102 at (1, 2) has a shape that goes "
+                                  "on over (2, 2) and 1 cell more, where nothing shows it"));
+  level.tile_shapes[kTall].one_way = true;
+  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("over (2, 1), where"))) << "the line alone";
+  level.tile_shapes[kTall].side = TileShape::Side::ceiling;
+  level.map.set({1, 2}, 0);
+  level.map.set({1, 0}, kTall);
+  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("over (2, 1), where"))) << "it hangs down";
+
+  level.map.set({1, 0}, 0);
+  level.map.set({1, 2}, kLast);
+  level.tile_shapes[kLast] = {.kind = Kind::profile, .tiles = 4, .heights = {4, 8, 8, 8, 4}};
+  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 111: tile 111 at (1, 2) has a shape that goes "
+                                  "on over (2, 2) and 2 cells more, where nothing shows it: it is wider than "
+                                  "what the sheet has at the tile's right"));
 }
 
 TEST(Lint, ASlopeOverlapsItsNeighbour) {
