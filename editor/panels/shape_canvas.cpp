@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "debug/number_text.h"
+#include "drag_cancel.h"
 #include "edit/tile_shapes.h"
 #include "shape_drawing.h"
 
@@ -60,8 +61,8 @@ struct ShapeCanvas::Frame {
   }
 };
 
-std::optional<TileShape> ShapeCanvas::draw(const Session& session, int tile, const TileShape& shape,
-                                           ImVec2 room, Ui& ui) {
+std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& actions, int tile,
+                                           const TileShape& shape, ImVec2 room, Ui& ui) {
   CellRect tiles = tiles_of_shape(tile, shape);
   if (grip_ != Grip::none && tiles.h != rows_) {  // as it was when the drag began
     if (shape.side == TileShape::Side::floor) tiles.y += tiles.h - rows_;
@@ -81,7 +82,7 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, int tile, con
   ui.item("shape/canvas",
           "Drag the line or its handles; they keep to whole pixels, with Alt to halves. Over a "
           "profile, a drag beside the handles draws it.");
-  if (has_line(shape)) drag(frame);
+  if (has_line(shape)) drag(frame, actions);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float side = 1.0f / kSheetColumns;
@@ -125,9 +126,13 @@ void ShapeCanvas::take_hold(const Frame& frame, ImVec2 mouse) {
     grip_ = frame.shape.kind == TileShape::Kind::profile ? Grip::free : Grip::line;
 }
 
-void ShapeCanvas::drag(Frame& frame) {
+void ShapeCanvas::drag(Frame& frame, Actions& actions) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (ImGui::IsItemActivated() && ImGui::IsMouseDown(0)) take_hold(frame, mouse);  // not by the Space key
+  if (grip_ != Grip::none && is_drag_cancelled()) {
+    take_back(frame.session, actions, stroke_);
+    grip_ = Grip::none;
+  }
   if (!ImGui::IsItemActive()) grip_ = Grip::none;
   if (grip_ == Grip::none || from_.size() != frame.shape.heights.size()) return;
   if (grip_ == Grip::free)

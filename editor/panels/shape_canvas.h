@@ -13,16 +13,17 @@ class ShapeCanvas {
  public:
   // Draws them in this room, px, and takes the mouse. The shape as it has just been dragged; nothing while it
   // stays. A drag that starts on a handle moves that by as much as the mouse; elsewhere it moves the line of
-  // a slope, and draws a profile freely. Its handles are registered as "shape/handle0" and on.
-  std::optional<TileShape> draw(const Session& session, int tile, const TileShape& shape, ImVec2 room,
-                                Ui& ui);
+  // a slope, and draws a profile freely; Escape takes it back. Its handles are registered as "shape/handle0"
+  // and on.
+  std::optional<TileShape> draw(const Session& session, Actions& actions, int tile, const TileShape& shape,
+                                ImVec2 room, Ui& ui);
   int stroke() const { return stroke_; }  // of the drag's edits
 
  private:
   enum class Grip { none, handle, line, free };
   struct Frame;
   void take_hold(const Frame& frame, ImVec2 mouse);
-  void drag(Frame& frame);
+  void drag(Frame& frame, Actions& actions);
   void move_held(Frame& frame, float y) const;
   void draw_freely(Frame& frame, ImVec2 mouse);
   void follow_cursor(const Frame& frame, Ui& ui) const;

@@ -51,7 +51,7 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const int tile = area.tile_at(0, 0);
   ImGui::BeginChild("shape");
   draw_kind(session, actions, ui, tile);
-  ui.same_line_if_fits(ui.px(132));
+  ui.same_line_if_fits(ui.px(196));
   command_text_button("shape/suggest", "shape/suggest", session, actions, ui);
   // What the shape changes the height of is below the canvas, which stands still under a held mouse.
   draw_canvas(session, actions, ui, tile);
@@ -85,7 +85,7 @@ void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, i
                     ImGui::GetContentRegionAvail().y};
   const float height = std::clamp(room.y - ui.px(kBelowCanvas), ui.px(kLeastCanvas), ui.px(kMostCanvas));
   const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
-  if (const auto dragged = canvas_.draw(session, tile, shape, {room.x, height}, ui))
+  if (const auto dragged = canvas_.draw(session, actions, tile, shape, {room.x, height}, ui))
     actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *dragged), canvas_.stroke()});
 }
 

@@ -92,6 +92,24 @@ TEST_F(UiShape, LineIsMovedBesideItsHandles) {
   EXPECT_EQ(shape(9).heights, (std::vector<double>{5, 8})) << "it keeps its rise at the top, too";
 }
 
+TEST_F(UiShape, EscapeTakesADragBack) {
+  click(on_sheet(3));
+  frames(2);
+  const ImVec2 left = centre("shape/handle0");
+  move(left);
+  press();
+  move({left.x, left.y - 40});
+  frames(2);
+  ASSERT_GT(shape(3).heights.at(0), 0);
+  key(kKeyEscape);
+  EXPECT_EQ(shape(3), TileShape()) << "as its flags have it again";
+  move({left.x, left.y - 60});
+  release();
+  frames(2);
+  EXPECT_EQ(shape(3), TileShape()) << "the drag has ended";
+  EXPECT_EQ(session().history().position(), 0u);
+}
+
 TEST_F(UiShape, SuggestingTwiceEditsOnce) {
   click(on_sheet(7));
   const ImVec2 button = centre("shape/suggest");
