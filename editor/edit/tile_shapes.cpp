@@ -130,6 +130,18 @@ bool is_on_sheet(const CellRect& tiles) {
 bool flips_columns(ShapeTurn turn) { return turn == ShapeTurn::mirrored || turn == ShapeTurn::half_turn; }
 bool flips_rows(ShapeTurn turn) { return turn == ShapeTurn::upside_down || turn == ShapeTurn::half_turn; }
 
+std::vector<int> numbers_of(const CellRect& tiles) {  // on the sheet
+  std::vector<int> numbers;
+  for (int y = tiles.y; y < tiles.y + tiles.h; ++y)
+    for (int x = tiles.x; x < tiles.x + tiles.w; ++x) numbers.push_back(y * kSheetColumns + x);
+  return numbers;
+}
+
+bool is_blank(const Level& level, int tile) {
+  return level.sheet(SheetId::tiles).images[tile] == TileImage{} &&
+         shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind == Kind::none;
+}
+
 std::string size_text(const CellRect& tiles) {
   return std::to_string(tiles.w) + "x" + std::to_string(tiles.h);
 }
@@ -251,19 +263,22 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
 
 std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
   const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
-  const auto is_free = [&](int number) {
-    return number != 0 && number != tile && level.sheet(SheetId::tiles).images[number] == TileImage{} &&
-           shape_of_tile(level, static_cast<std::uint8_t>(number)).kind == Kind::none;
-  };
+  const auto is_free = [&](int number) { return number != 0 && number != tile && is_blank(level, number); };
   for (int target = 1; target < kTileCount; ++target) {
     const CellRect tiles = tiles_of_shape(target, image);
     if (!is_on_sheet(tiles)) continue;
-    bool all_free = true;
-    for (int y = tiles.y; y < tiles.y + tiles.h; ++y)
-      for (int x = tiles.x; x < tiles.x + tiles.w; ++x) all_free = all_free && is_free(y * kSheetColumns + x);
-    if (all_free) return target;
+    const std::vector<int> numbers = numbers_of(tiles);
+    if (std::all_of(numbers.begin(), numbers.end(), is_free)) return target;
   }
   return std::nullopt;
+}
+
+std::vector<int> tiles_replaced(const Level& level, int tile, int target, ShapeTurn turn) {
+  if (target == tile || !copy_turned(level, tile, target, turn)) return {};
+  const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
+  std::vector<int> replaced = numbers_of(tiles_of_shape(target, image));
+  std::erase_if(replaced, [&](int number) { return is_blank(level, number); });
+  return replaced;
 }
 
 }  // namespace talus

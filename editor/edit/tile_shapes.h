@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "sprite_area.h"
 
@@ -40,5 +41,8 @@ Edit give_shape(const Level& level, const SpriteArea& area, const TileShape& sha
 tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int target, ShapeTurn turn);
 // Where copy_turned finds room: the first place whose tiles are all clear and have no shape; none: nowhere.
 std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn);
+// The tiles that copy_turned would change though they have pixels or a shape; in the order of the sheet. None
+// where it has no room, and where the target is the tile itself.
+std::vector<int> tiles_replaced(const Level& level, int tile, int target, ShapeTurn turn);
 
 }  // namespace talus

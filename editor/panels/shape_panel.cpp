@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "commands.h"
 #include "edit/shape_tools.h"
@@ -38,6 +39,13 @@ void draw_origin(const Level& level, int tile, Ui& ui) {
   if (given.kind == TileShape::Kind::none)
     return ui.heading(number + " has no shape: bodies pass through it.");
   ui.heading(number + " has no shape of its own; its flags make it: " + std::string(kind_label(given)) + ".");
+}
+
+// "tile 1", "tiles 1, 2"
+std::string tiles_text(const std::vector<int>& tiles) {
+  std::string text = tiles.size() == 1 ? "tile " : "tiles ";
+  for (std::size_t i = 0; i < tiles.size(); ++i) text += (i > 0 ? ", " : "") + std::to_string(tiles[i]);
+  return text;
 }
 
 }  // namespace
@@ -103,12 +111,10 @@ void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int
   ImGui::SameLine();
   ui.label("to tile");
   ImGui::SameLine();
-  int typed = target;
-  ImGui::SetNextItemWidth(ui.px(44));
-  if (ImGui::InputInt("##target", &typed, 0)) target_ = std::clamp(typed, 0, kTileCount - 1);
-  ui.item("shape/target", "The number of the tile that gets it; at first the next one that is blank.");
-  ui.same_line_if_fits(ui.px(48));
-  if (ui.text_button("shape/copy", "Copy", false,
+  draw_target(actions, ui, target);
+  const std::vector<int> replaced = tiles_replaced(level, tile, target, turn_);
+  ui.same_line_if_fits(ui.px(64));
+  if (ui.text_button("shape/copy", replaced.empty() ? "Copy" : "Replace", false,
                      "Copies the pixels and the shape of the tile, and of all tiles that it reaches over.")) {
     auto edit = copy_turned(level, tile, target, turn_);
     if (edit) {
@@ -119,6 +125,25 @@ void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int
     }
   }
   ui.end_row();
+  if (target == tile)
+    ui.hint("Turns tile " + std::to_string(tile) + " itself.");
+  else if (!replaced.empty())
+    ui.hint("Replaces the pixels and shape of " + tiles_text(replaced) + ".");
+}
+
+void ShapePanel::draw_target(Actions& actions, Ui& ui, int target) {
+  int number = target;
+  ImGui::SetNextItemWidth(ui.px(44));
+  if (ImGui::InputInt("##target", &number, 0)) typed_ = number;
+  const bool is_typed = ImGui::IsItemDeactivatedAfterEdit();
+  ui.item("shape/target", "The number of the tile that gets it; at first the next one that is blank.");
+  if (!is_typed) return;
+  if (typed_ >= 0 && typed_ < kTileCount)
+    target_ = typed_;
+  else
+    actions.push_back(action::ShowMessage{"There is no tile " + std::to_string(typed_) + ": they are 0 to " +
+                                              std::to_string(kTileCount - 1) + ".",
+                                          true});
 }
 
 void ShapePanel::draw_turn_choice(Ui& ui) {

@@ -19,12 +19,14 @@ class ShapePanel : public Panel {
   void draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_copy(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_turn_choice(Ui& ui);
+  void draw_target(Actions& actions, Ui& ui, int target);
 
   ShapeCanvas canvas_;
   int field_stroke_ = 0;
   ShapeTurn turn_ = ShapeTurn::mirrored;
   int target_ = -1;      // tile that a copy goes to; -1: the first free one
   int target_for_ = -1;  // the tile that target_ was chosen for
+  int typed_ = 0;        // target, not taken before the typing ends
 };
 
 }  // namespace talus

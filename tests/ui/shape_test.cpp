@@ -186,6 +186,27 @@ TEST_F(UiShape, MirroredCopyGoesToTheNextFreeTileWithItsPixels) {
   EXPECT_EQ(shape(9), (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 8}}));
 }
 
+TEST_F(UiShape, CopyOverUsedTilesSaysSoFirst) {
+  click(on_sheet(3));
+  frames(2);
+  const float free_width = find("shape/copy")->max.x - find("shape/copy")->min.x;
+  const auto type_target = [&](const std::string& number) {
+    click("shape/target");
+    key(ctrl('a'));
+    type(number);
+    key(kKeyEnter);
+    frames(2);
+  };
+  type_target("256");
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "There is no tile 256: they are 0 to 255.");
+  type_target("1");
+  EXPECT_GT(find("shape/copy")->max.x - find("shape/copy")->min.x, free_width) << "it is called Replace";
+  EXPECT_EQ(shape(1), TileShape());
+  click("shape/copy");
+  EXPECT_EQ(shape(1), (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {8, 0}}));
+}
+
 TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
   EXPECT_FALSE(session().choices().overlays.has(OverlayId::shapes));
   click("overlay/shapes");

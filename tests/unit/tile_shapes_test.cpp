@@ -179,4 +179,17 @@ TEST(TileShapes, FreeTargetHasRoomForAllTiles) {
   EXPECT_EQ(free_target(level, 3, ShapeTurn::mirrored), std::nullopt);
 }
 
+TEST(TileShapes, CopySaysWhatItReplaces) {
+  Level level;
+  level.tile_shapes[3] = sloped({0, 8}, Side::floor, 2);
+  draw_tile_rows(level, 1, {"#"});
+  level.tile_shapes[8] = {.kind = Kind::solid};
+  const auto replaced = [&](int target) { return tiles_replaced(level, 3, target, ShapeTurn::mirrored); };
+  EXPECT_EQ(replaced(1), std::vector<int>{1});
+  EXPECT_EQ(replaced(7), std::vector<int>{8});
+  EXPECT_EQ(replaced(10), std::vector<int>());
+  EXPECT_EQ(replaced(3), std::vector<int>()) << "turned in its place";
+  EXPECT_EQ(replaced(15), std::vector<int>()) << "no room";
+}
+
 }  // namespace talus::tile_shapes_test
