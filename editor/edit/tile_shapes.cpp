@@ -166,7 +166,8 @@ void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, S
 TileShape with_kind(TileShape shape, TileShape::Kind kind) {
   if (kind == Kind::none) return {};
   if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
-  if (!has_line(shape)) shape.heights = {0, kTileSize};
+  const bool is_flat = shape.kind == Kind::solid && kind == Kind::profile;
+  if (!has_line(shape)) shape.heights = {is_flat ? kTileSize : 0.0, kTileSize};
   if (kind == Kind::profile) shape.heights = heights_of_columns(shape, shape.tiles);
   if (kind == Kind::slope) shape.heights = {shape.heights.front(), shape.heights.back()};
   shape.kind = kind;

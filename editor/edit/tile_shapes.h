@@ -12,7 +12,7 @@
 namespace talus {
 
 // A shape of this kind that can be used, as like the old one as may be: a line through a profile's ends, a
-// profile along a line.
+// profile along a line, or along the top of a full tile.
 TileShape with_kind(TileShape shape, TileShape::Kind kind);
 // The same line over so many tiles, 1..kMaxShapeTiles (asserted); a profile has a height for each column
 // line.

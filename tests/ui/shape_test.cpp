@@ -121,6 +121,13 @@ TEST_F(UiShape, SuggestingTwiceEditsOnce) {
   EXPECT_EQ(session().history().edits().size(), 1u);
 }
 
+TEST_F(UiShape, ProfileOfASolidTileIsAsHighAsIt) {
+  click(on_sheet(1));
+  click("shape/kind");
+  click("shape/kind_profile");
+  EXPECT_EQ(shape(1), (TileShape{.kind = Kind::profile, .heights = std::vector<double>(9, 8)}));
+}
+
 TEST_F(UiShape, ProfileIsDrawnOverItsColumns) {
   click(on_sheet(9));
   click("shape/kind");

@@ -108,6 +108,7 @@ TEST(TileShapes, KindsAndWidthsKeepTheLine) {
   const TileShape profile = with_kind(sloped({0, 8}), Kind::profile);
   EXPECT_EQ(profile, (TileShape{.kind = Kind::profile, .heights = {0, 1, 2, 3, 4, 5, 6, 7, 8}}));
   EXPECT_EQ(with_kind(profile, Kind::slope), sloped({0, 8}));
+  EXPECT_EQ(with_kind({.kind = Kind::solid}, Kind::profile).heights, std::vector<double>(9, 8));
   const TileShape wide = with_width(profile, 2);
   EXPECT_EQ(wide.tiles, 2);
   ASSERT_EQ(wide.heights.size(), 17u);
