@@ -1,6 +1,7 @@
 // One popup, which shows a flag or a field.
 #include "flag_menu.h"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -26,11 +27,18 @@ std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
   return others;
 }
 
-// Of its field, px of the screen: all of it can be read, with room for a letter more. least: px at scale 1.
-float width_of_name(const std::string& name, float least, const Ui& ui) {
+// A field that grows with the name, so that all of it can be read. least: px at scale 1. What InputText
+// returns.
+bool draw_name(const char* label, const char* hint, std::string& name, float least, Ui& ui,
+               ImGuiInputTextFlags flags = 0) {
   constexpr float kMost = 480;  // px at scale 1
   const float text = ImGui::CalcTextSize((name + "W").c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-  return std::clamp(text, ui.px(least), ui.px(kMost));
+  ImGui::SetNextItemWidth(std::clamp(text, ui.px(least), ui.px(kMost)));
+  const bool result = ImGui::InputTextWithHint(label, hint, &name, flags);
+  // It has scrolled to what was typed before it grew.
+  if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID()); state && text < ui.px(kMost))
+    state->ScrollX = 0;
+  return result;
 }
 
 }  // namespace
@@ -76,10 +84,8 @@ void FlagMenu::draw(const Session& session, Actions& actions, Ui& ui) {
 void FlagMenu::draw_flag(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   ui.heading("Flag " + std::to_string(flag_));
-  ImGui::SetNextItemWidth(width_of_name(new_name_, 180, ui));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
-  const bool named =
-      ImGui::InputTextWithHint("##name", "name", &new_name_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool named = draw_name("##name", "name", new_name_, 180, ui, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.item("flags/name", "What you call this flag; Enter sets it.");
   if (named) {
     actions.push_back(action::EditLevel{rename_flag(level, flag_, new_name_)});
@@ -122,8 +128,8 @@ void FlagMenu::draw_shape_of_flag(const Session& session, Actions& actions, Ui& 
   const TileShape& now = level.flag_shapes[static_cast<std::size_t>(flag_)];
   if (const auto kind = choose_shape_kind("flags/shape", now.kind, std::string(kind_label(now)), ui))
     actions.push_back(action::EditLevel{set_flag_shape(level, flag_, with_kind(now, *kind))});
-  if (const auto shape = draw_shape_fields("flags/shape", now, session, shape_stroke_, ui))
-    actions.push_back(action::EditLevel{set_flag_shape(level, flag_, *shape), shape_stroke_});
+  if (const auto shape = draw_shape_fields("flags/shape", now, session, shape_edit_, actions, ui))
+    actions.push_back(action::EditLevel{set_flag_shape(level, flag_, *shape), shape_edit_.stroke});
 }
 
 // Into a field with the next flag, or back to the field that it is in.
@@ -151,10 +157,9 @@ void FlagMenu::draw_field(const Session& session, Actions& actions, Ui& ui, std:
   const Level& level = session.level();
   const FlagField& field = level.flag_fields[index];
   ui.heading("Field of flags " + std::to_string(field.first) + " to " + std::to_string(field.last()));
-  ImGui::SetNextItemWidth(width_of_name(field.name, 200, ui));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   FlagField changed = field;
-  if (ImGui::InputTextWithHint("##field_name", "name, such as slope kind", &changed.name))
+  if (draw_name("##field_name", "name, such as slope kind", changed.name, 200, ui))
     actions.push_back(action::EditLevel{set_flag_field(level, index, changed), text_stroke_});
   if (ImGui::IsItemActivated()) text_stroke_ = session.next_stroke();
   ui.item("flags/field_name", "What you call this field.");

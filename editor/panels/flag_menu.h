@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "number_field.h"
 #include "session/session.h"
 #include "ui.h"
 
@@ -32,7 +33,7 @@ class FlagMenu {
   float x_ = 0;              // px of the screen, its left side
   bool wants_keys_ = false;  // the name, as the menu shows another one
   std::string new_name_;     // of the flag
-  int shape_stroke_ = 0;     // of the drag of a shape's number; 0: none
+  NumberEdit shape_edit_;    // of a shape's numbers
   int text_stroke_ = 0;      // of what is typed for a field
 };
 

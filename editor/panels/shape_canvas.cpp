@@ -15,7 +15,8 @@ namespace talus {
 namespace {
 
 constexpr float kMargin = 8, kHandle = 4, kReach = 9;  // px at scale 1
-constexpr float kMostZoom = 24;                        // px for each px of a tile
+constexpr float kMostZoom = 24;                        // px for each px of a tile, at scale 1
+constexpr float kLeastZoom = 4;                        // the same, of shapes higher than the room
 
 bool has_line(const TileShape& shape) { return shape.kind >= TileShape::Kind::slope; }
 
@@ -72,7 +73,8 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& acti
   const float margin = ui.px(kMargin);
   const auto columns = static_cast<float>(tiles.w * kTileSize),
              rows = static_cast<float>(tiles.h * kTileSize);
-  const float fits = std::min((room.x - 2 * margin) / columns, (room.y - 2 * margin) / rows);
+  const float fits_high = std::max((room.y - 2 * margin) / rows, kLeastZoom * ui.scale);
+  const float fits = std::min((room.x - 2 * margin) / columns, fits_high);
   Frame frame{session, tiles, shape, {}, 1, ui.px(kReach)};
   frame.color = overlay_color(OverlayId::shapes, session.choices().overlay_palette);
   frame.zoom = std::clamp(std::floor(fits), 1.0f, kMostZoom * ui.scale);

@@ -11,10 +11,10 @@ namespace talus {
 
 class ShapeCanvas {
  public:
-  // Draws them in this room, px, and takes the mouse. The shape as it has just been dragged; nothing while it
-  // stays. A drag that starts on a handle moves that by as much as the mouse; elsewhere it moves the line of
-  // a slope, and draws a profile freely; Escape takes it back. Its handles are registered as "shape/handle0"
-  // and on.
+  // Draws them in this room, px, below which very high ones reach, and takes the mouse. The shape as it has
+  // just been dragged; nothing while it stays. A drag that starts on a handle moves that by as much as the
+  // mouse; elsewhere it moves the line of a slope, and draws a profile freely; Escape takes it back. Its
+  // handles are registered as "shape/handle0" and on.
   std::optional<TileShape> draw(const Session& session, Actions& actions, int tile, const TileShape& shape,
                                 ImVec2 room, Ui& ui);
   int stroke() const { return stroke_; }  // of the drag's edits

@@ -1,7 +1,10 @@
 // Kind, heights, width and sides of a shape.
 #include "shape_editor.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "edit/tile_shapes.h"
@@ -13,11 +16,9 @@ using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
 constexpr std::array<Kind, 4> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile};
-constexpr double kLowest = 0, kHighest = kMaxShapeTiles * kTileSide;
-constexpr int kLeastTiles = 1, kMostTiles = kMaxShapeTiles;
 constexpr float kKindWidth = 132;   // px at scale 1, of the list of kinds
 constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
-constexpr float kHeightWidth = 32;  // px at scale 1, of one height of a profile
+constexpr float kHeightWidth = 32;  // px at scale 1, of one height, at least
 
 std::string_view label_of(Kind kind) {
   constexpr std::array<std::string_view, 4> kLabels = {"none", "solid", "slope", "profile"};
@@ -30,8 +31,9 @@ std::string named_part(std::string_view name, std::string_view part) {
 
 class ShapeFields {
  public:
-  ShapeFields(std::string_view name, const TileShape& shape, const Session& session, int& stroke, Ui& ui)
-      : name_(name), shape_(shape), session_(session), stroke_(stroke), ui_(ui) {}
+  ShapeFields(std::string_view name, const TileShape& shape, const Session& session, NumberEdit& edit,
+              Actions& actions, Ui& ui)
+      : name_(name), shape_(shape), session_(session), edit_(edit), actions_(actions), ui_(ui) {}
 
   bool draw() {
     if (shape_.kind == Kind::none) return false;
@@ -56,40 +58,65 @@ class ShapeFields {
   std::string named(std::string_view part) const { return named_part(name_, part); }
 
   void draw_slope() {
-    drag("left", ImGuiDataType_Double, &shape_.heights[0], &kLowest, &kHighest, "left %.6g px");
-    ui_.item(named("left"), "The height of the line at its left end.", "drag, or double click to type");
+    const float width = width_of("right %.6g px");
+    height(0, "left", "left %.6g px", "The height of the line at its left end.", width);
     ImGui::SameLine();
-    drag("right", ImGuiDataType_Double, &shape_.heights[1], &kLowest, &kHighest, "right %.6g px");
-    ui_.item(named("right"), "The height of the line at its right end.", "drag, or double click to type");
+    height(1, "right", "right %.6g px", "The height of the line at its right end.", width);
   }
 
   // Rows of fields, as many as fit.
   void draw_profile() {
-    const float width = ui_.px(kHeightWidth);
+    const float width = width_of("%.4g");
     for (std::size_t i = 0; i < shape_.heights.size(); ++i) {
-      const std::string part = "height" + std::to_string(i);
-      if (i > 0) ui_.same_line_if_fits(width);
-      drag(part, ImGuiDataType_Double, &shape_.heights[i], &kLowest, &kHighest, "%.4g", kHeightWidth);
-      ui_.item(named(part), "The height of the line there, px.", "drag, or double click to type");
+      if (i > 0) ui_.same_line_if_fits(ui_.px(width));
+      height(i, "height" + std::to_string(i), "%.4g", "The height of the line there, px.", width);
     }
   }
 
   void draw_width() {
-    int tiles = shape_.tiles;
-    drag("tiles", ImGuiDataType_S32, &tiles, &kLeastTiles, &kMostTiles,
-         tiles == 1 ? "width %d tile" : "width %d tiles");
-    ui_.item(named("tiles"), "Over how many tiles it reaches, from the one that has it to the right.",
-             "drag, or double click to type");
-    if (tiles != shape_.tiles) shape_ = with_width(shape_, tiles);
+    const char* format = shape_.tiles == 1 ? "width %.0f tile" : "width %.0f tiles";
+    const auto tiles = number("tiles", format, shape_.tiles, 1, kMaxShapeTiles,
+                              "Over how many tiles it reaches, from the one that has it to the right.", 88);
+    if (!tiles) return;
+    if (*tiles != std::round(*tiles)) return refuse("a width is whole tiles");
+    if (*tiles != shape_.tiles) shape_ = with_width(shape_, static_cast<int>(*tiles));
+    changed_ = true;
   }
 
-  void drag(std::string_view part, ImGuiDataType type, void* value, const void* min, const void* max,
-            const char* format, float width = 88) {
-    ImGui::SetNextItemWidth(ui_.px(width));
-    const bool moved = ImGui::DragScalar(("##" + named(part)).c_str(), type, value, 0.125f, min, max, format,
-                                         ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemActivated()) stroke_ = session_.next_stroke();
-    changed_ = changed_ || moved;
+  // Room for each of the heights, px at scale 1.
+  float width_of(const char* format) const {
+    float widest = 0;
+    std::array<char, 40> text{};
+    for (const double height : shape_.heights) {
+      std::snprintf(text.data(), text.size(), format, height);
+      widest = std::max(widest, ImGui::CalcTextSize(text.data()).x);
+    }
+    return std::max(kHeightWidth, widest / ui_.scale + 12);
+  }
+
+  void height(std::size_t i, std::string_view part, const char* format, std::string_view help, float width) {
+    const auto height = number(part, format, shape_.heights[i], 0, kMaxShapeTiles * kTileSide, help, width);
+    if (!height) return;
+    shape_.heights[i] = *height;
+    changed_ = true;
+  }
+
+  // The number as it has just been changed.
+  std::optional<double> number(std::string_view part, const char* format, double value, int least, int most,
+                               std::string_view help, float width) {
+    const std::string name = named(part);
+    if (!draw_number_field({name, format, help, width, 0.125f}, value, session_, edit_, ui_))
+      return std::nullopt;
+    const double kept = std::clamp<double>(value, least, most);
+    if (kept == value || ImGui::IsItemActive()) return kept;  // active: a drag, which stops at its ends
+    const std::string what = part == "tiles" ? "a width is " : "a height is ";
+    refuse(what + std::to_string(least) + " to " + std::to_string(most) +
+           (part == "tiles" ? " tiles" : " px"));
+    return std::nullopt;
+  }
+
+  void refuse(const std::string& why) {
+    actions_.push_back(action::ShowMessage{"Not taken: " + why + ".", true});
   }
 
   void check(std::string_view part, std::string_view label, bool& value, std::string_view help) {
@@ -100,13 +127,14 @@ class ShapeFields {
   // What is not dragged is an edit of its own.
   void note_click() {
     changed_ = true;
-    stroke_ = 0;
+    edit_.stroke = 0;
   }
 
   std::string name_;
   TileShape shape_;
   const Session& session_;
-  int& stroke_;
+  NumberEdit& edit_;
+  Actions& actions_;
   Ui& ui_;
   bool changed_ = false;
 };
@@ -131,8 +159,9 @@ std::optional<Kind> choose_shape_kind(std::string_view name, Kind now, const std
 }
 
 std::optional<TileShape> draw_shape_fields(std::string_view name, const TileShape& shape,
-                                           const Session& session, int& stroke, Ui& ui) {
-  ShapeFields fields(name, shape, session, stroke, ui);
+                                           const Session& session, NumberEdit& edit, Actions& actions,
+                                           Ui& ui) {
+  ShapeFields fields(name, shape, session, edit, actions, ui);
   if (!fields.draw()) return std::nullopt;
   return fields.shape();
 }

@@ -83,8 +83,8 @@ void ShapePanel::draw_kind(const Session& session, Actions& actions, Ui& ui, int
 
 void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui, int tile) {
   const TileShape now = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
-  if (const auto shape = draw_shape_fields("shape/kind", now, session, field_stroke_, ui))
-    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_stroke_});
+  if (const auto shape = draw_shape_fields("shape/kind", now, session, field_, actions, ui))
+    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_.stroke});
 }
 
 void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "edit/tile_shapes.h"
+#include "number_field.h"
 #include "panel.h"
 #include "shape_canvas.h"
 
@@ -22,7 +23,7 @@ class ShapePanel : public Panel {
   void draw_target(Actions& actions, Ui& ui, int target);
 
   ShapeCanvas canvas_;
-  int field_stroke_ = 0;
+  NumberEdit field_;
   ShapeTurn turn_ = ShapeTurn::mirrored;
   int target_ = -1;      // tile that a copy goes to; -1: the first free one
   int target_for_ = -1;  // the tile that target_ was chosen for

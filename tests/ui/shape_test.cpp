@@ -21,7 +21,8 @@ class UiShape : public UiTest {
   }
   const TileShape& shape(int tile) { return level().tile_shapes[static_cast<std::size_t>(tile)]; }
   float zoom() {  // px of the screen for each px of a tile one tile wide
-    return (centre("shape/handle1").x - centre("shape/handle0").x) / 8;
+    const bool is_profile = find("shape/handle2") != nullptr;
+    return (centre("shape/handle1").x - centre("shape/handle0").x) / (is_profile ? 1 : 8);
   }
 };
 
@@ -212,6 +213,35 @@ TEST_F(UiShape, CopyOverUsedTilesSaysSoFirst) {
   EXPECT_EQ(shape(1), TileShape());
   click("shape/copy");
   EXPECT_EQ(shape(1), (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {8, 0}}));
+}
+
+TEST_F(UiShape, NumbersThatNoShapeHasAreRefused) {
+  click(on_sheet(9));
+  click("shape/kind");
+  click("shape/kind_profile");
+  frames(2);
+  const auto type_number = [&](const std::string& field, const std::string& number) {
+    click(on_sheet(9));  // no click before is a part of the double click
+    click(field);
+    click(field);  // a double click types
+    key(ctrl('a'));
+    type(number);
+    key(kKeyTab);
+    frames(2);
+  };
+  const TileShape before = shape(9);
+  type_number("shape/kind_height2", "99");
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "Not taken: a height is 0 to 64 px.");
+  type_number("shape/kind_tiles", "9");
+  EXPECT_EQ(session().message()->text, "Not taken: a width is 1 to 8 tiles.");
+  type_number("shape/kind_tiles", "1.5");
+  EXPECT_EQ(session().message()->text, "Not taken: a width is whole tiles.");
+  EXPECT_EQ(shape(9), before);
+  EXPECT_EQ(session().history().edits().size(), 1u);
+  type_number("shape/kind_height2", "64");
+  EXPECT_EQ(shape(9).heights[2], 64);
+  EXPECT_GE(zoom(), 4) << "a shape as high as may be is still large enough for the hand";
 }
 
 TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
