@@ -198,6 +198,17 @@ CellRect tiles_of_shape(int tile, const TileShape& shape) {
   return tiles;
 }
 
+std::optional<int> tile_reaching_over(const Level& level, int tile) {
+  const auto shape_of = [&](int number) { return shape_of_tile(level, static_cast<std::uint8_t>(number)); };
+  if (shape_of(tile).kind != Kind::none) return std::nullopt;
+  const int first = std::max(tile - tile % kSheetColumns, tile - kMaxShapeTiles + 1);
+  for (int left = tile - 1; left >= first; --left) {
+    const TileShape shape = shape_of(left);
+    if (has_line(shape) && shape.tiles > tile - left) return left;
+  }
+  return std::nullopt;
+}
+
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) {
   assert(tile >= 0 && tile < kTileCount && tiles >= 1 && tiles <= kMaxShapeTiles);
   tiles = std::min(tiles, kSheetColumns - tile % kSheetColumns);

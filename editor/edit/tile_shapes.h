@@ -25,6 +25,10 @@ TileShape turned(TileShape shape, ShapeTurn turn);
 // a tile, those above (a floor) or below (a ceiling). May reach beyond the sheet.
 CellRect tiles_of_shape(int tile, const TileShape& shape);
 
+// The tile left of one without a shape whose shape reaches over it on the sheet, as a ramp's does over its
+// right half; none: no tile's does.
+std::optional<int> tile_reaching_over(const Level& level, int tile);
+
 // What the opaque pixels of a tile, and of those to its right, look like; colour 0 is clear. A floor goes
 // along the topmost pixel of each column, a ceiling along the lowest; whichever has fewer clear pixels behind
 // it. Full: solid. A line where all columns are within half a pixel of one, or where one runs through their

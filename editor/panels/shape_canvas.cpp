@@ -81,9 +81,7 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& acti
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("shape canvas", {room.x, frame.height() + 2 * margin});
   frame.at = {std::floor(corner.x + (room.x - frame.width()) / 2), std::floor(corner.y + margin)};
-  ui.item("shape/canvas",
-          "Drag the line or its handles; they keep to whole pixels, with Alt to halves. Over a "
-          "profile, a drag beside the handles draws it.");
+  ui.item("shape/canvas");  // its help would cover it
   if (has_line(shape)) drag(frame, actions);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -32,6 +32,18 @@ void suggest(const Session& session, Actions& actions, Ui& ui) {
                                         false});
 }
 
+std::optional<int> owner(const Session& session) {
+  return tile_reaching_over(session.level(), session.choices().area.tile_at(0, 0));
+}
+
+bool has_owner(const Session& session, const Ui& ui) { return has_tiles(session, ui) && owner(session); }
+
+void go_to_owner(const Session& session, Actions& actions, Ui&) {
+  const int tile = *owner(session);
+  actions.push_back(
+      action::SelectTiles{{SheetId::tiles, {tile % kSheetColumns, tile / kSheetColumns, 1, 1}}});
+}
+
 void give(const Session& session, Actions& actions, Ui&) {
   const SpriteArea& area = session.choices().area;
   const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(area.tile_at(0, 0)));
@@ -48,6 +60,9 @@ std::vector<Command> shape_commands() {
               suggest, has_tiles),
       command("shape/give", KeyChord{}, "Give the shape to all selected",
               "Gives the shape of the first selected tile to all selected ones.", give, has_many_tiles),
+      also_called("ramp half part owner",
+                  command("shape/owner", KeyChord{}, "Go to the tile whose shape reaches over this one",
+                          "Selects it: a ramp's shape is that of its left tile.", go_to_owner, has_owner)),
   };
 }
 

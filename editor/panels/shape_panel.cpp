@@ -18,27 +18,21 @@ constexpr float kBelowCanvas = 140;                     // px at scale 1, what i
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
                                                     "turned by a half"};
 
-// The tile left of this one on the sheet whose shape is wide enough to reach over this one; -1: there is
-// none.
-int tile_reaching_over(const Level& level, int tile) {
-  for (int left = tile - 1; left >= tile - tile % kSheetColumns && tile - left < kMaxShapeTiles; --left) {
-    const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(left));
-    if (shape.kind != TileShape::Kind::none && shape.tiles > tile - left) return left;
-  }
-  return -1;
-}
-
-void draw_origin(const Level& level, int tile, Ui& ui) {
+// What the shape comes from, and what can be done with its picture.
+std::string origin_text(const Level& level, int tile) {
+  const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
   const std::string number = "Tile " + std::to_string(tile);
+  if (const auto left = tile_reaching_over(level, tile))
+    return number + " has no shape of its own: that of tile " + std::to_string(*left) +
+           ", which is shown, reaches over it.";
+  if (shape.kind == TileShape::Kind::none) return number + " has no shape: bodies pass through it.";
+  std::string text = number + " has no shape of its own; its flags make it this.";
   if (level.tile_shapes[static_cast<std::size_t>(tile)].kind != TileShape::Kind::none)
-    return ui.heading(number + " has this shape of its own:");
-  const TileShape given = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-  if (const int left = tile_reaching_over(level, tile); given.kind == TileShape::Kind::none && left >= 0)
-    return ui.heading(number + " has no shape of its own; beside tile " + std::to_string(left) +
-                      " that one's shape reaches over it.");
-  if (given.kind == TileShape::Kind::none)
-    return ui.heading(number + " has no shape: bodies pass through it.");
-  ui.heading(number + " has no shape of its own; its flags make it: " + std::string(kind_label(given)) + ".");
+    text = number + " has this shape of its own.";
+  if (shape.kind == TileShape::Kind::slope) text += " Drag its line or handles, with Alt by half pixels.";
+  if (shape.kind == TileShape::Kind::profile)
+    text += " Drag its handles, or draw beside them, with Alt by half pixels.";
+  return text;
 }
 
 // "tile 1", "tiles 1, 2"
@@ -63,7 +57,9 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   command_text_button("shape/suggest", "shape/suggest", session, actions, ui);
   // What the shape changes the height of is below the canvas, which stands still under a held mouse.
   draw_canvas(session, actions, ui, tile);
-  draw_origin(session.level(), tile, ui);
+  ui.hint(origin_text(session.level(), tile));
+  if (tile_reaching_over(session.level(), tile))
+    command_text_button("shape/owner", "shape/owner", session, actions, ui);
   draw_fields(session, actions, ui, tile);
   command_text_button("shape/give", "shape/give", session, actions, ui);
   draw_copy(session, actions, ui, tile);
@@ -92,9 +88,10 @@ void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, i
   const ImVec2 room{ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize,
                     ImGui::GetContentRegionAvail().y};
   const float height = std::clamp(room.y - ui.px(kBelowCanvas), ui.px(kLeastCanvas), ui.px(kMostCanvas));
-  const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
-  if (const auto dragged = canvas_.draw(session, actions, tile, shape, {room.x, height}, ui))
-    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *dragged), canvas_.stroke()});
+  const int shown = tile_reaching_over(session.level(), tile).value_or(tile);
+  const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(shown));
+  if (const auto dragged = canvas_.draw(session, actions, shown, shape, {room.x, height}, ui))
+    actions.push_back(action::EditLevel{set_tile_shape(session.level(), shown, *dragged), canvas_.stroke()});
 }
 
 void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int tile) {

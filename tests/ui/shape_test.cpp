@@ -244,6 +244,21 @@ TEST_F(UiShape, NumbersThatNoShapeHasAreRefused) {
   EXPECT_GE(zoom(), 4) << "a shape as high as may be is still large enough for the hand";
 }
 
+TEST_F(UiShape, RightHalfOfARampShowsTheWholeAndLeadsToItsTile) {
+  click(on_sheet(4));
+  frames(2);
+  ASSERT_NE(find("shape/handle1"), nullptr);
+  const ImVec2 left = centre("shape/handle0"), right = centre("shape/handle1");
+  drag(left, {left.x, left.y - (right.x - left.x) / 16});
+  EXPECT_EQ(shape(3).heights, (std::vector<double>{1, 8})) << "what is shown is tile 3's";
+  EXPECT_EQ(shape(4), TileShape());
+  click("shape/owner");
+  frames(2);
+  EXPECT_EQ(session().choices().area, (SpriteArea{SheetId::tiles, {3, 0, 1, 1}}));
+  EXPECT_EQ(find("shape/owner"), nullptr);
+  EXPECT_NEAR(centre("shape/handle1").y, right.y, 1);
+}
+
 TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
   EXPECT_FALSE(session().choices().overlays.has(OverlayId::shapes));
   click("overlay/shapes");

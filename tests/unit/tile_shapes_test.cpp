@@ -180,6 +180,18 @@ TEST(TileShapes, FreeTargetHasRoomForAllTiles) {
   EXPECT_EQ(free_target(level, 3, ShapeTurn::mirrored), std::nullopt);
 }
 
+TEST(TileShapes, WideOnesReachOverTheTilesToTheRight) {
+  Level level;
+  level.tile_shapes[3] = sloped({0, 8}, Side::floor, 3);
+  level.tile_shapes[5] = {.kind = Kind::solid};
+  level.tile_shapes[15] = sloped({0, 8}, Side::floor, 2);
+  EXPECT_EQ(tile_reaching_over(level, 3), std::nullopt);
+  EXPECT_EQ(tile_reaching_over(level, 4), 3);
+  EXPECT_EQ(tile_reaching_over(level, 5), std::nullopt) << "it has a shape itself";
+  EXPECT_EQ(tile_reaching_over(level, 6), std::nullopt);
+  EXPECT_EQ(tile_reaching_over(level, 16), std::nullopt) << "not over the edge of the sheet";
+}
+
 TEST(TileShapes, CopySaysWhatItReplaces) {
   Level level;
   level.tile_shapes[3] = sloped({0, 8}, Side::floor, 2);
