@@ -142,6 +142,37 @@ bool is_blank(const Level& level, int tile) {
          shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind == Kind::none;
 }
 
+// What differs between `before` and `after`, changed in another shape.
+TileShape with_change(TileShape shape, const TileShape& before, const TileShape& after) {
+  if (shape.kind == Kind::none) return shape;
+  if (after.one_way != before.one_way) shape.one_way = after.one_way;
+  if (!has_line(shape)) return shape;
+  if (after.side != before.side) shape.side = after.side;
+  if (after.tiles != before.tiles) shape = with_width(std::move(shape), after.tiles);
+  const std::size_t count = after.heights.size();
+  if (shape.kind != after.kind || shape.heights.size() != count || before.heights.size() != count)
+    return shape;
+  for (std::size_t i = 0; i < count; ++i)
+    if (after.heights[i] != before.heights[i]) shape.heights[i] = after.heights[i];
+  return shape;
+}
+
+// The tiles of an area, but those that another one of them reaches over.
+std::vector<int> changed_together(const Level& level, const SpriteArea& area) {
+  std::vector<int> tiles = numbers_of(area.tiles);
+  std::erase_if(tiles, [&](int tile) {
+    const auto owner = tile_reaching_over(level, tile);
+    return owner && *owner % kSheetColumns >= area.tiles.x;
+  });
+  return tiles;
+}
+
+std::string label_of_change(const SpriteArea& area) {
+  if (area.tiles.w * area.tiles.h == 1)
+    return "Change the shape of tile " + std::to_string(area.tile_at(0, 0));
+  return "Change the shapes of " + std::to_string(area.tiles.w * area.tiles.h) + " tiles";
+}
+
 std::string size_text(const CellRect& tiles) {
   return std::to_string(tiles.w) + "x" + std::to_string(tiles.h);
 }
@@ -164,6 +195,7 @@ void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, S
 }  // namespace
 
 TileShape with_kind(TileShape shape, TileShape::Kind kind) {
+  if (kind == shape.kind) return shape;
   if (kind == Kind::none) return {};
   if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
   const bool is_flat = shape.kind == Kind::solid && kind == Kind::profile;
@@ -240,6 +272,29 @@ Edit suggest_shapes(const Level& level, const SpriteArea& area) {
       if (const auto shape = suggest_shape(level, tile)) add_shape_change(level, tile, *shape, edit);
     }
   }
+  return edit;
+}
+
+Edit change_shapes(const Level& level, const SpriteArea& area, const TileShape& shape) {
+  assert(area.sheet == SheetId::tiles);
+  Edit edit{label_of_change(area), {}};
+  const int first = area.tile_at(0, 0);
+  const TileShape before = shape_of_tile(level, static_cast<std::uint8_t>(first));
+  add_shape_change(level, first, shape, edit);
+  for (const int tile : changed_together(level, area)) {
+    const TileShape other = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+    const TileShape changed = with_change(other, before, shape);
+    if (tile != first && changed != other) add_shape_change(level, tile, changed, edit);
+  }
+  return edit;
+}
+
+Edit change_kinds(const Level& level, const SpriteArea& area, Kind kind) {
+  assert(area.sheet == SheetId::tiles);
+  Edit edit{label_of_change(area), {}};
+  for (const int tile : changed_together(level, area))
+    add_shape_change(level, tile, with_kind(shape_of_tile(level, static_cast<std::uint8_t>(tile)), kind),
+                     edit);
   return edit;
 }
 

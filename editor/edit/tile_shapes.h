@@ -37,6 +37,12 @@ std::optional<int> tile_reaching_over(const Level& level, int tile);
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles = 1);
 // The same for each tile of the area by itself; those without an opaque pixel keep what they have.
 Edit suggest_shapes(const Level& level, const SpriteArea& area);
+// The first tile of the area gets this shape, and what differs from its old one changes in the others, too,
+// as far as their shapes have it; the rest of them stays. Left out are tiles that another one of the area
+// reaches over.
+Edit change_shapes(const Level& level, const SpriteArea& area, const TileShape& shape);
+// Each of the same tiles gets a shape of this kind, as like its old one as may be.
+Edit change_kinds(const Level& level, const SpriteArea& area, TileShape::Kind kind);
 // One shape for each tile of the area.
 Edit give_shape(const Level& level, const SpriteArea& area, const TileShape& shape);
 

@@ -58,6 +58,8 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   // What the shape changes the height of is below the canvas, which stands still under a held mouse.
   draw_canvas(session, actions, ui, tile);
   ui.hint(origin_text(session.level(), tile));
+  if (const int count = area.tiles.w * area.tiles.h; count > 1)
+    ui.hint("What changes here changes in all " + std::to_string(count) + " selected tiles.");
   if (tile_reaching_over(session.level(), tile))
     command_text_button("shape/owner", "shape/owner", session, actions, ui);
   draw_fields(session, actions, ui, tile);
@@ -74,13 +76,14 @@ void ShapePanel::draw_kind(const Session& session, Actions& actions, Ui& ui, int
   if (own.kind != shape.kind) shown += " by its flags";
   // The first of its own is as like what its flags gave as may be.
   if (const auto kind = choose_shape_kind("shape/kind", own.kind, shown, ui))
-    actions.push_back(action::EditLevel{set_tile_shape(level, tile, with_kind(shape, *kind))});
+    actions.push_back(action::EditLevel{change_kinds(level, session.choices().area, *kind)});
 }
 
 void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui, int tile) {
   const TileShape now = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
   if (const auto shape = draw_shape_fields("shape/kind", now, session, field_, actions, ui))
-    actions.push_back(action::EditLevel{set_tile_shape(session.level(), tile, *shape), field_.stroke});
+    actions.push_back(
+        action::EditLevel{change_shapes(session.level(), session.choices().area, *shape), field_.stroke});
 }
 
 void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile) {
@@ -90,8 +93,12 @@ void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, i
   const float height = std::clamp(room.y - ui.px(kBelowCanvas), ui.px(kLeastCanvas), ui.px(kMostCanvas));
   const int shown = tile_reaching_over(session.level(), tile).value_or(tile);
   const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(shown));
-  if (const auto dragged = canvas_.draw(session, actions, shown, shape, {room.x, height}, ui))
-    actions.push_back(action::EditLevel{set_tile_shape(session.level(), shown, *dragged), canvas_.stroke()});
+  const auto dragged = canvas_.draw(session, actions, shown, shape, {room.x, height}, ui);
+  if (!dragged) return;
+  actions.push_back(action::EditLevel{shown == tile
+                                          ? change_shapes(session.level(), session.choices().area, *dragged)
+                                          : set_tile_shape(session.level(), shown, *dragged),
+                                      canvas_.stroke()});
 }
 
 void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int tile) {

@@ -166,6 +166,19 @@ TEST_F(UiShape, IsSuggestedFromPixelsForAllSelectedTiles) {
   EXPECT_EQ(session().message()->text, "Nothing to suggest: the tile has no pixels but colour 0.");
 }
 
+TEST_F(UiShape, WhatIsChangedChangesInAllSelectedTiles) {
+  drag(on_sheet(40), on_sheet(41));
+  click("shape/kind");
+  click("shape/kind_slope");
+  frames(2);
+  click("shape/kind_one_way");
+  const ImVec2 left = centre("shape/handle0");
+  drag(left, {left.x, left.y - 3 * zoom()});
+  for (const int tile : {40, 41})
+    EXPECT_EQ(shape(tile), (TileShape{.kind = Kind::slope, .one_way = true, .heights = {3, 8}})) << tile;
+  EXPECT_EQ(session().history().edits().size(), 3u);
+}
+
 TEST_F(UiShape, IsGivenToAllSelectedTiles) {
   click(on_sheet(7));
   click("shape/suggest");

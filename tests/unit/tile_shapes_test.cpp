@@ -104,6 +104,27 @@ TEST(TileShapes, OneShapeForManyTilesIsOneUndo) {
   EXPECT_EQ(level, before);
 }
 
+TEST(TileShapes, ChangeOfTheFirstIsMadeInAllOthersThatHaveIt) {
+  Level level;
+  level.tile_shapes[3] = sloped({0, 8}, Side::floor, 2);  // over tile 4
+  level.tile_shapes[5] = sloped({6, 2});
+  level.tile_shapes[6] = {.kind = Kind::solid};
+  const SpriteArea area{SheetId::tiles, {3, 0, 4, 1}};
+  TileShape wanted = sloped({1, 8}, Side::ceiling, 2);
+  wanted.one_way = true;
+  apply_edit(level, change_shapes(level, area, wanted));
+  EXPECT_EQ(level.tile_shapes[3], wanted);
+  EXPECT_EQ(level.tile_shapes[4], TileShape());
+  EXPECT_EQ(level.tile_shapes[5].heights, (std::vector<double>{1, 2})) << "its other end stays";
+  EXPECT_EQ(level.tile_shapes[5].side, Side::ceiling);
+  EXPECT_EQ(level.tile_shapes[5].tiles, 1);
+  EXPECT_EQ(level.tile_shapes[6], (TileShape{.kind = Kind::solid, .one_way = true}));
+  apply_edit(level, change_kinds(level, area, Kind::slope));
+  EXPECT_EQ(level.tile_shapes[3], wanted) << "one already";
+  EXPECT_EQ(level.tile_shapes[4], TileShape());
+  EXPECT_EQ(level.tile_shapes[6].kind, Kind::slope);
+}
+
 TEST(TileShapes, KindsAndWidthsKeepTheLine) {
   const TileShape profile = with_kind(sloped({0, 8}), Kind::profile);
   EXPECT_EQ(profile, (TileShape{.kind = Kind::profile, .heights = {0, 1, 2, 3, 4, 5, 6, 7, 8}}));
