@@ -148,6 +148,7 @@ TEST_F(UiFlags, ALongNameCanBeRead) {
   click("flags/menu6");
   frames(2);
   EXPECT_GT(find("flags/name")->max.x - find("flags/name")->min.x, text_width());
+  EXPECT_EQ(ImGui::GetCurrentContext()->InputTextState.ScrollX, 0) << "its beginning is in sight";
 }
 
 TEST_F(UiFlags, FieldsAreMadeNamedAndChosen) {
