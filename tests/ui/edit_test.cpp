@@ -361,6 +361,7 @@ TEST_F(UiEdit, FlagGetsAShapeWithHeights) {
   click("flags/menu6");
   click("flags/shape");
   click("flags/shape_slope");
+  frames(2);  // until the menu has grown by the fields
   TileShape slope{.kind = TileShape::Kind::slope};
   slope.heights = {0, 8};
   EXPECT_EQ(level().flag_shapes[6], slope);
