@@ -17,6 +17,42 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+bool is_in(int number, int least, int most) { return number >= least && number <= most; }
+
+std::string text_of_limits() {
+  return "1 to " + std::to_string(kMaxTerrainSide) + ", and no more than " +
+         std::to_string(kMaxTerrainCells) + " cells in all.";
+}
+
+// Why there can be no such map; empty when there can.
+std::string problem_of(const MapFrame& frame) {
+  const std::string most = std::to_string(kMaxTerrainSide);
+  if (!is_in(frame.width, 1, kMaxTerrainSide)) return "The width is 1 to " + most + " cells.";
+  if (!is_in(frame.height, 1, kMaxTerrainSide)) return "The height is 1 to " + most + " cells.";
+  const auto cells = std::int64_t{frame.width} * frame.height;
+  if (cells > kMaxTerrainCells)
+    return "These are " + std::to_string(cells) + " cells; a map has at most " +
+           std::to_string(kMaxTerrainCells) + ".";
+  if (!is_in(frame.shift.x, -kMaxTerrainSide, kMaxTerrainSide) ||
+      !is_in(frame.shift.y, -kMaxTerrainSide, kMaxTerrainSide))
+    return "Everything is shifted by at most " + most + " cells, either way.";
+  return "";
+}
+
+void draw_line(const std::string& text, std::uint32_t color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+// What becomes of the map in the cart that its level came from.
+void draw_cart_note(const MapFrame& frame) {
+  if (frame.width > kTicMapWidth || frame.height > kTicMapHeight)
+    draw_line("Too large for a TIC-80 cart, which holds 240x136 cells.", theme::kWarning);
+  else if (frame.width < kTicMapWidth || frame.height < kTicMapHeight)
+    draw_line("In a TIC-80 cart it is the top left of 240x136 cells.", theme::kMuted);
+}
+
 std::string text_of_losses(const ResizedMap& result) {
   std::string text;
   const auto add = [&](std::size_t count, const char* one, const char* many) {
@@ -28,7 +64,7 @@ std::string text_of_losses(const ResizedMap& result) {
   return text;
 }
 
-void number_field(const char* name, const char* label, int& value, const char* help, Ui& ui) {
+void number_field(const char* name, const char* label, int& value, const std::string& help, Ui& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
   ImGui::SameLine(ui.px(kLabel));
@@ -42,20 +78,14 @@ void number_field(const char* name, const char* label, int& value, const char* h
 void ResizePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const TileMap& map = session.level().map;
   if (ui.view.resize_open && !was_open_) {
-    frame_ = {map.width(), map.height(), {0, 0}, false};
+    typed_ = frame_ = {map.width(), map.height(), {0, 0}, false};
     anchor_ = {0, 0};
     asks_ = false;
   }
   was_open_ = ui.view.resize_open;
   if (!begin_dialog("Size of the map", ui.view.resize_open, {0, 0}, ui)) return;
   ui.begin_row();
-  ImGui::BeginDisabled(asks_);
-  ImGui::BeginGroup();
-  draw_sizes(map, ui);
-  draw_anchors(map, ui);
-  draw_shift(ui);
-  ImGui::EndGroup();
-  ImGui::EndDisabled();
+  draw_fields(map, ui);
   ImGui::SameLine(0, ui.px(16));
   draw_preview(map, ui);
   ui.end_row();
@@ -64,18 +94,29 @@ void ResizePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::EndPopup();
 }
 
+void ResizePanel::draw_fields(const TileMap& map, Ui& ui) {
+  ImGui::BeginDisabled(asks_);
+  ImGui::BeginGroup();
+  draw_sizes(map, ui);
+  draw_anchors(map, ui);
+  draw_shift(ui);
+  ImGui::EndGroup();
+  ImGui::EndDisabled();
+  if (problem_of(typed_).empty()) frame_ = typed_;
+}
+
 void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
-  const Cell before{frame_.width, frame_.height};
+  const Cell before{typed_.width, typed_.height};
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  number_field("resize/width", "Width", frame_.width, "Cells in a row; TIC-80 has 240.", ui);
+  number_field("resize/width", "Width", typed_.width, "Cells in a row; TIC-80 has 240. " + text_of_limits(),
+               ui);
   ImGui::SameLine();
   ImGui::TextUnformatted(("now " + std::to_string(map.width())).c_str());
-  number_field("resize/height", "Height", frame_.height, "Rows of cells; TIC-80 has 136.", ui);
+  number_field("resize/height", "Height", typed_.height, "Rows of cells; TIC-80 has 136. " + text_of_limits(),
+               ui);
   ImGui::SameLine();
   ImGui::TextUnformatted(("now " + std::to_string(map.height())).c_str());
-  frame_.width = std::clamp(frame_.width, 1, kMaxTerrainSide);
-  frame_.height = std::clamp(frame_.height, 1, kMaxTerrainSide);
-  if (before != Cell{frame_.width, frame_.height}) choose_anchor(map);
+  if (before != Cell{typed_.width, typed_.height}) choose_anchor(map);
 }
 
 // Where the map grows or is cut, in a square of nine.
@@ -99,18 +140,17 @@ void ResizePanel::draw_anchors(const TileMap& map, Ui& ui) {
 }
 
 void ResizePanel::choose_anchor(const TileMap& map) {
-  frame_.shift = {(frame_.width - map.width()) * anchor_.x / 2,
-                  (frame_.height - map.height()) * anchor_.y / 2};
+  if (!is_terrain_size(typed_.width, typed_.height)) return;
+  typed_.shift = {(typed_.width - map.width()) * anchor_.x / 2,
+                  (typed_.height - map.height()) * anchor_.y / 2};
 }
 
 void ResizePanel::draw_shift(Ui& ui) {
-  number_field("resize/right", "Right by", frame_.shift.x,
+  number_field("resize/right", "Right by", typed_.shift.x,
                "Cells that everything goes to the right; or left, below 0.", ui);
-  number_field("resize/down", "Down by", frame_.shift.y, "Cells that everything goes down; or up, below 0.",
+  number_field("resize/down", "Down by", typed_.shift.y, "Cells that everything goes down; or up, below 0.",
                ui);
-  frame_.shift.x = std::clamp(frame_.shift.x, -kMaxTerrainSide, kMaxTerrainSide);
-  frame_.shift.y = std::clamp(frame_.shift.y, -kMaxTerrainSide, kMaxTerrainSide);
-  ImGui::Checkbox("What leaves comes in opposite##wrap", &frame_.wrap);
+  ImGui::Checkbox("What leaves comes in opposite##wrap", &typed_.wrap);
   ui.item("resize/wrap", "What leaves the map at one side comes in at the other, instead of being cut off.");
 }
 
@@ -152,44 +192,30 @@ void ResizePanel::draw_preview(const TileMap& map, const Ui& ui) const {
 
 void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui) {
   const TileMap& map = session.level().map;
-  const bool fits = is_terrain_size(frame_.width, frame_.height);
+  const std::string problem = problem_of(typed_);
+  const bool fits = problem.empty();
   const bool changes =
       frame_.width != map.width() || frame_.height != map.height() || frame_.shift != Cell{0, 0};
   const std::string losses = fits ? text_of_losses(result(session)) : "";
-  const auto line = [](const std::string& text, std::uint32_t color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-  };
   if (!fits)
-    line("A map has at most " + std::to_string(kMaxTerrainCells) + " cells.", theme::kError);
+    draw_line(problem, theme::kError);  // the rest shows the last size that fitted
   else if (losses.empty())
-    line(changes ? "Nothing is lost." : "Type another size, or how far everything is shifted.",
-         theme::kMuted);
+    draw_line(changes ? "Nothing is lost." : "Type another size, or how far everything is shifted.",
+              theme::kMuted);
   else
-    line((asks_ ? "Lose " : "No place for ") + losses + (asks_ ? "? Undo brings them back." : "."),
-         theme::kWarning);
-  if (session.level().cart && fits && (frame_.width != kTicMapWidth || frame_.height != kTicMapHeight))
-    line("A TIC-80 cart holds 240x136 cells.", theme::kWarning);
-  // What loses something is never what Enter does.
-  const bool resizes = dialog_button({.widget = "resize/apply",
-                                      .label = asks_ ? "Lose them" : "Resize",
-                                      .help = "Gives the map this size; one Undo takes it back.",
-                                      .letter = asks_ ? 'L' : 'R',
-                                      .is_default = !asks_,
-                                      .enabled = fits && changes,
-                                      .width = ui.px(96)},
-                                     ui);
-  ImGui::SameLine();
-  if (std::exchange(began_to_ask_, false)) ui.focus_next_item();
-  const bool goes_back = dialog_button({.widget = "resize/cancel",
-                                        .label = asks_ ? "Back" : "Cancel",
-                                        .help = "Changes nothing.",
-                                        .letter = asks_ ? 'B' : 'C',
-                                        .is_default = asks_,
-                                        .is_cancel = true,
-                                        .width = ui.px(96)},
-                                       ui);
+    draw_line((asks_ ? "Lose " : "No place for ") + losses + (asks_ ? "? Undo brings them back." : "."),
+              theme::kWarning);
+  if (session.level().cart && fits) draw_cart_note(frame_);
+  bool resizes = false, goes_back = false;
+  if (asks_) {  // a second click in the place of the first one goes back
+    goes_back = draw_cancel(ui);
+    ImGui::SameLine();
+    resizes = draw_apply(true, ui);
+  } else {
+    resizes = draw_apply(fits && changes, ui);
+    ImGui::SameLine();
+    goes_back = draw_cancel(ui);
+  }
   if (goes_back) {
     if (!std::exchange(asks_, false)) close(ui);
   } else if (resizes && !losses.empty() && !asks_) {
@@ -198,6 +224,30 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
     actions.push_back(action::EditLevel{resize_map(session.level(), frame_, session.choices().selection)});
     close(ui);
   }
+}
+
+// What loses something is never what Enter does.
+bool ResizePanel::draw_apply(bool enabled, Ui& ui) const {
+  return dialog_button({.widget = "resize/apply",
+                        .label = asks_ ? "Lose them" : "Resize",
+                        .help = "Gives the map this size; one Undo takes it back.",
+                        .letter = asks_ ? 'L' : 'R',
+                        .is_default = !asks_,
+                        .enabled = enabled,
+                        .width = ui.px(96)},
+                       ui);
+}
+
+bool ResizePanel::draw_cancel(Ui& ui) {
+  if (std::exchange(began_to_ask_, false)) ui.focus_next_item();
+  return dialog_button({.widget = "resize/cancel",
+                        .label = asks_ ? "Back" : "Cancel",
+                        .help = "Changes nothing.",
+                        .letter = asks_ ? 'B' : 'C',
+                        .is_default = asks_,
+                        .is_cancel = true,
+                        .width = ui.px(96)},
+                       ui);
 }
 
 const ResizedMap& ResizePanel::result(const Session& session) {

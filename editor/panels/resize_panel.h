@@ -15,11 +15,14 @@ class ResizePanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  void draw_fields(const TileMap& map, Ui& ui);
   void draw_sizes(const TileMap& map, Ui& ui);
   void draw_anchors(const TileMap& map, Ui& ui);
   void draw_shift(Ui& ui);
   void draw_preview(const TileMap& map, const Ui& ui) const;
   void draw_answers(const Session& session, Actions& actions, Ui& ui);
+  bool draw_apply(bool enabled, Ui& ui) const;
+  bool draw_cancel(Ui& ui);
   void choose_anchor(const TileMap& map);
   const ResizedMap& result(const Session& session);
   void close(Ui& ui);
@@ -27,7 +30,8 @@ class ResizePanel : public Panel {
   bool was_open_ = false;
   bool asks_ = false;          // whether what is lost may be lost
   bool began_to_ask_ = false;  // the way back is to get the keys
-  MapFrame frame_;
+  MapFrame typed_;             // what the fields say, whether there can be such a map or not
+  MapFrame frame_;             // the last one of them that there can be
   Cell anchor_{0, 0};  // 0, 1 or 2: where the old map stays: left or top, in the middle, right or bottom
   // What the frame gives, and for which frame and revision of the level.
   std::optional<ResizedMap> result_;

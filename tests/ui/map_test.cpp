@@ -386,9 +386,16 @@ TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
   type("20");
   key(kKeyTab);
   frames(2);
-  click("resize/apply");
+  const ImVec2 resize = centre("resize/apply");
+  click(resize);
   frames(2);
   EXPECT_EQ(level().map.width(), 30) << "10 tiles of the floor would be lost: it asks first";
+  click(resize);
+  frames(2);
+  EXPECT_EQ(level().map.width(), 30) << "where the button was, the same click again loses nothing";
+  EXPECT_TRUE(app().ui().view.resize_open);
+  click(resize);
+  frames(2);
   click("resize/apply");
   frames(3);
   EXPECT_EQ(level().map.width(), 20);
@@ -396,6 +403,33 @@ TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
   EXPECT_FALSE(app().ui().view.resize_open);
   key(ctrl('z'));
   EXPECT_EQ(level().map, test_level().map);
+}
+
+TEST_F(UiMap, MapKeepsItsSizeWhereNoMapCanHaveTheTypedOne) {
+  key(ctrl('e'));
+  frames(3);
+  const auto set = [&](const char* field, const char* text) {
+    click(field);
+    key(ctrl('a'));
+    type(text);
+    key(kKeyTab);
+    frames(2);
+  };
+  for (const char* wrong : {"-5", "0", "2097153", "200000"}) {  // 200000x136 cells are too many
+    set("resize/height", "136");
+    set("resize/width", wrong);
+    EXPECT_FALSE(find("resize/apply")->enabled) << wrong;
+    EXPECT_TRUE(app().ui().view.resize_open) << wrong;
+  }
+  set("resize/width", "40");
+  set("resize/right", "99999999");
+  EXPECT_FALSE(find("resize/apply")->enabled);
+  set("resize/right", "0");
+  EXPECT_TRUE(find("resize/apply")->enabled);
+  click("resize/apply");
+  frames(3);
+  EXPECT_EQ(level().map.width(), 40);
+  EXPECT_EQ(level().map.height(), 136);
 }
 
 TEST_F(UiMap, MapGrowsAtTheSideThatIsNotKept) {
