@@ -1,7 +1,6 @@
 // The two tiles, how many cells have the first, and what can be done.
 #include "find_tiles_panel.h"
 
-#include <algorithm>
 #include <string>
 
 #include "canvas_layers.h"
@@ -16,8 +15,12 @@ constexpr float kLabel = 64;  // px at scale 1
 
 std::uint8_t tile_of(int number) { return static_cast<std::uint8_t>(number); }
 
+}  // namespace
+
 // A picture of the tile, its number, and a button that takes the one that is chosen on the sheet.
-void draw_tile(const std::string& name, const char* label, int& tile, const Session& session, Ui& ui) {
+void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field& field, int& tile,
+                               const Session& session, Ui& ui) const {
+  if (field.tile != tile || ImGui::IsWindowAppearing()) field = {tile, tile};  // a command has chosen it
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
   ImGui::SameLine(ui.px(kLabel));
@@ -28,16 +31,27 @@ void draw_tile(const std::string& name, const char* label, int& tile, const Sess
   draw_stamp(*ImGui::GetWindowDrawList(), {1, 1, {tile_of(tile)}}, {0, 0, 1, 1}, view, ui, 255);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ui.px(56));
-  ImGui::InputInt(("##" + name).c_str(), &tile, 0);
-  tile = std::clamp(tile, 0, kTileCount - 1);
+  ImGui::InputInt(("##" + name).c_str(), &field.typed, 0);
+  if (field.typed >= 0 && field.typed < kTileCount) field.tile = tile = field.typed;
   ui.item(name, "The number of the tile, 0 to 255.");
   ImGui::SameLine();
   if (ui.text_button(name + "_take", "Take chosen", false,
                      "Takes the tile that is chosen on the sheet or picked."))
-    tile = session.choices().stamp.tiles.front();
+    field.typed = field.tile = tile = session.choices().stamp.tiles.front();
 }
 
-}  // namespace
+void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) const {
+  if (find_.is_tile() && replace_.is_tile()) {
+    const std::string place = of_selection ? "the selection" : "the map";
+    ImGui::TextUnformatted(
+        (std::to_string(count) + (count == 1 ? " cell" : " cells") + " of " + place).c_str());
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
+  ImGui::TextUnformatted("Tiles have the numbers 0 to 255.");
+  ImGui::PopStyleColor();
+  ui.item("find_tiles/problem");
+}
 
 void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!ui.view.find_tiles_open) return;
@@ -50,24 +64,22 @@ void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     const Level& level = session.level();
     const std::size_t count = count_tile(level.map, tile_of(ui.view.find_tile), choices.selection);
     ui.begin_row();
-    draw_tile("find_tiles/find", "Find", ui.view.find_tile, session, ui);
-    draw_tile("find_tiles/replace", "Put", ui.view.replace_tile, session, ui);
+    draw_tile("find_tiles/find", "Find", find_, ui.view.find_tile, session, ui);
+    draw_tile("find_tiles/replace", "Put", replace_, ui.view.replace_tile, session, ui);
     ui.end_row();
-    const std::string place = choices.selection ? "the selection" : "the map";
-    ImGui::TextUnformatted(
-        (std::to_string(count) + (count == 1 ? " cell" : " cells") + " of " + place).c_str());
+    const bool found = find_.is_tile() && count > 0;
+    draw_count(count, choices.selection.has_value(), ui);
     const Command &previous = find_command("map/find_previous"), &next = find_command("map/find_next");
-    if (ui.text_button("find_tiles/previous", "Previous", false, previous.help, keys_of(previous, ui),
-                       count > 0))
+    if (ui.text_button("find_tiles/previous", "Previous", false, previous.help, keys_of(previous, ui), found))
       previous.run(session, actions, ui);
     ImGui::SameLine();
-    if (ui.text_button("find_tiles/next", "Next", false, next.help, keys_of(next, ui), count > 0))
+    if (ui.text_button("find_tiles/next", "Next", false, next.help, keys_of(next, ui), found))
       next.run(session, actions, ui);
     ImGui::SameLine();
     const bool differs = ui.view.find_tile != ui.view.replace_tile;
     if (ui.text_button("find_tiles/replace_all", "Replace all", false,
                        "Puts the second tile into all these cells; one Undo takes it back.", {},
-                       count > 0 && differs)) {
+                       found && replace_.is_tile() && differs)) {
       const Stamp put{1, 1, {tile_of(ui.view.replace_tile)}};
       actions.push_back(
           action::EditLevel{replace_tile(level, tile_of(ui.view.find_tile), {0, 0}, put, choices.selection)});

@@ -1,6 +1,8 @@
 // The window that finds tiles on the map and replaces them.
 #pragma once
 
+#include <string>
+
 #include "panel.h"
 
 namespace talus {
@@ -10,6 +12,18 @@ class FindTilesPanel : public Panel {
   std::string_view id() const override { return "find_tiles"; }
   std::string_view title() const override { return "Find and replace tiles"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  // What stands in the field of a tile: the tile, unless a number has been typed that no tile has.
+  struct Field {
+    int typed = -1, tile = -1;
+    bool is_tile() const { return typed == tile; }
+  };
+  void draw_tile(const std::string& name, const char* label, Field& field, int& tile, const Session& session,
+                 Ui& ui) const;
+  void draw_count(std::size_t count, bool of_selection, Ui& ui) const;
+
+  Field find_, replace_;
 };
 
 }  // namespace talus

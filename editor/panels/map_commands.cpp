@@ -191,6 +191,7 @@ std::vector<Command> selection_commands() {
 
 void open_find_tiles(S session, A, U ui) {
   ui.view.find_tiles_open = true;
+  ui.view.wants_text = "find_tiles/find";
   ui.view.find_tile = session.choices().stamp.tiles.front();
 }
 

@@ -483,6 +483,33 @@ TEST_F(UiMap, TilesAreFoundAndReplaced) {
   EXPECT_EQ(describe(session().history().edits().back()), "Replace 2 tiles at (2, 2)");
 }
 
+TEST_F(UiMap, FindTakesTheDigits) {
+  stamp(3, 3, {2, 2});
+  move(on_map({20, 12}));
+  const MapTool before = tool();
+  for (const char* number : {"6", "12"}) {  // the second time the window is open already
+    key(ctrl('h'));
+    frames(3);
+    type(number);
+    key(KeyChord{'\r'});
+    frames(2);
+    EXPECT_EQ(app().ui().view.find_tile, std::stoi(number)) << "all of what was there is replaced";
+    EXPECT_EQ(tool(), before) << "no digit chooses a tool";
+    move(on_map({21, 12}));
+  }
+  key(ctrl('h'));
+  frames(3);
+  type("999");
+  frames(2);
+  EXPECT_NE(find("find_tiles/problem"), nullptr) << "no tile has this number";
+  EXPECT_FALSE(find("find_tiles/next")->enabled);
+  click("find_tiles/find_take");
+  frames(2);
+  EXPECT_EQ(app().ui().view.find_tile, 3);
+  EXPECT_EQ(find("find_tiles/problem"), nullptr);
+  EXPECT_TRUE(find("find_tiles/next")->enabled);
+}
+
 TEST_F(UiMap, EscapeOrAClickTakesTheMarkOfWhatWasFoundAway) {
   const auto& marked = app().ui().view.marked_cell;
   stamp(3, 3, {2, 2});
