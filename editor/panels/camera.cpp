@@ -59,6 +59,11 @@ Rect CanvasView::visible() const {
   return {from.x, from.y, to.x - from.x, to.y - from.y};
 }
 
+bool CanvasView::shows(const Rect& box) const {
+  const Rect all = visible();
+  return box.x <= all.right() && box.right() >= all.x && box.y <= all.bottom() && box.bottom() >= all.y;
+}
+
 float Camera::zoom() const { return kZooms[static_cast<std::size_t>(step_)]; }
 
 void Camera::zoom_at(ImVec2 at, int steps) {
@@ -83,13 +88,20 @@ void Camera::centre(Vec2 point, ImVec2 canvas) {
   offset_ = {std::round(canvas.x / 2 - point.x * zoom()), std::round(canvas.y / 2 - point.y * zoom())};
 }
 
-void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
-  if (shows_whole()) return;
-  const auto missing = [](double at, double size) {
+Vec2 Camera::missing(Vec2 point, ImVec2 canvas) const {
+  const auto along = [](double at, double size) {
     const double room = std::min(kKeptInSight, size / 4);
     return std::round(at - std::clamp(at, room, size - room));
   };
-  scroll({missing(offset_.x + point.x * zoom(), canvas.x), missing(offset_.y + point.y * zoom(), canvas.y)});
+  return {along(offset_.x + point.x * zoom(), canvas.x), along(offset_.y + point.y * zoom(), canvas.y)};
+}
+
+bool Camera::is_in_sight(Vec2 point, ImVec2 canvas) const {
+  return !shows_whole() && missing(point, canvas) == Vec2{};
+}
+
+void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
+  if (!shows_whole()) scroll(missing(point, canvas));
 }
 
 void Camera::fit(Vec2 level, ImVec2 canvas) {

@@ -21,7 +21,8 @@ struct CanvasView {
   }
   Vec2 to_level(ImVec2 p) const { return {(p.x - origin.x) / zoom, (p.y - origin.y) / zoom}; }
   Cell to_cell(ImVec2 p) const;
-  Rect visible() const;  // level px
+  Rect visible() const;               // level px
+  bool shows(const Rect& box) const;  // px of the level; whether any of it is on the canvas
 };
 
 class Camera {
@@ -32,6 +33,9 @@ class Camera {
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen
   void centre(Vec2 point, ImVec2 canvas);
+  // Whether the point is on the canvas, with some room around it, and large enough to be seen: it is not in
+  // the world view.
+  bool is_in_sight(Vec2 point, ImVec2 canvas) const;
   // Scrolls as little as shows the point with some room around it; the world view shows it anyway.
   void keep_in_sight(Vec2 point, ImVec2 canvas);
   // The largest zoom at which a level of this size, in px, fits; puts it in the middle.
@@ -53,6 +57,8 @@ class Camera {
     int step;
     Vec2 offset;
   };
+  Vec2 missing(Vec2 point, ImVec2 canvas) const;  // px of the screen to scroll by until the point is in sight
+
   int step_ = 16;   // 2x
   int least_ = 13;  // the lowest step
   Vec2 offset_;     // px of the screen, from the canvas's corner to the level's

@@ -65,6 +65,25 @@ TEST_F(UiWorld, TabGoesBackFromTheWorldView) {
   EXPECT_EQ(middle(), before);
 }
 
+TEST_F(UiWorld, WhatIsOutOfSightHasNoLabel) {
+  open_large(600, 400);
+  const auto scroll_away_and_back = [&](const char* label) {
+    EXPECT_NE(find(label), nullptr);
+    for (int i = 0; i < 20; ++i) key(kKeyDown);
+    EXPECT_EQ(find(label), nullptr) << label;
+    for (int i = 0; i < 20; ++i) key(kKeyUp);
+    EXPECT_NE(find(label), nullptr);
+  };
+  click("map/body");
+  click(on_map({6, 6}));
+  frames(2);
+  scroll_away_and_back("map/chosen_body");
+  click("map/segment");
+  drag(on_map({10, 10}), on_map({14, 10}));
+  frames(2);
+  scroll_away_and_back("map/chosen_curve");
+}
+
 TEST_F(UiWorld, TheMinimapMovesTheView) {
   open_large(600, 400);
   EXPECT_EQ(find("map/overview"), nullptr);

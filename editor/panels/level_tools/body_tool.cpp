@@ -42,11 +42,15 @@ bool is_on_tip(const Spawn& spawn, const LevelToolUse& use) {
   return std::hypot(to.x, to.y) * use.view.zoom <= kTipReach;
 }
 
+// Of one that is out of sight nothing.
 void draw_spawn_title(const CurvePen& pen, const LevelToolUse& use, int index, std::uint32_t color) {
   const Level& level = use.session.level();
   const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
+  if (!use.view.shows({spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y})) return;
   const Vec2 corner{spawn.position.x + spawn.size.x, spawn.position.y};
-  pen.title(title_of_spawn(level, index), use.view.to_screen(corner), color);
+  const ImVec2 beside = use.view.to_screen(corner);
+  pen.title(title_of_spawn(level, index), beside, color);
+  use.ui.place(index == chosen_spawn(use.session) ? "map/chosen_body" : "map/pointed_body", beside, beside);
 }
 
 class BodyTool : public LevelTool {
@@ -58,8 +62,8 @@ class BodyTool : public LevelTool {
     LevelTool::cancel(use, actions);
     let_go();
   }
-  // The arrow of the chosen body, whose tip is registered as "map/velocity_handle", its name, and, with the
-  // mouse over the canvas, the name of the body under it.
+  // The arrow of the chosen body, whose tip is registered as "map/velocity_handle", its name, at
+  // "map/chosen_body", and, with the mouse over the canvas, the name of the body under it.
   void draw(ImDrawList& list, const LevelToolUse& use) const override;
 
  private:

@@ -1,4 +1,5 @@
 // The tools for segments and curves: draw a curve, choose one and move it, or drag one of its handles.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace talus {
 namespace {
 
 constexpr double kHandleReach = 7, kLineReach = 5;  // px of the screen
+constexpr int kTitleParts = 64;                     // of a curve, to see whether it is in sight
 constexpr double kStill = 3;                        // px of the screen: less is no drag
 
 SnapRules rules_of(const CanvasView& view, int without_curve = -1) {
@@ -66,6 +68,19 @@ std::string capitalized(std::string_view text) {
   std::string result(text);
   if (!result.empty() && result[0] >= 'a' && result[0] <= 'z') result[0] = static_cast<char>(result[0] - 32);
   return result;
+}
+
+// Of the chosen curve, where any of it is in sight.
+void draw_title(const CurvePen& pen, const LevelToolUse& use, int index) {
+  const Curve& curve = curve_of(use.session, index).curve;
+  const Rect visible = use.view.visible();
+  const std::vector<Vec2> points = points_of(curve, visible.x, visible.right(), kTitleParts);
+  const auto [top, bottom] =
+      std::minmax_element(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  if (points.empty() || top->y > visible.bottom() || bottom->y < visible.y) return;
+  const ImVec2 beside = use.view.to_screen(handles_of(curve)[0]);
+  pen.title(title_of(use.session.level(), index), beside, theme::kAccent);
+  use.ui.place("map/chosen_curve", beside, beside);
 }
 
 class CurveTool : public LevelTool {
@@ -195,7 +210,7 @@ void CurveTool::draw(ImDrawList& list, const LevelToolUse& use) const {
     const Curve& curve = curve_of(session, chosen).curve;
     pen.stroke(curve, theme::color(theme::kAccent));
     pen.handles(curve, grip.curve == chosen ? grip.handle : -1, use.ui);
-    pen.title(title_of(session.level(), chosen), use.view.to_screen(handles_of(curve)[0]), theme::kAccent);
+    draw_title(pen, use, chosen);
   }
   if (drag_ == Drag::line || (use.hovered && grip.curve < 0)) return draw_new_line(list, use);
   if (drag_ == Drag::handle) pen.snapped(handle_goes_to(use), use.ui);
