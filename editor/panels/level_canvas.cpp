@@ -185,7 +185,8 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
   camera_.limit(map, size);
   const bool centres = v.canvas == CanvasMode::two_maps ? mine : !is_play() || v.canvas == CanvasMode::play;
   if (v.centre_on && centres) {
-    camera_.leave_whole({(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize}, size);
+    const Vec2 place{(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize};
+    if (!camera_.is_in_sight(place, size)) camera_.leave_whole(place, size);
     v.centre_on.reset();
   }
   if (!mine) return;

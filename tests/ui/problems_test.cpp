@@ -93,6 +93,22 @@ TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
   EXPECT_EQ(app().ui().view.marked_cell, (Cell{21, 14}));
 }
 
+TEST_F(UiProblems, GoingToACellInSightLeavesTheViewAlone) {
+  start_broken(2560, 1440);
+  const ImVec2 before = on_map({0, 0});
+  click("problems/row" + row_of("spawn-in-solid"));
+  frames(2);
+  EXPECT_EQ(app().ui().view.marked_cell, (Cell{25, 13}));
+  EXPECT_EQ(on_map({0, 0}).x, before.x);
+  EXPECT_EQ(on_map({0, 0}).y, before.y);
+  for (int i = 0; i < 30; ++i) key(kKeyLeft);  // all cells are scrolled out
+  key(kKeyF8);
+  frames(2);
+  const ImVec2 shown = on_map({10, 14}), middle = centre("map/canvas");
+  EXPECT_NEAR(shown.x, middle.x, 40);
+  EXPECT_NEAR(shown.y, middle.y, 40);
+}
+
 TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   start_broken();
   key(shift(kKeyF8));  // the last one, 3 px up to the wall: the list is scrolled there
