@@ -74,14 +74,15 @@ TEST(FrameMetrics, RemembersTheLast120Frames) {
   FrameMetrics metrics;
   EXPECT_EQ(metrics.median_ms(), 0);
   EXPECT_EQ(metrics.max_ms(), 0);
-  metrics.note({100, 1, 1});
-  for (int i = 1; i <= 119; ++i) metrics.note({static_cast<double>(i % 3), i, 2});
+  metrics.note({100, 5, 1, 1});
+  for (int i = 1; i <= 119; ++i) metrics.note({static_cast<double>(i % 3), 6, i, 2});
   EXPECT_EQ(metrics.frames(), 120u);
   EXPECT_EQ(metrics.max_ms(), 100);
-  metrics.note({2, 7, 3});
+  metrics.note({2, 6, 7, 3});
   EXPECT_EQ(metrics.frames(), 120u);
   EXPECT_EQ(metrics.max_ms(), 2);
   EXPECT_EQ(metrics.median_ms(), 1);
+  EXPECT_EQ(metrics.median_ms(&FrameCost::opengl_ms), 6);
   EXPECT_EQ(metrics.last().vertices, 7);
   EXPECT_EQ(metrics.last().draw_calls, 3);
 }
