@@ -197,8 +197,8 @@ FormatResult<PngPicture> read_png(std::string_view bytes) {
   auto header = read_header(bytes);
   if (!header) return tl::unexpected(header.error());
   if (header->width > kMaxPngSide || header->height > kMaxPngSide) {
-    return tl::unexpected(
-        FormatError{"", "is " + size_text(header->width, header->height) + " px, and a sheet is 128x128 px"});
+    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
+                                              " px, and pictures of up to 1024x1024 px are read"});
   }
   const auto rgba = decode(*header);
   if (!rgba) return tl::unexpected(rgba.error());

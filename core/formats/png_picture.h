@@ -24,7 +24,7 @@ struct PngPicture {
   }
 };
 
-inline constexpr int kMaxPngSide = kSheetSide;  // px; larger pictures are refused unread
+inline constexpr int kMaxPngSide = 1024;  // px; larger pictures are refused unread
 
 inline constexpr int kMaxRgbaSide = 1024;  // px; as long a side as read_rgba takes
 

@@ -85,6 +85,7 @@ MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {
       return distance(a) < distance(b);
     });
     matched.indices.push_back(static_cast<std::uint8_t>(nearest - palette.begin()));
+    if (distance(*nearest) > 0) ++matched.approximated;
     if (distance(*nearest) <= largest) continue;
     largest = distance(*nearest);
     const int at = static_cast<int>(i);

@@ -14,6 +14,7 @@ std::string write_png_part(const Level& level, PngPart part);
 // A picture in 16 colours.
 struct MatchedPicture {
   std::vector<std::uint8_t> indices;  // 0..15, a pixel each as in PngPicture; of transparent ones 0
+  int approximated = 0;               // pixels whose own colour is not in the palette
   double largest_distance = 0;        // between a pixel and its colour, in RGB: 0..442
   Cell farthest;                      // px: the first pixel with that distance
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -13,10 +12,10 @@
 namespace talus {
 namespace {
 
-constexpr float kPreview = 264;          // px at scale 1, the most that a side of a picture takes
-constexpr float kColorStrip = 10;        // px at scale 1, height of the strips of colours
-constexpr float kBetween = 12;           // px at scale 1, between the pictures
-constexpr double kMostDistance = 441.7;  // from black to white in RGB
+constexpr float kPreview = 264;    // px at scale 1, the most that a side of a picture takes
+constexpr float kColorStrip = 10;  // px at scale 1, height of the strips of colours
+constexpr float kBetween = 12;     // px at scale 1, between the pictures
+constexpr int kReportLines = 4;    // that there is always room for
 
 // A whole zoom step.
 float side_of_picture(const Ui& ui) {
@@ -43,16 +42,91 @@ void draw_palette(const Palette& palette, ImVec2 at, float side, Ui& ui) {
 void draw_target(const PngImport& import, ImVec2 at, float cell) {
   if (import.options.part == PngPart::palette) return;
   const int tile = import.options.tile;
+  const int width = import.plan ? import.plan->width : import.picture.width;
+  const int height = import.plan ? import.plan->height : import.picture.height;
   const ImVec2 from{at.x + static_cast<float>(tile % kSheetColumns) * cell,
                     at.y + static_cast<float>(tile / kSheetColumns) * cell};
   const float px = cell / kTileSize;
-  const ImVec2 to{from.x + static_cast<float>(import.picture.width) * px,
-                  from.y + static_cast<float>(import.picture.height) * px};
+  const ImVec2 to{from.x + static_cast<float>(width) * px, from.y + static_cast<float>(height) * px};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(at, {at.x + cell * kSheetColumns, at.y + cell * kSheetColumns}, true);
   list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark), 0, 0, 3);
   list.AddRect(from, to, theme::tone(theme::kAccent));
   list.PopClipRect();
+}
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height) + " px";
+}
+
+// What the plan makes of the picture's size; empty where it is taken as it is.
+std::string text_of_fit(const PngImport& import) {
+  const PngPicture& picture = import.picture;
+  const int width = import.plan->width, height = import.plan->height;
+  if (width == picture.width && height == picture.height) return {};
+  const bool grows = import.options.fit == PngFit::fill_up;
+  return (grows ? "Filled up to " : "Cut off to ") + size_text(width, height) + ". ";
+}
+
+std::string text_of_changes(const PngImport& import) {
+  const PngImportPlan& plan = *import.plan;
+  const bool is_palette = import.options.part == PngPart::palette;
+  std::string text = is_palette ? "" : text_of_fit(import);
+  if (plan.edit.empty()) return text + "Nothing changes: the level has all of this already.";
+  if (!is_palette)
+    text += "Changes " + count_of(plan.pixels, "pixel") + " of " + count_of(plan.tiles, "tile") + ".";
+  if (is_palette || import.options.take_palette)
+    text += (is_palette ? "Changes " : "\nChanges ") + count_of(plan.colors, "colour") +
+            ", and so the look of " + count_of(plan.tiles_recolored, "image") + " that are there.";
+  return text;
+}
+
+// In the line of the text.
+void draw_color(Rgb color) {
+  const float side = ImGui::GetTextLineHeight();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, theme::color(color));
+  ImGui::GetWindowDrawList()->AddRect(at, {at.x + side, at.y + side}, theme::color(theme::kLine));
+  ImGui::Dummy({side, side});
+}
+
+// How well the level's colours do for the picture's.
+void draw_match(const PngImportPlan& plan, Ui& ui) {
+  if (plan.width == 0) return;
+  if (plan.approximated == 0) return ui.hint("Every pixel keeps its own colour.");
+  const std::string place = std::to_string(plan.farthest.x) + ", " + std::to_string(plan.farthest.y);
+  const std::string text =
+      "In the nearest colour in place of their own: " + count_of(plan.approximated, "pixel") +
+      ". The one at (" + place + ") changes most:";
+  ImGui::TextUnformatted(text.c_str());
+  ui.item("import/match");
+  draw_color(plan.farthest_from);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("becomes");
+  ImGui::SameLine();
+  draw_color(plan.farthest_to);
+}
+
+// How its colours and its size become the sheet's.
+void draw_choices(PngImportOptions& options, bool enabled, Ui& ui) {
+  const auto color_choice = [&](bool takes, const char* name, const char* label, const char* help) {
+    if (ImGui::RadioButton(label, options.take_palette == takes)) options.take_palette = takes;
+    ui.item(name, help, {}, enabled);
+  };
+  color_choice(false, "import/nearest", "in the level's colours, each pixel in the nearest",
+               "The colour with the smallest squared distance in RGB, of equal ones the first.");
+  color_choice(true, "import/take_palette", "take over its palette of up to 16 colours",
+               "The other images show these colours, too.");
+  const auto fit_choice = [&](PngFit fit, const char* name, const char* label, const char* help) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(label, options.fit == fit)) options.fit = fit;
+    ui.item(name, help, {}, enabled);
+  };
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("What is no whole tile or has no room:");
+  fit_choice(PngFit::fill_up, "import/fill_up", "fill up", "With colour 0, to whole tiles of 8x8 px.");
+  fit_choice(PngFit::cut_off, "import/cut_off", "cut off",
+             "Only the whole tiles of 8x8 px are taken, as many as there is room for.");
 }
 
 }  // namespace
@@ -85,11 +159,9 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
   part(PngPart::sprites, "import/sprites", "Sprites", "It becomes images of the sheet of sprites.");
   part(PngPart::palette, "import/palette", "Palette",
        "Its pixels, up to 16 side by side, become the level's colours.");
-  if (options.part == PngPart::palette) {
-    ImGui::NewLine();
-    ui.end_row();
-    return options;
-  }
+  // Of a palette the rows stay, so that the dialog keeps its size under the mouse.
+  const bool enabled = options.part != PngPart::palette;
+  ImGui::BeginDisabled(!enabled);
   ui.label("from tile");
   ImGui::SameLine();
   const SheetId sheet = sheet_of(options.part);
@@ -99,14 +171,11 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
   if (ImGui::DragInt("##tile", &number, 0.2f, first, first + kTileCount - 1, "%d",
                      ImGuiSliderFlags_AlwaysClamp))
     options.tile = std::clamp(number - first, 0, kTileCount - 1);
-  ui.item("import/tile", "Where its top left corner goes; a click on the sheet below chooses it, too.");
+  ui.item("import/tile", "Where its top left corner goes; a click on the sheet below chooses it, too.", {},
+          enabled);
   ui.end_row();
-  if (ImGui::RadioButton("in the level's colours, each pixel in the nearest", !options.take_palette))
-    options.take_palette = false;
-  ui.item("import/nearest", "The colour with the smallest squared distance in RGB, of equal ones the first.");
-  if (ImGui::RadioButton("take over its palette of up to 16 colours", options.take_palette))
-    options.take_palette = true;
-  ui.item("import/take_palette", "The other images show these colours, too.");
+  draw_choices(options, enabled, ui);
+  ImGui::EndDisabled();
   return options;
 }
 
@@ -141,36 +210,22 @@ PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const
 
 void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   ImGui::Spacing();
+  const float top = ImGui::GetCursorPosY();
   // Not at the window's edge, since the window takes its size from the text.
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kBetween));
-  if (!import.plan) {
+  if (import.plan) {
+    ImGui::TextUnformatted(text_of_changes(import).c_str());
+    ui.item("import/report");
+    draw_match(*import.plan, ui);
+  } else {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
     ImGui::TextUnformatted(import.plan.error().c_str());
     ImGui::PopStyleColor();
     ui.item("import/error");
-  } else {
-    const PngImportPlan& plan = *import.plan;
-    std::string text = plan.edit.empty() ? "Nothing changes: the level has all of this already.\n" : "";
-    if (import.options.part != PngPart::palette)
-      text = "Changes " + count_of(plan.pixels, "pixel") + " of " + count_of(plan.tiles, "tile") + ".\n";
-    if (import.options.part == PngPart::palette || import.options.take_palette)
-      text += "Changes " + count_of(plan.colors, "colour") + ", and so the look of " +
-              count_of(plan.tiles_recolored, "image") + " that are there.\n";
-    if (import.options.part != PngPart::palette) {
-      char distance[96];
-      std::snprintf(distance, sizeof distance, "Largest distance of a pixel from its colour: %.1f of %.1f",
-                    plan.largest_distance, kMostDistance);
-      text += distance;
-      if (plan.largest_distance > 0)
-        text +=
-            ", at pixel (" + std::to_string(plan.farthest.x) + ", " + std::to_string(plan.farthest.y) + ")";
-      text += ".";
-    }
-    ImGui::TextUnformatted(text.c_str());
-    ui.item("import/report");
   }
   ImGui::PopTextWrapPos();
-  ImGui::Spacing();
+  const float bottom = top + kReportLines * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
 }
 
 void PictureImportPanel::draw_buttons(const PngImport& import, Actions& actions, Ui& ui) {

@@ -7,22 +7,41 @@
 namespace talus {
 namespace {
 
-std::string size_text(const PngPicture& picture) {
-  return std::to_string(picture.width) + "x" + std::to_string(picture.height) + " px";
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height) + " px";
 }
 
-// Why the picture cannot go there, or nothing.
-std::string misfit(const PngPicture& picture, int tile) {
-  if (picture.width % kTileSize != 0 || picture.height % kTileSize != 0)
-    return "The picture is " + size_text(picture) + ", which is no whole number of tiles of 8x8 px.";
-  const int x = tile % kSheetColumns, y = tile / kSheetColumns;
-  const int room_x = kSheetColumns - x, room_y = kSheetColumns - y;
-  if (picture.width / kTileSize > room_x || picture.height / kTileSize > room_y) {
-    return "The picture of " + size_text(picture) + " does not fit at tile " + std::to_string(tile) +
-           ", where " + std::to_string(room_x * kTileSize) + "x" + std::to_string(room_y * kTileSize) +
-           " px are left.";
+// px of a side that are taken, of `size` where `room` is left.
+int fitted_side(int size, int room, PngFit fit) {
+  if (fit == PngFit::cut_off) return std::min(size, room) / kTileSize * kTileSize;
+  return (size + kTileSize - 1) / kTileSize * kTileSize;
+}
+
+// The part of the picture that goes on the sheet, in whole tiles; what it is filled up with is transparent.
+tl::expected<PngPicture, std::string> fitted(const PngPicture& picture, const PngImportOptions& options) {
+  const int room_x = kSheetSide - options.tile % kSheetColumns * kTileSize;
+  const int room_y = kSheetSide - options.tile / kSheetColumns * kTileSize;
+  const std::string size = size_text(picture.width, picture.height);
+  PngPicture taken{fitted_side(picture.width, room_x, options.fit),
+                   fitted_side(picture.height, room_y, options.fit),
+                   {},
+                   {},
+                   picture.palette};
+  if (options.fit == PngFit::exact && (taken.width != picture.width || taken.height != picture.height))
+    return tl::unexpected("The picture is " + size + ", which is no whole number of tiles of 8x8 px.");
+  if (taken.width > room_x || taken.height > room_y)
+    return tl::unexpected("The picture of " + size + " does not fit at tile " + std::to_string(options.tile) +
+                          ", where " + size_text(room_x, room_y) + " are left.");
+  if (taken.width == 0 || taken.height == 0)
+    return tl::unexpected("The picture of " + size + " has no whole tile of 8x8 px to take.");
+  for (int y = 0; y < taken.height; ++y) {
+    for (int x = 0; x < taken.width; ++x) {
+      const bool beyond = x >= picture.width || y >= picture.height;
+      taken.pixels.push_back(beyond ? Rgb{} : picture.at(x, y));
+      taken.transparent.push_back(beyond || picture.is_transparent(x, y));
+    }
   }
-  return {};
+  return taken;
 }
 
 void change_palette(const Level& level, PngImportPlan& plan) {
@@ -61,6 +80,27 @@ void change_pixels(const PngPicture& picture, const MatchedPicture& matched, con
   plan.tiles = static_cast<int>(tiles.size());
 }
 
+void draw_on_sheet(const PngPicture& picture, const PngImportOptions& options, PngImportPlan& plan) {
+  const MatchedPicture matched = match_colors(picture, plan.palette);
+  plan.width = picture.width;
+  plan.height = picture.height;
+  plan.approximated = matched.approximated;
+  plan.largest_distance = matched.largest_distance;
+  plan.farthest = matched.farthest;
+  plan.farthest_from = picture.at(matched.farthest.x, matched.farthest.y);
+  plan.farthest_to = plan.palette[matched.indices[picture.index(matched.farthest.x, matched.farthest.y)]];
+  change_pixels(picture, matched, options, plan);
+}
+
+// The error is what is wrong with the picture.
+tl::expected<void, std::string> take_palette(const Level& level, const FormatResult<Palette>& palette,
+                                             PngImportPlan& plan) {
+  if (!palette) return tl::unexpected("The picture " + palette.error().message + ".");
+  plan.palette = *palette;
+  change_palette(level, plan);
+  return {};
+}
+
 }  // namespace
 
 tl::expected<PngImportPlan, std::string> plan_png_import(const Level& level, const PngPicture& picture,
@@ -68,20 +108,20 @@ tl::expected<PngImportPlan, std::string> plan_png_import(const Level& level, con
   PngImportPlan plan;
   plan.palette = level.palette;
   plan.sheet = level.sheet(options.part == PngPart::sprites ? SheetId::sprites : SheetId::tiles);
-  const bool is_palette = options.part == PngPart::palette;
-  plan.edit.label = is_palette ? "Import a palette" : "Import a picture";
-  if (is_palette || options.take_palette) {
-    auto palette = is_palette ? palette_in(picture, level.palette) : palette_for(picture, level.palette);
-    if (!palette) return tl::unexpected("The picture " + palette.error().message + ".");
-    plan.palette = *palette;
-    change_palette(level, plan);
+  if (options.part == PngPart::palette) {
+    plan.edit.label = "Import a palette";
+    const auto palette = take_palette(level, palette_in(picture, level.palette), plan);
+    if (!palette) return tl::unexpected(palette.error());
+    return plan;
   }
-  if (is_palette) return plan;
-  if (std::string wrong = misfit(picture, options.tile); !wrong.empty()) return tl::unexpected(wrong);
-  const MatchedPicture matched = match_colors(picture, plan.palette);
-  plan.largest_distance = matched.largest_distance;
-  plan.farthest = matched.farthest;
-  change_pixels(picture, matched, options, plan);
+  plan.edit.label = "Import a picture";
+  const auto taken = fitted(picture, options);
+  if (!taken) return tl::unexpected(taken.error());
+  if (options.take_palette) {
+    const auto palette = take_palette(level, palette_for(*taken, level.palette), plan);
+    if (!palette) return tl::unexpected(palette.error());
+  }
+  draw_on_sheet(*taken, options, plan);
   return plan;
 }
 

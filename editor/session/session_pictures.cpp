@@ -9,16 +9,21 @@ namespace {
 
 std::string picture_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-// Of a picture that can only be that, a palette; else of the sheet that is shown, at the selection.
+int in_whole_tiles(int side) { return (side + kTileSize - 1) / kTileSize * kTileSize; }
+
+// Of a picture that can only be that, a palette; else of the sheet that is shown, at the selection. Only what
+// is larger than the sheet is cut off.
 PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area) {
+  const int width = in_whole_tiles(picture.width), height = in_whole_tiles(picture.height);
   PngImportOptions options;
+  options.fit = width > kSheetSide || height > kSheetSide ? PngFit::cut_off : PngFit::fill_up;
   if (picture.height == 1) {
     options.part = PngPart::palette;
     return options;
   }
   options.part = area.sheet == SheetId::tiles ? PngPart::tiles : PngPart::sprites;
   const int x = area.tiles.x * kTileSize, y = area.tiles.y * kTileSize;
-  const bool fits = x + picture.width <= kSheetSide && y + picture.height <= kSheetSide;
+  const bool fits = x + width <= kSheetSide && y + height <= kSheetSide;
   options.tile = fits ? area.tile_at(0, 0) : 0;
   return options;
 }
@@ -33,13 +38,6 @@ void Session::Impl::carry_out(const action::ExportPng& a) {
 
 void Session::Impl::carry_out(const action::OpenPng& a) {
   FormatResult<PngPicture> picture = load_png(a.path);
-  // A size that fits nowhere is said at once, not in the dialog.
-  if (picture && picture->height != 1 &&
-      (picture->width % kTileSize != 0 || picture->height % kTileSize != 0)) {
-    picture = tl::unexpected(FormatError{"", "is " + std::to_string(picture->width) + "x" +
-                                                 std::to_string(picture->height) +
-                                                 " px, which is no whole number of tiles of 8x8 px"});
-  }
   if (!picture) {
     message = Message{to_string(picture.error(), a.path), true};
     return;

@@ -70,12 +70,12 @@ TEST_F(UiPicture, ADroppedPictureIsToBeImported) {
   click("import/apply");
   frames(3);
   EXPECT_EQ(image(0)[0], 6);
-  // A size that fits nowhere is told of where it was dropped.
-  save_png("odd.png", 9, 8, default_palette()[6]);
-  drop(path("odd.png"));
+  // A size that is not read is told of where it was dropped.
+  save_png("wide.png", 1025, 8, default_palette()[6]);
+  drop(path("wide.png"));
   EXPECT_FALSE(session().png_import());
   ASSERT_TRUE(session().message());
-  EXPECT_NE(session().message()->text.find("is 9x8 px"), std::string::npos) << session().message()->text;
+  EXPECT_NE(session().message()->text.find("is 1025x8 px"), std::string::npos) << session().message()->text;
 }
 
 TEST_F(UiPicture, CancelChangesNothing) {
@@ -101,9 +101,11 @@ TEST_F(UiPicture, ThePlaceAndThePaletteAreChosen) {
   frames(2);
   EXPECT_EQ(session().png_import()->options.tile, 35);
   EXPECT_GT(session().png_import()->plan->largest_distance, 1);
+  EXPECT_NE(find("import/match"), nullptr) << "it says that colours are not the picture's";
   click("import/take_palette");
   frames(2);
   EXPECT_EQ(session().png_import()->plan->largest_distance, 0);
+  EXPECT_EQ(find("import/match"), nullptr);
   EXPECT_EQ(session().png_import()->plan->colors, 1);
   key(kReturnKey);
   frames(3);
@@ -112,6 +114,41 @@ TEST_F(UiPicture, ThePlaceAndThePaletteAreChosen) {
       << "or none, if the sprite had changed only by its palette";
   key(ctrl('z'));
   EXPECT_EQ(level().palette[0], default_palette()[0]);
+}
+
+TEST_F(UiPicture, AnOddSizeIsFilledUpOrCutOff) {
+  save_png("odd.png", 10, 9, default_palette()[9]);
+  session().apply(action::SelectTiles{{SheetId::tiles, {0, 4, 1, 1}}});
+  open_picture("odd.png");
+  ASSERT_TRUE(session().png_import());
+  EXPECT_EQ(session().png_import()->plan->width, 16) << "it begins filled up";
+  click("import/cut_off");
+  frames(2);
+  EXPECT_EQ(session().png_import()->plan->width, 8);
+  EXPECT_EQ(session().png_import()->plan->height, 8);
+  click("import/fill_up");
+  frames(2);
+  EXPECT_EQ(session().png_import()->plan->height, 16);
+  click("import/apply");
+  frames(3);
+  EXPECT_EQ(image(65)[1], 9);
+  EXPECT_EQ(image(65)[2], 0);
+  EXPECT_EQ(image(81)[1], 9);
+  EXPECT_EQ(image(81)[8 + 1], 0);
+}
+
+TEST_F(UiPicture, TheDialogStaysWhereItIsWhateverIsChosen) {
+  save_png("odd.png", 16, 1, {1, 200, 3});
+  open_picture("odd.png");
+  const ImVec2 tiles = centre("import/tiles"), apply = centre("import/apply");
+  for (const char* choice : {"import/tiles", "import/take_palette", "import/cut_off", "import/nearest",
+                             "import/sprites", "import/fill_up", "import/palette"}) {
+    click(choice);
+    frames(3);
+    EXPECT_EQ(centre("import/tiles").y, tiles.y) << choice;
+    EXPECT_EQ(centre("import/tiles").x, tiles.x) << choice;
+    EXPECT_EQ(centre("import/apply").y, apply.y) << choice;
+  }
 }
 
 TEST_F(UiPicture, WhatDoesNotFitCannotBeApplied) {
@@ -129,10 +166,10 @@ TEST_F(UiPicture, WhatDoesNotFitCannotBeApplied) {
 
 TEST_F(UiPicture, ABadFileIsSaidInTheFileDialog) {
   std::ofstream(path("bad.png"), std::ios::binary) << "no picture";
-  save_png("nine.png", 9, 8, {});
+  save_png("wide.png", 1025, 8, {});
   open_picture("bad.png");
   ASSERT_NE(find("files/confirm"), nullptr) << "it stays open";
-  click("files/entry/nine.png");
+  click("files/entry/wide.png");
   click("files/confirm");
   frames(3);
   ASSERT_NE(find("files/confirm"), nullptr);

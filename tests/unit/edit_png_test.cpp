@@ -22,6 +22,9 @@ TEST(PngImport, DrawsInTheLevelsColours) {
   EXPECT_EQ(plan->colors, 0);
   EXPECT_EQ(plan->tiles_recolored, 0);
   EXPECT_EQ(plan->largest_distance, 3);
+  EXPECT_EQ(plan->approximated, 128);
+  EXPECT_EQ(plan->farthest_from, nearly);
+  EXPECT_EQ(plan->farthest_to, level.palette[2]);
   const Level before = level;
   apply_edit(level, plan->edit);
   EXPECT_EQ(level.sheet(SheetId::sprites).images[18][0], 2);
@@ -67,6 +70,39 @@ TEST(PngImport, OfWhatIsThereChangesNothing) {
   const auto taken = plan_png_import(level, *picture, {PngPart::tiles, 0, true});
   ASSERT_TRUE(taken) << taken.error();
   EXPECT_TRUE(taken->edit.empty()) << "its colours keep their places";
+}
+
+TEST(PngImport, FillsUpToWholeTilesWithColourZero) {
+  Level level;
+  level.sheet(SheetId::tiles).images[17].fill(5);
+  const auto plan = plan_png_import(level, filled(10, 9, level.palette[2]), {.fit = PngFit::fill_up});
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->width, 16);
+  EXPECT_EQ(plan->height, 16);
+  EXPECT_EQ(plan->approximated, 0) << "of the picture's own pixels";
+  const auto& images = plan->sheet.images;
+  EXPECT_EQ(images[1][1], 2);
+  EXPECT_EQ(images[1][2], 0);
+  EXPECT_EQ(images[17][1], 2);
+  EXPECT_EQ(images[17][8], 0) << "what was there goes";
+  EXPECT_FALSE(plan_png_import(level, filled(8, 9, kPureRed), {.tile = 240, .fit = PngFit::fill_up}));
+}
+
+TEST(PngImport, CutsOffWhatIsNoWholeTileOrHasNoRoom) {
+  const Level level;
+  const auto size = [&](int width, int height, int tile) {
+    const PngPicture picture =
+        filled(static_cast<std::uint32_t>(width), static_cast<std::size_t>(height), level.palette[2]);
+    const auto plan = plan_png_import(level, picture, {.tile = tile, .fit = PngFit::cut_off});
+    return plan ? Cell{plan->width, plan->height} : Cell{};
+  };
+  EXPECT_EQ(size(10, 17, 0), (Cell{8, 16}));
+  EXPECT_EQ(size(200, 130, 0), (Cell{128, 128}));
+  EXPECT_EQ(size(200, 130, 254), (Cell{16, 8}));
+  EXPECT_EQ(size(16, 16, 0), (Cell{16, 16}));
+  const auto none = plan_png_import(level, filled(7, 16, kPureRed), {.fit = PngFit::cut_off});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error(), "The picture of 7x16 px has no whole tile of 8x8 px to take.");
 }
 
 TEST(PngImport, SaysWhatDoesNotFit) {

@@ -53,8 +53,10 @@ TEST(Png, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(png_error(""), "is no PNG picture");
   EXPECT_EQ(png_error("GIF89a"), "is no PNG picture");
   EXPECT_EQ(png_error(good.substr(0, 40)), "byte 33: the picture ends in the middle of a chunk");
-  EXPECT_EQ(png_error(png_of(129, 2, {std::string(387, '\0')})), "is 129x1 px, and a sheet is 128x128 px");
-  EXPECT_EQ(png_error(png_header(100000, 100000, 2)), "is 100000x100000 px, and a sheet is 128x128 px");
+  EXPECT_EQ(png_error(png_of(1025, 2, {std::string(3075, '\0')})),
+            "is 1025x1 px, and pictures of up to 1024x1024 px are read");
+  EXPECT_EQ(png_error(png_header(100000, 100000, 2)),
+            "is 100000x100000 px, and pictures of up to 1024x1024 px are read");
   EXPECT_EQ(png_error(png_header(0, 8, 2)), "is an empty picture");
   EXPECT_EQ(png_error("\x89PNG\r\n\x1a\n"s + png_chunk("IEND", "")),
             "byte 8: must be the picture's one header, and is not");
@@ -127,6 +129,7 @@ TEST(PngColours, TakeTheNearestAndTheFirstOfEquals) {
   ASSERT_TRUE(picture);
   const MatchedPicture matched = match_colors(*picture, palette);
   EXPECT_EQ(matched.indices, (std::vector<std::uint8_t>{1, 1, 3, 0}));
+  EXPECT_EQ(matched.approximated, 4);
   EXPECT_EQ(matched.largest_distance, 5) << "of (15, 0, 0), and of (23, 4, 0) too";
   EXPECT_EQ(matched.farthest, (Cell{1, 0}));
 }
@@ -136,6 +139,7 @@ TEST(PngColours, OfTransparentPixelsAreColourZero) {
   ASSERT_TRUE(picture);
   const MatchedPicture matched = match_colors(*picture, default_palette());
   EXPECT_EQ(matched.indices, (std::vector<std::uint8_t>{0}));
+  EXPECT_EQ(matched.approximated, 0);
   EXPECT_EQ(matched.largest_distance, 0);
 }
 

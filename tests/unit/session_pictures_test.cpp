@@ -24,7 +24,7 @@ TEST_F(SessionPictures, WaitForApplyOrCancel) {
   session.apply(act::OpenPng{red});
   ASSERT_TRUE(session.png_import());
   EXPECT_EQ(session.png_import()->path, red);
-  EXPECT_EQ(session.png_import()->options, (PngImportOptions{PngPart::sprites, 18, false}));
+  EXPECT_EQ(session.png_import()->options, (PngImportOptions{PngPart::sprites, 18, false, PngFit::fill_up}));
   EXPECT_FALSE(session.modified());
   session.apply(act::CancelPngImport{});
   EXPECT_FALSE(session.png_import());
@@ -51,15 +51,29 @@ TEST_F(SessionPictures, GoWhereTheyFit) {
   EXPECT_FALSE(session.modified());
 }
 
+TEST_F(SessionPictures, OfAnySizeAreMadeToFit) {
+  Session session;
+  session.apply(act::SelectTiles{{SheetId::tiles, {15, 0, 1, 1}}});
+  session.apply(act::OpenPng{red_png("odd.png", 10, 10)});
+  ASSERT_TRUE(session.png_import());
+  EXPECT_EQ(session.png_import()->options, (PngImportOptions{PngPart::tiles, 0, false, PngFit::fill_up}))
+      << "filled up, it has no room beside tile 15";
+  EXPECT_TRUE(session.png_import()->plan);
+  session.apply({act::CancelPngImport{}, act::OpenPng{red_png("large.png", 130, 8)}});
+  ASSERT_TRUE(session.png_import());
+  EXPECT_EQ(session.png_import()->options.fit, PngFit::cut_off);
+  EXPECT_TRUE(session.png_import()->plan);
+}
+
 TEST_F(SessionPictures, BadOnesAreOneSentence) {
   Session session;
-  const std::string odd = red_png("odd.png", 12, 8);
-  session.apply(act::OpenPng{odd});
+  const std::string wide = red_png("wide.png", 1025, 8);
+  session.apply(act::OpenPng{wide});
   EXPECT_FALSE(session.png_import());
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
   EXPECT_EQ(session.message()->text,
-            odd + ": error: is 12x8 px, which is no whole number of tiles of 8x8 px");
+            wide + ": error: is 1025x8 px, and pictures of up to 1024x1024 px are read");
   session.apply(act::OpenPng{"/no/such.png"});
   EXPECT_EQ(session.message()->text.find("/no/such.png: error: "), 0u);
   session.apply(act::ExportPng{PngPart::tiles, "/no/such/folder/x.png"});
