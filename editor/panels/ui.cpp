@@ -14,6 +14,14 @@ constexpr double kTooltipDelay = 0.45;  // s
 const char* begin(std::string_view text) { return text.data(); }
 const char* end(std::string_view text) { return text.data() + text.size(); }
 
+// A button that is switched on shows it under the mouse, too, where it is a little brighter.
+constexpr int kLitColors = 3;
+void push_lit_button() {
+  ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::tone(theme::kAccent, 190));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::tone(theme::kAccent, 220));
+}
+
 // The invisible part of a label: "##name".
 std::string hidden(std::string_view name) { return "##" + std::string(name); }
 
@@ -88,9 +96,9 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
   const float side = px(theme::kButton);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::BeginDisabled(!enabled);
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
+  if (lit) push_lit_button();
   const bool pressed = ImGui::Button(hidden(name).c_str(), {side, side});
-  if (lit) ImGui::PopStyleColor();
+  if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
   const float inset = px(4);
   draw_icon(*ImGui::GetWindowDrawList(), icon, {at.x + inset, at.y + inset}, side - 2 * inset,
@@ -102,11 +110,11 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
 bool Ui::text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
                      std::string_view key, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
+  if (lit) push_lit_button();
   // It stays the same control, with the keys, when its label changes.
   const bool pressed =
       ImGui::Button((std::string(label) + "###" + std::string(name)).c_str(), {width, px(theme::kButton)});
-  if (lit) ImGui::PopStyleColor();
+  if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
   item(name, help, key, enabled);
   return pressed;

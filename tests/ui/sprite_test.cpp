@@ -261,6 +261,22 @@ TEST_F(UiSprite, PaletteGoesThroughTheClipboard) {
   EXPECT_TRUE(session().message()->is_error);
 }
 
+TEST_F(UiSprite, TheChosenToolShowsThatUnderTheMouse) {
+  const auto color_under_mouse = [&](const char* tool) {  // of the button, beside its icon
+    move(centre(tool));
+    frames(2);
+    const auto taken = draw_picture();
+    EXPECT_TRUE(taken);
+    const Widget* button = find(tool);
+    const auto at = static_cast<std::size_t>(button->min.y + 3) * static_cast<std::size_t>(taken->width) +
+                    static_cast<std::size_t>(button->min.x + 12);
+    return Rgb{taken->rgba[4 * at], taken->rgba[4 * at + 1], taken->rgba[4 * at + 2]};
+  };
+  click("pixels/line");
+  const Rgb chosen = color_under_mouse("pixels/line"), other = color_under_mouse("pixels/fill");
+  EXPECT_GT(chosen.b, other.b + 50) << "it is as blue as away from the mouse";
+}
+
 TEST_F(UiSprite, NeighboursOfThePlaceThatWasPointedAtLastAreShown) {
   const auto color = [&](float x, float y) {  // px of the art
     const Widget* canvas = find("pixels/canvas");
