@@ -1,4 +1,6 @@
 // The shape of a tile: dragged over its pixels, suggested, copied and given to many tiles.
+#include <imgui_internal.h>
+
 #include "harness.h"
 
 namespace talus::shape_test {
@@ -23,6 +25,15 @@ class UiShape : public UiTest {
   float zoom() {  // px of the screen for each px of a tile one tile wide
     const bool is_profile = find("shape/handle2") != nullptr;
     return (centre("shape/handle1").x - centre("shape/handle0").x) / (is_profile ? 1 : 8);
+  }
+  void type_number(const std::string& field, const std::string& number) {  // of tile 9
+    click(on_sheet(9));  // no click before is a part of the double click
+    click(field);
+    click(field);  // a double click types
+    key(ctrl('a'));
+    type(number);
+    key(kKeyTab);
+    frames(2);
   }
 };
 
@@ -233,15 +244,6 @@ TEST_F(UiShape, NumbersThatNoShapeHasAreRefused) {
   click("shape/kind");
   click("shape/kind_profile");
   frames(2);
-  const auto type_number = [&](const std::string& field, const std::string& number) {
-    click(on_sheet(9));  // no click before is a part of the double click
-    click(field);
-    click(field);  // a double click types
-    key(ctrl('a'));
-    type(number);
-    key(kKeyTab);
-    frames(2);
-  };
   const TileShape before = shape(9);
   type_number("shape/kind_height2", "99");
   ASSERT_TRUE(session().message());
@@ -255,6 +257,28 @@ TEST_F(UiShape, NumbersThatNoShapeHasAreRefused) {
   type_number("shape/kind_height2", "64");
   EXPECT_EQ(shape(9).heights[2], 64);
   EXPECT_GE(zoom(), 4) << "a shape as high as may be is still large enough for the hand";
+}
+
+TEST_F(UiShape, FieldsOfHeightsHaveRoomForTheirNumbers) {
+  click(on_sheet(9));
+  click("shape/kind");
+  click("shape/kind_profile");
+  frames(2);
+  const auto width = [&] { return find("shape/kind_height2")->max.x - find("shape/kind_height2")->min.x; };
+  const float before = width();
+  type_number("shape/kind_height2", "15.142857");
+  EXPECT_EQ(shape(9).heights[2], 15.142857);
+  EXPECT_GT(width(), before);
+}
+
+TEST_F(UiShape, NothingCoversTheCanvasAfterADrag) {
+  click(on_sheet(3));
+  frames(2);
+  const ImVec2 left = centre("shape/handle0");
+  drag(left, {left.x, left.y - 40});
+  frames(60);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active);
 }
 
 TEST_F(UiShape, RightHalfOfARampShowsTheWholeAndLeadsToItsTile) {
