@@ -73,6 +73,19 @@ std::string cursor_hint(const Ui& ui) {
          keys_of(find_command("cursor/end"), ui) + ": end";
 }
 
+// How much of what is drawn on the map a box hides: in places that are kStep px apart.
+int tiles_below(const TileMap& map, const ScreenBox& box, const CanvasView& view) {
+  constexpr float kStep = 4;
+  int count = 0;
+  for (float y = box.min.y; y <= box.max.y; y += kStep) {
+    for (float x = box.min.x; x <= box.max.x; x += kStep) {
+      const Cell cell = view.to_cell({x, y});
+      if (map.contains(cell) && map.at(cell) != 0) ++count;
+    }
+  }
+  return count;
+}
+
 // Of those that tools are used with.
 int pressed_button() {
   if (ImGui::IsMouseClicked(2)) return LevelToolHand::kMiddle;
@@ -381,7 +394,8 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
              theme::color(theme::kText), ui);
 }
 
-// Plates below one another in the top left corner.
+// Plates below one another in the top left corner, or, in the world view, in the bottom left one where they
+// hide less.
 std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, const CanvasView& view,
                                                         const Ui& ui) const {
   std::string title = std::string(is_play()    ? "Play"
@@ -414,20 +428,28 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
     const float width = ImGui::CalcTextSize(caption.text.c_str()).x + 2 * ui.px(6);
     box.max = {std::max(box.max.x, view.min.x + gap + width), box.max.y + line};
   }
-  return box;
+  if (!camera_.shows_whole()) return box;
+  const float flags = session.choices().flag_overlay ? line : 0;  // that are tinted, below
+  const float down = view.max.y - box.max.y - gap - flags;
+  const ScreenBox low{{box.min.x, box.min.y + down}, {box.max.x, box.max.y + down}};
+  const TileMap& map = session.level().map;
+  return tiles_below(map, low, view) < tiles_below(map, box, view) ? low : box;
 }
 
 // Beside the captions, or below them where they leave no room.
 OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
   const ScreenBox captions = captions_box(session, view, ui);
-  const bool beside = captions.max.x + OverlayLegend::width(session.choices(), ui) <= view.max.x;
+  const bool beside = captions.min.y > view.min.y ||
+                      captions.max.x + OverlayLegend::width(session.choices(), ui) <= view.max.x;
   return {session.choices(), view, beside ? view.min.y : captions.max.y, ui};
 }
 
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap = ui.px(4);
-  float at = view.min.y + gap;
+  const ScreenBox box = captions_box(session, view, ui);
+  ui.place(name_ + "/captions", box.min, box.max);
+  float at = box.min.y + gap;
   for (const Caption& caption : captions(session, view, ui)) {
     draw_plate(list, {view.min.x + gap, at}, caption.text, theme::color(caption.color), ui);
     at += gap + ImGui::GetTextLineHeight() + ui.px(4);

@@ -57,6 +57,29 @@ TEST_F(UiWorld, AClickInTheWorldViewGoesThere) {
   EXPECT_TRUE(session().modified()) << "now the tool works again";
 }
 
+TEST_F(UiWorld, TheCaptionOfTheWorldViewGoesWhereItHidesLess) {
+  Level level = test_level();
+  level.map = TileMap(240, 136);
+  for (int x = 0; x < 30; ++x) level.map.set({x, 2}, 1);  // alone on the first screen
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("first.talus.json")));
+  start(path("first.talus.json"));
+  const float top = find("map/captions")->min.y;
+  key(kKeyTab);
+  frames(2);
+  EXPECT_GT(find("map/captions")->min.y, on_map({0, 70}).y);
+  EXPECT_LE(find("map/captions")->max.y, find("map/canvas")->max.y);
+  key(kKeyTab);
+  frames(2);
+  EXPECT_EQ(find("map/captions")->min.y, top);
+  Edit floor{"Paint", {}};
+  for (int x = 0; x < 240; ++x)
+    for (int y = 120; y < 136; ++y) floor.changes.push_back(CellChange{{x, y}, 0, 1});
+  session().apply(action::EditLevel{floor});
+  key(kKeyTab);
+  frames(2);
+  EXPECT_EQ(find("map/captions")->min.y, top) << "the floor is at the bottom";
+}
+
 TEST_F(UiWorld, TabGoesBackFromTheWorldView) {
   open_large(600, 400);
   const Cell before = middle();
