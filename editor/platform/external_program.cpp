@@ -76,6 +76,8 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, Op
   const auto copy = copies.write(session, info);
   if (!copy) return fail(copy.error());
   FileToOpen file{copy->path, "Wrote a copy of the level, which is written again with every saving. "};
+  if (!copy->kept.empty())
+    file.note += "What another program had saved there is kept as " + copy->kept + ". ";
   for (const std::string& what : copy->dropped) file.note += "Not in it: " + what + ". ";
   return file;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "asset_path.h"
+#include "export/export_plan.h"
 #include "formats/atomic_file.h"
 
 namespace talus {
@@ -37,14 +38,40 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
   const std::string path = (fs::path(folder_) / copy_name).string();
   std::error_code error;
   fs::create_directories(folder_, error);  // where that fails, so does the writing
+  auto kept = keep_aside(path);
+  if (!kept) return tl::unexpected(kept.error());
   auto dropped = write_copy(session.level(), exporter, path);
   if (!dropped) return tl::unexpected(dropped.error());
+  note(path);
   if (level_file_ != session.path()) forget();
   level_file_ = session.path();
   saves_ = session.saves();
   std::erase_if(copies_, [&](const Copy& copy) { return copy.program == program.id; });
-  copies_.push_back({program.id, {path, *std::move(dropped)}, stamp_of_file(path)});
+  copies_.push_back({program.id, {path, *std::move(dropped), *std::move(kept)}, stamp_of_file(path)});
   return copies_.back().written;
+}
+
+// What is there and was not written here gets another name: that, or nothing.
+tl::expected<std::string, std::string> OpenCopies::keep_aside(const std::string& path) {
+  record_.refresh();
+  const auto bytes = read_file(path);
+  if (!bytes || record_.has(path, content_hash(*bytes))) return "";
+  const fs::path file(path);
+  std::error_code error;
+  fs::path kept;
+  for (int n = 1; kept.empty() || fs::exists(kept, error); ++n)
+    kept =
+        file.parent_path() / (file.stem().string() + "-kept" + std::to_string(n) + file.extension().string());
+  fs::rename(file, kept, error);
+  if (error)
+    return tl::unexpected(path +
+                          " holds what another program has saved, and cannot be kept: " + error.message());
+  return kept.string();
+}
+
+void OpenCopies::note(const std::string& path) {
+  if (const auto bytes = read_file(path)) record_.note(path, content_hash(*bytes));
+  record_.save();
 }
 
 void OpenCopies::follow(Session& session) {
@@ -71,7 +98,7 @@ void OpenCopies::follow(Session& session) {
 }
 
 // One sentence on why it was not written; empty: it was.
-std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
+std::string OpenCopies::write_again(const Session& session, Copy& copy) {
   const ProgramInfo& info = info_of(copy.program);
   if (copy.stamp && file_change(copy.written.path, *copy.stamp) == FileChange::content)
     return "The copy for " + std::string(info.label) +
@@ -79,6 +106,7 @@ std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
   const auto written = write_copy(session.level(), *find_exporter(info.format), copy.written.path);
   if (!written)
     return "The copy for " + std::string(info.label) + " cannot be written again: " + written.error() + ".";
+  note(copy.written.path);
   copy.stamp = stamp_of_file(copy.written.path);
   return "";
 }

@@ -7,6 +7,7 @@
 
 #include "export/exporter.h"
 #include "panels/programs.h"
+#include "session/export_record.h"
 #include "session/file_stamp.h"
 #include "session/session.h"
 
@@ -17,10 +18,11 @@ class OpenCopies {
   struct Written {
     std::string path;
     std::vector<std::string> dropped;  // as Exported has it
+    std::string kept;  // where what another program had saved there is now; empty: nothing had
   };
 
   // folder: of the copies; made when it is needed.
-  explicit OpenCopies(std::string folder) : folder_(std::move(folder)) {}
+  explicit OpenCopies(std::string folder) : folder_(std::move(folder)), record_(folder_ + "/written") {}
 
   // Writes the level as it is, and from then on whenever it is saved to its file. program: with a format of
   // its own. The error names the copy.
@@ -37,9 +39,12 @@ class OpenCopies {
     Written written;
     std::optional<FileStamp> stamp;  // of the file as it was written
   };
-  std::string write_again(const Session& session, Copy& copy) const;
+  tl::expected<std::string, std::string> keep_aside(const std::string& path);
+  void note(const std::string& path);
+  std::string write_again(const Session& session, Copy& copy);
 
   std::string folder_;
+  ExportRecord record_;     // of the copies, between starts, too
   std::string level_file_;  // of the level whose copies they are; empty: it had none yet
   std::vector<Copy> copies_;
   int saves_ = 0;  // of the session, when last looked at

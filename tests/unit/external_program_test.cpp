@@ -160,6 +160,14 @@ TEST_F(ExternalProgramTest, WhatAnotherProgramSavedInItsCopyStays) {
   paint(session, 5);
   save(session);
   EXPECT_FALSE(session.message()->is_error) << "it was told once";
+
+  OpenCopies later(path("copies"));  // after another start
+  open_in_program(session, ProgramId::tic80, commands(), later);
+  EXPECT_EQ(first_tile("copies/level.tic"), 5);
+  EXPECT_EQ(first_tile("copies/level-kept1.tic"), 9);
+  EXPECT_NE(session.message()->text.find("kept as " + path("copies/level-kept1.tic")), std::string::npos);
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  EXPECT_FALSE(exists("copies/level-kept2.tic")) << "what was there is the program's own";
 }
 
 TEST_F(ExternalProgramTest, ACopyThatCannotBeWrittenIsTold) {
