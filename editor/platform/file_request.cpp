@@ -83,8 +83,7 @@ std::optional<FileRequest> wanted_file(const Session& session, const View& view)
                          {recording.substr(1)},
                          recording};
     case FileDialog::import_png:
-      return FileRequest{dialog,         Purpose::opens, "Import a picture, a PNG",
-                         session.path(), {"png"},        ""};
+      return FileRequest{dialog, Purpose::opens, "Import a picture, a PNG", session.path(), {"png"}, ""};
     case FileDialog::export_tiles:
       return save_picture(session, dialog, "tiles");
     case FileDialog::export_sprites:

@@ -183,8 +183,8 @@ struct Session::Impl {
   std::uint64_t revision = 0;
   int last_stroke = 0;  // the highest number of a stroke so far
 
-  std::string name;                // for titles, while there is no file
-  std::string path;                // empty: none
+  std::string name;  // for titles, while there is no file
+  std::string path;  // empty: none
   int saves = 0;
   std::optional<FileStamp> stamp;  // of the file as it was read, written or asked about last; none: no file
   const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
