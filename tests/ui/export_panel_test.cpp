@@ -238,7 +238,7 @@ TEST_F(UiExport, WithoutAFileItSaysWhatToDo) {
 
 TEST_F(UiExport, ALongPreviewShowsItsShareAndIsCancelled) {
   Level large = test_level();
-  large.map = TileMap(1500, 1500);
+  large.map = TileMap(3000, 3000);
   std::uint32_t n = 0;  // noise, whose outline is long
   for (std::uint8_t& cell : large.map.cells()) cell = n++ * 2654435761u >> 31 == 0 ? 1 : 0;
   large.exports.push_back({"data", "json", "out/data.json", "", false, ""});
