@@ -8,6 +8,10 @@
 
 namespace talus::session_lint_test {
 
+void look_at_all(Session& session) {
+  for (int i = 0; i < 10'000 && session.is_linting(); ++i) session.advance(0);
+}
+
 TEST(SessionLint, AdvanceListsThem) {
   Session session(slope_level({"o....", ".a##.", "#####"}));
   EXPECT_TRUE(session.is_linting());
@@ -36,7 +40,7 @@ TEST(SessionLint, ALargeLevelIsLookedAtALittleAtATime) {
   Session session(std::move(level));
   session.advance(0);
   EXPECT_TRUE(session.is_linting());
-  for (int i = 0; i < 10'000 && session.is_linting(); ++i) session.advance(0);
+  look_at_all(session);
   ASSERT_EQ(session.listed_problems().size(), 1u);
   EXPECT_EQ(session.listed_problems()[0].cell, (Cell{7, 1023}));
 }
@@ -56,9 +60,9 @@ TEST(SessionLint, JumpsThatAreMeant) {
 
 TEST(SessionLint, AnotherLevelHasItsOwn) {
   Session session(slope_level({"o....", ".a##.", "#####"}));
-  session.advance(0);
+  look_at_all(session);
   session.apply(action::NewLevel{});
-  session.advance(0);
+  look_at_all(session);
   ASSERT_EQ(session.listed_problems().size(), 1u);
   EXPECT_EQ(session.listed_problems()[0].code, "no-balls");
 }
