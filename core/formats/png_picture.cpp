@@ -184,7 +184,7 @@ FormatResult<RgbaPicture> read_rgba(std::string_view bytes) {
   if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
   const auto header = read_header(bytes);
   if (!header) return tl::unexpected(header.error());
-  if (header->width > kMaxRgbaSide || header->height > kMaxRgbaSide) {
+  if (header->width > kMaxPngSide || header->height > kMaxPngSide) {
     return tl::unexpected(
         FormatError{"", "is " + size_text(header->width, header->height) +
                             " px, and pictures with a cartridge in them have up to 1024x1024 px"});

@@ -26,8 +26,6 @@ struct PngPicture {
 
 inline constexpr int kMaxPngSide = 1024;  // px; larger pictures are refused unread
 
-inline constexpr int kMaxRgbaSide = 1024;  // px; as long a side as read_rgba takes
-
 // A picture as it is, opacity and all.
 struct RgbaPicture {
   int width = 0, height = 0;  // px

@@ -59,11 +59,6 @@ Rect CanvasView::visible() const {
   return {from.x, from.y, to.x - from.x, to.y - from.y};
 }
 
-bool CanvasView::shows(const Rect& box) const {
-  const Rect all = visible();
-  return box.x <= all.right() && box.right() >= all.x && box.y <= all.bottom() && box.bottom() >= all.y;
-}
-
 float Camera::zoom() const { return kZooms[static_cast<std::size_t>(step_)]; }
 
 void Camera::zoom_at(ImVec2 at, int steps) {

@@ -21,8 +21,7 @@ struct CanvasView {
   }
   Vec2 to_level(ImVec2 p) const { return {(p.x - origin.x) / zoom, (p.y - origin.y) / zoom}; }
   Cell to_cell(ImVec2 p) const;
-  Rect visible() const;               // level px
-  bool shows(const Rect& box) const;  // px of the level; whether any of it is on the canvas
+  Rect visible() const;  // level px
 };
 
 class Camera {

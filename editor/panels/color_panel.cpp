@@ -10,7 +10,7 @@
 #include <string>
 
 #include "commands.h"
-#include "dialog.h"
+#include "drag_cancel.h"
 #include "edit/level_settings.h"
 #include "formats/hex.h"
 
@@ -44,7 +44,7 @@ struct Touched {
 // Of ImGui's last item, which a drag ends with when it is cancelled.
 Touched touched_item(bool changed) {
   Touched touched{changed, ImGui::IsItemActivated()};
-  touched.cancelled = (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && key_pressed(ImGuiKey_Escape);
+  touched.cancelled = (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && is_drag_cancelled();
   if (touched.cancelled && ImGui::IsItemActive()) ImGui::ClearActiveID();
   return touched;
 }

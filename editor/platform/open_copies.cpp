@@ -52,10 +52,9 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
 }
 
 // What is there and was not written here gets another name: that, or nothing.
-tl::expected<std::string, std::string> OpenCopies::keep_aside(const std::string& path) {
-  record_.refresh();
+tl::expected<std::string, std::string> OpenCopies::keep_aside(const std::string& path) const {
   const auto bytes = read_file(path);
-  if (!bytes || record_.has(path, content_hash(*bytes))) return "";
+  if (!bytes || record().has(path, content_hash(*bytes))) return "";
   const fs::path file(path);
   std::error_code error;
   fs::path kept;
@@ -69,9 +68,10 @@ tl::expected<std::string, std::string> OpenCopies::keep_aside(const std::string&
   return kept.string();
 }
 
-void OpenCopies::note(const std::string& path) {
-  if (const auto bytes = read_file(path)) record_.note(path, content_hash(*bytes));
-  record_.save();
+void OpenCopies::note(const std::string& path) const {
+  ExportRecord written = record();
+  if (const auto bytes = read_file(path)) written.note(path, content_hash(*bytes));
+  written.save();
 }
 
 void OpenCopies::follow(Session& session) {
@@ -98,7 +98,7 @@ void OpenCopies::follow(Session& session) {
 }
 
 // One sentence on why it was not written; empty: it was.
-std::string OpenCopies::write_again(const Session& session, Copy& copy) {
+std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
   const ProgramInfo& info = info_of(copy.program);
   if (copy.stamp && file_change(copy.written.path, *copy.stamp) == FileChange::content)
     return "The copy for " + std::string(info.label) +

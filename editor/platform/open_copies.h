@@ -22,7 +22,7 @@ class OpenCopies {
   };
 
   // folder: of the copies; made when it is needed.
-  explicit OpenCopies(std::string folder) : folder_(std::move(folder)), record_(folder_ + "/written") {}
+  explicit OpenCopies(std::string folder) : folder_(std::move(folder)) {}
 
   // Writes the level as it is, and from then on whenever it is saved to its file. program: with a format of
   // its own. The error names the copy.
@@ -39,12 +39,13 @@ class OpenCopies {
     Written written;
     std::optional<FileStamp> stamp;  // of the file as it was written
   };
-  tl::expected<std::string, std::string> keep_aside(const std::string& path);
-  void note(const std::string& path);
-  std::string write_again(const Session& session, Copy& copy);
+  // What this program has written there, in earlier starts, too. Read when it is needed, not at the start.
+  ExportRecord record() const { return ExportRecord(folder_ + "/written"); }
+  tl::expected<std::string, std::string> keep_aside(const std::string& path) const;
+  void note(const std::string& path) const;
+  std::string write_again(const Session& session, Copy& copy) const;
 
   std::string folder_;
-  ExportRecord record_;     // of the copies, between starts, too
   std::string level_file_;  // of the level whose copies they are; empty: it had none yet
   std::vector<Copy> copies_;
   int saves_ = 0;  // of the session, when last looked at

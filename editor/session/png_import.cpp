@@ -14,7 +14,7 @@ std::string size_text(int width, int height) {
 // px of a side that are taken, of `size` where `room` is left.
 int fitted_side(int size, int room, PngFit fit) {
   if (fit == PngFit::cut_off) return std::min(size, room) / kTileSize * kTileSize;
-  return (size + kTileSize - 1) / kTileSize * kTileSize;
+  return in_whole_tiles(size);
 }
 
 // The part of the picture that goes on the sheet, in whole tiles; what it is filled up with is transparent.
@@ -102,6 +102,8 @@ tl::expected<void, std::string> take_palette(const Level& level, const FormatRes
 }
 
 }  // namespace
+
+int in_whole_tiles(int side) { return (side + kTileSize - 1) / kTileSize * kTileSize; }
 
 tl::expected<PngImportPlan, std::string> plan_png_import(const Level& level, const PngPicture& picture,
                                                          const PngImportOptions& options) {

@@ -15,6 +15,8 @@ enum class PngFit {
   cut_off   // the whole tiles that there is room for are taken; of a smaller picture there are none
 };
 
+int in_whole_tiles(int side);  // px, filled up to whole tiles
+
 struct PngImportOptions {
   PngPart part = PngPart::tiles;
   int tile = 0;                // 0..255, of the sheet, where the picture's top-left corner goes

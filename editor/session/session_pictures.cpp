@@ -9,8 +9,6 @@ namespace {
 
 std::string picture_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-int in_whole_tiles(int side) { return (side + kTileSize - 1) / kTileSize * kTileSize; }
-
 // Of a picture that can only be that, a palette; else of the sheet that is shown, at the selection. Only what
 // is larger than the sheet is cut off.
 PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area) {

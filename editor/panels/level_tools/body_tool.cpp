@@ -4,6 +4,7 @@
 #include "debug/number_text.h"
 #include "edit/spawn_tools.h"
 #include "level_tools.h"
+#include "overlay/visible.h"
 #include "panels/chosen_spawn.h"
 #include "panels/curve_drawing.h"
 
@@ -46,7 +47,7 @@ bool is_on_tip(const Spawn& spawn, const LevelToolUse& use) {
 void draw_spawn_title(const CurvePen& pen, const LevelToolUse& use, int index, std::uint32_t color) {
   const Level& level = use.session.level();
   const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
-  if (!use.view.shows({spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y})) return;
+  if (!meet({spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y}, use.view.visible())) return;
   const Vec2 corner{spawn.position.x + spawn.size.x, spawn.position.y};
   const ImVec2 beside = use.view.to_screen(corner);
   pen.title(title_of_spawn(level, index), beside, color);

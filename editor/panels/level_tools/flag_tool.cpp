@@ -1,6 +1,4 @@
 // The flag brush on the map: sets or clears the chosen flag of the tiles that it passes.
-#include <algorithm>
-
 #include "level_tools.h"
 #include "panels/flag_brush.h"
 
@@ -8,8 +6,7 @@ namespace talus {
 namespace {
 
 bool is_blank(const Level& level, int tile) {
-  const TileImage& image = level.sheet(SheetId::tiles).images[static_cast<std::size_t>(tile)];
-  return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });
+  return level.sheet(SheetId::tiles).images[static_cast<std::size_t>(tile)] == TileImage{};
 }
 
 class FlagTool : public LevelTool {

@@ -1,7 +1,7 @@
 // The table of the pixel canvas's tools.
 #include "pixel_tools.h"
 
-#include "panels/dialog.h"
+#include "panels/drag_cancel.h"
 #include "panels/pixel_selection_drawing.h"
 
 namespace talus {
@@ -27,7 +27,7 @@ PixelToolHand::PixelToolHand() {
 }
 
 void PixelToolHand::update(const Session& session, Actions& actions, Cell pixel, bool hovered) {
-  if (active() && (key_pressed(ImGuiKey_Escape) || held_ != &chosen(session))) held_ = nullptr;
+  if (active() && (is_drag_cancelled() || held_ != &chosen(session))) held_ = nullptr;
   if (hovered && ImGui::IsMouseClicked(2))
     actions.push_back(
         action::SetColor{pixel_at(session.level(), session.choices().area, pixel.x, pixel.y), false});
