@@ -38,8 +38,6 @@ constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"
 constexpr Names<6> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv",
                                 "polygons.csv", "lines.csv", "spawns.csv"};
 
-tl::unexpected<FormatError> was_cancelled() { return tl::unexpected(FormatError{"", "was cancelled"}); }
-
 }  // namespace
 
 std::string ExportRequest::stem() const {

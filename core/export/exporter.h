@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../formats/format.h"
-#include "progress.h"
+#include "../level/progress.h"
 
 namespace talus {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../formats/format.h"
-#include "progress.h"
+#include "../level/progress.h"
 
 namespace talus {
 

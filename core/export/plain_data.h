@@ -7,7 +7,7 @@
 
 #include "../collision/terrain.h"
 #include "../level/level.h"
-#include "progress.h"
+#include "../level/progress.h"
 
 namespace talus {
 

@@ -26,7 +26,7 @@
 
 #include "../level/level.h"
 #include "plain_data.h"
-#include "progress.h"
+#include "../level/progress.h"
 
 namespace talus {
 

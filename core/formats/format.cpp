@@ -47,6 +47,8 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
   return tl::unexpected(FormatError{"line " + std::to_string(line), std::move(message)});
 }
 
+tl::unexpected<FormatError> was_cancelled() { return tl::unexpected(FormatError{"", "was cancelled"}); }
+
 std::string to_string(const FormatError& error, std::string_view file) {
   return std::string(file) + (error.place.empty() ? "" : ":" + error.place) + ": error: " + error.message +
          (error.remedy.empty() ? "" : ": " + error.remedy);
@@ -105,11 +107,13 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   return loaded;
 }
 
-FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices) {
+FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices,
+                                     const Progress& progress) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
   FormatContext context = context_for_file(path);
   context.choices = choices;
+  context.progress = progress;
   return read_level(*bytes, context);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../level/level.h"
+#include "../level/progress.h"
 
 namespace talus {
 
@@ -28,6 +29,9 @@ using FormatResult = tl::expected<T, FormatError>;
 
 // An error on the line of a text that holds the byte at `offset`.
 tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t offset, std::string message);
+
+// What is returned where a Progress says that the work ends.
+tl::unexpected<FormatError> was_cancelled();
 
 // A written level, and what the format could not hold.
 struct WrittenLevel {
@@ -51,6 +55,7 @@ struct FormatContext {
   std::string folder = {};     // where files lie that the content names; empty: they are not looked for
   ImportChoices choices = {};  // for readers of formats that are read alone
   std::vector<std::string>* dropped = nullptr;  // gets a phrase for each thing that a reader could not keep
+  Progress progress = {};  // told how much a reader has read; where it says so, reading ends as an error
 };
 
 struct Format {
@@ -78,7 +83,8 @@ struct LoadedLevel {
 
 // Reads bytes or a file in whichever format accepts them, told by content, then by extension.
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
-FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {});
+FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {},
+                                     const Progress& progress = {});
 // Writes atomically (see atomic_file.h); returns what the format dropped. The format must have a writer.
 FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
                                                   const std::string& path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace talus {
@@ -109,6 +110,36 @@ FormatError too_large_number(std::string_view text) {
   return error;
 }
 
+// Thrown out of nlohmann's parser, which cannot be stopped otherwise, and caught by parse_json.
+struct Stopped {};
+
+// A place in a text that tells, while the parser goes on, how far it is.
+class ToldIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  // Both must stay.
+  ToldIterator(std::string_view text, const char* at, const Progress& progress)
+      : text_(text), at_(at), progress_(&progress) {}
+  reference operator*() const { return *at_; }
+  ToldIterator& operator++() {
+    const auto done = static_cast<std::size_t>(++at_ - text_.data());
+    if (done % kStep == 0 && !progress_->at(done, text_.size())) throw Stopped();
+    return *this;
+  }
+  bool operator==(const ToldIterator& other) const { return at_ == other.at_; }
+
+ private:
+  static constexpr std::size_t kStep = 1 << 14;  // bytes
+  std::string_view text_;
+  const char* at_;
+  const Progress* progress_;
+};
+
 bool is_row(const Json& value) {
   return value.is_array() && std::all_of(value.begin(), value.end(),
                                          [](const Json& v) { return v.is_primitive() && !v.is_string(); });
@@ -201,10 +232,13 @@ class Printer {
 
 }  // namespace
 
-FormatResult<Json> parse_json(std::string_view text) {
+FormatResult<Json> parse_json(std::string_view text, const Progress& progress) {
   if (const auto good = check_limits(text); !good) return tl::unexpected(good.error());
   try {
-    return Json::parse(text);
+    return Json::parse(ToldIterator(text, text.data(), progress),
+                       ToldIterator(text, text.data() + text.size(), progress));
+  } catch (const Stopped&) {
+    return was_cancelled();
   } catch (const Json::parse_error& error) {
     return invalid_json(text, error.byte == 0 ? 0 : error.byte - 1);
   } catch (const Json::exception&) {  // a number that no double holds; nlohmann does not say where

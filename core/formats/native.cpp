@@ -27,6 +27,8 @@ constexpr const char* kNoTileNumber = "is no tile number from 0 to 255";
 // Reads on after an error, which harms nothing, and remembers the first.
 class Reader {
  public:
+  explicit Reader(Progress progress) : progress_(std::move(progress)) {}
+
   FormatResult<Level> read(Json document) {
     read_version(document);
     if (error_) return tl::unexpected(*error_);  // of a newer file nothing else can be trusted
@@ -245,7 +247,10 @@ class Reader {
       return fail_key("map.rows", "has " + std::to_string(rows.size()) +
                                       " rows, more than the map's height of " + std::to_string(map.height()));
     }
-    for (int y = 0; y < static_cast<int>(rows.size()) && !error_; ++y) read_map_row(rows[y], y);
+    for (int y = 0; y < static_cast<int>(rows.size()) && !error_; ++y) {
+      if (!progress_.at(static_cast<std::size_t>(y), rows.size())) error_ = was_cancelled().value();
+      read_map_row(rows[y], y);
+    }
   }
 
   void read_map_row(const Json& row, int y) {
@@ -276,6 +281,7 @@ class Reader {
 
   Level level_;
   std::optional<FormatError> error_;
+  Progress progress_;
 };
 
 // ---- Writing ----
@@ -462,10 +468,11 @@ bool accepts_native(std::string_view bytes, const FormatContext& context) {
   return context.extension == "json" || bytes.find("\"talus\"") != std::string_view::npos;
 }
 
-FormatResult<Level> read_native(std::string_view bytes, const FormatContext&) {
-  auto document = parse_json(bytes);
+FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context) {
+  constexpr double kParsed = 0.8;  // the share of the time
+  auto document = parse_json(bytes, context.progress.part(0, kParsed));
   if (!document) return tl::unexpected(document.error());
-  return Reader().read(*std::move(document));
+  return Reader(context.progress.part(kParsed, 1)).read(*std::move(document));
 }
 
 FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&) {

@@ -66,6 +66,8 @@ Level level_in(const std::string& text, const std::string& path) {
 
 class RecordingReader {
  public:
+  explicit RecordingReader(Progress progress) : progress_(std::move(progress)) {}
+
   Recording read(Json document) {
     if (!document.is_object()) throw Wrong{{"", "is JSON, but no recording"}};
     const std::string version_key(kVersionKey);
@@ -152,6 +154,7 @@ class RecordingReader {
     auto before = std::make_shared<const LevelVersion>(version_of(recording_.level));
     std::int64_t last = 1;
     for (std::size_t i = 0; i < edits.size(); ++i) {
+      if (!progress_.at(i, edits.size())) throw Wrong{was_cancelled().value()};
       const std::string path = entry_path("edits", i);
       check_keys(edits[i], path, {"frame", "patch"});
       const std::int64_t frame = whole(edits[i], path + ".", "frame", 1, recording_.frames);
@@ -181,6 +184,7 @@ class RecordingReader {
   }
 
   Recording recording_;
+  Progress progress_;
 };
 
 // ---- Writing ----
@@ -257,11 +261,12 @@ bool is_recording(std::string_view bytes, const FormatContext& context) {
          bytes.substr(0, 200).find("\"" + std::string(kVersionKey) + "\"") != std::string_view::npos;
 }
 
-FormatResult<Recording> read_recording(std::string_view bytes) {
-  auto document = parse_json(bytes);
+FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress) {
+  constexpr double kParsed = 0.2;  // the share of the time, where the level was edited
+  auto document = parse_json(bytes, progress.part(0, kParsed));
   if (!document) return tl::unexpected(document.error());
   try {
-    return RecordingReader().read(*std::move(document));
+    return RecordingReader(progress.part(kParsed, 1)).read(*std::move(document));
   } catch (const Wrong& wrong) {
     return tl::unexpected(wrong.error);
   }
@@ -293,10 +298,10 @@ FormatResult<std::string> write_recording(const Recording& recording) {
   return text + "\n}\n";
 }
 
-FormatResult<Recording> load_recording(const std::string& path) {
+FormatResult<Recording> load_recording(const std::string& path, const Progress& progress) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  return read_recording(*bytes);
+  return read_recording(*bytes, progress);
 }
 
 FormatResult<void> save_recording(const Recording& recording, const std::string& path) {

@@ -32,10 +32,10 @@ inline constexpr std::int64_t kMostUnhashedFrames = 1 << 21;  // nearly ten hour
 
 // Could the file be a recording, by its begin or, where that tells nothing, by its extension?
 bool is_recording(std::string_view bytes, const FormatContext& context);
-FormatResult<Recording> read_recording(std::string_view bytes);
+FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress = {});
 FormatResult<std::string> write_recording(const Recording& recording);
 
-FormatResult<Recording> load_recording(const std::string& path);
+FormatResult<Recording> load_recording(const std::string& path, const Progress& progress = {});
 FormatResult<void> save_recording(const Recording& recording, const std::string& path);  // atomically
 
 }  // namespace talus

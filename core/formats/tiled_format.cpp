@@ -46,8 +46,8 @@ std::string with_slashes(std::string path) {
   return path;
 }
 
-FormatResult<Json> tiled_json_of(std::string_view bytes) {
-  return first_character(bytes) == '<' ? tiled_json_of_xml(bytes) : parse_json(bytes);
+FormatResult<Json> tiled_json_of(std::string_view bytes, const Progress& progress) {
+  return first_character(bytes) == '<' ? tiled_json_of_xml(bytes, progress) : parse_json(bytes, progress);
 }
 
 class TiledFiles {
@@ -67,7 +67,8 @@ class TiledFiles {
 
 // A tileset alone gets an empty map.
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
-  const auto json = tiled_json_of(bytes);
+  constexpr double kParsed = 0.5;  // the share of the time
+  const auto json = tiled_json_of(bytes, context_.progress.part(0, kParsed));
   if (!json) return tl::unexpected(json.error());
   const bool is_tileset = json->is_object() && json->value("type", Json()) == "tileset";
   FormatResult<TiledMap> map;
@@ -82,7 +83,7 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     map->layers.push_back(std::move(layer));
     map->tilesets.push_back(*std::move(tileset));
   } else {
-    map = read_tiled_map(*json, drops_);
+    map = read_tiled_map(*json, drops_, context_.progress.part(kParsed, 1));
   }
   if (!map) return map;
   for (TiledTileset& tileset : map->tilesets) {
@@ -99,7 +100,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
     return error_in(source, {"", "is a tileset beside the map, and where that is is not known"});
   const auto bytes = read_beside(context_.folder, source);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto json = tiled_json_of(*bytes);
+  const auto json = tiled_json_of(*bytes, {});
   if (!json) return error_in(source, json.error());
   auto read = read_tiled_tileset(*json, drops_);
   if (!read) return error_in(source, read.error());
@@ -171,11 +172,12 @@ bool accepts_tiled_xml(std::string_view bytes, const FormatContext& context) {
   return is_named_so || bytes.find("<map ") != bytes.npos || bytes.find("<tileset ") != bytes.npos;
 }
 
-std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path) {
+std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const Progress& progress) {
   std::vector<TiledLayerName> layers;
   const auto bytes = read_file(path);
   if (!bytes) return layers;
-  const FormatContext context = context_for_file(path);
+  FormatContext context = context_for_file(path);
+  context.progress = progress;
   TiledDrops drops;
   const auto map = TiledFiles(context, drops).read_map(*bytes);
   if (!map) return layers;

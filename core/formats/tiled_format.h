@@ -16,8 +16,9 @@ struct TiledLayerName {
   std::string name;       // may be empty, and that of others too
   std::size_t cells = 0;  // that are not empty
 };
-// In their order, as ImportChoices::layer_number counts them. None of a file that is no readable map.
-std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path);
+// In their order, as ImportChoices::layer_number counts them. None of a file that is no readable map, or
+// where `progress` said that it ends.
+std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const Progress& progress = {});
 
 // Of either form, by content.
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context);

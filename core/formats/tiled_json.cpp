@@ -44,7 +44,7 @@ class TiledReader {
  public:
   explicit TiledReader(TiledDrops& drops) : drops_(drops) {}
 
-  TiledMap map(const Json& json);
+  TiledMap map(const Json& json, const Progress& progress);
   TiledTileset tileset(const TiledNode& node);
 
   template <class Value>
@@ -61,7 +61,7 @@ class TiledReader {
 
   bool check_map(const TiledNode& node);
   void check_tile_size(const TiledNode& node);
-  void layers(const TiledNode& node, const Group& group, TiledMap& map);
+  void layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map);
   void tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
   std::vector<std::uint32_t> cells(const TiledNode& node, std::size_t count);
   std::vector<TiledObject> objects(const TiledNode& node, Vec2 offset);
@@ -126,7 +126,7 @@ class TiledReader {
   std::optional<FormatError> error_;
 };
 
-TiledMap TiledReader::map(const Json& json) {
+TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   const TiledNode node{json, ""};
   TiledMap map;
   if (!json.is_object()) {
@@ -144,7 +144,7 @@ TiledMap TiledReader::map(const Json& json) {
   check_tile_size(node);
   map.properties = properties(node, "the map");
   for_each(node, "tilesets", [&](const TiledNode& entry) { map.tilesets.push_back(tileset(entry)); });
-  if (!error_) layers(node, {}, map);
+  if (!error_) layers(node, {}, progress, map);
   drop_others(node, "the map", {"compressionlevel", "nextlayerid", "nextobjectid",  "tiledversion",
                                 "version",          "type",        "renderorder",   "editorsettings",
                                 "orientation",      "infinite",    "width",         "height",
@@ -174,8 +174,17 @@ void TiledReader::check_tile_size(const TiledNode& node) {
            " px, and those of a level are 8x8 px");
 }
 
-void TiledReader::layers(const TiledNode& node, const Group& group, TiledMap& map) {
+void TiledReader::layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map) {
+  const Json* const all = node.find("layers");
+  const double part = 1.0 / static_cast<double>(all == nullptr ? 1 : std::max<std::size_t>(all->size(), 1));
+  double done = 0;
   for_each(node, "layers", [&](const TiledNode& entry) {
+    const Progress of_entry = progress.part(done, done + part);
+    done += part;
+    if (!of_entry.at(0)) {
+      error_ = was_cancelled().value();
+      return;
+    }
     const std::string type = text(entry, "type");
     TiledLayer layer;
     layer.name = text(entry, "name");
@@ -185,7 +194,7 @@ void TiledReader::layers(const TiledNode& node, const Group& group, TiledMap& ma
     drop_others(entry, of,
                 {"id", "name", "type", "visible", "locked", "width", "height", "offsetx", "offsety",
                  "draworder", "color", "data", "encoding", "compression", "objects", "layers", "properties"});
-    if (type == "group") return layers(entry, {layer.name, offset}, map);
+    if (type == "group") return layers(entry, {layer.name, offset}, of_entry, map);
     if (type == "tilelayer") {
       tile_layer(entry, offset, map, layer);
     } else if (type == "objectgroup") {
@@ -347,9 +356,9 @@ std::optional<TiledProperty> TiledReader::property(const TiledNode& node) {
 
 }  // namespace
 
-FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops) {
+FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops, const Progress& progress) {
   TiledReader reader(drops);
-  TiledMap map = reader.map(json);
+  TiledMap map = reader.map(json, progress);
   return reader.result(std::move(map));
 }
 

@@ -11,8 +11,9 @@ inline constexpr const char* kTiledLineKey = "@line";
 
 // An error for what no level can be made of: another orientation than orthogonal, an infinite map, tiles that
 // are not 8x8 px, tilesets of many pictures, data that does not fit the size. What is left out is named in
-// `drops`. Tilesets in files of their own have nothing but `source`.
-FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops);
+// `drops`. Tilesets in files of their own have nothing but `source`. progress: told how many of the layers
+// are read; where it says so, that is an error.
+FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops, const Progress& progress = {});
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops);
 
 }  // namespace talus

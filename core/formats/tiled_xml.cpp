@@ -58,9 +58,12 @@ std::string_view layer_type(std::string_view element) {
   return is_layer ? element : "";
 }
 
+// Thrown and caught within this file.
+struct XmlStopped {};
+
 class TiledXml {
  public:
-  explicit TiledXml(std::string_view text) : text_(text) {}
+  TiledXml(std::string_view text, const Progress& progress) : text_(text), progress_(progress) {}
 
   FormatResult<Json> read() {
     pugi::xml_document document;
@@ -98,6 +101,7 @@ class TiledXml {
                            text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
       counted_ = offset;
     }
+    if (!progress_.at(counted_, text_.size())) throw XmlStopped();
     return lines_;
   }
 
@@ -220,16 +224,21 @@ class TiledXml {
   std::size_t counted_ = 0;  // bytes of the text whose lines are counted
   std::int64_t lines_ = 1;
   std::optional<FormatError> error_;
+  const Progress& progress_;
 };
 
 }  // namespace
 
-FormatResult<Json> tiled_json_of_xml(std::string_view text) {
+FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress) {
   const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
   if (static_cast<std::size_t>(parts) > kMaxXmlParts)
     return tl::unexpected(FormatError{"", "has too many elements"});
   if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is no text in UTF-8"});
-  return TiledXml(text).read();
+  try {
+    return TiledXml(text, progress).read();
+  } catch (const XmlStopped&) {
+    return was_cancelled();
+  }
 }
 
 }  // namespace talus

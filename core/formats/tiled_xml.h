@@ -6,7 +6,8 @@
 
 namespace talus {
 
-// Every object has the line of its element (kTiledLineKey). Errors are placed by line.
-FormatResult<Json> tiled_json_of_xml(std::string_view text);
+// Every object has the line of its element (kTiledLineKey). Errors are placed by line. progress: told how
+// much of the text is put into JSON; where it says so, that is an error.
+FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress = {});
 
 }  // namespace talus

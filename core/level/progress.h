@@ -1,4 +1,4 @@
-// How far an export is: told to who waits for it, and who may end it.
+// How far something long is, as reading a file or an export: told to who waits for it, and who may end it.
 #pragma once
 
 #include <functional>
