@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "../formats/cart_content.h"
+#include "cart_files.h"
 #include "export_targets.h"
 #include "lua_level.h"
 #include "lua_runtime.h"
@@ -55,10 +56,10 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
 }
 
 FormatResult<Exported> export_playable(const ExportRequest& request,
-                                       FormatResult<Exported> (*write)(const ExportRequest&)) {
+                                       FormatResult<Exported> (*write)(const ExportRequest&, const Level&)) {
   const FormatResult<Level> cart = playable_cart(request);
   if (!cart) return tl::unexpected(cart.error());
-  FormatResult<Exported> written = write({*cart, request.name, request.read_asset});
+  FormatResult<Exported> written = write(request, *cart);
   if (!written) return written;
   written->code_bytes = cart->cart->bytes.size();  // a text without sections: code alone
   for (std::string& what : dropped_solver(request.level)) written->dropped.push_back(std::move(what));
@@ -68,11 +69,11 @@ FormatResult<Exported> export_playable(const ExportRequest& request,
 }  // namespace
 
 FormatResult<Exported> export_tic_playable(const ExportRequest& request) {
-  return export_playable(request, export_tic);
+  return export_playable(request, tic_files);
 }
 
 FormatResult<Exported> export_tic_text_playable(const ExportRequest& request) {
-  return export_playable(request, export_tic_text);
+  return export_playable(request, tic_text_files);
 }
 
 }  // namespace talus

@@ -62,12 +62,6 @@ std::string with_commas(std::size_t number) {
 
 }  // namespace
 
-std::uint64_t content_hash(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
-}
-
 tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view id,
                                                     const std::string& output, const ReadAsset& read_asset,
                                                     std::string_view parts, const Progress& progress,
@@ -84,6 +78,7 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
           : exporter->make({level, fs::path(output).filename().string(), read_asset, parts, progress});
   if (!exported) return problem_at(Field::level, exported.error().message, exported.error().place);
   ExportPlan plan{exporter, output, *std::move(exported), {}};
+  leave_out_unneeded(*exporter, plan.content, output);
   const auto paths = output.empty() ? std::vector<std::string>(plan.content.files.size())
                                     : paths_of(*exporter, plan.content, output);
   for (std::size_t i = 0; i < paths.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "../formats/content_hash.h"
 #include "exporter.h"
 
 namespace talus {
@@ -17,9 +18,6 @@ struct PlannedFile {
   std::uintmax_t old_size = 0;       // bytes, of a file that is there
   std::optional<std::uint64_t> old;  // content_hash of a file that is there; none: it cannot be read
 };
-
-// Of the bytes of a file, equal on every machine: FNV-1a.
-std::uint64_t content_hash(std::string_view bytes);
 
 struct ExportPlan {
   const Exporter* exporter = nullptr;  // never null

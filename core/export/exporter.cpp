@@ -29,6 +29,7 @@ template <std::size_t N>
 using Names = std::array<std::string_view, N>;
 
 constexpr Names<1> kSheetBeside = {"*-tiles.png"};
+constexpr Names<1> kCompanion = {"**.talus.json"};
 constexpr Names<7> kLoveFiles = {"talus.lua", "level.lua",  "sheet.png",       "main.lua",
                                  "conf.lua",  "camera.lua", "curve_points.lua"};
 constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
@@ -56,20 +57,32 @@ FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
   return exported;
 }
 
+std::string name_beside(std::string_view pattern, const std::string& output) {
+  if (pattern.starts_with("**")) return output + std::string(pattern.substr(2));
+  if (pattern.starts_with('*')) return fs::path(output).stem().string() + std::string(pattern.substr(1));
+  return std::string(pattern);
+}
+
 std::span<const Exporter> exporters() {
   static const std::vector<Exporter> list = {
       {"native", "Talus level", find_format("native")->extensions, export_native,
        "A copy of the level for Talus itself."},
-      {"tic", "TIC-80 cartridge", find_format("tic")->extensions, export_tic,
-       "Tiles, flags, map and palette in a cart; its code, sounds and all else stay as they were."},
+      {"tic",
+       "TIC-80 cartridge",
+       find_format("tic")->extensions,
+       export_tic,
+       "Tiles, flags, map and palette in a cart; its code, sounds and all else stay as they were.",
+       false,
+       {},
+       kCompanion},
       {"tic-text", "TIC-80 text project", find_format("tic-text")->extensions, export_tic_text,
-       "The same as text, for version control and other editors.", false, "-tic"},
+       "The same as text, for version control and other editors.", false, "-tic", kCompanion},
       {"tic-playable", "TIC-80 cartridge that plays the level", find_format("tic")->extensions,
        export_tic_playable, "A game at once: balls, players and the mouse move as they do here.", true,
-       "-playable"},
+       "-playable", kCompanion},
       {"tic-text-playable", "TIC-80 text project that plays the level", find_format("tic-text")->extensions,
-       export_tic_text_playable, "The same game as text, with its Lua code to go on from.", true,
-       "-playable"},
+       export_tic_text_playable, "The same game as text, with its Lua code to go on from.", true, "-playable",
+       kCompanion},
       {"love",
        "game for LÖVE 11",
        {},
@@ -181,6 +194,17 @@ std::string name_problem(const Exporter& exporter, const std::string& output) {
   if (output == "-" || std::any_of(exporter.extensions.begin(), exporter.extensions.end(), ends)) return "";
   return "is no name of a " + label + ", which would be written: it must end with ." +
          std::string(exporter.extensions.front());
+}
+
+void leave_out_unneeded(const Exporter& exporter, Exported& exported, const std::string& output) {
+  const std::vector<std::string> paths =
+      output.empty() ? std::vector<std::string>() : paths_of(exporter, exported, output);
+  for (std::size_t i = exported.files.size(); i-- > 0;) {
+    std::error_code ignored;
+    const bool is_there = !paths.empty() && fs::exists(fs::symlink_status(paths[i], ignored));
+    if (exported.files[i].only_replaces && !is_there)
+      exported.files.erase(exported.files.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 std::vector<std::string> paths_of(const Exporter& exporter, const Exported& exported,

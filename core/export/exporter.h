@@ -21,6 +21,8 @@ struct ExportedFile {
   std::string bytes;
   // A start for the user's own code: where another one is already, that is kept. See own_starters().
   bool is_starter = false;
+  // Written only where a file is already, which would mean something else now: an empty companion of a cart.
+  bool only_replaces = false;
 };
 
 struct Exported {
@@ -59,7 +61,7 @@ struct Exporter {
   // What its usual name has behind the level's, "-sti", so that no two exporters have the same.
   std::string_view usual_suffix = {};
   // The names of all files that it may write besides the one that is named, or in the folder; a * stands for
-  // the name that was given, without its extension.
+  // the name that was given, without its extension, and ** for the whole name.
   std::span<const std::string_view> beside = {};
   bool shares_sheet = false;  // a PNG of it shows the tiles and no more: that of another one is the same
 
@@ -68,12 +70,17 @@ struct Exporter {
   FormatResult<Exported> make(const ExportRequest& request) const;
 };
 
+// The name of a file of Exporter::beside, for an output of this name, without its folders.
+std::string name_beside(std::string_view pattern, const std::string& output);
+
 std::span<const Exporter> exporters();
 const Exporter* find_exporter(std::string_view id);  // null when there is none
 
 // One sentence on why `output` is no name for what the exporter writes; empty when it is one.
 std::string name_problem(const Exporter& exporter, const std::string& output);
 
+// Takes out what only replaces, where there is nothing to replace.
+void leave_out_unneeded(const Exporter& exporter, Exported& exported, const std::string& output);
 // Where each of the files goes, in their order: the file `output` and those beside it, or in the folder.
 std::vector<std::string> paths_of(const Exporter& exporter, const Exported& exported,
                                   const std::string& output);

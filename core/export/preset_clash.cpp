@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "../formats/companion.h"
 #include "export_plan.h"
 
 namespace talus {
@@ -37,11 +38,8 @@ std::vector<ClaimedFile> claimed_files(const ExportPreset& preset, const std::st
     files.push_back(claim(output));
     files.back().is_named = true;
   }
-  for (const std::string_view pattern : exporter->beside) {
-    std::string name(pattern);
-    if (name.starts_with('*')) name.replace(0, 1, output.stem().string());
-    files.push_back(claim(folder / name));
-  }
+  for (const std::string_view pattern : exporter->beside)
+    files.push_back(claim(folder / name_beside(pattern, output.filename().string())));
   return files;
 }
 
@@ -94,9 +92,12 @@ std::string clash_problem(std::span<const ExportPreset> presets, std::size_t ind
                     level_file.empty() ? whole_path("level").string() : whole_path(level_file).string());
   };
   const fs::path own = level_file.empty() ? fs::path() : whole_path(level_file);
+  const fs::path companion = own.string() + std::string(kCompanionEnding);
   for (const ClaimedFile& file : files) {
     if (!file.is_named && file.path == own)  // of the named one output_of() tells
       return shown(own) + " would be written, which is the level's own file: give another path";
+    if (file.path == companion)
+      return shown(companion) + " would be written, which goes with the level's own file: give another path";
   }
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i == index) continue;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "json_text.h"
-
 namespace talus {
 namespace {
 
@@ -104,19 +102,8 @@ std::string map_bytes(const TileMap& map) {
   return bytes;
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string size_text(const TileMap& map) {
   return std::to_string(map.width()) + "x" + std::to_string(map.height());
-}
-
-// extra: as Level has it. What a hard case is, is known, and of no use to a game.
-bool has_unknown_keys(const std::string& extra) {
-  if (extra.empty()) return false;
-  const auto keys = parse_json(extra);
-  return !keys || keys->size() > (keys->contains("hard_case") ? 1U : 0U);
 }
 
 }  // namespace
@@ -209,35 +196,10 @@ Level level_of_bank(const Bank& bank) {
   return level;
 }
 
-FormatResult<std::vector<std::string>> dropped_by_carts(const Level& level) {
-  if (!map_fits_cart(level)) {
-    return tl::unexpected(
-        FormatError{"", "the map is " + size_text(level.map) + " cells, and a cart's map ends at 240x136"});
-  }
-  std::vector<std::string> dropped;
-  if (!level.spawns.empty()) dropped.push_back(counted(level.spawns.size(), "spawn"));
-  if (!level.curves.empty()) dropped.push_back(counted(level.curves.size(), "curve"));
-  const auto own_shapes =
-      level.tile_shapes.size() -
-      static_cast<std::size_t>(std::count(level.tile_shapes.begin(), level.tile_shapes.end(), TileShape()));
-  if (own_shapes > 0) dropped.push_back(counted(own_shapes, "tile shape"));
-  if (level.flag_shapes != decltype(level.flag_shapes){}) dropped.emplace_back("the shapes of flags");
-  const auto names = std::count_if(level.flag_names.begin(), level.flag_names.end(),
-                                   [](const std::string& name) { return !name.empty(); });
-  if (names > 0) dropped.push_back(counted(static_cast<std::size_t>(names), "flag name"));
-  if (!level.flag_fields.empty()) dropped.push_back(counted(level.flag_fields.size(), "flag field"));
-  if (level.roles != FlagRoles{}) dropped.emplace_back("the flag roles");
-  if (level.tuning != Tuning{}) dropped.emplace_back("the tuning");
-  if (level.map.width() != kTicMapWidth || level.map.height() != kTicMapHeight) {
-    dropped.push_back("the map's size of " + size_text(level.map) + " (a cart's map is 240x136)");
-  }
-  if (level.palette == Palette{})
-    dropped.emplace_back("the palette (TIC-80 takes an all-black one for none)");
-  if (!level.brushes.empty()) dropped.emplace_back("the brushes");
-  if (!level.auto_tiles.empty()) dropped.emplace_back("the tiles of painted ground");
-  if (!level.exports.empty()) dropped.push_back(counted(level.exports.size(), "export preset"));
-  if (has_unknown_keys(level.extra)) dropped.emplace_back("keys that this version does not know");
-  return dropped;
+FormatResult<void> check_fits_cart(const Level& level) {
+  if (map_fits_cart(level)) return {};
+  return tl::unexpected(
+      FormatError{"", "the map is " + size_text(level.map) + " cells, and a cart's map ends at 240x136"});
 }
 
 }  // namespace talus

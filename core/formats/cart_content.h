@@ -82,7 +82,7 @@ Bank edited_bank(const Level& level, const Bank& before);
 // gives the carts from before there were palettes.
 Level level_of_bank(const Bank& bank);
 
-// What no cart can hold, as WrittenLevel::dropped; an error when the map does not fit.
-FormatResult<std::vector<std::string>> dropped_by_carts(const Level& level);
+// An error when the map does not fit: all else that no cart can hold goes into its companion.
+FormatResult<void> check_fits_cart(const Level& level);
 
 }  // namespace talus

@@ -1,12 +1,10 @@
-// The list of formats, and the way between files and levels.
+// The list of formats, and reading by content. Files are in level_file.cpp.
 #include "format.h"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cctype>
 
-#include "atomic_file.h"
 #include "native.h"
 #include "tic_cart.h"
 #include "tic_png.h"
@@ -60,13 +58,16 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 1> kPngExtensions = {"png"};
   static constexpr std::array<std::string_view, 2> kTiledJsonExtensions = {"tmj", "tsj"};
   static constexpr std::array<std::string_view, 2> kTiledXmlExtensions = {"tmx", "tsx"};
+  static constexpr std::array<std::string_view, 4> kCartMembers = {"palette", "tiles", "sprites", "map"};
   static const std::array<Format, 6> list = {{
       {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, nullptr},
       {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, nullptr},
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
-      {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic},
-      {"tic-png", "TIC-80 PNG cartridge", kPngExtensions, accepts_tic_png, read_tic_png, nullptr},
-      {"tic-text", "TIC-80 text project", text_extensions(), accepts_text, read_text, write_text},
+      {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic, kCartMembers},
+      {"tic-png", "TIC-80 PNG cartridge", kPngExtensions, accepts_tic_png, read_tic_png, nullptr,
+       kCartMembers},
+      {"tic-text", "TIC-80 text project", text_extensions(), accepts_text, read_text, write_text,
+       kCartMembers},
   }};
   return list;
 }
@@ -105,26 +106,6 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   if (!level) return tl::unexpected(level.error());
   loaded.level = *std::move(level);
   return loaded;
-}
-
-FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices,
-                                     const Progress& progress) {
-  const auto bytes = read_file(path);
-  if (!bytes) return tl::unexpected(bytes.error());
-  FormatContext context = context_for_file(path);
-  context.choices = choices;
-  context.progress = progress;
-  return read_level(*bytes, context);
-}
-
-FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
-                                                  const std::string& path) {
-  assert(format.write && "the format is read alone");
-  auto written = format.write(level, context_for_file(path));
-  if (!written) return tl::unexpected(written.error());
-  if (const auto saved = write_file_atomic(path, written->bytes); !saved)
-    return tl::unexpected(saved.error());
-  return std::move(written->dropped);
 }
 
 }  // namespace talus

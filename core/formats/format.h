@@ -1,6 +1,8 @@
 // The list of file formats, and reading and writing a level in any of them.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,10 +35,11 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
 // What is returned where a Progress says that the work ends.
 tl::unexpected<FormatError> was_cancelled();
 
-// A written level, and what the format could not hold.
+// A written level, and what is lost of it: what neither the format nor a companion (see companion.h) can
+// hold.
 struct WrittenLevel {
   std::string bytes;
-  std::vector<std::string> dropped;  // one phrase each: "2 spawns"; empty when nothing was lost
+  std::vector<std::string> dropped;  // one phrase each: "the BINARY chunk of bank 0"; empty: nothing is lost
 };
 
 // What to take of a file of another program that holds more than a level can.
@@ -66,6 +69,9 @@ struct Format {
   FormatResult<Level> (*read)(std::string_view bytes, const FormatContext&);
   // Null: the format is read alone. What is opened from it has no file yet, so that saving asks for one.
   FormatResult<WrittenLevel> (*write)(const Level&, const FormatContext&);
+  // The members of a native level (see native.h) that such a file holds; what it lacks of them and all others
+  // go into its companion. Empty: it has no companion.
+  std::span<const std::string_view> holds = {};
 };
 
 // Every format, in the order in which content is tried. To add one, add its row here.
@@ -75,18 +81,39 @@ const Format* find_format(std::string_view id);  // null when there is none
 const Format* format_for_file(const std::string& path);
 FormatContext context_for_file(const std::string& path);
 
+// The companion of a level's file, as it was read or written with the level.
+struct CompanionFile {
+  std::string path = {};                      // empty: there was none
+  std::optional<std::uint64_t> content = {};  // content_hash of its bytes; none: not all of it was understood
+};
+
 struct LoadedLevel {
   Level level;
   const Format* format = nullptr;         // never null
   std::vector<std::string> dropped = {};  // what a level cannot hold of what was read, one phrase each
+  std::string path = {};  // of the file; where its companion was named, of the one that it belongs to
+  CompanionFile companion = {};
+  std::string note = {};  // what is to be told of the companion, a sentence without full stop; empty: nothing
+};
+
+struct SavedLevel {
+  std::vector<std::string> dropped = {};  // as WrittenLevel has it
+  CompanionFile companion = {};
+  std::string note = {};  // as LoadedLevel has it
 };
 
 // Reads bytes or a file in whichever format accepts them, told by content, then by extension.
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
+// The file that holds the level of a path: of a companion, the one that it belongs to; else the path itself.
+std::string level_path(const std::string& path);
+// With its companion, if it has one; a file that cannot be one is left alone, and the note says so.
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {},
                                      const Progress& progress = {});
-// Writes atomically (see atomic_file.h); returns what the format dropped. The format must have a writer.
-FormatResult<std::vector<std::string>> save_level(const Level& level, const Format& format,
-                                                  const std::string& path);
+// Writes atomically (see atomic_file.h), with a companion where the format cannot hold everything. The format
+// must have a writer. known: the companion that the level came with. It is replaced, and removed where there
+// is no more need for it; any other file in its place is kept under another name, and the note says so. After
+// an error both files are as they were.
+FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
+                                    const CompanionFile& known = {});
 
 }  // namespace talus

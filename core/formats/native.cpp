@@ -13,6 +13,7 @@
 #include "json_text.h"
 #include "native_brushes.h"
 #include "native_cart.h"
+#include "native_document.h"
 #include "native_exports.h"
 #include "native_flags.h"
 #include "native_members.h"
@@ -416,7 +417,37 @@ FormatResult<void> put_physics(const Level& level, Json& document) {
   return put_shapes(level.tile_shapes, "tile_shapes", document);
 }
 
-FormatResult<Json> document_of(const Level& level) {
+// Of all objects at once: no two of them want a pair of keys in different orders.
+std::vector<std::string_view> key_order() {
+  std::vector<std::string_view> order = {
+      "talus",       "companion", "file",       "with",        "palette",     "flag_names",
+      "flag_fields", "name",      "first",      "bits",        "values",      "kind",
+      "side",        "faces",     "roles",      "solid",       "up_slope",    "down_slope",
+      "ball",        "one_way",   "ceiling",    "flag_shapes", "tuning",      "spawns",
+      "curves",      "brushes",   "auto_tiles", "exports",     "tile_shapes", "tiles",
+      "random",      "heights",   "sprites",    "map",         "cart",        "solver"};
+  for (const TuningField& field : tuning_fields()) order.push_back(field.key);
+  order.insert(
+      order.end(),
+      {"x",        "y",      "vx",     "vy",       "size",  "foot",   "from",   "to",        "from_slope",
+       "to_slope", "center", "radius", "x0",       "x1",    "upper",  "middle", "amplitude", "wavelength",
+       "origin",   "ys",     "flags",  "pixels",   "width", "height", "rows",   "comment",   "chunks",
+       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "parts",     "on_save"});
+  for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
+  const auto hard_case = hard_case_keys();
+  order.insert(order.end(), hard_case.begin(), hard_case.end());
+  return order;
+}
+
+}  // namespace
+
+bool accepts_native(std::string_view bytes, const FormatContext& context) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || bytes[first] != '{') return false;
+  return context.extension == "json" || bytes.find("\"talus\"") != std::string_view::npos;
+}
+
+FormatResult<Json> native_document(const Level& level) {
   auto parsed = parse_extra(level.extra);
   if (!parsed) return parsed;
   Json& document = *parsed;
@@ -439,51 +470,35 @@ FormatResult<Json> document_of(const Level& level) {
   return parsed;
 }
 
-// Of all objects at once: no two of them want a pair of keys in different orders.
-std::vector<std::string_view> key_order() {
-  std::vector<std::string_view> order = {
-      "talus",      "palette", "flag_names", "flag_fields", "name",        "first",  "bits",
-      "values",     "kind",    "side",       "faces",       "roles",       "solid",  "up_slope",
-      "down_slope", "ball",    "one_way",    "ceiling",     "flag_shapes", "tuning", "spawns",
-      "curves",     "brushes", "auto_tiles", "exports",     "tile_shapes", "tiles",  "random",
-      "heights",    "sprites", "map",        "cart",        "solver"};
-  for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(
-      order.end(),
-      {"x",        "y",      "vx",     "vy",       "size",  "foot",   "from",   "to",        "from_slope",
-       "to_slope", "center", "radius", "x0",       "x1",    "upper",  "middle", "amplitude", "wavelength",
-       "origin",   "ys",     "flags",  "pixels",   "width", "height", "rows",   "comment",   "chunks",
-       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "parts",     "on_save"});
-  for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
-  const auto hard_case = hard_case_keys();
-  order.insert(order.end(), hard_case.begin(), hard_case.end());
-  return order;
+FormatResult<Level> level_of_document(Json document, const Progress& progress) {
+  return Reader(progress).read(std::move(document));
 }
 
-}  // namespace
-
-bool accepts_native(std::string_view bytes, const FormatContext& context) {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || bytes[first] != '{') return false;
-  return context.extension == "json" || bytes.find("\"talus\"") != std::string_view::npos;
+FormatResult<std::string> print_document(const Json& document) {
+  try {
+    return print_json(document, key_order());
+  } catch (const Json::exception&) {
+    return tl::unexpected(
+        FormatError{"", "a name of a flag, spawn, curve, brush or export is not valid UTF-8"});
+  }
 }
 
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context) {
   constexpr double kParsed = 0.8;  // the share of the time
   auto document = parse_json(bytes, context.progress.part(0, kParsed));
   if (!document) return tl::unexpected(document.error());
-  return Reader(context.progress.part(kParsed, 1)).read(*std::move(document));
+  if (document->is_object() && document->contains("companion"))
+    return tl::unexpected(FormatError{
+        "", "is no level of its own, but what Talus added to a cart: put it beside that, and open the cart"});
+  return level_of_document(*std::move(document), context.progress.part(kParsed, 1));
 }
 
 FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&) {
-  const auto document = document_of(level);
+  const auto document = native_document(level);
   if (!document) return tl::unexpected(document.error());
-  try {
-    return WrittenLevel{print_json(*document, key_order()), {}};
-  } catch (const Json::exception&) {
-    return tl::unexpected(
-        FormatError{"", "a name of a flag, spawn, curve, brush or export is not valid UTF-8"});
-  }
+  auto text = print_document(*document);
+  if (!text) return tl::unexpected(text.error());
+  return WrittenLevel{*std::move(text), {}};
 }
 
 }  // namespace talus

@@ -42,6 +42,8 @@
 //                  end are left out.
 //   "cart"         what else the cart held that the level came from (see native_cart.h). Default: none.
 //
+// With the member "companion" it is no level of its own, but what a cart lacks of one (see companion.h).
+//
 // Keys that this version does not know are kept, in every object but the chunks and lines of "cart", which a
 // newer version cannot extend. A value outside its range, or of another type, is an error with its place, and
 // so is a shape or curve that cannot be used (see problem_of in collision/shape.h and level/level.h). What a

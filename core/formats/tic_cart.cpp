@@ -272,15 +272,15 @@ FormatResult<Level> read_tic(std::string_view bytes, const FormatContext&) {
 }
 
 FormatResult<WrittenLevel> write_tic(const Level& level, const FormatContext&) {
-  auto dropped = dropped_by_carts(level);
-  if (!dropped) return tl::unexpected(dropped.error());
-  auto bytes = tic_of(level, *dropped);
+  if (const auto good = check_fits_cart(level); !good) return tl::unexpected(good.error());
+  std::vector<std::string> dropped;
+  auto bytes = tic_of(level, dropped);
   if (!bytes) return tl::unexpected(bytes.error());
   if (bytes->empty()) {
     return tl::unexpected(
         FormatError{"", "has neither drawings nor code, and TIC-80 loads no empty cartridge"});
   }
-  return WrittenLevel{*std::move(bytes), *std::move(dropped)};
+  return WrittenLevel{*std::move(bytes), std::move(dropped)};
 }
 
 }  // namespace talus

@@ -354,8 +354,8 @@ FormatResult<Level> read_text(std::string_view bytes, const FormatContext& conte
 }
 
 FormatResult<WrittenLevel> write_text(const Level& level, const FormatContext& context) {
-  auto dropped = dropped_by_carts(level);
-  if (!dropped) return tl::unexpected(dropped.error());
+  if (const auto good = check_fits_cart(level); !good) return tl::unexpected(good.error());
+  std::vector<std::string> dropped;
   const CartOrigin* origin = level.cart.get();
   const bool from_text = origin && origin->kind == CartOrigin::Kind::text;
   std::string_view comment = comment_of_extension(context.extension);
@@ -363,18 +363,18 @@ FormatResult<WrittenLevel> write_text(const Level& level, const FormatContext& c
   if (from_text && origin->comment == comment) {
     auto bytes = edited_text(*origin, level);
     if (!bytes) return tl::unexpected(bytes.error());
-    return WrittenLevel{*std::move(bytes), *std::move(dropped)};
+    return WrittenLevel{*std::move(bytes), {}};
   }
   auto cart = !origin     ? new_cart()
               : from_text ? text_content(origin->bytes, origin->comment)
                           : tic_content(origin->bytes);
   if (!cart) return tl::unexpected(cart.error());
-  dropped->insert(dropped->end(), cart->rest.begin(), cart->rest.end());
-  if (std::erase(cart->code, '\r') > 0) dropped->emplace_back("the carriage returns of the code");
+  dropped.insert(dropped.end(), cart->rest.begin(), cart->rest.end());
+  if (std::erase(cart->code, '\r') > 0) dropped.emplace_back("the carriage returns of the code");
   cart->banks[0] = edited_bank(level, cart->banks[0]);
   std::string bytes = render_text(*cart, comment);
   if (const auto good = check_reads_back(bytes, comment, *cart); !good) return tl::unexpected(good.error());
-  return WrittenLevel{std::move(bytes), *std::move(dropped)};
+  return WrittenLevel{std::move(bytes), std::move(dropped)};
 }
 
 }  // namespace talus

@@ -80,8 +80,8 @@ void fail(CommandContext& context, const std::string& file, const std::string& p
   context.status = kExitBad;
 }
 
-std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
-                                  const ImportChoices& choices) {
+std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
+                                             const ImportChoices& choices) {
   FormatResult<LoadedLevel> loaded = load_level(file, choices);
   if (!loaded) {
     context.err << to_string(loaded.error(), file) << '\n';
@@ -90,6 +90,14 @@ std::optional<Level> load_or_fail(CommandContext& context, const std::string& fi
   }
   for (const std::string& what : loaded->dropped)
     context.err << file << ": warning: not in the level: " << what << '\n';
+  if (!loaded->note.empty()) context.err << file << ": warning: " << loaded->note << '\n';
+  return *std::move(loaded);
+}
+
+std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
+                                  const ImportChoices& choices) {
+  auto loaded = load_file_or_fail(context, file, choices);
+  if (!loaded) return std::nullopt;
   return std::move(loaded->level);
 }
 

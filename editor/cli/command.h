@@ -33,7 +33,11 @@ void add_report_command(CLI::App& program, CommandContext& context);
 void fail(CommandContext& context, const std::string& file, const std::string& place,
           const std::string& message);
 
-// The level in a file, or nothing after having failed. Warns of what of the file is not in the level.
+// What is in a file, or nothing after having failed. Warns of what of the file is not in the level, and of a
+// companion that does not fit it.
+std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
+                                             const ImportChoices& choices = {});
+// The level in it alone.
 std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
                                   const ImportChoices& choices = {});
 

@@ -159,6 +159,7 @@ void add_export_command(CLI::App& program, CommandContext& context) {
                     "Replace files beside the named one, or in the folder, that no export wrote as they are");
   command->callback([&context, options] {
     check_options(*options);
+    options->input = level_path(options->input);
     if (options->watch)
       watch_and_export(context, *options);
     else

@@ -35,19 +35,31 @@ class EndSignals {
   sigset_t signals_{}, before_{};
 };
 
-FileStamp stamp_or_gone(const std::string& path) {
-  const auto stamp = stamp_of_file(path);
+LevelStamp stamp_or_gone(const std::string& path) {
+  const auto stamp = stamp_of_level(path);
   if (stamp) return *stamp;
-  FileStamp gone;
-  gone.set_gone();
+  LevelStamp gone;
+  gone.file.set_gone();
   return gone;
 }
 
+bool has_changed(const std::string& path, LevelStamp& known) {
+  const FilesChange found = level_change(path, known);
+  if (found.change == FileChange::gone && !found.of_companion) return !known.file.is_gone();
+  return found.change != FileChange::none;
+}
+
+bool is_same_content(const LevelStamp& a, const LevelStamp& b) {
+  const bool both = a.companion && b.companion;
+  return a.file.content == b.file.content && a.companion.has_value() == b.companion.has_value() &&
+         !(both && a.companion->content != b.companion->content);
+}
+
 // Until two looks in a row see the same; nothing: a signal came.
-std::optional<FileStamp> stamp_at_rest(const std::string& path, const EndSignals& end) {
-  for (FileStamp stamp = stamp_or_gone(path);;) {
+std::optional<LevelStamp> stamp_at_rest(const std::string& path, const EndSignals& end) {
+  for (LevelStamp stamp = stamp_or_gone(path);;) {
     if (end.wait()) return std::nullopt;
-    if (file_change(path, stamp) == FileChange::none || stamp.is_gone()) return stamp;
+    if (!has_changed(path, stamp) || stamp.file.is_gone()) return stamp;
     stamp = stamp_or_gone(path);
   }
 }
@@ -57,19 +69,18 @@ std::optional<FileStamp> stamp_at_rest(const std::string& path, const EndSignals
 void watch_file(const std::string& path, const std::function<void()>& look,
                 const std::function<void()>& is_gone) {
   const EndSignals end;
-  FileStamp known = stamp_or_gone(path);  // before the content is read: what comes meanwhile shows later
-  if (known.is_gone())
+  LevelStamp known = stamp_or_gone(path);  // before the content is read: what comes meanwhile shows later
+  if (known.file.is_gone())
     is_gone();
   else
     look();
   while (!end.wait()) {
-    const FileChange change = file_change(path, known);
-    if (change == FileChange::none || (change == FileChange::gone && known.is_gone())) continue;
+    if (!has_changed(path, known)) continue;
     const auto now = stamp_at_rest(path, end);
     if (!now) return;
-    const bool same = !now->is_gone() && !known.is_gone() && now->content == known.content;
+    const bool same = !now->file.is_gone() && !known.file.is_gone() && is_same_content(*now, known);
     known = *now;
-    if (known.is_gone())
+    if (known.file.is_gone())
       is_gone();
     else if (!same)
       look();

@@ -10,7 +10,8 @@
 namespace talus {
 namespace {
 
-void write_level(CommandContext& context, const Level& level, const std::string& output) {
+void write_level(CommandContext& context, const Level& level, const CompanionFile& known,
+                 const std::string& output) {
   const Format* format = output == "-" ? find_format("native") : format_for_file(output);
   if (format == nullptr)
     return fail(context, output, "", "has the name of no format that a level can be written in");
@@ -20,10 +21,11 @@ void write_level(CommandContext& context, const Level& level, const std::string&
     context.out << written->bytes;
     return;
   }
-  const auto saved = save_level(level, *format, output);
+  const auto saved = save_level(level, *format, output, known);
   if (!saved) return fail(context, output, saved.error().place, saved.error().message);
-  for (const std::string& what : *saved)
+  for (const std::string& what : saved->dropped)
     context.err << output << ": warning: not stored in this format: " << what << '\n';
+  if (!saved->note.empty()) context.err << output << ": note: " << saved->note << '\n';
 }
 
 std::string changes_text(const PngImportPlan& plan) {
@@ -47,17 +49,18 @@ std::string as_clause(std::string sentence) {
 std::vector<std::string> png_part_names() { return {"tiles", "sprites", "palette"}; }
 
 void import_png(CommandContext& context, const PngIntoLevel& import) {
-  std::optional<Level> level = load_or_fail(context, import.level);
-  if (!level) return;
+  std::optional<LoadedLevel> loaded = load_file_or_fail(context, import.level);
+  if (!loaded) return;
+  Level& level = loaded->level;
   const auto picture = load_png(import.picture);
   if (!picture) return fail(context, import.picture, picture.error().place, picture.error().message);
   const auto names = png_part_names();
   const auto part = std::find(names.begin(), names.end(), import.part) - names.begin();
   const PngImportOptions options{static_cast<PngPart>(part), import.tile, import.take_palette};
-  const auto plan = plan_png_import(*level, *picture, options);
+  const auto plan = plan_png_import(level, *picture, options);
   if (!plan) return fail(context, import.picture, "", as_clause(plan.error()));
-  apply_edit(*level, plan->edit);
-  write_level(context, *level, import.output);
+  apply_edit(level, plan->edit);
+  write_level(context, level, loaded->companion, import.output);
   if (context.status == kExitGood && import.output != "-")
     context.out << import.output << ": " << changes_text(*plan) << '\n';
 }

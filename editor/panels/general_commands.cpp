@@ -81,7 +81,9 @@ std::vector<Command> file_commands() {
       command("file/new", ctrl('n'), "New level", "Starts an empty level.", emit<action::NewLevel>),
       command("file/open", ctrl('o'), "Open...", "Opens a level or a TIC-80 cart.",
               [](S, A, U ui) { ui.view.dialog = FileDialog::open; }),
-      command("file/save", ctrl('s'), "Save", "Saves to the level's own file, in its own format.",
+      command("file/save", ctrl('s'), "Save",
+              "Saves to the level's own file, in its own format; what a cart cannot hold, in a companion "
+              "beside it.",
               emit<action::SaveFile>),
       command("file/save_as", ctrl_shift('s'), "Save as...",
               "Saves under another name; the ending chooses the format.",

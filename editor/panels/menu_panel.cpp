@@ -216,7 +216,7 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_all_commands(session, actions, ui);
     ImGui::EndMenu();
   }
-  const std::string title = session.file_name() + (session.modified() ? " *" : "");
+  const std::string title = session.file_names() + (session.modified() ? " *" : "");
   const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
   ImGui::SameLine(ui.px(370));
   ImGui::TextUnformatted(title.c_str());

@@ -40,16 +40,23 @@ constexpr std::array<AnswerChoice, 3> kRunAnswers = {
      {"question/discard", "Discard", "Goes on without the recording.", action::Answer::discard, 'D'},
      {"question/cancel", "Cancel", "Goes back to it.", action::Answer::cancel, 'C'}}};
 
+constexpr std::array<AnswerChoice, 3> kUnstoredAnswers = {
+    {{"question/save", "Save as...", "Asks for a name, then goes on.", action::Answer::save, 'S'},
+     {"question/discard", "Go on", "Goes on without what the file cannot hold.", action::Answer::discard,
+      'G'},
+     {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, 'C'}}};
+
 // By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
 struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 5> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
+constexpr std::array<QuestionDialog, 6> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
                                                              {"Changed by another program", kChangedAnswers},
                                                              {"Drop a run", kDropAnswers},
                                                              {"Replace files", kReplaceAnswers},
-                                                             {"Keep the recording", kRunAnswers}}};
+                                                             {"Keep the recording", kRunAnswers},
+                                                             {"Not all is saved", kUnstoredAnswers}}};
 
 bool leaves_all_as_it_is(action::Answer answer) {
   return answer == action::Answer::cancel || answer == action::Answer::keep;

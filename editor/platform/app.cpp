@@ -447,7 +447,7 @@ void App::note_dialog_result() {
 }
 
 void App::note_changes() {
-  const std::string title = session_->file_name() + (session_->modified() ? " * - Talus" : " - Talus");
+  const std::string title = session_->file_names() + (session_->modified() ? " * - Talus" : " - Talus");
   if (title != title_) window_->set_title(title_ = title);
   // Only another level comes with a new revision and no history.
   if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&

@@ -70,7 +70,7 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, Op
   if (info.format.empty() || own == find_format(info.format)) {
     if (!session.modified()) return FileToOpen{session.path(), ""};
     session.apply(action::SaveFile{});
-    if (session.modified() || !session.message()) return std::nullopt;
+    if (!session.history().is_saved() || !session.message()) return std::nullopt;
     return FileToOpen{session.path(), session.message()->text + " "};
   }
   const auto copy = copies.write(session, info);

@@ -60,6 +60,14 @@ FileRequest open_level(const Session& session, const View& view) {
   return {FileDialog::open, Purpose::opens, "Open a level, cart or recording", near, endings, ""};
 }
 
+// What came from a cart that cannot be written, such as a PNG, is proposed as one that can.
+FileRequest save_level_as(const Session& session) {
+  const bool is_cart = session.path().empty() && session.level().cart != nullptr;
+  return {FileDialog::save_as, Purpose::saves,
+          "Save the level as", is_cart ? named_like(session, ".tic") : session.path(),
+          level_endings(true), ".talus.json"};
+}
+
 }  // namespace
 
 std::optional<FileRequest> wanted_file(const Session& session, const View& view) {
@@ -73,8 +81,7 @@ std::optional<FileRequest> wanted_file(const Session& session, const View& view)
     case FileDialog::open:
       return open_level(session, view);
     case FileDialog::save_as:
-      return FileRequest{dialog,         Purpose::saves,      "Save the level as",
-                         session.path(), level_endings(true), ".talus.json"};
+      return save_level_as(session);
     case FileDialog::save_recording:
       return FileRequest{dialog,
                          Purpose::saves,

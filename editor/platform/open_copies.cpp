@@ -8,6 +8,7 @@
 #include "asset_path.h"
 #include "export/export_plan.h"
 #include "formats/atomic_file.h"
+#include "formats/keep_aside.h"
 
 namespace talus {
 namespace {
@@ -16,15 +17,20 @@ namespace fs = std::filesystem;
 
 const ProgramInfo& info_of(ProgramId program) { return program_infos()[static_cast<std::size_t>(program)]; }
 
-// What could not be held.
-tl::expected<std::vector<std::string>, std::string> write_copy(const Level& level, const Exporter& exporter,
-                                                               const std::string& path) {
+tl::expected<Exported, std::string> make_copy(const Level& level, const Exporter& exporter,
+                                              const std::string& path) {
   const ReadAsset read = [](const std::string& asset) { return read_file(asset_path(asset)); };
-  const auto exported = exporter.make({level, fs::path(path).filename().string(), read});
+  auto exported = exporter.make({level, fs::path(path).filename().string(), read});
   if (!exported) return tl::unexpected(to_string(exported.error(), path));
-  if (const auto written = write_exported(exporter, *exported, path); !written)
-    return tl::unexpected(to_string(written.error(), path));
-  return exported->dropped;
+  leave_out_unneeded(exporter, *exported, path);
+  return *std::move(exported);
+}
+
+tl::expected<void, std::string> write_copy(const Exported& copy, const Exporter& exporter,
+                                           const std::string& path) {
+  const auto written = write_exported(exporter, copy, path);
+  if (!written) return tl::unexpected(to_string(written.error(), path));
+  return {};
 }
 
 }  // namespace
@@ -38,39 +44,41 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
   const std::string path = (fs::path(folder_) / copy_name).string();
   std::error_code error;
   fs::create_directories(folder_, error);  // where that fails, so does the writing
-  auto kept = keep_aside(path);
+  auto copy = make_copy(session.level(), exporter, path);
+  if (!copy) return tl::unexpected(copy.error());
+  const std::vector<std::string> files = paths_of(exporter, *copy, path);
+  auto kept = make_room(files);
   if (!kept) return tl::unexpected(kept.error());
-  auto dropped = write_copy(session.level(), exporter, path);
-  if (!dropped) return tl::unexpected(dropped.error());
-  note(path);
+  if (const auto written = write_copy(*copy, exporter, path); !written)
+    return tl::unexpected(written.error());
+  note(files);
   if (level_file_ != session.path()) forget();
   level_file_ = session.path();
   saves_ = session.saves();
-  std::erase_if(copies_, [&](const Copy& copy) { return copy.program == program.id; });
-  copies_.push_back({program.id, {path, *std::move(dropped), *std::move(kept)}, stamp_of_file(path)});
+  std::erase_if(copies_, [&](const Copy& old) { return old.program == program.id; });
+  copies_.push_back({program.id, {path, std::move(copy->dropped), *std::move(kept)}, stamp_of_file(path)});
   return copies_.back().written;
 }
 
-// What is there and was not written here gets another name: that, or nothing.
-tl::expected<std::string, std::string> OpenCopies::keep_aside(const std::string& path) const {
-  const auto bytes = read_file(path);
-  if (!bytes || record().has(path, content_hash(*bytes))) return "";
-  const fs::path file(path);
-  std::error_code error;
-  fs::path kept;
-  for (int n = 1; kept.empty() || fs::exists(kept, error); ++n)
-    kept =
-        file.parent_path() / (file.stem().string() + "-kept" + std::to_string(n) + file.extension().string());
-  fs::rename(file, kept, error);
-  if (error)
-    return tl::unexpected(path +
-                          " holds what another program has saved, and cannot be kept: " + error.message());
-  return kept.string();
+// What is there and was not written here gets another name: those, or nothing.
+tl::expected<std::string, std::string> OpenCopies::make_room(const std::vector<std::string>& files) const {
+  std::string all;
+  for (const std::string& file : files) {
+    const auto bytes = read_file(file);
+    if (!bytes || record().has(file, content_hash(*bytes))) continue;
+    const auto kept = keep_aside(file);
+    if (!kept)
+      return tl::unexpected(file + " holds what another program has saved, and " + kept.error().message);
+    all += (all.empty() ? "" : " and ") + *kept;
+  }
+  return all;
 }
 
-void OpenCopies::note(const std::string& path) const {
+void OpenCopies::note(const std::vector<std::string>& files) const {
   ExportRecord written = record();
-  if (const auto bytes = read_file(path)) written.note(path, content_hash(*bytes));
+  for (const std::string& file : files) {
+    if (const auto bytes = read_file(file)) written.note(file, content_hash(*bytes));
+  }
   written.save();
 }
 
@@ -103,10 +111,12 @@ std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
   if (copy.stamp && file_change(copy.written.path, *copy.stamp) == FileChange::content)
     return "The copy for " + std::string(info.label) +
            " was changed by another program, and is left as it is: it does not follow this level any more.";
-  const auto written = write_copy(session.level(), *find_exporter(info.format), copy.written.path);
+  const Exporter& exporter = *find_exporter(info.format);
+  const auto made = make_copy(session.level(), exporter, copy.written.path);
+  const auto written = made ? write_copy(*made, exporter, copy.written.path) : tl::unexpected(made.error());
   if (!written)
     return "The copy for " + std::string(info.label) + " cannot be written again: " + written.error() + ".";
-  note(copy.written.path);
+  note(paths_of(exporter, *made, copy.written.path));
   copy.stamp = stamp_of_file(copy.written.path);
   return "";
 }

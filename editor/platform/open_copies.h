@@ -41,8 +41,8 @@ class OpenCopies {
   };
   // What this program has written there, in earlier starts, too. Read when it is needed, not at the start.
   ExportRecord record() const { return ExportRecord(folder_ + "/written"); }
-  tl::expected<std::string, std::string> keep_aside(const std::string& path) const;
-  void note(const std::string& path) const;
+  tl::expected<std::string, std::string> make_room(const std::vector<std::string>& files) const;
+  void note(const std::vector<std::string>& files) const;
   std::string write_again(const Session& session, Copy& copy) const;
 
   std::string folder_;

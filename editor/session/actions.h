@@ -114,7 +114,7 @@ struct CancelLevelImport {};
 struct Quit {};
 // To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep. To "drop this
 // run": discard or cancel. To "replace these files": replace or cancel. To "keep
-// the recording": save, discard or cancel.
+// the recording", and to "the file cannot hold all of this level": save (as), discard or cancel.
 enum class Answer { save, discard, cancel, reload, keep, replace };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;

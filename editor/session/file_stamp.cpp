@@ -3,10 +3,12 @@
 
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <functional>
 #include <string_view>
 
 #include "formats/atomic_file.h"
+#include "formats/companion.h"
 
 namespace talus {
 namespace {
@@ -18,6 +20,12 @@ std::optional<FileStamp> outer_stamp(const std::string& path) {
   constexpr std::int64_t kNsPerSecond = 1'000'000'000;
   return FileStamp{status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size,
                    status.st_ino, 0};
+}
+
+// What may be read without waiting for ever.
+bool is_plain_file(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error));
 }
 
 }  // namespace
@@ -41,6 +49,22 @@ FileChange file_change(const std::string& path, FileStamp& known) {
   if (!now || now->content != known.content) return FileChange::content;
   known = *now;
   return FileChange::none;
+}
+
+std::optional<LevelStamp> stamp_of_level(const std::string& path) {
+  const auto file = stamp_of_file(path);
+  if (!file) return std::nullopt;
+  const std::string beside = companion_path(path);
+  return LevelStamp{*file, is_plain_file(beside) ? stamp_of_file(beside) : std::nullopt};
+}
+
+FilesChange level_change(const std::string& path, LevelStamp& known) {
+  if (const FileChange change = file_change(path, known.file); change != FileChange::none)
+    return {change, false};
+  const std::string beside = companion_path(path);
+  const bool is_there = is_plain_file(beside);
+  if (!known.companion) return {is_there ? FileChange::content : FileChange::none, true};
+  return {is_there ? file_change(beside, *known.companion) : FileChange::gone, true};
 }
 
 }  // namespace talus

@@ -26,4 +26,20 @@ enum class FileChange { none, content, gone };
 // they are the same after all, `known` is brought up to the file.
 FileChange file_change(const std::string& path, FileStamp& known);
 
+// The files of a level: its own, and the companion beside it (see formats/companion.h).
+struct LevelStamp {
+  FileStamp file;
+  std::optional<FileStamp> companion;  // none: there is none
+};
+
+// Of the files as they are; nothing when the level's own cannot be read.
+std::optional<LevelStamp> stamp_of_level(const std::string& path);
+
+struct FilesChange {
+  FileChange change = FileChange::none;
+  bool of_companion = false;  // and not of the file
+};
+// What has become of the files since `known`. A companion that came is new content.
+FilesChange level_change(const std::string& path, LevelStamp& known);
+
 }  // namespace talus

@@ -212,7 +212,8 @@ std::uint64_t Session::revision() const { return impl_->revision; }
 const UndoStack& Session::history() const { return impl_->history; }
 const std::string& Session::path() const { return impl_->path; }
 std::string Session::file_name() const { return impl_->file_name(); }
-bool Session::modified() const { return !impl_->history.is_saved(); }
+std::string Session::file_names() const { return impl_->file_names(); }
+bool Session::modified() const { return !impl_->is_stored(); }
 int Session::saves() const { return impl_->saves; }
 
 const std::optional<HardCase>& Session::hard_case() const { return impl_->hard_case; }

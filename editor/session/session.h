@@ -69,7 +69,7 @@ struct Message {
 
 // Something that would lose unsaved changes waits for an answer.
 struct Question {
-  enum class Kind { unsaved_changes, changed_outside, drop_branch, replace_files, unsaved_run };
+  enum class Kind { unsaved_changes, changed_outside, drop_branch, replace_files, unsaved_run, unstored };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;
 };
@@ -113,7 +113,8 @@ class Session {
   const UndoStack& history() const;
   const std::string& path() const;               // empty when it has none
   std::string file_name() const;                 // for titles: "demo.talus.json"
-  bool modified() const;                         // differs from the file
+  std::string file_names() const;                // with its companion: "game.tic + game.tic.talus.json"
+  bool modified() const;                         // differs from what its files hold
   int saves() const;                             // how often a level has been written to its file
   const std::vector<Problem>& problems() const;  // lint of the level as it is
   // The same as far as advance() has come since the last change, and what was known before of the rest: for

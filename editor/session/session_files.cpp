@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "formats/atomic_file.h"
+#include "formats/companion.h"
 #include "formats/hard_case.h"
 #include "formats/png_picture.h"
 #include "formats/recording.h"
@@ -21,6 +22,14 @@ std::string joined(const Strings& strings, std::string_view before_each) {
     if (!text.empty()) text += ", ";
     text.append(before_each).append(string);
   }
+  return text;
+}
+
+// What is told of the companion, behind another sentence.
+std::string with_note(std::string text, const std::string& note) {
+  if (note.empty()) return text;
+  if (!text.empty()) text += " ";
+  text += note + ".";
   return text;
 }
 
@@ -61,7 +70,7 @@ void Session::Impl::carry_out(const action::SaveFileAs& a) {
   }
   if (!save_to(a.path, *chosen)) return;
   wants_save_as = false;
-  continue_pending();
+  go_on_when_stored();
 }
 
 void Session::Impl::carry_out(const action::AnswerQuestion& a) {
@@ -82,12 +91,13 @@ void Session::Impl::carry_out(const action::AnswerQuestion& a) {
     return;
   }
   if (kind == Question::Kind::unsaved_run) return answer_about_run(a.answer);
-  const bool may_go_on = a.answer == action::Answer::discard || (a.answer == action::Answer::save && save());
-  if (may_go_on) {
-    continue_pending();
-  } else if (!wants_save_as) {
-    pending.reset();
+  if (kind == Question::Kind::unstored && a.answer == action::Answer::save) {
+    wants_save_as = true;  // only another format can hold it
+    return;
   }
+  if (a.answer == action::Answer::discard) return continue_pending();
+  if (a.answer == action::Answer::save && save()) return go_on_when_stored();
+  if (!wants_save_as) pending.reset();
 }
 
 void Session::Impl::answer_about_run(action::Answer answer) {
@@ -108,13 +118,30 @@ void Session::Impl::carry_out(const action::CancelSaveAs&) {
 
 std::string Session::Impl::file_name() const { return path.empty() ? name : name_of(path); }
 
+std::string Session::Impl::file_names() const {
+  return companion.path.empty() ? file_name() : file_name() + " + " + name_of(companion.path);
+}
+
 void Session::Impl::ask_or_go_on(Losing losing) {
   question.reset();
   pending.reset();
   wants_save_as = wants_save_recording = false;
-  if (history.is_saved()) return ask_about_run(std::move(losing));
+  if (is_stored()) return ask_about_run(std::move(losing));
   pending = std::move(losing);
+  if (history.is_saved()) return ask_about_unstored();
   question = Question{"Save the changes to " + file_name() + "?"};
+}
+
+void Session::Impl::ask_about_unstored() {
+  question = Question{file_name() + " cannot hold all of this level. Not in it: " + joined(unstored, "") +
+                          ".\nA level of Talus, .talus.json, holds everything.",
+                      Question::Kind::unstored};
+}
+
+// After saving.
+void Session::Impl::go_on_when_stored() {
+  if (pending && !unstored.empty()) return ask_about_unstored();
+  continue_pending();
 }
 
 void Session::Impl::continue_pending() {
@@ -150,7 +177,7 @@ void Session::Impl::open(const action::OpenFile& file) {
   const FormatContext context = context_for_file(file.path);
   if (const auto bytes = read_file(file.path); bytes && is_recording(*bytes, context))
     return open_recording(file.path);
-  const auto before = stamp_of_file(file.path);  // what is written while it is read shows later
+  const auto before = stamp_of_level(file.path);  // what is written while it is read shows later
   FormatResult<LoadedLevel> loaded = load_level(file.path);
   if (!loaded && !loaded.error().remedy.empty() && !file.as_copy) {
     level_import = first_level_import(file.path);
@@ -163,15 +190,16 @@ void Session::Impl::open(const action::OpenFile& file) {
   } else if (loaded->format->write == nullptr) {
     open_imported(file.path, *std::move(loaded));
   } else {
-    replace_level(std::move(loaded->level), file.path, loaded->format);
-    if (stamp) stamp = before;
+    replace_level(std::move(loaded->level), loaded->path, loaded->format, std::move(loaded->companion));
+    if (stamp && loaded->path == file.path) stamp = before;
+    if (!loaded->note.empty()) message = Message{with_note("", loaded->note), false};
   }
 }
 
 // A file that cannot be written again.
 void Session::Impl::open_imported(const std::string& file, LoadedLevel loaded) {
   replace_level(std::move(loaded.level), file, loaded.format);
-  message = Message{import_text(name_of(file), loaded.dropped), false};
+  message = Message{with_note(import_text(name_of(file), loaded.dropped), loaded.note), false};
 }
 
 void Session::Impl::carry_out(const action::SetLevelImport& a) {
@@ -206,7 +234,7 @@ void Session::Impl::recover(const action::RecoverLevel& saved) {
   FormatResult<LoadedLevel> file = tl::unexpected(FormatError{});
   if (!saved.path.empty()) file = load_level(saved.path);
   if (file)
-    replace_level(std::move(file->level), saved.path, file->format);
+    replace_level(std::move(file->level), saved.path, file->format, std::move(file->companion));
   else
     replace_level(Level(), saved.path, saved.path.empty() ? nullptr : format_for_file(saved.path));
   name = saved.name;
@@ -231,24 +259,25 @@ void Session::Impl::recover_runs(const std::vector<std::shared_ptr<const Recordi
 }
 
 void Session::Impl::carry_out(const action::CheckFile&) {
-  if (stamp && !question && !wants_save_as && !level_import) take_file_change(file_change(path, *stamp));
+  if (stamp && !question && !wants_save_as && !level_import) take_file_change(level_change(path, *stamp));
 }
 
-void Session::Impl::note_file() { stamp = path.empty() ? std::nullopt : stamp_of_file(path); }
+void Session::Impl::note_file() { stamp = path.empty() ? std::nullopt : stamp_of_level(path); }
 
 // Each state of the file is asked or told about once.
-void Session::Impl::take_file_change(FileChange change) {
-  if (change == FileChange::none || (change == FileChange::gone && stamp->is_gone())) return;
-  if (change == FileChange::gone) {
-    stamp->set_gone();
+void Session::Impl::take_file_change(FilesChange found) {
+  const std::string changed = found.of_companion ? name_of(companion_path(path)) : file_name();
+  FileStamp* gone = found.of_companion && stamp->companion ? &*stamp->companion : &stamp->file;
+  if (found.change == FileChange::none || (found.change == FileChange::gone && gone->is_gone())) return;
+  if (found.change == FileChange::gone) {
+    gone->set_gone();
     history.forget_saved();
-    message =
-        Message{file_name() + " was removed or renamed by another program. Saving writes it anew.", true};
+    message = Message{changed + " was removed or renamed by another program. Saving writes it anew.", true};
     return;
   }
   note_file();
-  if (history.is_saved()) return reload();
-  question = Question{file_name() +
+  if (is_stored()) return reload();
+  question = Question{changed +
                           " was changed by another program.\n"
                           "Read it again, or keep what is here? Undo goes back from the one to the other.",
                       Question::Kind::changed_outside};
@@ -269,8 +298,12 @@ void Session::Impl::reload() {
       replace_by(level, std::make_shared<const Level>(loaded->level), "Read " + file_name() + " again")});
   read_hard_case();
   history.mark_saved();
-  message =
-      Message{"Read " + file_name() + " again, as another program changed it. Undo takes that back.", false};
+  companion = loaded->companion;
+  unstored.clear();
+  message = Message{
+      with_note("Read " + file_names() + " again, as another program changed it. Undo takes that back.",
+                loaded->note),
+      false};
 }
 
 void Session::Impl::carry_out(const action::SaveRecording& a) {
@@ -288,10 +321,13 @@ void Session::Impl::carry_out(const action::SaveRecording& a) {
   if (saved && std::exchange(wants_save_recording, false)) continue_pending();
 }
 
-void Session::Impl::replace_level(Level opened, std::string opened_path, const Format* opened_format) {
+void Session::Impl::replace_level(Level opened, std::string opened_path, const Format* opened_format,
+                                  CompanionFile opened_companion) {
   level = std::move(opened);
   path = std::move(opened_path);
   format = opened_format;
+  companion = std::move(opened_companion);
+  unstored.clear();
   if (format && !format->write) {  // without a file of its own, it cannot be written over what was read
     name = name_of(path);
     path.clear();
@@ -327,27 +363,30 @@ bool Session::Impl::save() {
     wants_save_as = true;
     return false;
   }
-  if (stamp && file_change(path, *stamp) == FileChange::content) {
-    take_file_change(FileChange::content);
+  if (const auto found = stamp ? level_change(path, *stamp) : FilesChange();
+      found.change == FileChange::content) {
+    take_file_change(found);
     return false;
   }
   return save_to(path, *format);
 }
 
 bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_format) {
-  const FormatResult<std::vector<std::string>> dropped = save_level(level, saved_format, saved_path);
-  if (!dropped) {
-    message = Message{to_string(dropped.error(), saved_path), true};
+  FormatResult<SavedLevel> saved = save_level(level, saved_format, saved_path, companion);
+  if (!saved) {
+    message = Message{to_string(saved.error(), saved_path), true};
     return false;
   }
   path = saved_path;
   format = &saved_format;
+  companion = std::move(saved->companion);
+  unstored = std::move(saved->dropped);
   note_file();
   history.mark_saved();
   ++saves;
-  std::string text = "Saved " + file_name() + ".";
-  if (!dropped->empty()) text += " Not stored in this format: " + joined(*dropped, "") + ".";
-  message = Message{std::move(text), false};
+  std::string text = "Saved " + file_names() + ".";
+  if (!unstored.empty()) text += " Not stored in this format: " + joined(unstored, "") + ".";
+  message = Message{with_note(std::move(text), saved->note), false};
   export_on_save();
   return true;
 }

@@ -153,7 +153,12 @@ struct Session::Impl {
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
 
   std::string file_name() const;
+  std::string file_names() const;
+  // Whether the file, with its companion, holds all that is here.
+  bool is_stored() const { return history.is_saved() && unstored.empty(); }
   void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
+  void ask_about_unstored();
+  void go_on_when_stored();
   void answer_about_run(action::Answer answer);
   void ask_about_run(Losing losing);            // the same of a run with the user's marks or inputs
   void note_input(FunctionRef<void()> change);  // of the current run, by hand
@@ -162,12 +167,13 @@ struct Session::Impl {
   void open_imported(const std::string& file, LoadedLevel loaded);
   void open_recording(const std::string& file);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
-  void replace_level(Level opened, std::string opened_path, const Format* opened_format);
+  void replace_level(Level opened, std::string opened_path, const Format* opened_format,
+                     CompanionFile opened_companion = {});
   void recover(const action::RecoverLevel& saved);
   void recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings);
   // Notes what the level's file holds now, as what this session knows of it.
   void note_file();
-  void take_file_change(FileChange change);  // by another program; asks or tells what becomes of the level
+  void take_file_change(FilesChange change);  // by another program; asks or tells what becomes of the level
   void reload();
   bool save();  // false when it failed or a name is needed first
   bool save_to(const std::string& saved_path, const Format& saved_format);
@@ -186,8 +192,11 @@ struct Session::Impl {
   std::string name;  // for titles, while there is no file
   std::string path;  // empty: none
   int saves = 0;
-  std::optional<FileStamp> stamp;  // of the file as it was read, written or asked about last; none: no file
-  const Format* format = nullptr;  // that the file is in; null: none, or an unknown one
+  // Of the files as they were read, written or asked about last; none: no file.
+  std::optional<LevelStamp> stamp;
+  CompanionFile companion;            // that the level was read or written with last
+  std::vector<std::string> unstored;  // what the file lacks of the saved level, one phrase each
+  const Format* format = nullptr;     // that the file is in; null: none, or an unknown one
 
   Player player;
   Debugger debugger;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "formats/companion.h"
 #include "formats/native.h"
 #include "formats/tic_cart.h"
 #include "formats/tic_text.h"
@@ -237,6 +238,25 @@ TEST(FormatProperties, NativeLevelsKeepTheGround) {
   });
 }
 
+TEST(FormatProperties, ACartAndItsCompanionKeepTheGround) {
+  expect_property([] {
+    const Level level = random_ground();
+    const Format& format = *find_format(*rc::gen::arbitrary<bool>() ? "tic" : "tic-text");
+    const auto cart = format.write(level, {});
+    RC_PRE(cart.has_value());  // the map fits, and there is something in it
+    const Level held = format.read(cart->bytes, {}).value();
+    const auto companion = write_companion(level, held, format, "a");
+    RC_ASSERT(companion.has_value() == is_usable(level));
+    if (!companion) return;
+    if (companion->empty()) RC_ASSERT(same_drawing(held, level));
+    if (companion->empty()) return;
+    const JoinedLevel joined = join_companion(*companion, held, format, "a").value();
+    RC_ASSERT(same_drawing(joined.level, level));
+    RC_ASSERT(joined.note.empty() && joined.is_whole);
+    RC_ASSERT(write_companion(joined.level, held, format, "a").value() == *companion);
+  });
+}
+
 TEST(FormatProperties, AnEditOfACartridgeChangesNothingElse) {
   expect_property([] {
     const std::string bytes = random_tic();
@@ -244,7 +264,7 @@ TEST(FormatProperties, AnEditOfACartridgeChangesNothingElse) {
     const CartContent before = tic_content(bytes).value();
     edit_randomly(level);
     const auto written = write_tic(level, {});
-    RC_PRE(written && written->dropped.empty());  // no black palette, and not a cart without any content
+    RC_PRE(written && level.palette != Palette{});  // nor a cart without any content
     const std::string& edited = written->bytes;
     RC_ASSERT(same_drawing(read_tic_level(edited), level));
     const CartContent after = tic_content(edited).value();

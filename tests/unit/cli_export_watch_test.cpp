@@ -100,8 +100,9 @@ TEST_F(CliPresets, WhatCannotBeDoneIsSaid) {
 
 class CliWatch : public CliPresets {
  protected:
-  void watch(std::vector<std::string> words) {
-    words.insert(words.begin(), {"export", path("cave.talus.json"), "--watch"});
+  void watch(const std::vector<std::string>& words) { watch_file_of("cave.talus.json", words); }
+  void watch_file_of(const std::string& file, std::vector<std::string> words) {
+    words.insert(words.begin(), {"export", path(file), "--watch"});
     thread_ = std::thread([this, words] {
       std::ostream out(&out_text_), err(&err_text_);
       status_ = run_cli(words, out, err);
@@ -169,6 +170,29 @@ TEST_F(CliWatch, ExportsAtOnceAndAfterEachSave) {
   EXPECT_EQ(line.substr(line.size() - 3), " ms") << line;
   EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), fs::directory_iterator()), 1)
       << "no temporary is left";
+}
+
+TEST_F(CliWatch, SeesTheCompanionOfACart) {
+  Level level;
+  level.map.set({0, 0}, 1);
+  ASSERT_TRUE(save_level(level, *find_format("tic"), path("game.tic")));
+  watch_file_of("game.tic", {"--to", "json", "-o", path("out.json")});
+  wait_for(out_text_, 1);
+  level.spawns.resize(1);
+  level.spawns[0].name = "hero";
+  auto saved = save_level(level, *find_format("tic"), path("game.tic"));
+  ASSERT_TRUE(saved);
+  wait_for(out_text_, 2);
+  EXPECT_NE(bytes_of("out.json").find("hero"), std::string::npos);
+  level.spawns[0].name = "heroine";  // the cart stays the same
+  ASSERT_TRUE(save_level(level, *find_format("tic"), path("game.tic"), saved->companion));
+  wait_for(out_text_, 3);
+  EXPECT_NE(bytes_of("out.json").find("heroine"), std::string::npos);
+  fs::remove(path("game.tic.talus.json"));
+  wait_for(out_text_, 4);
+  EXPECT_EQ(bytes_of("out.json").find("hero"), std::string::npos);
+  interrupt();
+  EXPECT_EQ(err_text_.text(), "");
 }
 
 TEST_F(CliWatch, AfterABadFileItGoesOn) {

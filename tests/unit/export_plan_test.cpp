@@ -52,12 +52,6 @@ TEST(NativeExports, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_EQ(written.error().place, "key exports[0].name");
 }
 
-TEST(NativeExports, CartsSayThatTheyCannotHoldThem) {
-  const auto written = write_tic(level_with({{"game", "love", "game", "", false, ""}}), {});
-  ASSERT_TRUE(written);
-  EXPECT_EQ(written->dropped, std::vector<std::string>{"1 export preset"});
-}
-
 TEST(ExportPath, IsCountedFromTheLevelsFile) {
   const auto output = [](const std::string& path, const std::string& file) {
     return output_of({"", "love", path, "", false, ""}, file);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/cart_content.h"
 #include "level/flag_search.h"
 #include "level_text.h"
 #include "native_text.h"
@@ -100,14 +99,6 @@ TEST(FlagFieldFile, WhatAReaderRefusesIsNotWritten) {
   const auto written = write_native(level, {});
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().place, "key flag_fields[0]");
-}
-
-TEST(FlagFieldFile, CartsHaveNoPlaceForIt) {
-  Level level;
-  level.flag_fields = {slope_kind()};
-  const auto dropped = dropped_by_carts(level);
-  ASSERT_TRUE(dropped);
-  EXPECT_EQ(dropped->front(), "1 flag field");
 }
 
 TEST(FlagSearch, CountsTilesAndCells) {

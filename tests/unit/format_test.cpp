@@ -54,11 +54,13 @@ TEST_F(FormatFiles, SaveAndLoad) {
   const std::string file = path("level.tic");
   Level level;
   level.map.set({2, 3}, 4);
-  level.spawns.resize(1);
-  EXPECT_THAT(save_level(level, *format_for_file(file), file).value(), testing::ElementsAre("1 spawn"));
+  const SavedLevel saved = save_level(level, *format_for_file(file), file).value();
+  EXPECT_THAT(saved.dropped, testing::ElementsAre());
+  EXPECT_EQ(saved.companion.path, "");
   const LoadedLevel loaded = load_level(file).value();
   EXPECT_EQ(loaded.format->id, "tic");
   EXPECT_EQ(loaded.level.map, level.map);
+  EXPECT_EQ(loaded.path, file);
   std::filesystem::remove(file);
   EXPECT_EQ(load_level(file).error().message, "cannot be opened: No such file or directory");
 }

@@ -33,10 +33,18 @@ TEST(ExporterFiles, AreAllToldBefore) {
     for (const ExportedFile& file : exported->files) {
       if (!file.name.empty()) written.insert(file.name);
     }
-    for (const std::string_view beside : exporter.beside)
-      told.insert(beside[0] == '*' ? "a.b" + std::string(beside.substr(1)) : std::string(beside));
+    for (const std::string_view beside : exporter.beside) told.insert(name_beside(beside, name));
     EXPECT_EQ(written, told) << exporter.id;
   }
+}
+
+TEST(ExporterFiles, CompanionsAreNobodyElses) {
+  EXPECT_NE(clash({preset("cart", "tic", "out/a.tic"), preset("copy", "native", "out/a.tic.talus.json")}),
+            "");
+  EXPECT_EQ(clash({preset("cart", "tic", "out/a.tic"), preset("copy", "native", "out/a.talus.json")}), "");
+  const std::vector<ExportPreset> own = {preset("copy", "native", "game.tic.talus.json")};
+  EXPECT_EQ(clash_problem(own, 0, "/home/me/game.tic"),
+            "game.tic.talus.json would be written, which goes with the level's own file: give another path");
 }
 
 TEST(ExporterFiles, PicturesThatAreSharedAreTheSame) {

@@ -4,6 +4,7 @@
 #include "edit/level_settings.h"
 #include "edit/map_stroke.h"
 #include "folder_test.h"
+#include "formats/tic_cart.h"
 #include "png_bytes.h"
 #include "session/session.h"
 
@@ -62,13 +63,6 @@ TEST_F(SessionFiles, HistoryOutlivesSaving) {
   EXPECT_TRUE(session_.modified()) << "the file has the tile";
   session_.apply(act::Redo{});
   EXPECT_FALSE(session_.modified());
-}
-
-TEST_F(SessionFiles, SaveTellsWhatTheFormatCannotHold) {
-  session_.apply(act::EditLevel{set_spawns(session_.level(), {Spawn{}, Spawn{}}, "Place spawns"), 0});
-  session_.apply(act::SaveFileAs{path("a.tic")});
-  EXPECT_EQ(message(), "Saved a.tic. Not stored in this format: 2 spawns.");
-  EXPECT_FALSE(session_.message()->is_error);
 }
 
 TEST_F(SessionFiles, SaveAsWithAnUnknownExtensionNamesTheKnownOnes) {
@@ -263,6 +257,208 @@ TEST_F(SessionFiles, AnAnswerWithoutAQuestionDoesNothing) {
   session_.apply(act::AnswerQuestion{act::Answer::discard});
   EXPECT_EQ(painted(), 5);
   EXPECT_TRUE(session_.modified());
+}
+
+// What a cart cannot hold lies in its companion.
+class SessionCompanions : public SessionFiles {
+ protected:
+  void place(std::size_t spawns) {
+    session_.apply(
+        act::EditLevel{set_spawns(session_.level(), std::vector<Spawn>(spawns), "Place spawns"), 0});
+  }
+  std::size_t placed() const { return session_.level().spawns.size(); }
+};
+
+TEST_F(SessionCompanions, AreSavedAndOpenedWithoutAWord) {
+  for (const std::string name : {"a.tic", "a.lua", "a.js"}) {
+    session_.apply({act::NewLevel{}, act::AnswerQuestion{act::Answer::discard}});
+    paint(5);
+    place(2);
+    session_.apply(act::SaveFileAs{path(name)});
+    const std::string both = name + " + " + name + ".talus.json";
+    EXPECT_EQ(message(), "Saved " + both + ".");
+    EXPECT_EQ(session_.file_names(), both);
+    EXPECT_EQ(session_.file_name(), name);
+    EXPECT_FALSE(session_.modified());
+    const Level saved = session_.level();
+    session_.apply({act::NewLevel{}, act::DismissMessage{}});
+    EXPECT_EQ(session_.file_names(), "untitled");
+    session_.apply(act::OpenFile{path(name)});
+    EXPECT_EQ(session_.level().spawns, saved.spawns);
+    EXPECT_EQ(session_.file_names(), both);
+    EXPECT_EQ(message(), "");
+    EXPECT_FALSE(session_.modified());
+    session_.apply(act::CheckFile{});
+    EXPECT_EQ(message(), "");
+  }
+}
+
+TEST_F(SessionCompanions, GoWithWhatTheyHold) {
+  paint(5);
+  place(1);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  EXPECT_TRUE(exists("a.tic.talus.json"));
+  place(0);
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(message(), "Saved a.tic.");
+  EXPECT_FALSE(exists("a.tic.talus.json"));
+  EXPECT_EQ(session_.file_names(), "a.tic");
+  session_.apply({act::Undo{}, act::SaveFile{}});
+  EXPECT_TRUE(exists("a.tic.talus.json"));
+  EXPECT_FALSE(exists("a.tic.talus-kept1.json")) << "nobody else has written there";
+}
+
+TEST_F(SessionCompanions, AreOpenedByTheirOwnName) {
+  paint(5);
+  place(1);
+  session_.apply({act::SaveFileAs{path("a.tic")}, act::NewLevel{}, act::OpenFile{path("a.tic.talus.json")}});
+  EXPECT_EQ(session_.path(), path("a.tic"));
+  EXPECT_EQ(placed(), 1u);
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(message(), "Saved a.tic + a.tic.talus.json.");
+}
+
+TEST_F(SessionCompanions, ThatAnotherProgramChangesAreReadAgain) {
+  paint(5);
+  place(1);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  Level other = session_.level();
+  other.spawns.resize(3);
+  const auto loaded = load_level(path("a.tic"));
+  ASSERT_TRUE(save_level(other, *find_format("tic"), path("a.tic"), loaded->companion));
+  session_.apply(act::CheckFile{});
+  EXPECT_EQ(placed(), 3u);
+  EXPECT_FALSE(session_.modified());
+  EXPECT_EQ(message(),
+            "Read a.tic + a.tic.talus.json again, as another program changed it. Undo takes that back.");
+  session_.apply(act::Undo{});
+  EXPECT_EQ(placed(), 1u);
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 1u);
+  EXPECT_FALSE(exists("a.tic.talus-kept1.json")) << "it was read";
+}
+
+TEST_F(SessionCompanions, ThatAnotherProgramChangesAreAskedAboutAndKept) {
+  paint(5);
+  place(1);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  place(2);
+  put("a.tic.talus.json", "mine");
+  session_.apply(act::SaveFile{});
+  ASSERT_TRUE(session_.question());
+  EXPECT_TRUE(session_.question()->text.starts_with("a.tic.talus.json was changed by another program."))
+      << session_.question()->text;
+  session_.apply({act::AnswerQuestion{act::Answer::keep}, act::SaveFile{}});
+  EXPECT_EQ(message(),
+            "Saved a.tic + a.tic.talus.json. a.tic.talus.json held something else, which is kept as "
+            "a.tic.talus-kept1.json.");
+  EXPECT_EQ(bytes_of("a.tic.talus-kept1.json"), "mine");
+  EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 2u);
+}
+
+TEST_F(SessionCompanions, ThatAreRemovedAreWrittenAnew) {
+  paint(5);
+  place(1);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  fs::remove(path("a.tic.talus.json"));
+  session_.apply(act::CheckFile{});
+  EXPECT_EQ(message(), "a.tic.talus.json was removed or renamed by another program. Saving writes it anew.");
+  EXPECT_EQ(placed(), 1u);
+  EXPECT_TRUE(session_.modified());
+  session_.apply({act::DismissMessage{}, act::CheckFile{}});
+  EXPECT_EQ(message(), "") << "it is told once";
+  session_.apply(act::SaveFile{});
+  EXPECT_TRUE(exists("a.tic.talus.json"));
+}
+
+TEST_F(SessionCompanions, OfACartThatTic80SavedAreKept) {
+  paint(5);
+  place(2);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  const Format& tic = *find_format("tic");
+  Level cart = tic.read(bytes_of("a.tic"), {}).value();
+  cart.map.set({1, 1}, 9);
+  put("a.tic", tic.write(cart, {})->bytes);
+  session_.apply(act::CheckFile{});
+  EXPECT_EQ(painted(), 9);
+  EXPECT_EQ(placed(), 2u);
+  EXPECT_FALSE(session_.modified());
+  EXPECT_EQ(
+      message(),
+      "Read a.tic + a.tic.talus.json again, as another program changed it. Undo takes that back. a.tic was "
+      "changed since a.tic.talus.json was saved with it (map); all that was added is kept.");
+  session_.apply({act::SaveFile{}, act::NewLevel{}, act::DismissMessage{}, act::OpenFile{path("a.tic")}});
+  EXPECT_EQ(message(), "") << "they fit again";
+}
+
+TEST_F(SessionCompanions, StayWithALevelThatIsRecovered) {
+  paint(5);
+  place(1);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  place(2);
+  const auto work = std::make_shared<const Level>(session_.level());
+  Session after_crash;
+  after_crash.apply(act::RecoverLevel{work, path("a.tic"), "a.tic"});
+  EXPECT_EQ(after_crash.level().spawns.size(), 2u);
+  EXPECT_EQ(after_crash.file_names(), "a.tic + a.tic.talus.json");
+  after_crash.apply(act::SaveFile{});
+  EXPECT_EQ(after_crash.message()->text, "Saved a.tic + a.tic.talus.json.");
+  EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 2u);
+}
+
+TEST_F(SessionCompanions, ThatAreBrokenAreToldOf) {
+  const std::string cart = other_file("a.tic", 9);
+  put("a.tic.talus.json", "{");
+  session_.apply(act::OpenFile{cart});
+  EXPECT_EQ(painted(), 9);
+  EXPECT_TRUE(message().starts_with("a.tic.talus.json beside it is left as it is, and not read: "))
+      << message();
+  EXPECT_EQ(session_.file_names(), "a.tic");
+}
+
+TEST_F(SessionCompanions, ComeFromAPngCartWithItsNewName) {
+  other_file("a.tic", 7);
+  const std::string picture = rgb_png(1, {{1, 2, 3}});
+  put("cart.png", picture.substr(0, picture.size() - 12) + png_chunk("caRt", zipped(bytes_of("a.tic"))) +
+                      png_chunk("IEND", ""));
+  Level drawn = *read_tic(bytes_of("a.tic"), {});
+  drawn.flag_names[0] = "wall";
+  ASSERT_TRUE(save_level(drawn, *find_format("tic"), path("cart.png.tic")));
+  fs::rename(path("cart.png.tic.talus.json"), path("cart.png.talus.json"));
+  session_.apply(act::OpenFile{path("cart.png")});
+  EXPECT_EQ(session_.level().flag_names[0], "wall") << "one that was put beside the picture counts";
+  place(2);
+  session_.apply({act::SaveFile{}, act::SaveFileAs{path("cart.tic")}});
+  session_.apply({act::NewLevel{}, act::OpenFile{path("cart.tic")}});
+  EXPECT_EQ(placed(), 2u);
+  EXPECT_EQ(painted(), 7);
+}
+
+// A cartridge can hold bytes that no text project can, and that are no part of a level either.
+TEST_F(SessionCompanions, DoNotHoldACartsOtherChunksSoThatQuittingAsks) {
+  other_file("a.tic", 7);
+  put("a.tic", bytes_of("a.tic") + std::string("\x13\x01\0\0b", 5));
+  session_.apply({act::OpenFile{path("a.tic")}, act::SaveFileAs{path("a.lua")}});
+  EXPECT_EQ(message(), "Saved a.lua. Not stored in this format: the BINARY chunk of bank 0.");
+  EXPECT_TRUE(session_.modified());
+  session_.apply(act::Quit{});
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(session_.question()->kind, Question::Kind::unstored);
+  EXPECT_EQ(session_.question()->text,
+            "a.lua cannot hold all of this level. Not in it: the BINARY chunk of bank 0.\n"
+            "A level of Talus, .talus.json, holds everything.");
+  session_.apply(act::AnswerQuestion{act::Answer::cancel});
+  EXPECT_FALSE(session_.wants_quit());
+  // After saving, too, which stores no more than before.
+  paint(3);
+  session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}});
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(session_.question()->kind, Question::Kind::unstored);
+  session_.apply(act::AnswerQuestion{act::Answer::save});
+  EXPECT_TRUE(session_.wants_save_as());
+  session_.apply(act::SaveFileAs{path("a.talus.json")});
+  EXPECT_TRUE(session_.wants_quit());
+  EXPECT_FALSE(session_.modified());
 }
 
 }  // namespace talus::session_files_test

@@ -185,24 +185,6 @@ TEST(Tic, EveryTruncationIsAnErrorOrAShorterCart) {
   EXPECT_EQ(errors, static_cast<int>(bytes.size()) - 3);  // but for the ends of the first three chunks
 }
 
-TEST(Tic, ListsWhatACartCannotHold) {
-  Level level;
-  level.map = TileMap(30, 17);
-  level.spawns.resize(2);
-  level.flag_names[0] = "wall";
-  level.roles.solid = 4;
-  level.tuning.article.fall_speed = 4;
-  level.extra = R"({"future":1})";
-  EXPECT_THAT(write_tic(level, {})->dropped,
-              ElementsAre("2 spawns", "1 flag name", "the flag roles", "the tuning",
-                          "the map's size of 30x17 (a cart's map is 240x136)",
-                          "keys that this version does not know"));
-  level.extra = R"({"hard_case":{"number":1}})";
-  EXPECT_THAT(write_tic(level, {})->dropped,
-              testing::Not(testing::Contains("keys that this version does not know")))
-      << "a hard case is known";
-}
-
 TEST(Tic, AMapTooLargeIsAnError) {
   Level level;
   level.map = TileMap(241, 136);

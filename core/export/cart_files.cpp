@@ -1,0 +1,90 @@
+// Writing carts, and the languages of their code.
+#include "cart_files.h"
+
+#include <algorithm>
+#include <array>
+
+#include "../formats/companion.h"
+
+namespace talus {
+namespace {
+
+struct ScriptName {
+  std::string_view name, extension;  // as in a cart's line "script: js", and of text projects
+};
+constexpr std::array<ScriptName, 18> kScripts = {{{"lua", "lua"},
+                                                  {"moon", "moon"},
+                                                  {"moonscript", "moon"},
+                                                  {"fennel", "fnl"},
+                                                  {"fnl", "fnl"},
+                                                  {"js", "js"},
+                                                  {"javascript", "js"},
+                                                  {"squirrel", "nut"},
+                                                  {"nut", "nut"},
+                                                  {"wren", "wren"},
+                                                  {"wasm", "wasmp"},
+                                                  {"ruby", "rb"},
+                                                  {"rb", "rb"},
+                                                  {"scheme", "scm"},
+                                                  {"scm", "scm"},
+                                                  {"janet", "janet"},
+                                                  {"python", "py"},
+                                                  {"py", "py"}}};
+
+// The extension of text projects in the language that a cart's code says it is in; empty: it does not say,
+// or one that is not known here.
+std::string_view extension_of_script(std::string_view code) {
+  constexpr std::string_view kKey = "script:";
+  for (std::size_t at = code.find(kKey); at != std::string_view::npos; at = code.find(kKey, at + 1)) {
+    const std::size_t line = code.rfind('\n', at) + 1;  // of the first line npos + 1, which is 0
+    const std::string_view before = code.substr(line, at - line);
+    if (before.find_first_not_of("-/#; \t") != std::string_view::npos) continue;
+    std::string_view word = code.substr(at + kKey.size());
+    word.remove_prefix(std::min(word.find_first_not_of(" \t"), word.size()));
+    word = word.substr(0, word.find_first_of(" \t\r\n"));
+    const auto known =
+        std::find_if(kScripts.begin(), kScripts.end(), [&](const ScriptName& s) { return s.name == word; });
+    return known == kScripts.end() ? std::string_view() : known->extension;
+  }
+  return {};
+}
+
+FormatResult<Exported> cart_files(const ExportRequest& request, const Level& cart, const Format& format) {
+  const FormatContext context = context_for_file(request.name);
+  FormatResult<WrittenLevel> written = format.write(cart, context);
+  if (!written) return tl::unexpected(written.error());
+  const auto held = format.read(written->bytes, context);
+  if (!held) return tl::unexpected(held.error());
+  auto companion = write_companion(request.level, *held, format, request.name);
+  if (!companion) return tl::unexpected(companion.error());
+  const bool is_needed = !companion->empty();
+  // An old companion would go on adding to the cart what the level has no more.
+  if (!is_needed) companion = write_companion(request.level, *held, format, request.name, true);
+  Exported exported{{{"", std::move(written->bytes)}}, std::move(written->dropped)};
+  if (request.name == "-" && is_needed)
+    exported.dropped.emplace_back("what a cart cannot hold, which goes beside a file");
+  exported.files.push_back({.name = request.name + std::string(kCompanionEnding),
+                            .bytes = *std::move(companion),
+                            .only_replaces = !is_needed});
+  return exported;
+}
+
+}  // namespace
+
+FormatResult<Exported> tic_files(const ExportRequest& request, const Level& cart) {
+  return cart_files(request, cart, *find_format("tic"));
+}
+
+FormatResult<Exported> tic_text_files(const ExportRequest& request, const Level& cart) {
+  FormatResult<Exported> exported = cart_files(request, cart, *find_format("tic-text"));
+  if (!exported) return exported;
+  const std::string given = context_for_file(request.name).extension;
+  const std::string_view needed = extension_of_script(exported->files.front().bytes);
+  if (!needed.empty() && !given.empty() && given != needed)
+    return tl::unexpected(FormatError{"", "the cart's code is in another language than the name of " +
+                                              request.name + " says: it must end with ." +
+                                              std::string(needed)});
+  return exported;
+}
+
+}  // namespace talus

@@ -1,0 +1,196 @@
+// Levels in files, with their companions. The companion is put in place first: after a crash between the two,
+// what it says about its file tells that they do not fit, and nothing of either is lost.
+#include <cassert>
+#include <filesystem>
+
+#include "atomic_file.h"
+#include "companion.h"
+#include "content_hash.h"
+#include "format.h"
+#include "keep_aside.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string last_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+// What is in the place of a companion.
+struct Place {
+  bool is_free = true;
+  FormatResult<std::string> bytes = std::string();  // an error where it is no file to read
+};
+
+Place look_at(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (!fs::exists(status)) return {};
+  // A link may lead anywhere, and reading a pipe may wait for ever.
+  if (!fs::is_regular_file(status))
+    return {false, tl::unexpected(FormatError{"", "is a link, a folder or a device, and no file"})};
+  return {false, read_file(path)};
+}
+
+void add_companion(LoadedLevel& loaded) {
+  const std::string path = companion_path(loaded.path);
+  const Place place = look_at(path);
+  if (place.is_free) return;
+  auto joined = place.bytes
+                    ? join_companion(*place.bytes, loaded.level, *loaded.format, last_name(loaded.path))
+                    : FormatResult<JoinedLevel>(tl::unexpected(place.bytes.error()));
+  if (!joined) {
+    const FormatError& error = joined.error();
+    loaded.note = last_name(path) + " beside it is left as it is, and not read: " +
+                  (error.place.empty() ? "" : error.place + ": ") + error.message;
+    return;
+  }
+  loaded.level = std::move(joined->level);
+  loaded.note = std::move(joined->note);
+  loaded.companion.path = path;
+  if (joined->is_whole) loaded.companion.content = content_hash(*place.bytes);
+}
+
+// The level of a companion that was named itself; errors are about the companion.
+FormatResult<LoadedLevel> load_owner(const std::string& owner) {
+  const auto failure = [&](const std::string& what) {
+    return tl::unexpected(FormatError{"", "is what Talus added to " + last_name(owner) + what});
+  };
+  std::error_code error;
+  if (!fs::exists(owner, error)) return failure(", which is not beside it: put them together again");
+  auto loaded = load_level(owner);
+  if (!loaded) return failure(", which cannot be read: " + to_string(loaded.error(), owner));
+  if (loaded->format->holds.empty()) return failure(", which is no cart");
+  return loaded;
+}
+
+// Puts a companion and its file in place; what was done is undone again where it ends before its time.
+class PairWriter {
+ public:
+  PairWriter(std::string path, Place before) : path_(std::move(path)), before_(std::move(before)) {}
+  PairWriter(const PairWriter&) = delete;
+  PairWriter& operator=(const PairWriter&) = delete;
+  ~PairWriter() {
+    std::error_code ignored;
+    if (is_done_) return;
+    if (is_put_ && is_own_) (void)write_file_atomic(path_, *before_.bytes);
+    if (is_put_ && !is_own_) fs::remove(path_, ignored);
+    if (!kept_.empty()) fs::rename(kept_, path_, ignored);
+  }
+
+  // is_own: what is there may be replaced; otherwise it is kept aside.
+  FormatResult<void> put_companion(const std::string& bytes, bool is_own) {
+    is_own_ = is_own && !before_.is_free;
+    if (!before_.is_free && !is_own) {
+      if (const auto made_room = make_room(); !made_room) return made_room;
+    }
+    if (bytes.empty() || (is_own_ && *before_.bytes == bytes)) return {};
+    const auto written = write_file_atomic(path_, bytes);
+    is_put_ = written.has_value();
+    return written;
+  }
+  void finish(bool removes) {
+    is_done_ = true;
+    std::error_code ignored;
+    if (removes) fs::remove(path_, ignored);
+  }
+  const std::string& kept() const { return kept_; }
+
+ private:
+  FormatResult<void> make_room() {
+    auto kept = keep_aside(path_);
+    if (!kept) return tl::unexpected(kept.error());
+    kept_ = *std::move(kept);
+    return {};
+  }
+
+  std::string path_;
+  Place before_;
+  std::string kept_;  // where what was there is now; empty: it has not been moved
+  bool is_own_ = false, is_put_ = false, is_done_ = false;
+};
+
+// With an error of the companion, which the user has not named.
+tl::unexpected<FormatError> companion_error(const std::string& path, FormatError error) {
+  error.message = last_name(path) + ", for what it cannot hold: " + error.message;
+  return tl::unexpected(std::move(error));
+}
+
+// The text of the companion that the written level needs; empty: none.
+FormatResult<std::string> needed_companion(const Level& level, const Format& format, const std::string& bytes,
+                                           const std::string& path) {
+  const auto held = format.read(bytes, context_for_file(path));
+  if (!held) return tl::unexpected(held.error());
+  return write_companion(level, *held, format, last_name(path));
+}
+
+FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, const std::string& path,
+                                   const WrittenLevel& written, const CompanionFile& known) {
+  const std::string beside = companion_path(path);
+  const auto needed = needed_companion(level, format, written.bytes, path);
+  if (!needed) return companion_error(beside, needed.error());
+  const Place before = look_at(beside);
+  const bool is_known = before.bytes && known.path == beside && known.content == content_hash(*before.bytes);
+  // What does not go with the file cannot be taken for a part of it, and may stay where nothing is needed.
+  const bool stays = needed->empty() && !(before.bytes && is_companion(*before.bytes));
+  auto staged = StagedFile::write(path, written.bytes);
+  if (!staged) return tl::unexpected(staged.error());
+  PairWriter pair(beside, before);
+  if (!stays || before.is_free) {
+    const auto put = pair.put_companion(*needed, is_known || (before.bytes && *before.bytes == *needed));
+    if (!put) return companion_error(beside, put.error());
+  }
+  if (const auto put = staged->put(); !put) return tl::unexpected(put.error());
+  pair.finish(needed->empty() && is_known);
+  SavedLevel saved{written.dropped, {}, ""};
+  if (!needed->empty()) saved.companion = {beside, content_hash(*needed)};
+  if (!pair.kept().empty())
+    saved.note = last_name(beside) + " held something else, which is kept as " + last_name(pair.kept());
+  return saved;
+}
+
+}  // namespace
+
+std::string companion_path(const std::string& file) {
+  std::error_code error;
+  fs::path target(file);
+  if (fs::is_symlink(fs::symlink_status(target, error))) target = fs::weakly_canonical(target, error);
+  return (error ? file : target.string()) + std::string(kCompanionEnding);
+}
+
+std::string level_path(const std::string& path) {
+  const std::string owner = owner_of_companion(path);
+  std::error_code error;
+  if (owner.empty() || !fs::exists(owner, error)) return path;
+  const Place place = look_at(path);
+  return place.bytes && is_companion(*place.bytes) ? owner : path;
+}
+
+FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices,
+                                     const Progress& progress) {
+  const auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const std::string owner = owner_of_companion(path); !owner.empty() && is_companion(*bytes))
+    return load_owner(owner);
+  FormatContext context = context_for_file(path);
+  context.choices = choices;
+  context.progress = progress;
+  auto loaded = read_level(*bytes, context);
+  if (!loaded) return loaded;
+  loaded->path = path;
+  if (!loaded->format->holds.empty()) add_companion(*loaded);
+  return loaded;
+}
+
+FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
+                                    const CompanionFile& known) {
+  assert(format.write && "the format is read alone");
+  auto written = format.write(level, context_for_file(path));
+  if (!written) return tl::unexpected(written.error());
+  if (!format.holds.empty()) return save_pair(level, format, path, *written, known);
+  if (const auto saved = write_file_atomic(path, written->bytes); !saved)
+    return tl::unexpected(saved.error());
+  return SavedLevel{std::move(written->dropped)};
+}
+
+}  // namespace talus
