@@ -12,24 +12,11 @@ namespace {
 struct ScriptName {
   std::string_view name, extension;  // as in a cart's line "script: js", and of text projects
 };
-constexpr std::array<ScriptName, 18> kScripts = {{{"lua", "lua"},
-                                                  {"moon", "moon"},
-                                                  {"moonscript", "moon"},
-                                                  {"fennel", "fnl"},
-                                                  {"fnl", "fnl"},
-                                                  {"js", "js"},
-                                                  {"javascript", "js"},
-                                                  {"squirrel", "nut"},
-                                                  {"nut", "nut"},
-                                                  {"wren", "wren"},
-                                                  {"wasm", "wasmp"},
-                                                  {"ruby", "rb"},
-                                                  {"rb", "rb"},
-                                                  {"scheme", "scm"},
-                                                  {"scm", "scm"},
-                                                  {"janet", "janet"},
-                                                  {"python", "py"},
-                                                  {"py", "py"}}};
+constexpr std::array<ScriptName, 20> kScripts = {
+    {{"lua", "lua"},    {"yue", "yue"},   {"yuescript", "yue"}, {"moon", "moon"},     {"moonscript", "moon"},
+     {"fennel", "fnl"}, {"fnl", "fnl"},   {"js", "js"},         {"javascript", "js"}, {"squirrel", "nut"},
+     {"nut", "nut"},    {"wren", "wren"}, {"wasm", "wasmp"},    {"ruby", "rb"},       {"rb", "rb"},
+     {"scheme", "scm"}, {"scm", "scm"},   {"janet", "janet"},   {"python", "py"},     {"py", "py"}}};
 
 // The extension of text projects in the language that a cart's code says it is in; empty: it does not say,
 // or one that is not known here.
@@ -80,7 +67,8 @@ FormatResult<Exported> tic_text_files(const ExportRequest& request, const Level&
   if (!exported) return exported;
   const std::string given = context_for_file(request.name).extension;
   const std::string_view needed = extension_of_script(exported->files.front().bytes);
-  if (!needed.empty() && !given.empty() && given != needed)
+  const bool is_yue_as_lua = needed == "yue" && given == "lua";  // the name of its projects before it had one
+  if (!needed.empty() && !given.empty() && given != needed && !is_yue_as_lua)
     return tl::unexpected(FormatError{"", "the cart's code is in another language than the name of " +
                                               request.name + " says: it must end with ." +
                                               std::string(needed)});

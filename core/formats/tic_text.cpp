@@ -15,7 +15,8 @@ struct Language {
   std::string_view extension;
   std::string_view comment;
 };
-constexpr std::array<Language, 11> kLanguages = {{{"lua", "--"},
+constexpr std::array<Language, 12> kLanguages = {{{"lua", "--"},
+                                                  {"yue", "--"},
                                                   {"moon", "--"},
                                                   {"wasmp", "--"},
                                                   {"js", "//"},

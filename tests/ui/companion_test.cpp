@@ -19,7 +19,7 @@ class UiCompanion : public UiTest {
 };
 
 TEST_F(UiCompanion, ABodyPlacedInACartIsThereAgain) {
-  for (const std::string name : {"game.tic", "game.lua"}) {
+  for (const std::string name : {"game.tic", "game.lua", "game.yue"}) {
     start_cart(name);
     EXPECT_EQ(title(), name + " - Talus");
     key('0');

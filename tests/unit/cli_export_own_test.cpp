@@ -174,6 +174,21 @@ TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
   EXPECT_THAT(other.err, HasSubstr("it must end with .js\n"));
 }
 
+TEST_F(CliOwnFiles, ATextCartOfYueHasEitherName) {
+  put("mine.yue",
+      "-- script: yue\nTIC = -> cls 0\n-- <TILES>\n-- 000:" + std::string(64, '1') + "\n-- </TILES>\n");
+  for (const char* name : {"out.yue", "out.lua"}) {
+    const CliAnswer answer = cli_answer({"export", path("mine.yue"), "--to", "tic-text", "-o", path(name)});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(bytes_of(name), bytes_of("mine.yue"));
+  }
+  EXPECT_EQ(cli_answer({"import", path("out.lua"), "-o", path("level.talus.json")}).status, 0);
+  EXPECT_EQ(cli_answer({"export", path("level.talus.json"), "--to", "tic-text", "-o", path("out.moon")}).err,
+            path("level.talus.json") +
+                ": error: the cart's code is in another language than the name of out.moon says: it must end "
+                "with .yue\n");
+}
+
 TEST_F(CliOwnFiles, ACartWithTooMuchCodeIsWarnedOf) {
   // Shapes enough that the level alone is more than a cart holds.
   for (int i = 0; i < 2000; ++i) {

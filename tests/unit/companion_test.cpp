@@ -84,7 +84,7 @@ class Companions : public FolderTest {
 };
 
 TEST_F(Companions, HoldWhatEachKindOfCartLacks) {
-  for (const std::string name : {"a.tic", "a.lua", "a.js", "a.fnl", "a.py"}) {
+  for (const std::string name : {"a.tic", "a.lua", "a.js", "a.yue", "a.fnl", "a.py"}) {
     const Level level = rich_level();
     const SavedLevel saved = save(level, name);
     EXPECT_EQ(saved.companion.path, path(name + ".talus.json"));

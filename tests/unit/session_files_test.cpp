@@ -270,7 +270,7 @@ class SessionCompanions : public SessionFiles {
 };
 
 TEST_F(SessionCompanions, AreSavedAndOpenedWithoutAWord) {
-  for (const std::string name : {"a.tic", "a.lua", "a.js"}) {
+  for (const std::string name : {"a.tic", "a.lua", "a.yue", "a.js"}) {
     session_.apply({act::NewLevel{}, act::AnswerQuestion{act::Answer::discard}});
     paint(5);
     place(2);

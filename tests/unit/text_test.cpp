@@ -44,7 +44,7 @@ TEST(Text, ThePaletteHasTheHighDigitFirst) {
 }
 
 TEST(Text, EachExtensionHasItsComment) {
-  for (const std::string extension : {"lua", "moon", "wasmp"})
+  for (const std::string extension : {"lua", "yue", "moon", "wasmp"})
     EXPECT_EQ(comment_of_extension(extension), "--");
   for (const std::string extension : {"js", "nut", "wren"}) EXPECT_EQ(comment_of_extension(extension), "//");
   for (const std::string extension : {"fnl", "scm"}) EXPECT_EQ(comment_of_extension(extension), ";;");
