@@ -41,8 +41,9 @@ void add_companion(LoadedLevel& loaded) {
                     : FormatResult<JoinedLevel>(tl::unexpected(place.bytes.error()));
   if (!joined) {
     const FormatError& error = joined.error();
-    loaded.note = last_name(path) + " beside it is left as it is, and not read: " +
-                  (error.place.empty() ? "" : error.place + ": ") + error.message;
+    loaded.note = last_name(path) +
+                  " is left as it is, and not read: " + (error.place.empty() ? "" : error.place + ": ") +
+                  error.message;
     return;
   }
   loaded.level = std::move(joined->level);

@@ -128,9 +128,9 @@ TEST_F(CliCompanions, ThatDoNotFitAreToldOfOnce) {
   put("game.tic.talus.json", "{");
   const CliAnswer answer = run("sim", "game.tic", {"--frames", "1", "--hash"});
   EXPECT_EQ(answer.status, 0);
-  EXPECT_EQ(answer.err.find(path("game.tic") +
-                            ": warning: game.tic.talus.json beside it is left as it is, and not read: "),
-            0u)
+  EXPECT_EQ(
+      answer.err.find(path("game.tic") + ": warning: game.tic.talus.json is left as it is, and not read: "),
+      0u)
       << answer.err;
 }
 

@@ -78,7 +78,7 @@ class Companions : public FolderTest {
   void expect_not_read(const std::string& why) const {
     const LoadedLevel loaded = load("game.tic");
     EXPECT_TRUE(is_same(loaded.level, plain_level()));
-    EXPECT_EQ(loaded.note, "game.tic.talus.json beside it is left as it is, and not read: " + why);
+    EXPECT_EQ(loaded.note, "game.tic.talus.json is left as it is, and not read: " + why);
     EXPECT_EQ(loaded.companion.path, "");
   }
 };

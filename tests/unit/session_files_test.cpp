@@ -411,8 +411,7 @@ TEST_F(SessionCompanions, ThatAreBrokenAreToldOf) {
   put("a.tic.talus.json", "{");
   session_.apply(act::OpenFile{cart});
   EXPECT_EQ(painted(), 9);
-  EXPECT_TRUE(message().starts_with("a.tic.talus.json beside it is left as it is, and not read: "))
-      << message();
+  EXPECT_TRUE(message().starts_with("a.tic.talus.json is left as it is, and not read: ")) << message();
   EXPECT_EQ(session_.file_names(), "a.tic");
 }
 
