@@ -268,6 +268,10 @@ TEST_F(Companions, ThatAreNoFilesAreNotOpened) {
   ASSERT_EQ(::mkfifo(path("game.tic.talus.json").c_str(), 0600), 0);
   expect_not_read("is a link, a folder or a device, and no file");
   fs::remove(path("game.tic.talus.json"));
+  put("game.tic.talus.json", "");
+  fs::resize_file(path("game.tic.talus.json"), kMaxFileBytes + 1);
+  expect_not_read("is larger than 64 MiB");
+  fs::remove(path("game.tic.talus.json"));
   put("victim", "mine");
   fs::create_symlink(path("victim"), path("game.tic.talus.json"));
   expect_not_read("is a link, a folder or a device, and no file");

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "edit/level_settings.h"
 #include "folder_test.h"
 
 namespace talus::external_program_test {
@@ -99,6 +100,23 @@ TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
   EXPECT_EQ(told(), path("copies/level.tic") + "\n");
   EXPECT_TRUE(session.modified()) << "its own file was left alone";
   EXPECT_EQ(load_level(path("copies/level.tic"))->level.map.at({0, 0}), 4);
+}
+
+TEST_F(ExternalProgramTest, ACopyHasACompanionForWhatACartCannotHold) {
+  Session session;
+  save_and_paint(session, "level.talus.json");
+  const auto place = [&](std::size_t spawns) {
+    session.apply(action::EditLevel{set_spawns(session.level(), std::vector<Spawn>(spawns), "Place")});
+  };
+  place(2);
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  EXPECT_TRUE(session.message()->text.starts_with("Wrote a copy of the level")) << session.message()->text;
+  EXPECT_EQ(session.message()->text.find("Not in it"), std::string::npos);
+  EXPECT_EQ(load_level(path("copies/level.tic"))->level.spawns, session.level().spawns);
+  place(0);
+  save(session);
+  EXPECT_TRUE(load_level(path("copies/level.tic"))->level.spawns.empty()) << "an old one adds nothing";
+  EXPECT_EQ(load_level(path("copies/level.tic"))->note, "");
 }
 
 TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
