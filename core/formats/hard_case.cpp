@@ -30,7 +30,7 @@ std::string text_in(const Json& object, const char* key) {
 }
 
 std::int64_t whole(const Json& value, const std::string& path, std::int64_t min, std::int64_t max) {
-  if (!value.is_number_integer() || value < min || value > max) {
+  if (!is_whole(value, min, max)) {
     fail(path, "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
   }
   return value.get<std::int64_t>();

@@ -1,7 +1,9 @@
 // Input entries in and out.
 #include "input_entry.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 namespace {
@@ -36,7 +38,8 @@ std::string take_mouse(const Json& at, RecordedInput& entry) {
 
 std::string take_member(const std::string& key, const Json& value, RecordedInput& entry) {
   if (key == "frame") {
-    if (!value.is_number_integer() || value < 1) return "\"frame\" must be a whole number from 1";
+    if (!is_whole(value, 1, std::numeric_limits<std::int64_t>::max()))
+      return "\"frame\" must be a whole number from 1";
     entry.frame = value.get<std::int64_t>();
   } else if (key == "mouse") {
     return take_mouse(value, entry);
@@ -44,8 +47,7 @@ std::string take_member(const std::string& key, const Json& value, RecordedInput
     if (!value.is_boolean()) return "\"down\" must be true or false";
     entry.mouse_down = value.get<bool>();
   } else if (key == "grab") {
-    if (!value.is_number_integer() || value < 0 || value > 1'000'000'000)
-      return "\"grab\" must be the number of a body, from 0";
+    if (!is_whole(value, 0, 1'000'000'000)) return "\"grab\" must be the number of a body, from 0";
     entry.grab = value.get<int>();
   } else if (key == "keys") {
     return take_keys(value, entry);
@@ -63,6 +65,25 @@ std::string take_input_entry(const Json& json, RecordedInput& entry) {
     if (const std::string wrong = take_member(key, value, entry); !wrong.empty()) return wrong;
   }
   return json.contains("frame") ? "" : "\"frame\" is missing";
+}
+
+FormatResult<std::vector<RecordedInput>> read_input_lines(std::string_view text) {
+  std::vector<RecordedInput> inputs;
+  RecordedInput entry;
+  for (std::int64_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    const auto json = parse_json(line, {}, number);
+    if (!json) return tl::unexpected(json.error());
+    const std::int64_t last_frame = entry.frame;
+    std::string wrong = take_input_entry(*json, entry);
+    if (wrong.empty() && entry.frame < last_frame) wrong = "\"frame\" goes backwards";
+    if (!wrong.empty()) return tl::unexpected(FormatError{"line " + std::to_string(number), wrong});
+    inputs.push_back(entry);
+  }
+  return inputs;
 }
 
 Json input_entry(const RecordedInput& entry, const RecordedInput& before) {

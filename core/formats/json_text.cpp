@@ -1,10 +1,12 @@
-// A look over the text before nlohmann's parser builds anything, so that hostile nesting and counts cost no
-// memory; and a printer with a line for what a diff should show alone.
+// nlohmann's parser with a builder of its own, so that hostile nesting and counts cost no memory and no value
+// is replaced in silence; and a printer with a line for what a diff should show alone.
 #include "json_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace talus {
@@ -12,109 +14,19 @@ namespace {
 
 constexpr std::size_t kMaxInline = 140;  // a tile with all its flags fits
 
-FormatResult<void> check_limits(std::string_view text) {
-  int depth = 0, values = 1;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      in_string = c != '"';
-      continue;
-    }
-    in_string = c == '"';
-    const bool opens = c == '[' || c == '{';
-    if (c == ']' || c == '}') --depth;
-    if (opens && ++depth > kMaxJsonDepth)
-      return error_at_line(text, i, "JSON is nested deeper here than 64 levels");
-    if ((opens || c == ',') && ++values > kMaxJsonValues)
-      return error_at_line(text, i, "JSON has too many values");
-  }
-  return {};
-}
-
-// Finds the value that cannot be read, by its keys and its numbers in lists: "curves[2].radius".
-class PlaceFinder : public nlohmann::json_sax<Json> {
- public:
-  std::string path() const {
-    std::string path;
-    for (const Level& level : levels_) {
-      if (level.is_array) {
-        path.append("[").append(std::to_string(level.index)).append("]");
-      } else {
-        path.append(path.empty() ? "" : ".").append(level.key);
-      }
-    }
-    return path;
-  }
-  std::size_t offset() const { return offset_; }
-
-  bool null() override { return next(); }
-  bool boolean(bool) override { return next(); }
-  bool number_integer(number_integer_t) override { return next(); }
-  bool number_unsigned(number_unsigned_t) override { return next(); }
-  bool number_float(number_float_t, const string_t&) override { return next(); }
-  bool string(string_t&) override { return next(); }
-  bool binary(binary_t&) override { return next(); }
-  bool start_object(std::size_t) override { return begin(false); }
-  bool start_array(std::size_t) override { return begin(true); }
-  bool end_object() override { return end(); }
-  bool end_array() override { return end(); }
-  bool key(string_t& key) override {
-    levels_.back().key = key;
-    return true;
-  }
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
-    offset_ = position == 0 ? 0 : position - 1;
-    return false;
-  }
-
- private:
-  struct Level {
-    bool is_array;
-    std::size_t index;
-    std::string key;
-  };
-
-  bool next() {
-    if (!levels_.empty()) ++levels_.back().index;
-    return true;
-  }
-  bool begin(bool is_array) {
-    levels_.push_back({is_array, 0, ""});
-    return true;
-  }
-  bool end() {
-    levels_.pop_back();
-    return next();
-  }
-
-  std::vector<Level> levels_;
-  std::size_t offset_ = 0;
-};
-
-tl::unexpected<FormatError> invalid_json(std::string_view text, std::size_t offset) {
-  auto error = error_at_line(text, offset, "this is not valid JSON");
-  const std::string_view before = text.substr(0, offset);
-  const std::size_t line_break = before.rfind('\n');
-  const std::size_t column = line_break == before.npos ? before.size() + 1 : before.size() - line_break;
-  error.value().place += ", column " + std::to_string(column);
-  return error;
-}
-
-FormatError too_large_number(std::string_view text) {
-  PlaceFinder finder;
-  Json::sax_parse(text, &finder);
-  FormatError error = error_at_line(text, finder.offset(), "has a number that is too large").value();
-  if (const std::string path = finder.path(); !path.empty()) error.place += ", key " + path;
-  return error;
-}
-
-// Thrown out of nlohmann's parser, which cannot be stopped otherwise, and caught by parse_json.
+// Thrown out of nlohmann's parser, which cannot be stopped within a value otherwise, and caught by
+// parse_json.
 struct Stopped {};
 
-// A place in a text that tells, while the parser goes on, how far it is.
-class ToldIterator {
+// How far the parser is, which it does not tell of what it accepts.
+struct Reading {
+  std::string_view text;
+  const Progress& progress;
+  std::size_t bytes = 0;
+};
+
+// Goes through the text, and tells the progress.
+class ReadingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -122,23 +34,149 @@ class ToldIterator {
   using pointer = const char*;
   using reference = const char&;
 
-  // Both must stay.
-  ToldIterator(std::string_view text, const char* at, const Progress& progress)
-      : text_(text), at_(at), progress_(&progress) {}
+  ReadingIterator(Reading& reading, const char* at) : reading_(&reading), at_(at) {}
   reference operator*() const { return *at_; }
-  ToldIterator& operator++() {
-    const auto done = static_cast<std::size_t>(++at_ - text_.data());
-    if (done % kStep == 0 && !progress_->at(done, text_.size())) throw Stopped();
+  ReadingIterator& operator++() {
+    reading_->bytes = static_cast<std::size_t>(++at_ - reading_->text.data());
+    if (reading_->bytes % kStep == 0 && !reading_->progress.at(reading_->bytes, reading_->text.size()))
+      throw Stopped();
     return *this;
   }
-  bool operator==(const ToldIterator& other) const { return at_ == other.at_; }
+  bool operator==(const ReadingIterator& other) const { return at_ == other.at_; }
 
  private:
   static constexpr std::size_t kStep = 1 << 14;  // bytes
-  std::string_view text_;
+  Reading* reading_;
   const char* at_;
-  const Progress* progress_;
 };
+
+// Takes what the parser finds (nlohmann's SAX interface), and stops it at what no file may have.
+class StrictBuilder {
+ public:
+  enum class Problem { none, invalid, too_large, too_deep, too_many, twice };
+
+  Problem problem() const { return problem_; }
+  // That the parser had read when it found something wrong; 0: it found nothing.
+  std::size_t bytes() const { return bytes_; }
+  Json take() { return std::move(root_); }
+
+  // The value at which it stopped: "curves[2].radius". Empty: the whole.
+  std::string path() const {
+    std::string path;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const Json* const next = i + 1 < open_.size() ? open_[i + 1] : nullptr;
+      if (open_[i]->is_array()) {
+        path += "[" + std::to_string(open_[i]->size() - (next != nullptr ? 1 : 0)) + "]";
+      } else {
+        path += (path.empty() ? "" : ".") + key_of(*open_[i], next);
+      }
+    }
+    return path;
+  }
+
+  bool null() { return add(nullptr) != nullptr; }
+  bool boolean(bool value) { return add(value) != nullptr; }
+  bool number_integer(std::int64_t value) { return add(value) != nullptr; }
+  bool number_unsigned(std::uint64_t value) { return add(value) != nullptr; }
+  bool number_float(double value, const std::string&) { return add(value) != nullptr; }
+  bool string(std::string& value) { return add(std::move(value)) != nullptr; }
+  bool binary(Json::binary_t&) { return false; }  // no text has any
+  bool start_object(std::size_t) { return open(Json::value_t::object); }
+  bool start_array(std::size_t) { return open(Json::value_t::array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& key) {
+    const auto [member, is_new] = open_.back()->get_ref<Json::object_t&>().try_emplace(std::move(key));
+    member_ = &member->second;
+    return is_new || stop(Problem::twice);
+  }
+  bool parse_error(std::size_t bytes, const std::string&, const Json::exception& error) {
+    constexpr int kNumberOverflow = 406;
+    bytes_ = bytes;
+    return stop(error.id == kNumberOverflow ? Problem::too_large : Problem::invalid);
+  }
+
+ private:
+  bool stop(Problem problem) {
+    problem_ = problem;
+    return false;
+  }
+
+  // next: what is open in the object; null: what is read is its last key's.
+  std::string key_of(const Json& object, const Json* next) const {
+    const Json* const wanted = next != nullptr ? next : member_;
+    for (const auto& [key, value] : object.get_ref<const Json::object_t&>()) {
+      if (&value == wanted) return key;
+    }
+    return "";
+  }
+
+  // Where the value now is; null: there are too many.
+  template <class Value>
+  Json* add(Value&& value) {
+    if (++values_ > kMaxJsonValues) {
+      stop(Problem::too_many);
+      return nullptr;
+    }
+    if (open_.empty()) {
+      root_ = std::forward<Value>(value);
+      return &root_;
+    }
+    if (open_.back()->is_array())
+      return &open_.back()->get_ref<Json::array_t&>().emplace_back(std::forward<Value>(value));
+    *member_ = std::forward<Value>(value);
+    return member_;
+  }
+
+  bool open(Json::value_t kind) {
+    if (open_.size() >= kMaxJsonDepth) return stop(Problem::too_deep);
+    Json* const added = add(Json(kind));
+    if (added != nullptr) open_.push_back(added);
+    return added != nullptr;
+  }
+  // In an object the next thing is a key.
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  Json root_;
+  std::vector<Json*> open_;  // objects and lists that are not at their end, from the outermost
+  Json* member_ = nullptr;   // of the innermost object that has the last key
+  int values_ = 0;
+  std::size_t bytes_ = 0;
+  Problem problem_ = Problem::none;
+};
+
+// Of bytes before the offset in its line, from 1.
+std::size_t column_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_break = before.rfind('\n');
+  return line_break == before.npos ? before.size() + 1 : before.size() - line_break;
+}
+
+FormatError error_of(const StrictBuilder& builder, std::string_view text, std::size_t offset,
+                     std::int64_t first_line) {
+  using Problem = StrictBuilder::Problem;
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
+  std::string place = "line " + std::to_string(first_line + std::count(text.begin(), end, '\n'));
+  const std::string path = builder.path();
+  const std::string at_key = path.empty() ? place : place + ", key " + path;
+  switch (builder.problem()) {
+    case Problem::too_large:
+      return {at_key, "has a number that is too large"};
+    case Problem::twice:
+      return {at_key, "is there twice, in one object"};
+    case Problem::too_deep:
+      return {place, "JSON is nested deeper here than 64 levels"};
+    case Problem::too_many:
+      return {place, "JSON has too many values"};
+    case Problem::none:
+    case Problem::invalid:
+      break;
+  }
+  return {place + ", column " + std::to_string(column_of(text, offset)), "this is not valid JSON"};
+}
 
 bool is_row(const Json& value) {
   return value.is_array() && std::all_of(value.begin(), value.end(),
@@ -232,33 +270,34 @@ class Printer {
 
 }  // namespace
 
-FormatResult<Json> parse_json(std::string_view text, const Progress& progress) {
-  if (const auto good = check_limits(text); !good) return tl::unexpected(good.error());
+FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line) {
+  Reading reading{text, progress};
+  const ReadingIterator begin(reading, text.data()), end(reading, text.data() + text.size());
+  StrictBuilder builder;
+  const std::size_t zero = text.find('\0');  // which the parser takes for the end
+  std::size_t bytes = 0;
   try {
-    return Json::parse(ToldIterator(text, text.data(), progress),
-                       ToldIterator(text, text.data() + text.size(), progress));
+    const bool is_good = Json::sax_parse(begin, end, &builder);
+    if (is_good && zero == text.npos) return builder.take();
+    bytes = is_good ? zero + 1 : builder.bytes() > 0 ? builder.bytes() : reading.bytes;
   } catch (const Stopped&) {
     return was_cancelled();
-  } catch (const Json::parse_error& error) {
-    return invalid_json(text, error.byte == 0 ? 0 : error.byte - 1);
-  } catch (const Json::exception&) {  // a number that no double holds; nlohmann does not say where
-    return tl::unexpected(too_large_number(text));
   }
+  const std::size_t offset = std::min(std::max<std::size_t>(bytes, 1) - 1, text.size());
+  return tl::unexpected(error_of(builder, text, offset, first_line));
+}
+
+bool is_whole(const Json& value, std::int64_t min, std::int64_t max) {
+  if (!value.is_number_integer()) return false;
+  const bool fits = !value.is_number_unsigned() ||
+                    value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+  return fits && value.get<std::int64_t>() >= min && value.get<std::int64_t>() <= max;
 }
 
 std::string print_json(const Json& value, std::span<const std::string_view> order) {
   Printer printer(order);
   printer.print(value, 0);
   return printer.take() + "\n";
-}
-
-bool is_utf8(std::string_view text) {
-  try {
-    Json(text).dump();  // the same check that printing makes
-    return true;
-  } catch (const Json::exception&) {
-    return false;
-  }
 }
 
 Json json_number(double value) {

@@ -14,15 +14,21 @@ using Json = nlohmann::json;
 inline constexpr int kMaxJsonDepth = 64;          // levels have 5; printing recurses once a level
 inline constexpr int kMaxJsonValues = 5'000'000;  // a text project of line breaks alone has 4.2 million lines
 
-// Errors are placed by line, and by the column or the key in it where there is one. progress: told how much
-// of the text is parsed; where it says so, that is an error.
-FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {});
+// The one way from text to JSON: each reader of JSON uses it. Text that is no JSON, nests deeper or has more
+// values than the limits above, has a key twice in one object, a number that no double holds, or anything but
+// blanks after its end is an error, placed by line, and by the column or the key in it where there is one.
+// progress: told how much of the text is parsed; where it says so, that is an error. first_line: the number
+// that the text's first line has in its file.
+FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {},
+                              std::int64_t first_line = 1);
+
+// Whether the value is an integer from min to max. A comparison with nlohmann's own operators would take
+// integers from 2^63 for negative ones.
+bool is_whole(const Json& value, std::int64_t min, std::int64_t max);
 
 // One line a member, short rows of numbers and small objects on one; keys in `order`, then the others shorter
-// first. Strings must be UTF-8 (see is_utf8).
+// first. Strings must be UTF-8 (see utf8_text.h).
 std::string print_json(const Json& value, std::span<const std::string_view> order);
-
-bool is_utf8(std::string_view text);
 
 // A number that is whole prints without ".0".
 Json json_number(double value);

@@ -93,15 +93,12 @@ class Reader {
     });
   }
 
-  static bool is_whole(const Json& value, int min, int max) {
-    return value.is_number_integer() && value >= min && value <= max;
-  }
-
   void read_version(Json& document) {
     if (!document.is_object()) return fail("", "is JSON, but no Talus level");
     if (!document.contains("talus")) return fail_key("talus", "is missing, so this is no Talus level");
     take(document, "talus", [this](const Json& value) {
-      if (!value.is_number_integer() || value < 1)
+      constexpr std::int64_t kNewest = std::numeric_limits<std::int64_t>::max();
+      if (!is_whole(value, 1, kNewest))
         return fail_key("talus", "must be the version, a whole number from 1");
       if (value > kNativeVersion) {
         fail_key("talus", "this level has version " + value.dump() + ", and this Talus reads up to version " +

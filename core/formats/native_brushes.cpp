@@ -80,7 +80,7 @@ FormatResult<AutoTiles> take_auto_tiles(Json& json) {
     const std::string key(kGroundParts[i].key);
     const auto found = json.find(key);
     if (found == json.end()) continue;
-    if (!found->is_number_integer() || *found < 1 || *found >= kTileCount)
+    if (!is_whole(*found, 1, kTileCount - 1))
       return tl::unexpected(FormatError{"key auto_tiles." + key, "must be a tile number from 1 to 255"});
     tiles.tiles[i] = found->get<std::uint8_t>();
     json.erase(found);

@@ -8,6 +8,7 @@
 #include "hex.h"
 #include "tic_cart.h"
 #include "tic_text.h"
+#include "utf8_text.h"
 
 namespace talus {
 namespace {
@@ -162,7 +163,7 @@ int chunk_type(const Json& json) {
 int small_number(const Json& object, const char* key, int fallback, int max) {
   if (!object.contains(key)) return fallback;
   const Json& json = object[key];
-  if (!json.is_number_integer() || json < 0 || json > max) return -1;
+  if (!is_whole(json, 0, max)) return -1;
   return json.get<int>();
 }
 

@@ -17,18 +17,13 @@ bool are_strings(const Json& json) {
          std::all_of(json.begin(), json.end(), [](const Json& v) { return v.is_string(); });
 }
 
-bool is_flag_number(const Json& json, int most) {
-  return json.is_number_integer() && json >= 0 && json <= most;
-}
-
 FormatResult<FlagField> take_flag_field(Json json, const std::string& path) {
   if (!json.is_object()) return error_at_key(path, "must be an object");
   const Json name = json.value("name", Json("")), values = json.value("values", Json::array());
   const Json first = json.value("first", Json()), bits = json.value("bits", Json());
   if (!name.is_string()) return error_at_key(path + ".name", "must be a string");
-  if (!is_flag_number(first, kFlagCount - 1))
-    return error_at_key(path + ".first", "must be a flag from 0 to 7");
-  if (!is_flag_number(bits, kFlagCount))
+  if (!is_whole(first, 0, kFlagCount - 1)) return error_at_key(path + ".first", "must be a flag from 0 to 7");
+  if (!is_whole(bits, 0, kFlagCount))
     return error_at_key(path + ".bits", "must be a whole number from 2 to 8");
   if (!are_strings(values)) return error_at_key(path + ".values", "must be a list of strings");
   FlagField field{name, first, bits, values, {}};

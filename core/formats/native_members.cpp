@@ -85,7 +85,7 @@ void MemberTaker::read(const Json& json, const char* key, double& value) {
 }
 
 void MemberTaker::read(const Json& json, const char* key, int& value) {
-  if (!json.is_number_integer() || json < -999 || json > 999) return fail(key, "must be a whole number");
+  if (!is_whole(json, -999, 999)) return fail(key, "must be a whole number");
   value = json.get<int>();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -28,7 +29,8 @@ const Json& field(const Json& op, const char* key) {
 
 Name name_field(const Json& op) {
   const Json& item = field(op, "item");
-  if (!item.is_number_integer()) throw Malformed{"\"item\" must be an integer."};
+  constexpr std::int64_t kMin = std::numeric_limits<Name>::min(), kMax = std::numeric_limits<Name>::max();
+  if (!is_whole(item, kMin, kMax)) throw Malformed{"\"item\" must be an integer of 64 bits."};
   return item.get<Name>();
 }
 

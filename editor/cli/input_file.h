@@ -11,11 +11,7 @@
 
 namespace talus {
 
-// Reads the lines in order; a key that a line leaves out keeps its value. Frames must not go backwards.
-// Errors name the line.
-FormatResult<std::vector<RecordedInput>> read_input(std::string_view text);
-
-// Plays them back: call at() with the frames 1, 2, 3...
+// Plays back what read_input_lines (formats/input_entry.h) gives: call at() with the frames 1, 2, 3...
 class InputPlayer {
  public:
   explicit InputPlayer(std::vector<RecordedInput> inputs) : inputs_(std::move(inputs)) {}

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
+#include "formats/json_text.h"
 #include "preferences_json.h"
 #include "user_folder.h"
 
@@ -156,15 +157,21 @@ Settings default_settings() {
 
 std::string settings_path() { return (fs::path(config_folder()) / "settings.json").string(); }
 
+FormatResult<Settings> settings_of_text(std::string_view text) {
+  const auto root = parse_json(text);
+  if (!root) return tl::unexpected(root.error());
+  if (!root->is_object()) return tl::unexpected(FormatError{"", "is JSON, but no settings"});
+  return from_json(*root);
+}
+
 tl::expected<Settings, std::string> load_settings(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return default_settings();
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected("The settings are ignored: " + to_string(bytes.error(), path));
-  const json root = json::parse(*bytes, nullptr, false);
-  if (!root.is_object())
-    return tl::unexpected("The settings in " + path + " are ignored: the file is damaged.");
-  return from_json(root);
+  auto settings = settings_of_text(*bytes);
+  if (!settings) return tl::unexpected("The settings are ignored: " + to_string(settings.error(), path));
+  return *std::move(settings);
 }
 
 tl::expected<void, std::string> save_settings(const Settings& settings, const std::string& path) {

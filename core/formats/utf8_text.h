@@ -1,0 +1,24 @@
+// Text of unknown origin: whether it is UTF-8, and how it is shown.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace talus {
+
+bool is_utf8(std::string_view text);
+
+// The text for one line of a terminal, a log or a window: control characters, line ends, what turns the
+// direction of writing and bytes that are no UTF-8 become "\n", "\x1b", "\u202e"; all else stays, backslashes
+// too, so that doing it twice changes nothing more.
+std::string printable(std::string_view text);
+
+// The same for a whole line that somebody's continuous integration may read: it cannot begin with "::" or
+// hold
+// "##[" or "##vso[", with which logs give commands there.
+std::string printable_line(std::string_view line);
+
+// The text up to `most` bytes, and "..." in the place of what more there is. most: 3 or more.
+std::string shortened(std::string_view text, std::size_t most);
+
+}  // namespace talus
