@@ -1,5 +1,6 @@
-// Attributes become members, elements what Tiled's JSON has for them. pugixml reads no file, no entity of
-// others and no document type, and needs no stack for deep nesting.
+// Attributes become members, elements what Tiled's JSON has for them. The names of both are kept apart: what
+// elements make has a fixed set of names, which no attribute and no other element gets. pugixml reads no
+// file, no entity of others and no document type, and needs no stack for deep nesting.
 #include "tiled_xml.h"
 
 #include <algorithm>
@@ -7,8 +8,10 @@
 #include <charconv>
 #include <cmath>
 #include <pugixml.hpp>
+#include <utility>
 
 #include "tiled_json.h"
+#include "utf8_text.h"
 
 namespace talus {
 namespace {
@@ -20,6 +23,34 @@ constexpr std::array<std::string_view, 21> kXmlNumbers = {
     "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
     "tileheight", "tilecount", "columns", "spacing", "margin",  "rotation",  "gid",
     "infinite",   "visible",   "opacity", "offsetx", "offsety", "parallaxx", "parallaxy"};
+
+// Members that elements make: no attribute becomes one of these, so that lists are lists.
+constexpr std::array<std::string_view, 15> kElementMembers = {
+    "layers",      "tilesets", "tiles",       "objects",     "properties",
+    "objectgroup", "data",     "imagewidth",  "imageheight", "chunks",
+    "encoding",    "polygon",  "compression", "polyline",    "transparentcolor"};
+// Elements that become a member of their name, and of which it is enough to know that they are there.
+constexpr std::array<std::string_view, 12> kMarkElements = {
+    "image",      "ellipse", "point",    "text",         "capsule",        "animation",
+    "tileoffset", "grid",    "wangsets", "terraintypes", "editorsettings", "transformations"};
+
+template <std::size_t count>
+bool is_one_of(const std::array<std::string_view, count>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Finds text that is no UTF-8 any more now that references such as "&#xD800;" are characters.
+class BadText : public pugi::xml_tree_walker {
+ public:
+  pugi::xml_node where;  // null: all is good
+
+  bool for_each(pugi::xml_node& node) override {
+    bool good = is_utf8(node.value());
+    for (const pugi::xml_attribute attribute : node.attributes()) good = good && is_utf8(attribute.value());
+    if (!good) where = node;
+    return good;
+  }
+};
 
 // A number that JSON can hold; other text stays text, which the reader complains of.
 Json number_or_text(std::string_view text) {
@@ -71,13 +102,17 @@ class TiledXml {
         document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
     if (!parsed)
       return error_at_line(text_, static_cast<std::size_t>(parsed.offset), "this is not valid XML");
+    BadText bad;
+    document.traverse(bad);
+    if (bad.where) fail(bad.where, "refers to a character that there is not");
     const pugi::xml_node root = document.document_element();
     const std::string_view name = root.name();
-    if (name != "map" && name != "tileset")
+    if (!error_ && name != "map" && name != "tileset")
       return tl::unexpected(FormatError{"", "is no map or tileset of Tiled"});
-    Json json = name == "map" ? map(root) : tileset(root);
-    json["type"] = name;
+    Json json;
+    if (!error_) json = name == "map" ? map(root) : tileset(root);
     if (error_) return tl::unexpected(*error_);
+    json["type"] = name;
     return json;
   }
 
@@ -87,9 +122,11 @@ class TiledXml {
     Json json = Json::object();
     json[kTiledLineKey] = line_of(node);
     for (const pugi::xml_attribute attribute : node.attributes()) {
-      const std::string_view name = attribute.name();
-      const bool is_number = std::find(kXmlNumbers.begin(), kXmlNumbers.end(), name) != kXmlNumbers.end();
-      json[attribute.name()] = is_number ? number_or_text(attribute.value()) : Json(attribute.value());
+      std::string name = attribute.name();
+      const bool is_number = is_one_of(kXmlNumbers, name);
+      if (is_one_of(kElementMembers, name) || is_one_of(kMarkElements, name))
+        name += "=";  // as none is called
+      put_once(node, name, is_number ? number_or_text(attribute.value()) : Json(attribute.value()), json);
     }
     return json;
   }
@@ -107,7 +144,7 @@ class TiledXml {
 
   Json map(const pugi::xml_node& node) {
     Json json = attributes(node);
-    json["layers"] = Json::array();
+    json["layers"] = json["tilesets"] = Json::array();
     for (const pugi::xml_node child : node.children()) add_to_map(child, 0, json);
     return json;
   }
@@ -124,10 +161,11 @@ class TiledXml {
 
   // Of elements that nobody reads the name is enough: the reader tells of it.
   void add_common(const pugi::xml_node& child, Json& json) {
-    if (std::string_view(child.name()) == "properties")
-      json["properties"] = properties(child);
+    const std::string name = child.name();
+    if (name == "properties")
+      put_once(child, name, properties(child), json);
     else if (child.type() == pugi::node_element)
-      json[child.name()] = true;
+      json[is_one_of(kMarkElements, name) ? name : "<" + name + ">"] = true;
   }
 
   Json properties(const pugi::xml_node& node) {
@@ -143,10 +181,11 @@ class TiledXml {
 
   Json tileset(const pugi::xml_node& node) {
     Json json = attributes(node);
+    json["tiles"] = Json::array();
     for (const pugi::xml_node child : node.children()) {
       const std::string_view name = child.name();
       if (name == "image") {
-        json["image"] = child.attribute("source").value();
+        put_once(child, "image", child.attribute("source").value(), json);
         for (const char* side : {"width", "height"}) {
           if (const auto length = child.attribute(side))
             json[std::string("image") + side] = number_or_text(length.value());
@@ -165,7 +204,7 @@ class TiledXml {
     Json json = attributes(node);
     for (const pugi::xml_node child : node.children()) {
       if (std::string_view(child.name()) == "objectgroup")
-        json["objectgroup"] = layer(child, 1);
+        put_once(child, "objectgroup", layer(child, 1), json);
       else
         add_common(child, json);
     }
@@ -175,8 +214,9 @@ class TiledXml {
   Json layer(const pugi::xml_node& node, int groups) {
     Json json = attributes(node);
     json["type"] = layer_type(node.name());
+    json["layers"] = json["objects"] = Json::array();
     if (groups > kMaxGroups) {
-      if (!error_) error_ = FormatError{"line " + json[kTiledLineKey].dump(), "is nested too deep in groups"};
+      fail(node, "is nested too deep in groups");
       return json;
     }
     for (const pugi::xml_node child : node.children()) {
@@ -197,15 +237,13 @@ class TiledXml {
       if (node.attribute(key)) json[key] = node.attribute(key).value();
     }
     if (node.child("chunk")) json["chunks"] = true;
-    if (node.attribute("encoding")) {
-      json["data"] = node.child_value();
-      return;
-    }
-    Json& cells = json["data"] = Json::array();
+    if (node.attribute("encoding")) return put_once(node, "data", node.child_value(), json);
+    Json cells = Json::array();
     for (const pugi::xml_node cell : node.children("tile")) {
       const pugi::xml_attribute gid = cell.attribute("gid");
       cells.push_back(gid ? number_or_text(gid.value()) : Json(0));
     }
+    put_once(node, "data", std::move(cells), json);
   }
 
   Json object(const pugi::xml_node& node) {
@@ -213,11 +251,21 @@ class TiledXml {
     for (const pugi::xml_node child : node.children()) {
       const std::string_view name = child.name();
       if (name == "polygon" || name == "polyline")
-        json[child.name()] = points_of_text(child.attribute("points").value());
+        put_once(child, child.name(), points_of_text(child.attribute("points").value()), json);
       else
         add_common(child, json);
     }
     return json;
+  }
+
+  // What is there twice is an error, as in JSON. node: whose line that has.
+  void put_once(const pugi::xml_node& node, const std::string& name, Json value, Json& json) {
+    if (json.contains(name)) return fail(node, "has \"" + name + "\" twice");
+    json[name] = std::move(value);
+  }
+
+  void fail(const pugi::xml_node& node, std::string message) {
+    if (!error_) error_ = FormatError{"line " + std::to_string(line_of(node)), std::move(message)};
   }
 
   std::string_view text_;
