@@ -20,6 +20,20 @@ tl::unexpected<FormatError> failure(const char* what, int error_number) {
       FormatError{"", std::string(what) + ": " + std::generic_category().message(error_number)});
 }
 
+tl::unexpected<FormatError> too_large_file() {
+  return tl::unexpected(FormatError{"", "is larger than " + std::to_string(kMaxFileBytes >> 20) + " MiB"});
+}
+
+// Null: it is a file.
+const char* kind_of_no_file(mode_t mode) {
+  if (S_ISREG(mode)) return nullptr;
+  return S_ISDIR(mode) ? "directory" : S_ISFIFO(mode) ? "pipe" : S_ISSOCK(mode) ? "socket" : "device";
+}
+
+tl::unexpected<FormatError> no_file(const std::string& kind) {
+  return tl::unexpected(FormatError{"", "is a " + kind + ", and only files are read"});
+}
+
 class File {
  public:
   explicit File(int descriptor) : descriptor_(descriptor) {}
@@ -75,8 +89,14 @@ int create_temporary(const fs::path& target, std::string& name) {
 }
 
 FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes) {
-  File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+  // A pipe that nobody reads would be waited for here, without end.
+  File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (!file.is_open() && errno == ENXIO)
+    return tl::unexpected(FormatError{"", "is a pipe or device that nobody reads"});
   if (!file.is_open()) return failure("cannot be opened for writing", errno);
+  const int flags = ::fcntl(file.get(), F_GETFL);
+  if (flags < 0 || ::fcntl(file.get(), F_SETFL, flags & ~O_NONBLOCK) != 0)
+    return failure("cannot be written", errno);
   if (!write_all(file.get(), bytes) || !file.close()) return failure("cannot be written", errno);
   return {};
 }
@@ -91,19 +111,21 @@ void sync_directory(const fs::path& target) {
 }  // namespace
 
 FormatResult<std::string> read_file(const std::string& path) {
-  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) return failure("cannot be opened", errno);
+  // Looked at before it is opened, as opening a device may do something, and again after that, as it may be
+  // another one by then.
   struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return failure("cannot be opened", errno);
+  if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
+  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (!file.is_open()) return failure("cannot be opened", errno);
   if (::fstat(file.get(), &status) != 0) return failure("cannot be read", errno);
-  if (S_ISDIR(status.st_mode)) return failure("cannot be read", EISDIR);
+  if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
+  if (status.st_size > static_cast<off_t>(kMaxFileBytes)) return too_large_file();
   std::string bytes;
   constexpr std::size_t kStep = 1 << 20;
   for (;;) {
     const std::size_t size = bytes.size();
-    if (size > kMaxFileBytes) {
-      return tl::unexpected(
-          FormatError{"", "is larger than " + std::to_string(kMaxFileBytes >> 20) + " MiB"});
-    }
+    if (size > kMaxFileBytes) return too_large_file();
     bytes.resize(size + kStep);
     const ssize_t count = ::read(file.get(), bytes.data() + size, kStep);
     const int error_number = errno;

@@ -13,7 +13,8 @@ namespace talus {
 // of 8x2097152, with its many lines, 55 MB.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 
-// The file's bytes; an error for directories, unreadable files and files over kMaxFileBytes.
+// The file's bytes; an error for unreadable files, files over kMaxFileBytes, and at once for what is no file
+// but a directory, device, pipe or socket: reading one of these could wait for ever.
 FormatResult<std::string> read_file(const std::string& path);
 
 // Puts the bytes in place at once: whoever reads the path, even after a kill or power loss at any moment,
