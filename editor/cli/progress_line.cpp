@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <utility>
+
+#include "formats/utf8_text.h"
 
 namespace talus {
 namespace {
@@ -12,26 +13,12 @@ namespace {
 constexpr auto kBetweenLines = std::chrono::milliseconds(100);
 constexpr const char* kToLineStart = "\r\x1b[K";  // and wipes the line
 
-sigset_t end_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  return signals;
-}
-
 }  // namespace
 
-ProgressLine::ProgressLine(std::ostream& stream, std::string label, bool shows, Clock::duration after)
-    : stream_(stream), label_(std::move(label)), shows_(shows), next_(Clock::now() + after) {
-  const sigset_t signals = end_signals();
-  pthread_sigmask(SIG_BLOCK, &signals, &before_);
-}
+ProgressLine::ProgressLine(std::ostream& stream, const std::string& label, bool shows, Clock::duration after)
+    : stream_(stream), label_(printable(label)), shows_(shows), next_(Clock::now() + after) {}
 
-ProgressLine::~ProgressLine() {
-  wipe();
-  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-}
+ProgressLine::~ProgressLine() { wipe(); }
 
 bool ProgressLine::at(double share) {
   const Clock::time_point now = Clock::now();
@@ -40,9 +27,7 @@ bool ProgressLine::at(double share) {
     is_shown_ = true;
     next_ = now + kBetweenLines;
   }
-  sigset_t waiting;
-  sigpending(&waiting);
-  return sigismember(&waiting, SIGINT) == 0 && sigismember(&waiting, SIGTERM) == 0;
+  return !signals_.have_come();
 }
 
 void ProgressLine::wipe() {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <chrono>
-#include <csignal>
 #include <iosfwd>
 #include <string>
+
+#include "end_signals.h"
 
 namespace talus {
 
@@ -15,7 +16,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
   // label: what is being done. shows: false: nothing is written, as where the stream is no terminal.
   // after: how long the work goes on before there is a line.
-  ProgressLine(std::ostream& stream, std::string label, bool shows,
+  ProgressLine(std::ostream& stream, const std::string& label, bool shows,
                Clock::duration after = std::chrono::seconds(1));
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -31,7 +32,7 @@ class ProgressLine {
   bool shows_;
   Clock::time_point next_;  // when the line is written again
   bool is_shown_ = false;
-  sigset_t before_{};
+  EndSignals signals_;
 };
 
 // Whether somebody sees at once what is written there: it is the program's own error stream, on a terminal.
