@@ -5,11 +5,13 @@
 #include <array>
 #include <cctype>
 
+#include "last_catch.h"
 #include "native.h"
 #include "tic_cart.h"
 #include "tic_png.h"
 #include "tic_text.h"
 #include "tiled_format.h"
+#include "utf8_text.h"
 
 namespace talus {
 namespace {
@@ -48,8 +50,10 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
 tl::unexpected<FormatError> was_cancelled() { return tl::unexpected(FormatError{"", "was cancelled"}); }
 
 std::string to_string(const FormatError& error, std::string_view file) {
-  return std::string(file) + (error.place.empty() ? "" : ":" + error.place) + ": error: " + error.message +
-         (error.remedy.empty() ? "" : ": " + error.remedy);
+  constexpr std::size_t kMostShown = 2000;  // bytes, of the place and of the message
+  return printable_line(
+      std::string(file) + (error.place.empty() ? "" : ":" + shortened(error.place, kMostShown)) +
+      ": error: " + shortened(error.message, kMostShown) + (error.remedy.empty() ? "" : ": " + error.remedy));
 }
 
 std::span<const Format> formats() {
@@ -102,7 +106,7 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   LoadedLevel loaded{Level(), format};
   FormatContext noting = context;
   noting.dropped = &loaded.dropped;
-  auto level = format->read(bytes, noting);
+  auto level = read_guarded([&] { return format->read(bytes, noting); });
   if (!level) return tl::unexpected(level.error());
   loaded.level = *std::move(level);
   return loaded;

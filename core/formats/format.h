@@ -23,7 +23,8 @@ struct FormatError {
   std::string remedy = {};
 };
 
-// "FILE:PLACE: error: MESSAGE: REMEDY", without what is empty.
+// "FILE:PLACE: error: MESSAGE: REMEDY", without what is empty: one line, see printable_line (utf8_text.h),
+// however long the names are that the file has.
 std::string to_string(const FormatError& error, std::string_view file);
 
 template <class T>

@@ -5,9 +5,11 @@
 #include <filesystem>
 
 #include "atomic_file.h"
+#include "last_catch.h"
 #include "tiled_json.h"
 #include "tiled_level.h"
 #include "tiled_xml.h"
+#include "utf8_text.h"
 
 namespace talus {
 namespace {
@@ -150,13 +152,6 @@ FormatResult<Level> read_files(std::string_view bytes, const FormatContext& cont
   return level_of_tiled(*map, *pictures, context.choices, drops);
 }
 
-// Names in the file may have line breaks.
-std::string in_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 32; }, ' ');
-  return text;
-}
-
 }  // namespace
 
 bool accepts_tiled_json(std::string_view bytes, const FormatContext& context) {
@@ -179,12 +174,12 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
   FormatContext context = context_for_file(path);
   context.progress = progress;
   TiledDrops drops;
-  const auto map = TiledFiles(context, drops).read_map(*bytes);
+  const auto map = read_guarded([&] { return TiledFiles(context, drops).read_map(*bytes); });
   if (!map) return layers;
   for (const TiledLayer& layer : map->layers) {
     if (!layer.has_tiles) continue;
     const auto empty = std::count(layer.cells.begin(), layer.cells.end(), 0U);
-    layers.push_back({in_one_line(layer.name), layer.cells.size() - static_cast<std::size_t>(empty)});
+    layers.push_back({printable(layer.name), layer.cells.size() - static_cast<std::size_t>(empty)});
   }
   return layers;
 }
@@ -192,11 +187,8 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context) {
   TiledDrops drops;
   auto level = read_files(bytes, context, drops);
-  if (!level)
-    return tl::unexpected(FormatError{in_one_line(level.error().place), in_one_line(level.error().message),
-                                      level.error().remedy});
-  if (context.dropped != nullptr) {
-    for (const std::string& phrase : drops.phrases()) context.dropped->push_back(in_one_line(phrase));
+  if (level && context.dropped != nullptr) {
+    for (std::string& phrase : drops.phrases()) context.dropped->push_back(std::move(phrase));
   }
   return level;
 }

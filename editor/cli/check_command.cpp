@@ -21,8 +21,8 @@ void check(CommandContext& context, const std::string& file) {
   for (const Problem& problem : lint(*level)) {
     const bool is_error = problem.severity == Severity::error;
     const std::string place = place_of(problem);
-    context.out << file << (place.empty() ? "" : ":") << place << (is_error ? ": error: " : ": warning: ")
-                << problem.message << " [" << problem.code << "]\n";
+    say(context.out, file + (place.empty() ? "" : ":") + place + (is_error ? ": error: " : ": warning: ") +
+                         problem.message + " [" + problem.code + "]");
     if (is_error) context.status = kExitBad;
   }
 }

@@ -16,6 +16,9 @@ struct CommandContext {
   std::ostream& out;
   std::ostream& err;
   int status = kExitGood;  // set by the command that ran
+  // What it does by now, for an error that nobody expected: "reading cave.tmx". Empty: no more is known than
+  // the command.
+  std::string doing = {};
 };
 
 // To add a sub-command: write its file, declare it here, and list it in cli.cpp.
@@ -28,6 +31,10 @@ void add_check_command(CLI::App& program, CommandContext& context);
 void add_shot_command(CLI::App& program, CommandContext& context);
 void add_bench_command(CLI::App& program, CommandContext& context);
 void add_report_command(CLI::App& program, CommandContext& context);
+
+// Writes one line and ends it. What a terminal or a log would not show as text is escaped: see
+// printable_line.
+void say(std::ostream& stream, const std::string& line);
 
 // Reports "FILE:PLACE: error: MESSAGE" (without ":PLACE" when it is empty) and sets the status to kExitBad.
 void fail(CommandContext& context, const std::string& file, const std::string& place,

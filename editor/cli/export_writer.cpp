@@ -25,9 +25,9 @@ FormatResult<std::string> read_asset(const std::string& name) { return read_file
 void warn_of_losses(CommandContext& context, const Exporter& exporter, const Exported& exported,
                     const std::string& output) {
   for (const std::string& what : exported.dropped)
-    context.err << output << ": warning: not stored in this format: " << what << '\n';
+    say(context.err, output + ": warning: not stored in this format: " + what);
   if (const std::string problem = code_problem(exporter, exported.code_bytes); !problem.empty())
-    context.err << output << ": warning: " << problem << '\n';
+    say(context.err, output + ": warning: " + problem);
 }
 
 void fail_with(CommandContext& context, const ExportOrder& order, const ExportProblem& problem) {
@@ -135,9 +135,12 @@ void carry_out(CommandContext& context, const ExportOrder& order) {
     record.note(plan->files[i].path, content_hash(plan->content.files[i].bytes));
   record.save();
   const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
-  if (order.tells) context.out << summary_of(*plan) << ", " << time.count() << " ms" << std::endl;
+  if (order.tells) {
+    say(context.out, summary_of(*plan) + ", " + std::to_string(time.count()) + " ms");
+    context.out.flush();
+  }
   for (const std::string& path : kept)
-    context.err << path << ": note: kept, as it is yours by now; --fresh writes it anew\n";
+    say(context.err, path + ": note: kept, as it is yours by now; --fresh writes it anew");
   warn_of_losses(context, *plan->exporter, plan->content, order.output);
 }
 

@@ -24,8 +24,8 @@ void write_level(CommandContext& context, const Level& level, const CompanionFil
   const auto saved = save_level(level, *format, output, known);
   if (!saved) return fail(context, output, saved.error().place, saved.error().message);
   for (const std::string& what : saved->dropped)
-    context.err << output << ": warning: not stored in this format: " << what << '\n';
-  if (!saved->note.empty()) context.err << output << ": note: " << saved->note << '\n';
+    say(context.err, output + ": warning: not stored in this format: " + what);
+  if (!saved->note.empty()) say(context.err, output + ": note: " + saved->note);
 }
 
 std::string changes_text(const PngImportPlan& plan) {
@@ -62,7 +62,7 @@ void import_png(CommandContext& context, const PngIntoLevel& import) {
   apply_edit(level, plan->edit);
   write_level(context, level, loaded->companion, import.output);
   if (context.status == kExitGood && import.output != "-")
-    context.out << import.output << ": " << changes_text(*plan) << '\n';
+    say(context.out, import.output + ": " + changes_text(*plan));
 }
 
 }  // namespace talus

@@ -52,7 +52,8 @@ void report(CommandContext& context, const ReportOptions& options) {
     pictures.push_back(plot.picture);
   }
   if (!write(context, folder + "report.md", page_of(rows, facts, pictures))) return;
-  context.out << rows.size() << " rows in " << folder << "report.csv, " << pictures.size() << " plots\n";
+  say(context.out, std::to_string(rows.size()) + " rows in " + folder + "report.csv, " +
+                       std::to_string(pictures.size()) + " plots");
   if (pictures.size() < report_plots().size()) {
     fail(context, options.folder, "", "gnuplot is missing or failed, so there are tables but not all plots");
   }

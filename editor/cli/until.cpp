@@ -45,7 +45,7 @@ void Until::report(CommandContext& context, const std::string& file) const {
                     std::to_string(frame));
   }
   context.out << trace_line(view.now().state, &view.now().record) << '\n';
-  if (const std::string why = explain_step(view, *body_); !why.empty()) context.out << why << '\n';
+  if (const std::string why = explain_step(view, *body_); !why.empty()) say(context.out, why);
 }
 
 std::string problem_of_condition(const std::string& condition) {
