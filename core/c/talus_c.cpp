@@ -8,6 +8,7 @@
 #include "../collision/ground_queries.h"
 #include "../formats/format.h"
 #include "../formats/hard_case.h"
+#include "../formats/last_catch.h"
 #include "../level/ground.h"
 #include "../sim/case_input.h"
 #include "../sim/solver.h"
@@ -61,10 +62,10 @@ template <class Load>
 talus_game* opened(const char* name, char* error, std::size_t error_size, Load load) {
   tell("", error, error_size);
   try {
-    auto game = game_of(load());
+    auto game = read_guarded([&] { return game_of(load()); });
     if (game) return game->release();
     tell(to_string(game.error(), name).c_str(), error, error_size);
-  } catch (...) {
+  } catch (...) {  // of the error's own text
     tell("error: there is not enough memory", error, error_size);
   }
   return nullptr;

@@ -8,6 +8,7 @@
 #include "atomic_file.h"
 #include "hex.h"
 #include "input_entry.h"
+#include "last_catch.h"
 #include "native.h"
 
 namespace talus {
@@ -36,7 +37,7 @@ std::int64_t whole(const Json& object, const std::string& path, const char* key,
   const std::string place = path + key;
   if (!object.contains(key)) fail(place, "is missing");
   const Json& value = object[key];
-  if (!value.is_number_integer() || value < min || value > max)
+  if (!is_whole(value, min, max))
     fail(place, "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
   return value.get<std::int64_t>();
 }
@@ -225,14 +226,16 @@ std::string input_text(const std::vector<RecordedInput>& input) {
 
 FormatResult<Json> edits_of(const Recording& recording, const std::string& level_text) {
   Json edits = Json::array();
-  Json before = Json::parse(level_text);
+  auto before = parse_json(level_text);
+  if (!before) return before;
   Level level = recording.level;
   for (const RecordedEdit& edit : recording.edits) {
     put_version(*edit.version, level);
     const auto text = write_native(level, {});
     if (!text) return tl::unexpected(text.error());
-    Json after = Json::parse(text->bytes);
-    edits.push_back({{"frame", edit.frame}, {"patch", Json::diff(before, after)}});
+    auto after = parse_json(text->bytes);
+    if (!after) return after;
+    edits.push_back({{"frame", edit.frame}, {"patch", Json::diff(*before, *after)}});
     before = std::move(after);
   }
   return edits;
@@ -301,7 +304,7 @@ FormatResult<std::string> write_recording(const Recording& recording) {
 FormatResult<Recording> load_recording(const std::string& path, const Progress& progress) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  return read_recording(*bytes, progress);
+  return read_guarded([&] { return read_recording(*bytes, progress); });
 }
 
 FormatResult<void> save_recording(const Recording& recording, const std::string& path) {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <sstream>
 
 #include "collision/world.h"
 #include "command.h"
 #include "formats/format.h"
+#include "formats/last_catch.h"
 #include "formats/number_text.h"
+#include "formats/utf8_text.h"
 
 namespace talus {
 namespace {
@@ -63,34 +66,43 @@ int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::o
   try {
     program.parse(remaining);
   } catch (const CLI::ParseError& error) {
-    const bool was_help = program.exit(error, out, err) == static_cast<int>(CLI::ExitCodes::Success);
+    std::stringstream problem;  // which may quote what was typed
+    const bool was_help = program.exit(error, out, problem) == static_cast<int>(CLI::ExitCodes::Success);
+    for (std::string line; std::getline(problem, line);) say(err, line);
     return was_help ? kExitGood : kExitUsage;
-  } catch (const std::bad_alloc&) {
-    fail(context, "talus", "", "the memory does not suffice for this level");
   } catch (const WorldError& error) {
     fail(context, "talus", "", error.what());
+  } catch (...) {
+    const auto commands = program.get_subcommands();
+    const std::string command = commands.empty() ? "" : " " + commands.front()->get_name();
+    if (context.doing.empty()) context.doing = "running talus" + command;
+    fail(context, "talus", "", "ended while " + context.doing + ": " + caught_text());
   }
   if (!out.flush()) fail(context, "-", "", "standard output cannot be written");
   return context.status;
 }
 
+void say(std::ostream& stream, const std::string& line) { stream << printable_line(line) << '\n'; }
+
 void fail(CommandContext& context, const std::string& file, const std::string& place,
           const std::string& message) {
-  context.err << to_string(FormatError{place, message}, file) << '\n';
+  say(context.err, to_string(FormatError{place, message}, file));
   context.status = kExitBad;
 }
 
 std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
                                              const ImportChoices& choices) {
+  context.doing = "reading " + file;
   FormatResult<LoadedLevel> loaded = load_level(file, choices);
   if (!loaded) {
-    context.err << to_string(loaded.error(), file) << '\n';
+    say(context.err, to_string(loaded.error(), file));
     context.status = kExitBad;
     return std::nullopt;
   }
   for (const std::string& what : loaded->dropped)
-    context.err << file << ": warning: not in the level: " << what << '\n';
-  if (!loaded->note.empty()) context.err << file << ": warning: " << loaded->note << '\n';
+    say(context.err, file + ": warning: not in the level: " + what);
+  if (!loaded->note.empty()) say(context.err, file + ": warning: " + loaded->note);
+  context.doing = "working on " + file;
   return *std::move(loaded);
 }
 

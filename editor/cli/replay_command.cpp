@@ -12,6 +12,7 @@ namespace {
 void replay(CommandContext& context, const std::string& file) {
   const auto bytes = read_file(file);
   if (!bytes) return fail(context, file, bytes.error().place, bytes.error().message);
+  context.doing = "replaying " + file;
   const auto answers = replay_scenario(*bytes);
   if (!answers) return fail(context, file, answers.error().place, answers.error().message);
   for (const std::string& line : *answers) context.out << line << '\n';

@@ -17,11 +17,13 @@ namespace {
 constexpr std::int64_t kStepsAtOnce = 4096;  // between looks for a frame that is not as recorded
 
 std::optional<Recording> load_recording_or_fail(CommandContext& context, const SimOptions& options) {
+  context.doing = "reading " + options.file;
   auto recording = load_recording(options.file);
   if (!recording) {
     fail(context, options.file, recording.error().place, recording.error().message);
     return std::nullopt;
   }
+  context.doing = "working on " + options.file;
   apply_physics(options.physics, recording->level.tuning);
   for (RecordedEdit& edit : recording->edits) {
     LevelVersion version = *edit.version;

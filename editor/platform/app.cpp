@@ -13,7 +13,9 @@
 #include "asset_path.h"
 #include "external_program.h"
 #include "formats/atomic_file.h"
+#include "formats/last_catch.h"
 #include "formats/recording.h"
+#include "formats/utf8_text.h"
 #include "panels/commands.h"
 #include "panels/dialog.h"
 #include "picture.h"
@@ -199,7 +201,7 @@ Settings App::current_settings() const {
 void App::remember() const {
   if (!options_.remember) return;
   if (const auto saved = save_settings(current_settings(), settings_path()); !saved)
-    std::cerr << "talus: warning: " << saved.error() << '\n';
+    std::cerr << printable_line("talus: warning: " + saved.error()) << '\n';
 }
 
 App::~App() {
@@ -209,7 +211,12 @@ App::~App() {
 }
 
 void App::run() {
-  while (!session_->wants_quit()) turn();
+  try {
+    while (!session_->wants_quit()) turn();
+  } catch (...) {  // what is not saved can be recovered at the next start
+    if (guard_) guard_->keep(*session_);
+    throw;
+  }
 }
 
 void App::turn() {
@@ -493,12 +500,18 @@ tl::expected<void, std::string> App::screenshot(const std::string& path) const {
 }
 
 int run_editor(const std::string& file) {
-  auto app = App::start({file, 0, 0, false, true, nullptr});
-  if (!app) {
-    std::cerr << "talus: error: " << app.error() << '\n';
+  const auto tell = [](const std::string& error) {
+    std::cerr << printable_line("talus: error: " + error) << '\n';
     return 1;
+  };
+  try {
+    auto app = App::start({file, 0, 0, false, true, nullptr});
+    if (!app) return tell(app.error());
+    (*app)->run();
+  } catch (...) {
+    return tell("the editor ended while it had " + (file.empty() ? "the demo level" : file) +
+                " open: " + caught_text());
   }
-  (*app)->run();
   return 0;
 }
 

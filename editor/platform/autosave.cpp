@@ -10,10 +10,14 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
+#include "formats/json_text.h"
+#include "formats/last_catch.h"
 #include "formats/recording.h"
+#include "formats/utf8_text.h"
 
 namespace talus {
 namespace {
@@ -80,24 +84,27 @@ tl::expected<SavedWork, std::string> read_saved_work(const std::string& file) {
   const auto bytes = read_file(file);
   if (!bytes) return tl::unexpected(to_string(bytes.error(), file));
   const std::size_t line = bytes->find('\n');
-  const json about = json::parse(bytes->substr(0, line), nullptr, false);
-  if (line == std::string::npos || !about.is_object()) return tl::unexpected(file + " is damaged.");
+  const auto parsed = parse_json(std::string_view(*bytes).substr(0, line));
+  if (line == std::string::npos || !parsed || !parsed->is_object())
+    return tl::unexpected(printable(file) + " is damaged.");
+  const json& about = *parsed;
   std::string_view rest = std::string_view(*bytes).substr(line + 1);
   SavedWork work{file, {}, kUnnamed, 0, nullptr};
   for (const json& size : about.value("recording_bytes", json::array())) {
     if (!size.is_number_unsigned() || size.get<std::size_t>() > rest.size())
-      return tl::unexpected(file + " is damaged.");
-    auto recording = read_recording(rest.substr(0, size.get<std::size_t>()));
+      return tl::unexpected(printable(file) + " is damaged.");
+    auto recording = read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>())); });
     if (!recording) return tl::unexpected(to_string(recording.error(), file));
     work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
     rest.remove_prefix(size.get<std::size_t>());
   }
-  auto level = find_format("native")->read(rest, {kNativeExtension});
+  auto level = read_guarded([&] { return find_format("native")->read(rest, {kNativeExtension}); });
   if (!level) return tl::unexpected(to_string(level.error(), file));
   work.level = std::make_shared<const Level>(std::move(*level));
   if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
   if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
-  if (about.contains("time") && about["time"].is_number_integer()) work.time = about["time"];
+  if (about.contains("time") && is_whole(about["time"], 0, std::numeric_limits<std::int64_t>::max()))
+    work.time = about["time"];
   return work;
 }
 
@@ -138,7 +145,13 @@ std::optional<std::string> Autosave::follow(const Session& session, double now) 
   changed_since_.reset();
   written_revision_ = revision_of(session);
   if (!hold_lock()) return no_room();
-  writing_ = std::async(std::launch::async, [work = work_of(session)] { return write_saved_work(work); });
+  writing_ = std::async(std::launch::async, [work = work_of(session)]() -> tl::expected<void, std::string> {
+    try {
+      return write_saved_work(work);
+    } catch (...) {
+      return tl::unexpected("The level cannot be saved by itself: " + caught_text() + ".");
+    }
+  });
   return error;
 }
 

@@ -66,6 +66,10 @@ void WorkGuard::recover(std::size_t index, Session& session, View& view) {
     session.apply(action::ShowMessage{saved.error(), true});
 }
 
+void WorkGuard::keep(const Session& session) {
+  if (session.modified() || !session.unsaved_runs().empty()) (void)autosave_.save_now(session);
+}
+
 void WorkGuard::end(const Session& session) {
   if (session.wants_quit()) autosave_.remove();
 }

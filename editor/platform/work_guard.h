@@ -23,7 +23,8 @@ class WorkGuard {
   // When follow() has something to do next, s.
   double due() const;
   void draw(Session& session, Ui& ui);
-  void end(const Session& session);  // the program ends as it should
+  void end(const Session& session);   // the program ends as it should
+  void keep(const Session& session);  // it ends by an error: saves what is to be recovered
 
  private:
   void recover(std::size_t index, Session& session, View& view);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "export/preset_clash.h"
+#include "formats/last_catch.h"
 
 namespace talus {
 namespace {
@@ -164,7 +165,11 @@ void Exporting::start_next() {
   job_->record = record_;
   job_->made = made_;
   thread_ = std::thread([job = job_.get()] {
-    carry_out(*job);
+    try {
+      carry_out(*job);
+    } catch (...) {
+      fail(*job, caught_text());
+    }
     job->done = true;
   });
 }
@@ -181,6 +186,16 @@ void Exporting::carry_out(Job& job) {
   job.task = 0;
   job.writing = true;
   if (job.wanted) write(job, plans);
+}
+
+// Nothing more is done; what is not written has this problem.
+void Exporting::fail(Job& job, const std::string& problem) {
+  for (std::size_t i = job.outcomes.size(); i < job.run.tasks.size(); ++i)
+    job.outcomes.push_back({.task = job.run.tasks[i], .output = {}});
+  for (ExportOutcome& outcome : job.outcomes) {
+    if (!outcome.written && !outcome.problem)
+      outcome.problem = {ExportProblem::Field::target, {"", "cannot be made: " + problem}};
+  }
 }
 
 // Makes the files, if no preview did.

@@ -144,6 +144,7 @@ class Exporting {
   void start_next();
   static ExportProgress progress_of(const Job& job);
   static void carry_out(Job& job);
+  static void fail(Job& job, const std::string& problem);
   static tl::expected<ExportPlan, ExportProblem> plan_of(Job& job, const ExportTask& task,
                                                          const std::string& output);
   static void keep_made(Job& job, ExportPlan plan);

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "formats/last_catch.h"
+
 namespace talus {
 
 void SceneCompiler::start(const Level& level) {
@@ -10,11 +12,15 @@ void SceneCompiler::start(const Level& level) {
   job_ = std::make_unique<Job>();
   job_->level = std::make_shared<const Level>(level);
   thread_ = std::thread([job = job_.get()] {
-    auto scene = compile_scene(*job->level, [job](double done) {
-      job->progress = done;
-      return job->wanted.load();
-    });
-    if (scene) job->scene = std::make_shared<const Scene>(*std::move(scene));
+    try {
+      auto scene = compile_scene(*job->level, [job](double done) {
+        job->progress = done;
+        return job->wanted.load();
+      });
+      if (scene) job->scene = std::make_shared<const Scene>(*std::move(scene));
+    } catch (...) {
+      job->problem = caught_text();
+    }
     job->done = true;
   });
 }
@@ -32,7 +38,7 @@ std::optional<SceneCompiler::Result> SceneCompiler::take() {
   if (!job_ || !job_->done) return std::nullopt;
   thread_.join();
   const auto job = std::exchange(job_, nullptr);
-  return Result{job->level, job->scene};
+  return Result{job->level, job->scene, job->problem};
 }
 
 }  // namespace talus

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "level/level.h"
@@ -19,7 +20,8 @@ class SceneCompiler {
 
   struct Result {
     std::shared_ptr<const Level> level;
-    ScenePtr scene;  // its
+    ScenePtr scene;       // its; null: there is a problem
+    std::string problem;  // what kept it from being compiled
   };
 
   SceneCompiler() = default;
@@ -38,7 +40,8 @@ class SceneCompiler {
     std::shared_ptr<const Level> level;
     std::atomic<double> progress = 0;
     std::atomic<bool> wanted = true, done = false;
-    ScenePtr scene;  // written before `done`
+    ScenePtr scene;       // written before `done`, as is:
+    std::string problem;  // empty: none
   };
   std::unique_ptr<Job> job_;
   std::thread thread_;

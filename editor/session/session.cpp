@@ -167,6 +167,10 @@ void Session::Impl::take_compiled() {
   const auto compiled = compiler.take();
   if (!compiled) return;
   is_opening = false;
+  if (!compiled->scene) {
+    message = Message{"The level cannot be played: " + compiled->problem + ".", true};
+    return;
+  }
   reach.note_change();
   keep_chosen_body([&] { player.edit(*compiled->level, nullptr, compiled->scene); });
   refresh_scene();
