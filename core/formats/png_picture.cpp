@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "atomic_file.h"
+#include "last_catch.h"
 #include "unpack.h"
 
 namespace {
@@ -217,7 +218,7 @@ FormatResult<PngPicture> read_png(std::string_view bytes) {
 FormatResult<PngPicture> load_png(const std::string& path) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  return read_png(*bytes);
+  return read_guarded([&] { return read_png(*bytes); });
 }
 
 std::string encode_png(int width, int height, int channels, const std::uint8_t* bytes) {

@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 constexpr auto kLook = std::chrono::milliseconds(50);
-constexpr auto kPatience = std::chrono::seconds(1);
+constexpr auto kPatience = std::chrono::seconds(2);
 
 bool is_waiting() {
   sigset_t waiting;

@@ -8,8 +8,8 @@
 namespace talus {
 
 // While there is one, the signals that end a program wait for the thread that made it. Work that does not
-// look for them within a second, as it waits for a pipe or computes for long, is ended by them all the same:
-// files are put in place whole, so that it may be ended anywhere.
+// look for them within two seconds, as it waits for a pipe or computes for long, is ended by them all the
+// same: files are put in place whole, so that it may be ended anywhere.
 class EndSignals {
  public:
   EndSignals();

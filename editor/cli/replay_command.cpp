@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "formats/atomic_file.h"
+#include "formats/last_catch.h"
 #include "formats/replay.h"
 
 namespace talus {
@@ -13,7 +14,7 @@ void replay(CommandContext& context, const std::string& file) {
   const auto bytes = read_file(file);
   if (!bytes) return fail(context, file, bytes.error().place, bytes.error().message);
   context.doing = "replaying " + file;
-  const auto answers = replay_scenario(*bytes);
+  const auto answers = read_guarded([&] { return replay_scenario(*bytes); });
   if (!answers) return fail(context, file, answers.error().place, answers.error().message);
   for (const std::string& line : *answers) context.out << line << '\n';
 }

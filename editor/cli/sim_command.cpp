@@ -9,6 +9,7 @@
 #include "formats/atomic_file.h"
 #include "formats/hard_case.h"
 #include "formats/input_entry.h"
+#include "formats/last_catch.h"
 #include "formats/number_text.h"
 #include "input_file.h"
 #include "sim/case_input.h"
@@ -29,7 +30,7 @@ std::optional<std::vector<RecordedInput>> load_input(CommandContext& context, co
     fail(context, file, bytes.error().place, bytes.error().message);
     return std::nullopt;
   }
-  auto inputs = read_input_lines(*bytes);
+  auto inputs = read_guarded([&] { return read_input_lines(*bytes); });
   if (!inputs) {
     fail(context, file, inputs.error().place, inputs.error().message);
     return std::nullopt;

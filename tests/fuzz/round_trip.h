@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdlib>
+#include <iostream>
 #include <string>
 #include <string_view>
 
+#include "document_checks.h"
 #include "formats/format.h"
 
 namespace talus {
@@ -15,19 +17,16 @@ inline void require(bool condition) {
   if (!condition) std::abort();
 }
 
-inline void require_clear(const FormatError& error) {
-  require(!error.message.empty() && error.message.find('\n') == std::string::npos);
+// Says what is wrong before it ends.
+inline void require(const Checked& checked) {
+  if (!checked.problem.empty()) std::cerr << checked.problem << std::endl;
+  require(checked.problem.empty());
 }
 
+inline void require_clear(const FormatError& error) { require(checked_error(error)); }
+
 // Through the native form the level comes back whole, and its text is settled.
-inline void require_native_round_trip(const Level& level) {
-  const Format& native = *find_format("native");
-  const auto written = native.write(level, {});
-  require(written.has_value());
-  const auto again = native.read(written->bytes, {});
-  require(again && *again == level);
-  require(native.write(*again, {})->bytes == written->bytes);
-}
+inline void require_native_round_trip(const Level& level) { require(checked_level(level)); }
 
 // An edit of a cart is there when the cart is read again, and the cart of another form takes it too.
 inline void require_edit_survives(Level level, const FormatContext& context) {

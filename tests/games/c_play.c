@@ -1,6 +1,6 @@
 /* Plays a level by the interface for C:
-     c_play FILE FRAMES   prints each body after each frame, "frame id x y vx vy", and the hash of the last one
-     c_play --checks FILE BAD   asks for what talus.h says about values that are none; FILE: a level whose
+     c_play FILE FRAMES   prints each body after each frame, "frame id x y vx vy", and the hash of the last
+   one c_play --checks FILE BAD   asks for what talus.h says about values that are none; FILE: a level whose
                                 body 1 is a ball over ground, BAD: a file that is no level */
 #include <math.h>
 #include <stdio.h>
@@ -60,6 +60,18 @@ static void check_errors(const char* bad) {
   MUST(!talus_open(bad, start, sizeof start) && strlen(start) == 5 && strncmp(start, bad, 5) == 0);
   start[0] = 'x';
   MUST(!talus_open(bad, start, 0) && start[0] == 'x');
+}
+
+/* A map whose XML has names that mean something else in JSON. */
+static void check_odd_map(void) {
+  const char* const map =
+      "<map orientation='orthogonal' width='1' height='1' tilewidth='8' tileheight='8' layers='x'><layers/>"
+      "<tilesets/><layer name='l'><data encoding='csv'>0</data></layer></map>";
+  char error[100];
+  talus_game* game = talus_read(map, strlen(map), "odd.tmx", error, sizeof error);
+  MUST(game && error[0] == '\0' && talus_body_count(game) == 0);
+  talus_close(game);
+  MUST(!talus_read("{}\n::error::", 12, "a\n.talus.json", error, sizeof error) && !strchr(error, '\n'));
 }
 
 /* Of the ball 1. */
@@ -124,6 +136,7 @@ int main(int argc, char** argv) {
   if (argc != 4) return 2;
   check_null();
   check_errors(argv[3]);
+  check_odd_map();
   game = talus_open(argv[2], NULL, 0);
   MUST(game != NULL);
   check_bodies(game);

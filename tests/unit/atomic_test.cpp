@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,16 +40,38 @@ TEST_F(AtomicFileTest, ReadsWhatItWrites) {
 
 TEST_F(AtomicFileTest, UnreadableThingsAreErrors) {
   EXPECT_EQ(read_file(path("none")).error().message, "cannot be opened: No such file or directory");
-  EXPECT_EQ(read_file(folder_.string()).error().message, "cannot be read: Is a directory");
+  EXPECT_EQ(read_file(folder_.string()).error().message, "is a directory, and only files are read");
 }
 
-TEST_F(AtomicFileTest, LargeAndEndlessFilesAreRefused) {
+TEST_F(AtomicFileTest, WhatIsNoFileIsRefusedAtOnce) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
+  EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe, and only files are read");
+  EXPECT_EQ(write_file_atomic(path("pipe"), "x").error().message, "is a pipe or device that nobody reads");
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  EXPECT_TRUE(write_file_atomic(path("pipe"), "x"));
+  EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe, and only files are read")
+      << "with a byte in it";
+  ::close(reader);
+  const int descriptor = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{AF_UNIX, {}};
+  const std::string name = path("s");
+  ASSERT_LT(name.size(), sizeof address.sun_path);
+  std::copy(name.begin(), name.end(), address.sun_path);
+  ASSERT_EQ(::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(read_file(name).error().message, "is a socket, and only files are read");
+  ::close(descriptor);
+  for (const char* device : {"/dev/null", "/dev/zero", "/dev/tty"})
+    EXPECT_EQ(read_file(device).error().message, "is a device, and only files are read");
+  fs::create_symlink("pipe", path("link"));
+  EXPECT_EQ(read_file(path("link")).error().message, "is a pipe, and only files are read");
+}
+
+TEST_F(AtomicFileTest, LargeFilesAreRefused) {
   std::ofstream(path("big")).close();
   fs::resize_file(path("big"), kMaxFileBytes);
   EXPECT_EQ(read_file(path("big"))->size(), kMaxFileBytes);
   fs::resize_file(path("big"), kMaxFileBytes + 1);
   EXPECT_EQ(read_file(path("big")).error().message, "is larger than 64 MiB");
-  EXPECT_EQ(read_file("/dev/zero").error().message, "is larger than 64 MiB");
 }
 
 TEST_F(AtomicFileTest, ThePermissionsStay) {

@@ -1,7 +1,12 @@
 // talus export with the presets of a level, and watching it.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -212,6 +217,42 @@ TEST_F(CliWatch, AfterABadFileItGoesOn) {
   const auto cart = load_level(path("b.tic"));
   ASSERT_TRUE(cart);
   EXPECT_EQ(cart->level.map.at({0, 0}), 5);
+}
+
+TEST_F(CliWatch, WaitsForAFileInThePlaceOfAPipe) {
+  ASSERT_EQ(::mkfifo(path("cave.talus.json").c_str(), 0666), 0);
+  watch({"--to", "tic", "-o", path("b.tic")});
+  EXPECT_EQ(wait_for(err_text_, 1),
+            path("cave.talus.json") + ": error: is a pipe, and only files are read; waiting for a file\n");
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // it is looked at some times more
+  fs::remove(path("cave.talus.json"));
+  save({}, 5);
+  wait_for(out_text_, 1);
+  interrupt();
+  EXPECT_EQ(lines(err_text_.text()), 1u) << err_text_.text();
+}
+
+TEST_F(CliPresets, SigtermEndsAWatchThatWaitsForAPipe) {
+  Level level;
+  level.map = TileMap(300, 300);  // more of JSON than a pipe holds
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("cave.talus.json")));
+  ASSERT_EQ(::mkfifo(path("out.json").c_str(), 0666), 0);
+  const int reader = ::open(path("out.json").c_str(), O_RDONLY | O_NONBLOCK);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    run({"--watch", "--force", "--to", "json", "-o", path("out.json")});
+    ::_exit(77);
+  }
+  int waiting = 0, status = 0;
+  constexpr int kFull = 65'536;
+  const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(10)); };
+  for (int i = 0; i < 1000 && waiting < kFull; ++i, pause()) ::ioctl(reader, FIONREAD, &waiting);
+  EXPECT_EQ(waiting, kFull);
+  ::kill(child, SIGTERM);
+  for (int i = 0; i < 1000 && ::waitpid(child, &status, WNOHANG) == 0; ++i) pause();
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
+  ::kill(child, SIGKILL);
+  ::close(reader);
 }
 
 TEST_F(CliWatch, KeepsCodeThatIsChangedMeanwhile) {

@@ -5,6 +5,7 @@
 #include "folder_test.h"
 #include "formats/png_picture.h"
 #include "formats/png_sheet.h"
+#include "formats/tiled_format.h"
 #include "tiled_files.h"
 
 namespace talus::import_tiled_test {
@@ -267,7 +268,7 @@ TEST(ImportTiled, RefusesWhatNoLevelIs) {
   EXPECT_EQ(error_of("{}"), "map: error: is no map of Tiled");
   EXPECT_EQ(error_of("<a/>", "tmx"), "map: error: is no map or tileset of Tiled");
   EXPECT_EQ(error_of("<map>\n<layer", "tmx"), "map:line 2: error: this is not valid XML");
-  EXPECT_EQ(error_of("{" + std::string(100, '[')),
+  EXPECT_EQ(error_of("{\"a\":" + std::string(100, '[')),
             "map:line 1: error: JSON is nested deeper here than 64 levels");
   std::string groups;
   for (int i = 0; i < 40; ++i) groups += "<group>";
@@ -277,6 +278,71 @@ TEST(ImportTiled, RefusesWhatNoLevelIs) {
                    groups + "</map>",
                "tmx"),
       "map:line 1: error: is nested too deep in groups");
+}
+
+// Attributes and elements with the names that others of them have in Tiled's JSON.
+TEST(ImportTiled, NamesOfXmlDoNotMeetInJson) {
+  const auto with = [](std::string what, const std::string& by) {
+    std::string text =
+        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
+        "<tileset firstgid=\"1\" name=\"t\" tilewidth=\"8\" tileheight=\"8\" tilecount=\"2\" columns=\"2\">"
+        "<tile id=\"1\"><objectgroup><object x=\"0\" y=\"0\" width=\"8\" height=\"8\"/></objectgroup></tile>"
+        "</tileset><layer name=\"l\"><data encoding=\"csv\">2</data></layer>"
+        "<objectgroup name=\"o\"><object type=\"ball\" x=\"1\" y=\"2\"/></objectgroup></map>";
+    return text.replace(text.find(what), what.size(), by);
+  };
+  const auto dropped = [&](const std::string& what, const std::string& by) {
+    std::vector<std::string> phrases;
+    FormatContext context{"tmx"};
+    context.dropped = &phrases;
+    const auto level = read_tiled(with(what, by), context);
+    if (!level) return std::vector<std::string>{to_string(level.error(), "map")};
+    EXPECT_EQ(level->map.at({0, 0}), 1);
+    EXPECT_EQ(level->spawns.size(), 1u);
+    std::erase(phrases, "the picture of the tileset \"t\"");
+    return phrases;
+  };
+  EXPECT_THAT(dropped("<map ", "<map "), ElementsAre());
+  EXPECT_THAT(dropped("<map ", "<map layers=\"x\" "), ElementsAre("\"layers=\" of the map"));
+  EXPECT_THAT(dropped("<map ", "<map tilesets=\"x\" "), ElementsAre("\"tilesets=\" of the map"));
+  EXPECT_THAT(dropped("<tileset ", "<tileset tiles=\"x\" "), ElementsAre("\"tiles=\" of the tileset \"t\""));
+  EXPECT_THAT(dropped("<objectgroup name", "<objectgroup objects=\"x\" name"),
+              ElementsAre("\"objects=\" of the layer \"o\""));
+  EXPECT_THAT(dropped("<layer ", "<layers/><layer "), ElementsAre("\"<layers>\" of the map"));
+  EXPECT_THAT(dropped("<tileset ", "<tilesets/><tileset "), ElementsAre("\"<tilesets>\" of the map"));
+  EXPECT_THAT(dropped("<tile ", "<tiles/><tile "), ElementsAre("\"<tiles>\" of the tileset \"t\""));
+  EXPECT_THAT(dropped("<object type", "<objects/><object type"),
+              ElementsAre("\"<objects>\" of the layer \"o\""));
+  EXPECT_THAT(dropped("<layer ", "<width/><layer "), ElementsAre("\"<width>\" of the map"));
+  EXPECT_THAT(dropped("<layer ", "<type/><layer "), ElementsAre("\"<type>\" of the map"));
+  EXPECT_THAT(dropped("<data ", "<properties data=\"x\"/><data "), ElementsAre());
+  EXPECT_THAT(dropped("<map ", "<map width=\"1\" "), ElementsAre("map:line 1: error: has \"width\" twice"));
+  EXPECT_THAT(dropped("<data ", "<data/><data "), ElementsAre("map:line 1: error: has \"data\" twice"));
+  EXPECT_THAT(dropped("name=\"l\"", "name=\"&#xD800;\""),
+              ElementsAre("map:line 1: error: refers to a character that there is not"));
+  EXPECT_THAT(
+      dropped("</tileset>",
+              "</tileset>\n<layer name=\"a&#10;::error::&#27;[31m\"><data "
+              "encoding=\"csv\">2</data></layer>"),
+      ElementsAre(R"(map: error: has the layers of tiles "a\n::error::\x1b[31m", "l", and a level has )"
+                  "one: `talus import --layer NAME` takes the one of that name"));
+}
+
+TEST(ImportTiled, NoEntityOfAFileGrows) {
+  std::string entities = "<!ENTITY a0 \"aaaaaaaaaa\">";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "&a" + std::to_string(i - 1) + ";";
+    entities += "<!ENTITY a" + std::to_string(i) + " \"" + before + before + before + before + "\">";
+  }
+  const std::string text =
+      "<!DOCTYPE map [" + entities +
+      "<!ENTITY file SYSTEM \"/etc/passwd\">]><map orientation=\"orthogonal\" width=\"1\" "
+      "height=\"1\" tilewidth=\"8\" tileheight=\"8\"><layer name=\"&a29;&file;\"><data "
+      "encoding=\"csv\">0</data></layer></map>";
+  FormatContext context{"tmx"};
+  context.choices.layer = "none";
+  EXPECT_EQ(read_level(text, context).error().message,
+            "has no layer of tiles with the name \"none\", but \"&a29;&file;\"");
 }
 
 TEST(ImportTiled, ChoosesOneOfSeveralLayers) {

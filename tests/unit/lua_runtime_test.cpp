@@ -54,9 +54,11 @@ class LuaRuntime : public FolderTest {
     const std::string luas[] = {"lua5.3", "luajit -Ohotloop=500,hotexit=100"};
     std::future<std::string> outputs[2];
     for (int i = 0; i < 2; ++i) {
-      outputs[i] = std::async(std::launch::async, output_of,
-                              "cd '" + folder_.string() + "' && " + luas[i] +
-                                  " '" TALUS_SOURCE_DIR "/tests/games/parity.lua' list.lua 2>&1");
+      outputs[i] = std::async(std::launch::async,
+                              [command = "cd '" + folder_.string() + "' && " + luas[i] +
+                                         " '" TALUS_SOURCE_DIR "/tests/games/parity.lua' list.lua 2>&1"] {
+                                return output_of(command);
+                              });
     }
     std::int64_t differences = 0, compared = 0;
     for (int i = 0; i < 2; ++i) {

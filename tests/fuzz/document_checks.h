@@ -1,0 +1,113 @@
+// What the readers of documents promise about every one: a value or one clear sentence, no exception, and
+// what was read can be written and read again.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/format.h"
+#include "formats/hard_case.h"
+#include "formats/input_entry.h"
+#include "formats/native.h"
+#include "formats/recording.h"
+#include "formats/replay.h"
+#include "formats/tiled_format.h"
+#include "formats/utf8_text.h"
+
+namespace talus {
+
+struct Checked {
+  bool is_read = false;
+  std::string problem = {};  // what was promised and is not so; empty: nothing
+};
+
+inline Checked checked_error(const FormatError& error) {
+  constexpr std::size_t kMostShown = 5000;
+  const std::string line = to_string(error, "file");
+  if (error.message.empty()) return {.problem = "there is no message"};
+  if (line.size() > kMostShown) return {.problem = "the error is too long"};
+  if (line != printable_line(line)) return {.problem = "the error is not printable: " + line};
+  return {};
+}
+
+inline Checked checked_level(const Level& level) {
+  const auto written = write_native(level, {});
+  if (!written) return {true, "cannot be written: " + to_string(written.error(), "level")};
+  const auto again = read_native(written->bytes, {});
+  if (!again) return {true, "cannot be read again: " + to_string(again.error(), "level")};
+  if (*again != level) return {true, "is another level when it is read again"};
+  if (write_native(*again, {})->bytes != written->bytes) return {true, "is written in another way again"};
+  return {true};
+}
+
+inline Checked check_native(std::string_view document) {
+  const auto level = read_native(document, {});
+  if (!level) return checked_error(level.error());
+  if (const auto hard = hard_case_of(*level); !hard) {
+    if (const Checked error = checked_error(hard.error()); !error.problem.empty()) return error;
+  }
+  // What was written by hand may hold a cart without parts of the level, which writing adds.
+  const auto written = write_native(*level, {});
+  const auto settled = written ? read_native(written->bytes, {}) : level;
+  return settled ? checked_level(*settled) : Checked{true, "cannot be read again"};
+}
+
+inline Checked check_recording(std::string_view document) {
+  const auto recording = read_recording(document);
+  if (!recording) return checked_error(recording.error());
+  const auto written = write_recording(*recording);
+  if (!written) return {true, "cannot be written: " + to_string(written.error(), "recording")};
+  const auto again = read_recording(*written);
+  if (!again) return {true, "cannot be read again: " + to_string(again.error(), "recording")};
+  if (*write_recording(*again) != *written) return {true, "is written in another way again"};
+  return {true};
+}
+
+inline Checked check_scenario(std::string_view document) {
+  const auto answers = replay_scenario(document);
+  if (!answers) return checked_error(answers.error());
+  for (const std::string& answer : *answers) {
+    if (answer.find('\n') != answer.npos) return {true, "an answer has several lines"};
+  }
+  return {true};
+}
+
+inline std::string input_lines(const std::vector<RecordedInput>& inputs) {
+  std::string text;
+  RecordedInput before;
+  for (const RecordedInput& input : inputs) {
+    text += input_entry(input, before).dump() + "\n";
+    before = input;
+  }
+  return text;
+}
+
+inline Checked check_input(std::string_view document) {
+  const auto inputs = read_input_lines(document);
+  if (!inputs) return checked_error(inputs.error());
+  const auto again = read_input_lines(input_lines(*inputs));
+  if (!again) return {true, "cannot be read again: " + to_string(again.error(), "input")};
+  if (input_lines(*again) != input_lines(*inputs)) return {true, "is another input when it is read again"};
+  return {true};
+}
+
+// In JSON or XML, without the files beside it.
+inline Checked check_tiled(std::string_view document) {
+  Checked checked;
+  for (const bool used_tiles : {false, true}) {
+    std::vector<std::string> dropped;
+    FormatContext context{"tmj"};
+    context.choices.used_tiles = used_tiles;
+    context.dropped = &dropped;
+    const auto level = read_tiled(document, context);
+    checked = level ? checked_level(*level) : checked_error(level.error());
+    if (!checked.problem.empty()) return checked;
+    for (const std::string& phrase : dropped) {
+      if (phrase != printable(phrase)) return {true, "a phrase is not printable: " + phrase};
+    }
+  }
+  return checked;
+}
+
+}  // namespace talus

@@ -1,0 +1,70 @@
+// What every reader of documents promises, for thousands of documents in the grammar of its format; the
+// fuzzers try more of them.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "fuzz/document_checks.h"
+#include "fuzz/grammar.h"
+#include "platform/settings.h"
+
+namespace talus::documents_test {
+
+using Check = std::function<Checked(std::string_view)>;
+
+std::string random_bytes(std::mt19937& random) {
+  std::string bytes(1 + random() % 600, '\0');
+  for (char& byte : bytes) byte = static_cast<char>(random());
+  return bytes;
+}
+
+// Tries `count` documents, and expects that some are read and some are not.
+void expect_promises(const std::string& seed, int count, const Check& check, bool by_lines = false) {
+  const Grammar grammar = grammar_of_seed(seed);
+  std::mt19937 random(15);
+  int read = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::string bytes = random_bytes(random);
+    Choices choices(bytes);
+    const std::string document = by_lines ? grammar.lines(choices) : grammar.document(choices);
+    Checked checked;
+    try {
+      checked = check(document);
+    } catch (const std::exception& error) {
+      checked.problem = std::string("an exception leaves the reader: ") + error.what();
+    }
+    read += checked.is_read ? 1 : 0;
+    ASSERT_EQ(checked.problem, "") << "document " << i << ":\n" << document.substr(0, 5000);
+  }
+  EXPECT_GT(read, count / 50) << "too few documents are good";
+  EXPECT_LT(read, count) << "too few documents are bad";
+}
+
+TEST(Documents, TheSeedsAreGood) {
+  Choices none("");
+  EXPECT_TRUE(check_native(grammar_of_seed("all.talus.json").document(none)).is_read);
+  EXPECT_TRUE(check_recording(grammar_of_seed("small.talusrec").document(none)).is_read);
+  EXPECT_TRUE(check_scenario(grammar_of_seed("moves.scenario.json").document(none)).is_read);
+  EXPECT_TRUE(check_input(grammar_of_seed("keys.jsonl").lines(none)).is_read);
+  EXPECT_TRUE(check_tiled(grammar_of_seed("small.tmj").document(none)).is_read);
+  EXPECT_TRUE(check_tiled(grammar_of_seed("small.tmx").document(none)).is_read);
+  EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsx").document(none)).is_read);
+}
+
+TEST(Documents, NativeLevels) { expect_promises("all.talus.json", 700, check_native); }
+TEST(Documents, Recordings) { expect_promises("small.talusrec", 1000, check_recording); }
+TEST(Documents, Scenarios) { expect_promises("moves.scenario.json", 1000, check_scenario); }
+TEST(Documents, Inputs) { expect_promises("keys.jsonl", 1000, check_input, true); }
+TEST(Documents, MapsOfTiledInJson) { expect_promises("small.tmj", 300, check_tiled); }
+TEST(Documents, MapsOfTiledInXml) { expect_promises("small.tmx", 300, check_tiled); }
+TEST(Documents, TilesetsOfTiledInXml) { expect_promises("small.tsx", 100, check_tiled); }
+
+TEST(Documents, Settings) {
+  expect_promises("settings.json", 1500, [](std::string_view document) {
+    const auto settings = settings_of_text(document);
+    return settings ? Checked{true} : checked_error(settings.error());
+  });
+}
+
+}  // namespace talus::documents_test
