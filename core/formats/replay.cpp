@@ -30,7 +30,7 @@ const Json& field(const Json& op, const char* key) {
 Name name_field(const Json& op) {
   const Json& item = field(op, "item");
   constexpr std::int64_t kMin = std::numeric_limits<Name>::min(), kMax = std::numeric_limits<Name>::max();
-  if (!is_whole(item, kMin, kMax)) throw Malformed{"\"item\" must be an integer of 64 bits."};
+  if (!is_whole(item, kMin, kMax)) throw Malformed{"\"item\" must be an integer."};
   return item.get<Name>();
 }
 
