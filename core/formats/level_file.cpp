@@ -8,6 +8,7 @@
 #include "content_hash.h"
 #include "format.h"
 #include "keep_aside.h"
+#include "last_catch.h"
 
 namespace talus {
 namespace {
@@ -36,9 +37,10 @@ void add_companion(LoadedLevel& loaded) {
   const std::string path = companion_path(loaded.path);
   const Place place = look_at(path);
   if (place.is_free) return;
-  auto joined = place.bytes
-                    ? join_companion(*place.bytes, loaded.level, *loaded.format, last_name(loaded.path))
-                    : FormatResult<JoinedLevel>(tl::unexpected(place.bytes.error()));
+  auto joined = place.bytes ? read_guarded([&] {
+    return join_companion(*place.bytes, loaded.level, *loaded.format, last_name(loaded.path));
+  })
+                            : FormatResult<JoinedLevel>(tl::unexpected(place.bytes.error()));
   if (!joined) {
     const FormatError& error = joined.error();
     loaded.note = last_name(path) +
