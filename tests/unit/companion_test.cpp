@@ -259,7 +259,7 @@ TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
   expect_not_read("key map.width: must be a whole number from 1 to 2097152");
   with(R"("cart": {"kind": "tic", "chunks": []})");
   expect_not_read("key cart: is what the file beside it holds");
-  with(R"("talus": 99)");
+  put("game.tic.talus.json", R"({"talus": 99, "companion": {"file": "game.tic"}})");
   EXPECT_THAT(load("game.tic").note, HasSubstr("this level has version 99"));
 }
 
