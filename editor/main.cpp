@@ -1,5 +1,6 @@
 // The program: arguments -> editor or sub-command.
 
+#include <csignal>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -7,5 +8,6 @@
 #include "cli/cli.h"
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk is
   return talus::run_cli(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);
 }

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <string_view>
 
 #include "../formats/number_text.h"
@@ -35,7 +37,28 @@ std::string upper(std::string name) {
   return name;
 }
 
-std::int64_t fixed(double px) { return static_cast<std::int64_t>(std::round(px * 256)); }
+constexpr double kMostFixed = std::numeric_limits<std::int32_t>::max();
+
+// In 24.8 fixed point. What that does not hold becomes its largest or least number, but for the one of
+// int32_t that C has no literal of.
+std::int64_t fixed(double px) {
+  const double rounded = std::round(px * 256);
+  return std::isnan(rounded) ? 0 : static_cast<std::int64_t>(std::clamp(rounded, -kMostFixed, kMostFixed));
+}
+
+bool is_fixed(double px) { return std::abs(std::round(px * 256)) <= kMostFixed; }
+
+// Phrases for bodies with numbers that the header has not.
+std::vector<std::string> dropped_numbers(const std::vector<Spawn>& spawns) {
+  const auto is_within = [](const Spawn& spawn) {
+    return is_fixed(spawn.position.x) && is_fixed(spawn.position.y) && is_fixed(spawn.velocity.x) &&
+           is_fixed(spawn.velocity.y);
+  };
+  const auto count = std::count_if(spawns.begin(), spawns.end(), std::not_fn(is_within));
+  if (count == 0) return {};
+  return {"places and speeds over 8388607 px, of " + std::to_string(count) +
+          (count == 1 ? " body" : " bodies")};
+}
 
 // A string of C; bytes that are not printable ASCII as \ooo, and ? so that none is part of a trigraph.
 std::string c_string(std::string_view text) {
@@ -300,8 +323,9 @@ FormatResult<Exported> export_c(const ExportRequest& request) {
   if (map.width() > kMaxCells || map.height() > kMaxCells)
     return tl::unexpected(
         FormatError{"", "the map is over 1048575 cells long, more px than 24.8 fixed point holds"});
-  return Exported{{{"", CHeader(request.level, c_name(request.stem())).take()}},
-                  dropped_curves(request.level)};
+  std::vector<std::string> dropped = dropped_curves(request.level);
+  for (std::string& phrase : dropped_numbers(request.level.spawns)) dropped.push_back(std::move(phrase));
+  return Exported{{{"", CHeader(request.level, c_name(request.stem())).take()}}, std::move(dropped)};
 }
 
 }  // namespace talus

@@ -8,7 +8,16 @@
 namespace talus {
 namespace {
 
-// Rows of fields; texts are quoted where they have to be.
+// Whether a spreadsheet would take the text for a formula and run it, quoted or not.
+bool is_formula(std::string_view text) {
+  constexpr std::string_view kStarts = "=+-@\t\r\n";
+  if (text.empty()) return false;
+  const bool is_wide = text.starts_with("\xef\xbc\x9d") || text.starts_with("\xef\xbc\x8b") ||  // = +
+                       text.starts_with("\xef\xbc\x8d") || text.starts_with("\xef\xbc\xa0");    // - @
+  return is_wide || kStarts.find(text.front()) != kStarts.npos;
+}
+
+// Rows of fields; texts are quoted where they have to be, and what would be a formula gets a ' before it.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view header) : text_(header) { text_ += '\n'; }
@@ -21,8 +30,9 @@ class CsvTable {
   }
   CsvTable& truth(bool value) { return number(value ? 1 : 0); }
   CsvTable& word(std::string_view value) {
-    const bool is_plain = value.find_first_of(",\"\r\n") == std::string_view::npos;
+    const bool is_plain = value.find_first_of(",;\"\t\r\n") == std::string_view::npos;
     field() += is_plain ? "" : "\"";
+    text_ += is_formula(value) ? "'" : "";
     for (const char c : value) text_.append(c == '"' ? "\"" : "").append(1, c);
     text_ += is_plain ? "" : "\"";
     return *this;

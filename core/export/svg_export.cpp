@@ -10,6 +10,7 @@
 #include "ground_polygons.h"
 #include "map_png.h"
 #include "plain_data.h"
+#include "xml_text.h"
 
 namespace talus {
 namespace {
@@ -131,13 +132,6 @@ class CurvePath {
 std::string number_text_of(double value) {
   std::string text;
   append_number(text, value);
-  return text;
-}
-
-// A name without what XML cannot hold.
-std::string xml_text(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 32; }, ' ');
   return text;
 }
 

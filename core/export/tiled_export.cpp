@@ -1,17 +1,29 @@
 // Maps of Tiled in JSON and in XML, with the rest of the level in a property.
 #include <pugixml.hpp>
 #include <sstream>
+#include <utility>
 
 #include "../formats/native.h"
 #include "../formats/number_text.h"
 #include "../formats/png_sheet.h"
 #include "export_targets.h"
 #include "tiled_model.h"
+#include "xml_text.h"
 
 namespace talus {
 namespace {
 
 constexpr double kModelShare = 0.4;  // of the time; the rest writes the text
+
+// JSON whose texts have escapes for the characters that XML has none of, so that names come back as they are.
+std::string escaped_for_xml(std::string json) {
+  for (const auto& [character, escape] :
+       {std::pair{"\xef\xbf\xbe", "\\ufffe"}, {"\xef\xbf\xbf", "\\uffff"}}) {
+    for (auto at = json.find(character); at != json.npos; at = json.find(character, at))
+      json.replace(at, 3, escape);
+  }
+  return json;
+}
 
 // The level as a native one without what the map has, in one line; line breaks of JSON are between its parts.
 FormatResult<std::string> rest_of(const Level& level) {
@@ -26,7 +38,7 @@ FormatResult<std::string> rest_of(const Level& level) {
     begins_line = c == '\n' || (begins_line && c == ' ');
     if (!begins_line) line += c;
   }
-  return line;
+  return escaped_for_xml(std::move(line));
 }
 
 FormatResult<TiledMap> whole_map_of(const ExportRequest& request) {
@@ -45,15 +57,6 @@ std::string number_word(double number) {
   std::string word;
   append_number(word, number);
   return word;
-}
-
-// XML has no control characters but these.
-std::string tiled_xml_text(const std::string& text) {
-  std::string clean = text;
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < 32 && c != '\t' && c != '\n' && c != '\r') c = ' ';
-  }
-  return clean;
 }
 
 class TiledXmlWriter {
@@ -89,7 +92,7 @@ class TiledXmlWriter {
     node.append_attribute(name) = value;
   }
   static void put(pugi::xml_node& node, const char* name, const std::string& value) {
-    node.append_attribute(name) = tiled_xml_text(value).c_str();
+    node.append_attribute(name) = xml_text(value).c_str();
   }
   template <class Number>
   static void put(pugi::xml_node& node, const char* name, Number value) {

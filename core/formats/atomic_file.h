@@ -5,13 +5,10 @@
 #include <string_view>
 #include <utility>
 
+#include "../level/limits.h"
 #include "format.h"
 
 namespace talus {
-
-// Larger files are refused unread: of the largest levels a full map of 4096x4096 cells takes 34 MB, and one
-// of 8x2097152, with its many lines, 55 MB.
-inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 
 // The file's bytes; an error for unreadable files, files over kMaxFileBytes, and at once for what is no file
 // but a directory, device, pipe or socket: reading one of these could wait for ever.

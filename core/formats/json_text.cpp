@@ -9,10 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "../level/limits.h"
+
 namespace talus {
 namespace {
 
 constexpr std::size_t kMaxInline = 140;  // a tile with all its flags fits
+// What is deeper, which nothing of ours is, goes on one line: lines would be blanks above all.
+constexpr int kMaxIndent = 32;
 
 // Thrown out of nlohmann's parser, which cannot be stopped within a value otherwise, and caught by
 // parse_json.
@@ -178,6 +182,25 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
   return {place + ", column " + std::to_string(column_of(text, offset)), "this is not valid JSON"};
 }
 
+// In valid JSON, as the reader counts them.
+int count_values(std::string_view json) {
+  int values = 1;
+  bool in_string = false, opened = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+      continue;
+    }
+    if (c == ' ' || c == '\n') continue;
+    if (c == ',' || (opened && c != ']' && c != '}')) ++values;
+    opened = c == '[' || c == '{';
+    in_string = c == '"';
+  }
+  return values;
+}
+
 bool is_row(const Json& value) {
   return value.is_array() && std::all_of(value.begin(), value.end(),
                                          [](const Json& v) { return v.is_primitive() && !v.is_string(); });
@@ -188,7 +211,7 @@ class Printer {
   explicit Printer(std::span<const std::string_view> order) : order_(order) {}
 
   void print(const Json& value, int indent) {
-    if (value.is_primitive()) {
+    if (value.is_primitive() || indent > kMaxIndent) {
       text_ += value.dump();
     } else if (value.empty()) {
       text_ += value.is_array() ? "[]" : "{}";
@@ -203,22 +226,22 @@ class Printer {
   struct Member {
     const std::string* key;  // null in an array
     const Json* value;
+    std::size_t rank;  // of the key, in the order
   };
 
   std::vector<Member> members(const Json& value) const {
     std::vector<Member> list;
     list.reserve(value.size());
     if (value.is_array()) {
-      for (const Json& element : value) list.push_back({nullptr, &element});
+      for (const Json& element : value) list.push_back({nullptr, &element, 0});
       return list;
     }
-    for (auto it = value.begin(); it != value.end(); ++it) list.push_back({&it.key(), &it.value()});
-    std::sort(list.begin(), list.end(), [this](const Member& a, const Member& b) {
-      const auto rank = [this](const std::string& key) {
-        return std::find(order_.begin(), order_.end(), key);
-      };
-      const auto rank_a = rank(*a.key), rank_b = rank(*b.key);
-      if (rank_a != rank_b) return rank_a < rank_b;
+    for (auto it = value.begin(); it != value.end(); ++it) {
+      const auto rank = std::find(order_.begin(), order_.end(), it.key()) - order_.begin();
+      list.push_back({&it.key(), &it.value(), static_cast<std::size_t>(rank)});
+    }
+    std::sort(list.begin(), list.end(), [](const Member& a, const Member& b) {
+      if (a.rank != b.rank) return a.rank < b.rank;
       if (a.key->size() != b.key->size()) return a.key->size() < b.key->size();
       return *a.key < *b.key;
     });
@@ -298,6 +321,16 @@ std::string print_json(const Json& value, std::span<const std::string_view> orde
   Printer printer(order);
   printer.print(value, 0);
   return printer.take() + "\n";
+}
+
+std::optional<std::string> problem_of_size(std::string_view printed) {
+  if (printed.size() > kMaxFileBytes) {
+    return "takes " + std::to_string(printed.size() >> 20) + " MiB as a file, and Talus reads up to " +
+           std::to_string(kMaxFileBytes >> 20);
+  }
+  if (count_values(printed) > kMaxJsonValues)
+    return "has too many lines and numbers for a file that Talus reads";
+  return std::nullopt;
 }
 
 Json json_number(double value) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,10 @@ bool is_whole(const Json& value, std::int64_t min, std::int64_t max);
 // One line a member, short rows of numbers and small objects on one; keys in `order`, then the others shorter
 // first. Strings must be UTF-8 (see utf8_text.h).
 std::string print_json(const Json& value, std::span<const std::string_view> order);
+
+// Why read_file or parse_json would refuse a text that was printed: "takes 70 MiB as a file, and Talus reads
+// up to 64". Nothing: they would not.
+std::optional<std::string> problem_of_size(std::string_view printed);
 
 // A number that is whole prints without ".0".
 Json json_number(double value);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "../level/limits.h"
 #include "hard_case.h"
 #include "hex.h"
 #include "json_text.h"
@@ -58,6 +59,8 @@ class Reader {
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
     if (error_) return tl::unexpected(*error_);
     if (!document.empty()) level_.extra = document.dump();
+    if (auto problem = problem_of_amounts(level_))
+      return tl::unexpected(FormatError{"", *std::move(problem)});
     return std::move(level_);
   }
 
@@ -445,6 +448,7 @@ bool accepts_native(std::string_view bytes, const FormatContext& context) {
 }
 
 FormatResult<Json> native_document(const Level& level) {
+  if (auto problem = problem_of_amounts(level)) return tl::unexpected(FormatError{"", *std::move(problem)});
   auto parsed = parse_extra(level.extra);
   if (!parsed) return parsed;
   Json& document = *parsed;
@@ -473,7 +477,9 @@ FormatResult<Level> level_of_document(Json document, const Progress& progress) {
 
 FormatResult<std::string> print_document(const Json& document) {
   try {
-    return print_json(document, key_order());
+    std::string text = print_json(document, key_order());
+    if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
+    return text;
   } catch (const Json::exception&) {
     return tl::unexpected(
         FormatError{"", "a name of a flag, spawn, curve, brush or export is not valid UTF-8"});

@@ -14,6 +14,8 @@ namespace talus {
 namespace {
 
 constexpr std::size_t kDataRow = 64;  // bytes a row where the chunk has no rows of its own
+// More lines than these are no text for people, and go as data: each costs memory when it is read.
+constexpr std::ptrdiff_t kMostLines = 262'144, kMostChunkLines = 16'384;
 
 tl::unexpected<FormatError> error_at(const std::string& key, std::string message) {
   return tl::unexpected(FormatError{"key " + key, std::move(message)});
@@ -34,6 +36,10 @@ Json text_lines(std::string_view text) {
     at = end + 1;
   }
   return lines;
+}
+
+bool is_text(std::string_view bytes, std::ptrdiff_t most_lines) {
+  return std::count(bytes.begin(), bytes.end(), '\n') < most_lines && is_utf8(bytes);
 }
 
 FormatResult<std::string> bytes_of_hex(const Json& rows, const std::string& key) {
@@ -73,7 +79,7 @@ Json json_of_chunk(const Level& level, const TicChunk& chunk) {
   const SectionInfo* own = level_section(level, chunk);
   if (own && section_bytes(level, own->id) == chunk.data) {
     json["data"] = "level";
-  } else if (chunk.type == kTicCode && is_utf8(chunk.data)) {
+  } else if (chunk.type == kTicCode && is_text(chunk.data, kMostChunkLines)) {
     json["code"] = text_lines(chunk.data);
   } else {
     const auto infos = section_infos();
@@ -88,7 +94,7 @@ Json json_of_chunk(const Level& level, const TicChunk& chunk) {
 void put_text(const Level& level, std::string_view bytes, std::string_view comment, Json& cart) {
   cart["comment"] = comment;
   const auto project = parse_text(bytes, comment);
-  if (!project || !is_utf8(bytes)) {
+  if (!project || !is_text(bytes, kMostLines)) {
     cart["data"] = hex_rows(bytes, kDataRow);
     return;
   }
@@ -134,6 +140,7 @@ FormatResult<std::string> take_lines(const Json& lines, const Level& level, cons
     if (!line) return line;
     if (i > 0) text += '\n';
     text += *line;
+    if (text.size() > kMaxCartBytes) return error_at("cart.lines", "make the cart larger than a cart can be");
   }
   return text;
 }
@@ -234,9 +241,9 @@ void put_cart(const Level& level, Json& cart) {
   const bool is_tic = origin.kind == CartOrigin::Kind::tic;
   cart["kind"] = is_tic ? "tic" : "text";
   const auto edited = is_tic ? edited_tic(origin.bytes, level) : edited_text(origin, level);
-  // A cartridge that the edits empty, or a text project whose code does not let them in, stays as it was; the
-  // level itself holds the edits.
-  const bool usable = edited && !(is_tic && edited->empty());
+  // A cartridge that the edits empty or make too large, or a text project whose code does not let them in,
+  // stays as it was; the level itself holds the edits.
+  const bool usable = edited && !(is_tic && edited->empty()) && edited->size() <= kMaxCartBytes;
   const std::string& bytes = usable ? *edited : origin.bytes;
   if (!is_tic) return put_text(level, bytes, origin.comment, cart);
   Json chunks = Json::array();

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "../level/limits.h"
 #include "native_members.h"
 
 namespace talus {
@@ -159,8 +160,8 @@ FormatResult<void> put_shape(const TileShape& shape, const std::string& path, Js
 }
 
 FormatResult<std::vector<LevelCurve>> take_curves(Json& list, const std::string& path, const TileMap& map) {
-  return take_list<LevelCurve>(
-      list, path, [&](Json& json, const std::string& entry) { return take_curve(json, entry, map); });
+  const auto take = [&](Json& json, const std::string& entry) { return take_curve(json, entry, map); };
+  return take_list<LevelCurve>(list, path, take, kMaxCurves, "must be a list of up to 16384 curves");
 }
 
 FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::string& path,
@@ -171,7 +172,7 @@ FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::str
 }
 
 FormatResult<std::vector<Spawn>> take_spawns(Json& list, const std::string& path) {
-  return take_list<Spawn>(list, path, take_spawn);
+  return take_list<Spawn>(list, path, take_spawn, kMaxSpawns, "must be a list of up to 65536 bodies");
 }
 
 FormatResult<Json> json_of(const std::vector<Spawn>& spawns, const std::string& path) {

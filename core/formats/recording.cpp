@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 
 #include "atomic_file.h"
@@ -10,6 +11,7 @@
 #include "input_entry.h"
 #include "last_catch.h"
 #include "native.h"
+#include "native_document.h"
 
 namespace talus {
 namespace {
@@ -17,8 +19,8 @@ namespace {
 constexpr std::string_view kVersionKey = "talus_recording";
 constexpr std::size_t kHashDigits = 16;
 constexpr std::size_t kHashesInText = 8;
-// An edit is read by reading the whole level after it. This many bytes of levels take about a minute.
-constexpr std::size_t kMostEditedBytes = std::size_t{2} << 30;
+// Entries of lists that the patches of all edits may move; ours move none.
+constexpr std::size_t kMostMovedEntries = 20'000'000;
 
 // Thrown within this file alone: a reader of nested values that stops at its first error.
 struct Wrong {
@@ -57,10 +59,31 @@ void check_keys(const Json& object, const std::string& path, std::initializer_li
   }
 }
 
-Level level_in(const std::string& text, const std::string& path) {
-  auto level = read_native(text, {});
+Level level_in(const Json& json, const std::string& path) {
+  auto level = level_of_document(json);
   if (!level) throw Wrong{{"key " + path + ", " + level.error().place, level.error().message}};
   return *std::move(level);
+}
+
+// What the edits of a recording take together, which is reckoned alike where it is read and written.
+class EditAmounts {
+ public:
+  explicit EditAmounts(const LevelVersion& first) : bytes_(memory_of(first, nullptr)) {}
+
+  // Nothing: the edit from one version to the next, of this level, fits.
+  std::optional<FormatError> add(const LevelVersion& before, const LevelVersion& after, const Level& edited) {
+    read_ += size_of(edited);
+    bytes_ += memory_of(after, &before);
+    if (read_ <= kMaxEditedBytes && bytes_ <= kMaxVersionBytes) return std::nullopt;
+    return FormatError{"key edits", "has too many edits for a level of this size"};
+  }
+
+ private:
+  std::size_t read_ = 0, bytes_;
+};
+
+FormatError too_many_edits() {
+  return {"key edits", "has more than " + std::to_string(kMaxRecordedEdits) + " edits of the level"};
 }
 
 // ---- Reading ----
@@ -80,11 +103,9 @@ class RecordingReader {
     read_marks(list_in(document, "marks"));
     read_input(list_in(document, "input"));
     if (!document.contains("level")) fail("level", "is missing");
-    const std::string text = document["level"].dump();
-    recording_.level = level_in(text, "level");
+    recording_.level = level_in(document["level"], "level");
     const Json& edits = list_in(document, "edits");
-    const bool too_many = edits.size() > kMaxRecordedEdits || edits.size() * text.size() > kMostEditedBytes;
-    if (too_many) fail("edits", "has too many edits for a level of this size");
+    if (edits.size() > kMaxRecordedEdits) throw Wrong{too_many_edits()};
     read_edits(edits, document["level"]);
     return std::move(recording_);
   }
@@ -153,6 +174,7 @@ class RecordingReader {
 
   void read_edits(const Json& edits, Json level) {
     auto before = std::make_shared<const LevelVersion>(version_of(recording_.level));
+    EditAmounts amounts(*before);
     std::int64_t last = 1;
     for (std::size_t i = 0; i < edits.size(); ++i) {
       if (!progress_.at(i, edits.size())) throw Wrong{was_cancelled().value()};
@@ -163,14 +185,16 @@ class RecordingReader {
       last = frame;
       if (!edits[i].contains("patch")) fail(path + ".patch", "is missing");
       apply_patch(edits[i]["patch"], path + ".patch", level);
-      const Level edited = level_in(level.dump(), path);
-      before = std::make_shared<const LevelVersion>(version_of(edited, before.get()));
+      const Level edited = level_in(level, path);
+      auto after = std::make_shared<const LevelVersion>(version_of(edited, before.get()));
+      if (auto problem = amounts.add(*before, *after, edited)) throw Wrong{*std::move(problem)};
+      before = std::move(after);
       recording_.edits.push_back({frame, before});
     }
   }
 
   // Without "copy", with which a short patch could make a level that fills the memory.
-  static void apply_patch(const Json& patch, const std::string& path, Json& level) {
+  void apply_patch(const Json& patch, const std::string& path, Json& level) {
     if (!patch.is_array()) fail(path, "must be a list");
     for (std::size_t i = 0; i < patch.size(); ++i) {
       const Json operation = patch[i].is_object() ? patch[i].value("op", Json()) : Json();
@@ -178,14 +202,32 @@ class RecordingReader {
         fail(path + "[" + std::to_string(i) + "]", R"(must have an "op": "add", "remove" or "replace")");
     }
     try {
-      level.patch_inplace(patch);
+      for (const Json& operation : patch) {
+        count_moves(operation, path, level);
+        level.patch_inplace(Json::array({operation}));
+      }
     } catch (const Json::exception&) {
       fail(path, "does not fit the level before it");
     }
   }
 
+  // What is added to a list or removed from it moves all entries behind it. Json::exception: there is no
+  // place.
+  void count_moves(const Json& operation, const std::string& path, const Json& level) {
+    const Json::json_pointer place(operation.at("path").get_ref<const std::string&>());
+    if (operation["op"] == "replace" || place.empty() || place.back() == "-") return;
+    const Json& list = level.at(place.parent_pointer());
+    if (!list.is_array()) return;
+    std::size_t index = 0;
+    const std::string& digits = place.back();
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (problem == std::errc() && index < list.size()) moved_ += list.size() - index;
+    if (moved_ > kMostMovedEntries) fail(path, "moves too many entries of lists");
+  }
+
   Recording recording_;
   Progress progress_;
+  std::size_t moved_ = 0;  // entries of lists, by the patches so far
 };
 
 // ---- Writing ----
@@ -224,18 +266,49 @@ std::string input_text(const std::vector<RecordedInput>& input) {
   return text + (input.empty() ? "]\n" : "\n]\n");
 }
 
-FormatResult<Json> edits_of(const Recording& recording, const std::string& level_text) {
+// The patch from one native level to another. Of a list that lost or got entries the diff would name every
+// one behind them, so a long one is put there as a whole.
+Json patch_between(const Json& before, const Json& after) {
+  constexpr std::size_t kLong = 256;
+  Json patch = Json::array();
+  Json patched = before;
+  for (const auto& [key, value] : after.items()) {
+    const auto old = patched.find(key);
+    if (old == patched.end() || !value.is_array() || !old->is_array()) continue;
+    if (value.size() == old->size() || std::max(value.size(), old->size()) < kLong) continue;
+    patch.push_back({{"op", "replace"}, {"path", "/" + key}, {"value", value}});
+    *old = value;
+  }
+  for (Json& operation : Json::diff(patched, after)) patch.push_back(std::move(operation));
+  return patch;
+}
+
+// Why a reader would refuse the edits.
+std::optional<FormatError> problem_of_edits(const Recording& recording) {
+  if (recording.edits.size() > kMaxRecordedEdits) return too_many_edits();
+  Level level = recording.level;
+  LevelVersion version = version_of(level);
+  EditAmounts amounts(version);
+  for (const RecordedEdit& edit : recording.edits) {
+    put_version(*edit.version, level);
+    LevelVersion next = version_of(level, &version);
+    if (auto problem = amounts.add(version, next, level)) return problem;
+    version = std::move(next);
+  }
+  return std::nullopt;
+}
+
+FormatResult<Json> edits_of(const Recording& recording) {
+  if (auto problem = problem_of_edits(recording)) return tl::unexpected(*std::move(problem));
   Json edits = Json::array();
-  auto before = parse_json(level_text);
+  auto before = native_document(recording.level);
   if (!before) return before;
   Level level = recording.level;
   for (const RecordedEdit& edit : recording.edits) {
     put_version(*edit.version, level);
-    const auto text = write_native(level, {});
-    if (!text) return tl::unexpected(text.error());
-    auto after = parse_json(text->bytes);
+    auto after = native_document(level);
     if (!after) return after;
-    edits.push_back({{"frame", edit.frame}, {"patch", Json::diff(*before, *after)}});
+    edits.push_back({{"frame", edit.frame}, {"patch", patch_between(*before, *after)}});
     before = std::move(after);
   }
   return edits;
@@ -276,11 +349,9 @@ FormatResult<Recording> read_recording(std::string_view bytes, const Progress& p
 }
 
 FormatResult<std::string> write_recording(const Recording& recording) {
-  if (recording.edits.size() > kMaxRecordedEdits)
-    return tl::unexpected(FormatError{"key edits", "has more than 10000 edits of the level"});
   const auto level = write_native(recording.level, {});
   if (!level) return tl::unexpected(level.error());
-  const auto edits = edits_of(recording, level->bytes);
+  const auto edits = edits_of(recording);
   if (!edits) return tl::unexpected(edits.error());
   constexpr std::array<std::string_view, 2> kOrder = {"frame", "op"};
   std::string text = "{";
@@ -298,7 +369,9 @@ FormatResult<std::string> write_recording(const Recording& recording) {
   } catch (const Json::exception&) {
     return tl::unexpected(FormatError{"key marks", "has a name that is not valid UTF-8"});
   }
-  return text + "\n}\n";
+  text += "\n}\n";
+  if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  return text;
 }
 
 FormatResult<Recording> load_recording(const std::string& path, const Progress& progress) {

@@ -16,9 +16,12 @@
 //             kMostUnhashedFrames that has been recorded, but not run.
 //
 // Keys that this version does not know are refused, as a recording with a part left out would be another one.
-// A file that is wrong is refused as a whole, with the key of the first thing that is.
+// A file that is wrong is refused as a whole, with the key of the first thing that is. There are up to
+// kMaxRecordedEdits edits, whose levels have up to kMaxEditedBytes (see size_of in level/limits.h) and whose
+// versions take up to kMaxVersionBytes; more are neither read nor written.
 #pragma once
 
+#include "../level/limits.h"
 #include "../level/recording.h"
 #include "format.h"
 
@@ -26,7 +29,6 @@ namespace talus {
 
 inline constexpr int kRecordingVersion = 1;
 inline constexpr std::string_view kRecordingExtension = "talusrec";
-inline constexpr std::size_t kMaxRecordedEdits = 10'000;  // more are neither read nor written
 
 inline constexpr std::int64_t kMostUnhashedFrames = 1 << 21;  // nearly ten hours
 

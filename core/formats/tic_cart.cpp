@@ -280,6 +280,11 @@ FormatResult<WrittenLevel> write_tic(const Level& level, const FormatContext&) {
     return tl::unexpected(
         FormatError{"", "has neither drawings nor code, and TIC-80 loads no empty cartridge"});
   }
+  if (bytes->size() > kMaxCartBytes) {
+    return tl::unexpected(FormatError{"", "takes " + std::to_string(bytes->size()) +
+                                              " bytes as a cartridge, and one has up to " +
+                                              std::to_string(kMaxCartBytes)});
+  }
   return WrittenLevel{*std::move(bytes), std::move(dropped)};
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <memory>
 
 #include "atomic_file.h"
 #include "last_catch.h"
@@ -15,6 +17,8 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kTiledParsed = 0.5, kTiledMapRead = 0.8;  // shares of the time
 
 char first_character(std::string_view bytes) {
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // byte order mark
@@ -29,7 +33,7 @@ tl::unexpected<FormatError> error_in(const std::string& file, const FormatError&
 }
 
 // `name` as the file has it. Absolute paths lead to other places on other machines, and devices nowhere.
-FormatResult<std::string> read_beside(const std::string& folder, const std::string& name) {
+FormatResult<std::string> read_in(const std::string& folder, const std::string& name) {
   std::error_code failure;
   const fs::path path(name);
   const bool is_drive = name.size() > 1 && name[1] == ':';
@@ -61,16 +65,29 @@ class TiledFiles {
 
  private:
   FormatResult<void> read_tileset(TiledTileset& tileset);
+  FormatResult<std::string> read_beside(const std::string& name);
   FormatResult<TiledPicture> read_picture(const std::string& name);
 
   const FormatContext& context_;
   TiledDrops& drops_;
+  std::size_t bytes_ = 0;  // of the files beside the map, so far
 };
+
+// All of them together are as large as one file may be: a thousand tilesets could name one large file each.
+FormatResult<std::string> TiledFiles::read_beside(const std::string& name) {
+  auto bytes = read_in(context_.folder, name);
+  if (!bytes) return bytes;
+  bytes_ += bytes->size();
+  if (bytes_ > kMaxFileBytes) {
+    return error_in(name, {"", "is a file too many: those that a map names have up to " +
+                                   std::to_string(kMaxFileBytes >> 20) + " MiB together"});
+  }
+  return bytes;
+}
 
 // A tileset alone gets an empty map.
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
-  constexpr double kParsed = 0.5;  // the share of the time
-  const auto json = tiled_json_of(bytes, context_.progress.part(0, kParsed));
+  const auto json = tiled_json_of(bytes, context_.progress.part(0, kTiledParsed));
   if (!json) return tl::unexpected(json.error());
   const bool is_tileset = json->is_object() && json->value("type", Json()) == "tileset";
   FormatResult<TiledMap> map;
@@ -85,7 +102,7 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     map->layers.push_back(std::move(layer));
     map->tilesets.push_back(*std::move(tileset));
   } else {
-    map = read_tiled_map(*json, drops_, context_.progress.part(kParsed, 1));
+    map = read_tiled_map(*json, drops_, context_.progress.part(kTiledParsed, kTiledMapRead));
   }
   if (!map) return map;
   for (TiledTileset& tileset : map->tilesets) {
@@ -100,7 +117,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   const std::string source = with_slashes(tileset.source);
   if (context_.folder.empty())
     return error_in(source, {"", "is a tileset beside the map, and where that is is not known"});
-  const auto bytes = read_beside(context_.folder, source);
+  const auto bytes = read_beside(source);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, {});
   if (!json) return error_in(source, json.error());
@@ -116,21 +133,33 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
 
 FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
   TiledPictures pictures;
+  std::map<std::string, std::shared_ptr<const TiledPicture>> by_name;
+  std::size_t pixels = 0;
   for (const TiledTileset& tileset : map.tilesets) {
     pictures.emplace_back();
     if (tileset.image.empty() || context_.folder.empty()) {
       drops_.add("the picture of the tileset \"" + tileset.name + "\"");
       continue;
     }
-    auto picture = read_picture(with_slashes(tileset.image));
-    if (!picture) return tl::unexpected(picture.error());
-    pictures.back() = *std::move(picture);
+    const std::string name = with_slashes(tileset.image);
+    std::shared_ptr<const TiledPicture>& shared = by_name[name];
+    if (shared == nullptr) {
+      auto picture = read_picture(name);
+      if (!picture) return tl::unexpected(picture.error());
+      pixels += picture->rgba.bytes.size() / 4;
+      if (pixels > kMaxTiledPixels) {
+        return error_in(name, {"", "is a picture too many: those that a map names have up to " +
+                                       std::to_string(kMaxTiledPixels) + " pixels together"});
+      }
+      shared = std::make_shared<const TiledPicture>(*std::move(picture));
+    }
+    pictures.back() = shared;
   }
   return pictures;
 }
 
 FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name) {
-  const auto bytes = read_beside(context_.folder, name);
+  const auto bytes = read_beside(name);
   if (!bytes) return tl::unexpected(bytes.error());
   auto rgba = read_rgba(*bytes);
   if (!rgba) return error_in(name, rgba.error());
@@ -149,7 +178,7 @@ FormatResult<Level> read_files(std::string_view bytes, const FormatContext& cont
   if (!map) return tl::unexpected(map.error());
   const auto pictures = files.read_pictures(*map);
   if (!pictures) return tl::unexpected(pictures.error());
-  return level_of_tiled(*map, *pictures, context.choices, drops);
+  return level_of_tiled(*map, *pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
 }
 
 }  // namespace

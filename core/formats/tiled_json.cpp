@@ -40,6 +40,18 @@ bool says_nothing(std::string_view key, const Json& value) {
 
 std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
+// Layers of tiles in a map or group. What is no list or object is none.
+std::size_t tile_layers_in(const Json& json, int depth) {
+  const auto layers = json.is_object() ? json.find("layers") : json.end();
+  if (layers == json.end() || depth > kMaxJsonDepth) return 0;
+  std::size_t count = 0;
+  for (const Json& layer : *layers) {
+    const bool has_tiles = layer.is_object() && layer.contains("type") && layer["type"] == "tilelayer";
+    count += has_tiles ? 1 : tile_layers_in(layer, depth + 1);
+  }
+  return count;
+}
+
 class TiledReader {
  public:
   explicit TiledReader(TiledDrops& drops) : drops_(drops) {}
@@ -124,6 +136,7 @@ class TiledReader {
 
   TiledDrops& drops_;
   std::optional<FormatError> error_;
+  std::size_t objects_ = 0;  // so far
 };
 
 TiledMap TiledReader::map(const Json& json, const Progress& progress) {
@@ -140,6 +153,14 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
     fail(node, "width",
          "has " + std::to_string(map.width) + "x" + std::to_string(map.height) +
              " cells, and a level has up to 16777216");
+  }
+  const std::size_t layer_count = tile_layers_in(json, 0);
+  const auto cell_count = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+  if (!error_ && layer_count * cell_count > kMaxTiledCells) {
+    fail(node, "layers",
+         "has " + std::to_string(layer_count) + " layers of " + std::to_string(map.width) + "x" +
+             std::to_string(map.height) + " tiles, and those of a map that is read have up to " +
+             std::to_string(kMaxTiledCells) + " cells together");
   }
   check_tile_size(node);
   map.properties = properties(node, "the map");
@@ -245,7 +266,13 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t
 
 std::vector<TiledObject> TiledReader::objects(const TiledNode& node, Vec2 offset) {
   std::vector<TiledObject> all;
-  for_each(node, "objects", [&](const TiledNode& entry) { all.push_back(object(entry, offset)); });
+  for_each(node, "objects", [&](const TiledNode& entry) {
+    if (++objects_ > kMaxTiledObjects) {
+      return fail(entry, "",
+                  "is an object too many: a map that is read has up to " + std::to_string(kMaxTiledObjects));
+    }
+    all.push_back(object(entry, offset));
+  });
   return all;
 }
 

@@ -6,9 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <locale>
+#include <span>
 #include <sstream>
 #include <utility>
 
+#include "../level/limits.h"
 #include "native.h"
 #include "native_objects.h"
 #include "number_text.h"
@@ -19,10 +21,32 @@
 namespace talus {
 namespace {
 
+double x_of(const Spawn* base) { return base->position.x; }
+double x_of(const std::pair<const LevelCurve*, TiledObject>& base) { return base.second.position.x; }
+
+// What may have the x of an object that Tiled has written. Of hostile maps that may be all, so it is cut.
+template <class Entry>
+std::span<const Entry> near_in_x(std::span<const Entry> by_x, double x) {
+  constexpr std::ptrdiff_t kMost = 512;
+  const double slack = 2 * tiled_slack(x);  // the larger number's counts
+  const auto first = std::lower_bound(by_x.begin(), by_x.end(), x - slack,
+                                      [](const Entry& entry, double least) { return x_of(entry) < least; });
+  const auto end = std::upper_bound(first, by_x.end(), x + slack,
+                                    [](double most, const Entry& entry) { return most < x_of(entry); });
+  return {first, first + std::min(end - first, kMost)};
+}
+
+template <class Entry>
+void sort_by_x(std::vector<Entry>& entries) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return x_of(a) < x_of(b); });
+}
+
 class TiledLevelMaker {
  public:
-  TiledLevelMaker(const TiledMap& map, const TiledPictures& pictures, TiledDrops& drops)
-      : map_(map), pictures_(pictures), drops_(drops) {}
+  TiledLevelMaker(const TiledMap& map, const TiledPictures& pictures, TiledDrops& drops,
+                  const Progress& progress)
+      : map_(map), pictures_(pictures), drops_(drops), progress_(progress) {}
 
   FormatResult<Level> make(const ImportChoices& choices);
 
@@ -42,6 +66,7 @@ class TiledLevelMaker {
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
   void take_spawn(const TiledObject& object, Spawn spawn);
+  const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
   void add_curve(const LevelCurve& curve);
 
@@ -53,12 +78,14 @@ class TiledLevelMaker {
   const TiledMap& map_;
   const TiledPictures& pictures_;
   TiledDrops& drops_;
-  bool is_own_ = false;  // the map was written by Talus
-  Level base_;           // what it was then
+  const Progress& progress_;
+  bool is_own_ = false;                    // the map was written by Talus
+  Level base_;                             // what it was then
+  std::vector<const Spawn*> spawns_by_x_;  // of base_
   Level level_;
   TiledTiles tiles_;
-  std::map<std::string, int> flags_;  // by the name of their bools
-  std::multimap<std::string, std::pair<const LevelCurve*, TiledObject>> curves_;  // of base_, by name
+  std::map<std::string, int> flags_;                                    // by the name of their bools
+  std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
 };
 
 std::string named(std::string_view what, const std::string& name) {
@@ -163,10 +190,12 @@ FormatResult<void> TiledLevelMaker::read_base() {
       return tl::unexpected(FormatError{"property talus_level, " + read.error().place, read.error().message});
     is_own_ = true;
     base_ = *std::move(read);
+    for (const Spawn& spawn : base_.spawns) spawns_by_x_.push_back(&spawn);
+    sort_by_x(spawns_by_x_);
     for (const LevelCurve& curve : base_.curves) {
-      if (auto object = tiled_object(curve))
-        curves_.emplace(curve.name, std::pair(&curve, *std::move(object)));
+      if (auto object = tiled_object(curve)) curves_by_x_.emplace_back(&curve, *std::move(object));
     }
+    sort_by_x(curves_by_x_);
   }
   level_ = base_;
   level_.spawns.clear();
@@ -378,29 +407,35 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
       drops_.add("the property \"" + property.name + "\" of a body");
   }
   if (object.rotation != 0) drops_.add("the rotation of a body");
-  for (const Spawn& old : base_.spawns) {
-    const bool is_same = old.name == spawn.name && old.kind == spawn.kind && old.velocity == spawn.velocity &&
-                         old.used_foot() == spawn.used_foot();
-    if (is_same && is_same_outline(tiled_object(old), object)) {
-      level_.spawns.push_back(old);
-      return;
-    }
-  }
+  if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, as a level holds up to 65536");
+  if (const Spawn* const old = base_spawn_like(spawn, object)) return level_.spawns.push_back(*old);
   if (const auto written = json_of(std::vector<Spawn>{spawn}, ""); !written)
     drops_.add(named("the body", spawn.name) + ", as a number of it " + written.error().message);
   else
     level_.spawns.push_back(std::move(spawn));
 }
 
+// The one that Talus wrote as this object; null: none.
+const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObject& object) const {
+  const double y = object.position.y;
+  const auto near = near_in_x(std::span(spawns_by_x_), object.position.x);
+  const auto same = std::find_if(near.begin(), near.end(), [&](const Spawn* base) {
+    if (std::abs(base->position.y - y) > 2 * tiled_slack(y)) return false;
+    return base->name == spawn.name && base->kind == spawn.kind && base->velocity == spawn.velocity &&
+           base->used_foot() == spawn.used_foot() && is_same_outline(tiled_object(*base), object);
+  });
+  return same == near.end() ? nullptr : *same;
+}
+
 void TiledLevelMaker::take_curve(const TiledObject& object) {
   std::vector<LevelCurve> curves = curves_of(object);
   if (curves.empty()) return drops_.add(named("the curve", object.name));
-  const auto [first, last] = curves_.equal_range(object.name);
-  const auto same = std::find_if(first, last, [&](const auto& old) {
-    return old.second.first->curve.faces == curves.front().curve.faces &&
-           is_same_outline(old.second.second, object);
+  const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x);
+  const auto same = std::find_if(near.begin(), near.end(), [&](const auto& old) {
+    return old.first->name == object.name && old.first->curve.faces == curves.front().curve.faces &&
+           is_same_outline(old.second, object);
   });
-  if (same != last) return add_curve(*same->second.first);
+  if (same != near.end()) return add_curve(*same->first);
   const auto* const kind = find_property<std::string>(object.properties, "kind");
   if (kind != nullptr && *kind != "segment" && *kind != "polyline")
     drops_.add("the exact form of a curve that was changed in Tiled: it has lines now");
@@ -408,7 +443,9 @@ void TiledLevelMaker::take_curve(const TiledObject& object) {
 }
 
 void TiledLevelMaker::add_curve(const LevelCurve& curve) {
-  if (const auto problem = problem_of(curve.curve, level_.map))
+  if (level_.curves.size() == kMaxCurves)
+    drops_.add("a curve, as a level holds up to 16384");
+  else if (const auto problem = problem_of(curve.curve, level_.map))
     drops_.add(named("the curve", curve.name) + ", which " + *problem);
   else
     level_.curves.push_back(curve);
@@ -418,7 +455,8 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   const auto layer = layer_of(choices);
   if (!layer) return tl::unexpected(layer.error());
   if (const auto read = read_base(); !read) return tl::unexpected(read.error());
-  auto tiles = number_tiles(map_, **layer, pictures_, choices.used_tiles, level_.palette[0], drops_);
+  auto tiles =
+      number_tiles(map_, **layer, pictures_, choices.used_tiles, level_.palette[0], drops_, progress_);
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
   level_.map = std::move(tiles_.map);
@@ -433,8 +471,9 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
 }  // namespace
 
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
-                                   const ImportChoices& choices, TiledDrops& drops) {
-  return TiledLevelMaker(map, pictures, drops).make(choices);
+                                   const ImportChoices& choices, TiledDrops& drops,
+                                   const Progress& progress) {
+  return TiledLevelMaker(map, pictures, drops, progress).make(choices);
 }
 
 }  // namespace talus

@@ -33,6 +33,11 @@ inline constexpr std::string_view kTiledSpawnLayer = "spawns", kTiledCurveLayer 
                                   kTiledTileLayer = "map";
 inline constexpr std::string_view kTiledCurveType = "curve";
 
+// What a map that is read has at most, in all layers and tilesets together.
+inline constexpr std::size_t kMaxTiledCells = std::size_t{4} * kMaxTerrainCells;
+inline constexpr std::size_t kMaxTiledObjects = 262'144;
+inline constexpr std::size_t kMaxTiledPixels = std::size_t{1} << 25;  // of different pictures
+
 struct TiledProperty {
   std::string name;
   std::variant<bool, std::int64_t, double, std::string> value;

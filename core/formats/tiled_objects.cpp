@@ -14,9 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kFaceWords = {"up", "down", "both"};
 constexpr double kOnGrid = 1.0 / 1024;  // px; nearer numbers are taken for the same
 
-bool is_near(double a, double b) {
-  return std::abs(a - b) <= std::max(kOnGrid, 1e-5 * std::max(std::abs(a), std::abs(b)));
-}
+bool is_near(double a, double b) { return std::abs(a - b) <= std::max(tiled_slack(a), tiled_slack(b)); }
 bool is_near(Vec2 a, Vec2 b) { return is_near(a.x, b.x) && is_near(a.y, b.y); }
 
 void add(TiledProperties& properties, std::string_view name, double value) {
@@ -231,6 +229,8 @@ std::vector<LevelCurve> curves_of(const TiledObject& object) {
   }
   return curves;
 }
+
+double tiled_slack(double number) { return std::max(kOnGrid, 1e-5 * std::abs(number)); }
 
 bool is_same_outline(const TiledObject& a, const TiledObject& b) {
   if (a.form != b.form || a.rotation != b.rotation || a.points.size() != b.points.size()) return false;

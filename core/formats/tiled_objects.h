@@ -31,6 +31,9 @@ std::optional<TiledObject> tiled_object(const LevelCurve& curve);
 // property `faces` says.
 std::vector<LevelCurve> curves_of(const TiledObject& object);
 
+// How far off, in either direction, a number may be that Tiled has written.
+double tiled_slack(double number);
+
 // Whether two objects are the same place and outline, to the six digits that Tiled keeps of a number.
 bool is_same_outline(const TiledObject& a, const TiledObject& b);
 

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 #include "tiled_shapes.h"
 
 namespace talus {
 namespace {
 
+constexpr std::size_t kCellsAtOnce = 65'536;  // between looks whether to go on
+constexpr std::uint32_t kTurns = kTiledFlipX | kTiledFlipY | kTiledFlipXY;
 constexpr const char* kTakeUsed = "`talus import --tiles-used` takes those that are shown";
 
 FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message,
@@ -39,11 +42,15 @@ TilesetGrid grid_of(const TiledTileset& tileset) {
   return {columns > 0 ? columns : kSheetColumns, count > 0 ? count : kTileCount};
 }
 
+// By the number in the layer, with its bits of how the tile is turned.
+using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
+
 class TileNumberer {
  public:
   TileNumberer(const TiledMap& map, const TiledLayer& layer, const TiledPictures& pictures, Rgb background,
-               TiledDrops& drops)
-      : map_(map),
+               TiledDrops& drops, const Progress& progress)
+      : progress_(progress),
+        map_(map),
         layer_(layer),
         pictures_(pictures),
         background_(background),
@@ -59,13 +66,14 @@ class TileNumberer {
 
  private:
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
-  // What the cells show; blank sources for empty cells.
-  FormatResult<std::vector<TiledSource>> sources_of_cells() const;
-  FormatResult<int> only_tileset(const std::vector<TiledSource>& cells) const;
+  // What the different cells show; blank sources for empty ones.
+  FormatResult<SourceOfCell> sources_of_cells() const;
+  FormatResult<int> only_tileset(const SourceOfCell& cells) const;
   bool is_blank(const TiledSource& source) const;
   FormatResult<void> free_tile_0();
-  void fill_map(const std::vector<TiledSource>& cells);
+  FormatResult<void> fill_map(const SourceOfCell& cells);
 
+  const Progress& progress_;
   const TiledMap& map_;
   const TiledLayer& layer_;
   const TiledPictures& pictures_;
@@ -75,34 +83,40 @@ class TileNumberer {
   TiledTiles tiles_;
 };
 
-FormatResult<std::vector<TiledSource>> TileNumberer::sources_of_cells() const {
-  std::vector<TiledSource> sources;
-  sources.reserve(layer_.cells.size());
-  for (const std::uint32_t cell : layer_.cells) {
+FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
+  constexpr std::size_t kMostDifferent = 65'536;
+  SourceOfCell sources;
+  for (std::size_t i = 0; i < layer_.cells.size(); ++i) {
+    const std::uint32_t cell = layer_.cells[i];
+    if (i % kCellsAtOnce == 0 && !progress_.at(i, 2 * layer_.cells.size())) return was_cancelled();
+    if ((i > 0 && cell == layer_.cells[i - 1]) || sources.contains(cell)) continue;
+    if (sources.size() == kMostDifferent) {
+      return tl::unexpected(whole_error("shows more than " + std::to_string(kMostDifferent) +
+                                        " different tiles, and a level has 255 beside the empty one"));
+    }
     const std::uint32_t gid = cell & kTiledIdBits;
     if (gid == 0) {
-      sources.emplace_back();
+      sources[cell] = {};
       continue;
     }
-    const auto after = std::upper_bound(order_.begin(), order_.end(), gid, [&](std::uint32_t number, int i) {
-      return number < tileset(i).first_gid;
+    const auto after = std::upper_bound(order_.begin(), order_.end(), gid, [&](std::uint32_t number, int of) {
+      return number < tileset(of).first_gid;
     });
     const int of = after == order_.begin() ? -1 : *std::prev(after);
     const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
     if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
-      return tl::unexpected(
-          cell_error(layer_, map_, sources.size(),
-                     "holds tile " + std::to_string(gid) + ", which is in none of the tilesets"));
+      return tl::unexpected(cell_error(
+          layer_, map_, i, "holds tile " + std::to_string(gid) + ", which is in none of the tilesets"));
     }
-    sources.push_back({of, static_cast<int>(id), cell & (kTiledFlipX | kTiledFlipY | kTiledFlipXY)});
+    sources[cell] = {of, static_cast<int>(id), cell & kTurns};
   }
   return sources;
 }
 
 // -1 when there is none.
-FormatResult<int> TileNumberer::only_tileset(const std::vector<TiledSource>& cells) const {
+FormatResult<int> TileNumberer::only_tileset(const SourceOfCell& cells) const {
   std::set<int> shown;
-  for (const TiledSource& source : cells) {
+  for (const auto& [cell, source] : cells) {
     if (source.tileset >= 0) shown.insert(source.tileset);
   }
   if (shown.size() > 1) {
@@ -153,13 +167,19 @@ FormatResult<void> TileNumberer::free_tile_0() {
   return {};
 }
 
-void TileNumberer::fill_map(const std::vector<TiledSource>& cells) {
+FormatResult<void> TileNumberer::fill_map(const SourceOfCell& cells) {
   std::map<TiledSource, std::uint8_t> numbers;
   for (std::size_t n = 0; n < kTileCount; ++n)
     numbers.try_emplace(tiles_.sources[n], static_cast<std::uint8_t>(n));
   numbers[TiledSource{}] = 0;
-  std::transform(cells.begin(), cells.end(), tiles_.map.cells().begin(),
-                 [&](const TiledSource& source) { return numbers.at(source); });
+  std::unordered_map<std::uint32_t, std::uint8_t> number_of_cell;
+  for (const auto& [cell, source] : cells) number_of_cell[cell] = numbers.at(source);
+  const std::size_t count = layer_.cells.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % kCellsAtOnce == 0 && !progress_.at(count + i, 2 * count)) return was_cancelled();
+    tiles_.map.cells()[i] = number_of_cell.at(layer_.cells[i]);
+  }
+  return {};
 }
 
 FormatResult<TiledTiles> TileNumberer::as_they_are() {
@@ -167,11 +187,12 @@ FormatResult<TiledTiles> TileNumberer::as_they_are() {
   if (!cells) return tl::unexpected(cells.error());
   const auto only = only_tileset(*cells);
   if (!only) return tl::unexpected(only.error());
-  const auto turned =
-      std::find_if(cells->begin(), cells->end(), [](const TiledSource& source) { return source.turn != 0; });
-  if (turned != cells->end()) {
+  const auto turned = std::find_if(layer_.cells.begin(), layer_.cells.end(), [](std::uint32_t cell) {
+    return (cell & kTiledIdBits) != 0 && (cell & kTurns) != 0;
+  });
+  if (turned != layer_.cells.end()) {
     return tl::unexpected(
-        cell_error(layer_, map_, static_cast<std::size_t>(turned - cells->begin()),
+        cell_error(layer_, map_, static_cast<std::size_t>(turned - layer_.cells.begin()),
                    "holds a tile that is mirrored or turned, which those of a level are not",
                    "`talus import --tiles-used` makes a tile of its own of it"));
   }
@@ -184,14 +205,15 @@ FormatResult<TiledTiles> TileNumberer::as_they_are() {
     }
   }
   if (const auto freed = free_tile_0(); !freed) return tl::unexpected(freed.error());
-  fill_map(*cells);
+  if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
   return std::move(tiles_);
 }
 
 FormatResult<TiledTiles> TileNumberer::used() {
   const auto cells = sources_of_cells();
   if (!cells) return tl::unexpected(cells.error());
-  std::set<TiledSource> shown(cells->begin(), cells->end());
+  std::set<TiledSource> shown;
+  for (const auto& [cell, source] : *cells) shown.insert(source);
   shown.erase(TiledSource{});
   if (shown.size() >= kTileCount) {
     return tl::unexpected(whole_error("shows " + std::to_string(shown.size()) +
@@ -199,7 +221,7 @@ FormatResult<TiledTiles> TileNumberer::used() {
   }
   std::copy(shown.begin(), shown.end(), tiles_.sources.begin() + 1);
   tiles_.keeps_numbers = false;
-  fill_map(*cells);
+  if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
   return std::move(tiles_);
 }
 
@@ -216,8 +238,8 @@ Cell pixel_of(const TiledTileset& tileset, const TiledSource& source, int x, int
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
                                       const TiledPictures& pictures, bool used_tiles, Rgb background,
-                                      TiledDrops& drops) {
-  TileNumberer numberer(map, layer, pictures, background, drops);
+                                      TiledDrops& drops, const Progress& progress) {
+  TileNumberer numberer(map, layer, pictures, background, drops, progress);
   return used_tiles ? numberer.used() : numberer.as_they_are();
 }
 

@@ -1,7 +1,7 @@
 // Which tile of a level each tile of a Tiled map becomes, and what it looks like.
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "png_picture.h"
 #include "tiled_map.h"
@@ -13,7 +13,8 @@ struct TiledPicture {
   RgbaPicture rgba;
   std::vector<Rgb> palette;  // of the file; empty: it has none
 };
-using TiledPictures = std::vector<std::optional<TiledPicture>>;  // by tileset; none: not known
+// By tileset; those of one file share it. Null: not known.
+using TiledPictures = std::vector<std::shared_ptr<const TiledPicture>>;
 
 // A tile of a tileset as cells of the map show it.
 struct TiledSource {
@@ -31,10 +32,11 @@ struct TiledTiles {
 
 // Without `used_tiles` the map must show one tileset of up to 256 tiles, none of them turned. Tiles keep
 // their places on a sheet of up to 16x16 tiles, and of one of another form their numbers. Tile 0 is the empty
-// one: if the tileset's first is drawn and cells are empty, the two change numbers.
+// one: if the tileset's first is drawn and cells are empty, the two change numbers. progress: told how many
+// of the cells are numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
                                       const TiledPictures& pictures, bool used_tiles, Rgb background,
-                                      TiledDrops& drops);
+                                      TiledDrops& drops, const Progress& progress);
 
 // The sheet of 128x128 px that the level's tiles make. Transparent where nothing is known.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);

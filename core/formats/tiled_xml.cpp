@@ -16,8 +16,8 @@
 namespace talus {
 namespace {
 
-constexpr int kMaxGroups = 32;                    // levels of layers in layers, well below kMaxJsonDepth
-constexpr std::size_t kMaxXmlParts = 10'000'000;  // elements and attributes; of 4096x4096 cells CSV has none
+constexpr int kMaxGroups = 32;                   // levels of layers in layers, well below kMaxJsonDepth
+constexpr std::size_t kMaxXmlParts = 2'500'000;  // elements and attributes; of 4096x4096 cells CSV has none
 
 constexpr std::array<std::string_view, 21> kXmlNumbers = {
     "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
@@ -51,6 +51,14 @@ class BadText : public pugi::xml_tree_walker {
     return good;
   }
 };
+
+std::size_t count_objects(std::string_view xml) {
+  constexpr std::string_view kTag = "<object";
+  std::size_t count = 0;
+  for (std::size_t at = xml.find(kTag); at != xml.npos; at = xml.find(kTag, at + 1))
+    count += xml.substr(at + kTag.size(), 1) != "g" ? 1 : 0;  // an objectgroup is none
+  return count;
+}
 
 // A number that JSON can hold; other text stays text, which the reader complains of.
 Json number_or_text(std::string_view text) {
@@ -281,6 +289,11 @@ FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& prog
   const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
   if (static_cast<std::size_t>(parts) > kMaxXmlParts)
     return tl::unexpected(FormatError{"", "has too many elements"});
+  if (const std::size_t objects = count_objects(text); objects > kMaxTiledObjects) {
+    return tl::unexpected(FormatError{"", "has " + std::to_string(objects) +
+                                              " objects, and a map that is read has up to " +
+                                              std::to_string(kMaxTiledObjects)});
+  }
   if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is no text in UTF-8"});
   try {
     return TiledXml(text, progress).read();

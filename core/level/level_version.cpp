@@ -23,6 +23,22 @@ LevelVersion::Row row_of(const TileMap& map, int y) {
   return {begin, begin + map.width()};
 }
 
+std::size_t memory_of(const std::vector<Spawn>& spawns) {
+  std::size_t bytes = spawns.size() * sizeof(Spawn);
+  for (const Spawn& spawn : spawns) bytes += spawn.name.size() + spawn.extra.size();
+  return bytes;
+}
+
+std::size_t memory_of(const std::vector<LevelCurve>& curves) {
+  std::size_t bytes = curves.size() * sizeof(LevelCurve);
+  for (const LevelCurve& curve : curves) {
+    bytes += curve.name.size() + curve.extra.size();
+    if (const auto* line = std::get_if<Polyline>(&curve.curve.form))
+      bytes += line->ys.size() * sizeof(double);
+  }
+  return bytes;
+}
+
 bool is_row(const TileMap& map, int y, const LevelVersion::Row& row) {
   const auto begin = map.cells().begin() + static_cast<std::ptrdiff_t>(y) * map.width();
   return std::equal(begin, begin + map.width(), row.begin(), row.end());
@@ -58,6 +74,20 @@ LevelVersion version_of(const Level& level, const LevelVersion& before, std::spa
       row = std::make_shared<const LevelVersion::Row>(row_of(level.map, cell.y));
   }
   return version;
+}
+
+std::size_t memory_of(const LevelVersion& version, const LevelVersion* before) {
+  constexpr std::size_t kRow = 48;  // bytes, of a row besides its tiles
+  static const LevelVersion kNone;
+  const LevelVersion& old = before != nullptr ? *before : kNone;
+  std::size_t bytes = sizeof(LevelVersion) + version.rows.size() * sizeof(version.rows[0]);
+  if (version.tiles != old.tiles) bytes += sizeof(LevelVersion::Tiles);
+  if (version.curves != old.curves) bytes += memory_of(*version.curves);
+  if (version.spawns != old.spawns) bytes += memory_of(*version.spawns);
+  for (std::size_t y = 0; y < version.rows.size(); ++y) {
+    if (y >= old.rows.size() || version.rows[y] != old.rows[y]) bytes += kRow + version.rows[y]->size();
+  }
+  return bytes;
 }
 
 void put_version(const LevelVersion& version, Level& level) {

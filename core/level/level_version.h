@@ -36,6 +36,9 @@ LevelVersion version_of(const Level& level, const LevelVersion* before = nullptr
 // and otherwise in its spawns and its tuning alone.
 LevelVersion version_of(const Level& level, const LevelVersion& before, std::span<const Cell> changed);
 
+// The memory, in bytes, that a version takes besides what it shares with `before`; null: it shares nothing.
+std::size_t memory_of(const LevelVersion& version, const LevelVersion* before);
+
 // Gives a level what the version has; pictures, names and carts stay.
 void put_version(const LevelVersion& version, Level& level);
 // A level that is that version and has no pictures.

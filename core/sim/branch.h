@@ -18,6 +18,7 @@ struct Chapter {
   std::int64_t first = 0;  // 0 for the first one alone
   VersionPtr version;
   bool kept_bodies = false;  // the edit neither added a body nor took one away
+  std::size_t bytes = 0;     // of memory that the version takes besides the chapter before; 0: not reckoned
 };
 
 // By what a branch was made that the next change of the same kind runs again in place (see Timeline).

@@ -24,14 +24,17 @@ bool& key_in(Input& input, InputKey key) {
   return input.mouse_down;
 }
 
-Timeline::Timeline(VersionPtr first, std::size_t keyframe_bytes)
-    : keyframes_(keyframe_bytes), version_(std::move(first)), scene_(scenes_.scene_of(version_)) {
+Timeline::Timeline(VersionPtr first, std::size_t keyframe_bytes, std::size_t version_bytes)
+    : keyframes_(keyframe_bytes),
+      version_bytes_(version_bytes),
+      version_(std::move(first)),
+      scene_(scenes_.scene_of(version_)) {
   add_branch({});
   start_over();
 }
 
-Timeline::Timeline(const Level& level, std::size_t keyframe_bytes)
-    : Timeline(std::make_shared<const LevelVersion>(version_of(level)), keyframe_bytes) {}
+Timeline::Timeline(const Level& level, std::size_t keyframe_bytes, std::size_t version_bytes)
+    : Timeline(std::make_shared<const LevelVersion>(version_of(level)), keyframe_bytes, version_bytes) {}
 
 void Timeline::seek(std::int64_t frame) {
   wanted_ = std::clamp<std::int64_t>(frame, 0, last_frame());
@@ -64,10 +67,24 @@ void Timeline::step(const Input& input, bool with_record) {
   wanted_ = frame();
 }
 
-void Timeline::edit(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
-  if (!set_level(level, cells, std::move(compiled))) return;
+bool Timeline::edit(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
+  if (!set_level(level, cells, std::move(compiled))) return true;
   if (in_past()) fork_at(frame());
-  begin_chapter();
+  if (has_room()) {
+    begin_chapter();
+    return true;
+  }
+  const int full = current_;
+  restart();
+  drop(full);
+  return false;
+}
+
+bool Timeline::has_room() const {
+  const std::vector<Chapter>& chapters = current().chapters;
+  std::size_t bytes = frame() == 0 ? 0 : memory_of(*version_, chapters.back().version.get());
+  for (const Chapter& chapter : chapters) bytes += chapter.bytes;
+  return bytes <= version_bytes_;
 }
 
 // Whether the simulation sees a difference. Spawns count though they look the same to it: their order tells
@@ -101,9 +118,9 @@ void Timeline::begin_chapter() {
   scout_.forget();
   Chapter& last = branch.chapters.back();
   if (last.first == frame() && last.kept_bodies && *last.version->spawns == *version_->spawns) {
-    last = {frame(), version_, kept_bodies};
+    last = {frame(), version_, kept_bodies, last.bytes + memory_of(*version_, last.version.get())};
   } else {
-    branch.chapters.push_back({frame(), version_, kept_bodies});
+    branch.chapters.push_back({frame(), version_, kept_bodies, memory_of(*version_, last.version.get())});
   }
   ++branch.revision;
   branch.hashes.set(branch.hashes.size() - 1, frame_hash(state()));

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "../collision/function_ref.h"
+#include "../level/limits.h"
 #include "runner.h"
 
 namespace talus {
@@ -35,8 +36,10 @@ class Timeline {
  public:
   static constexpr std::size_t kKeyframeBytes = std::size_t{96} << 20;
 
-  // keyframe_bytes: the most that the keyframes of all branches take together.
-  explicit Timeline(const Level& level, std::size_t keyframe_bytes = kKeyframeBytes);
+  // keyframe_bytes: the most that the keyframes of all branches take together. version_bytes: the most that
+  // the levels of one branch take, as its level is edited; a recording may bring more.
+  explicit Timeline(const Level& level, std::size_t keyframe_bytes = kKeyframeBytes,
+                    std::size_t version_bytes = kMaxVersionBytes);
   // A timeline of one branch, behind by the whole recording. Its hashes are what is expected.
   explicit Timeline(const Recording& recording, std::size_t keyframe_bytes = kKeyframeBytes);
   Timeline(const Timeline&) = delete;
@@ -62,7 +65,9 @@ class Timeline {
   // The level was edited, in these cells of the map alone if they are given: it goes on from here on the
   // edited one. At frame 0 everything starts anew from it. What the simulation cannot see changes nothing.
   // cells: besides them, spawns and tuning may have changed. compiled: the level's scene, if it is known.
-  void edit(const Level& level, const std::vector<Cell>* cells = nullptr, ScenePtr compiled = nullptr);
+  // False: the branch's levels would have taken too much memory, so that it is gone, and another one begins
+  // at frame 0 of the edited level.
+  bool edit(const Level& level, const std::vector<Cell>* cells = nullptr, ScenePtr compiled = nullptr);
   void restart();  // a new branch that begins at frame 0 of the level as it is now
 
   // --- Running again; `from` is clamped to the branch
@@ -126,7 +131,7 @@ class Timeline {
   std::int64_t steps_again() const;  // made so far to show, look at and run again what was recorded
 
  private:
-  Timeline(VersionPtr first, std::size_t keyframe_bytes);
+  Timeline(VersionPtr first, std::size_t keyframe_bytes, std::size_t version_bytes = kMaxVersionBytes);
 
   Branch& now();                          // the current one
   Branch& add_branch(Branch branch);      // makes it the current one
@@ -138,6 +143,7 @@ class Timeline {
 
   bool set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled);
   void begin_chapter();
+  bool has_room() const;  // for the level as it is now
   void start_over();
   Branch& draft(Draft kind, std::int64_t kept);
   void change_inputs(std::int64_t first, std::int64_t last, FunctionRef<void(Input&)> change);
@@ -147,6 +153,7 @@ class Timeline {
 
   mutable SceneCache scenes_;  // a cache, as is the scout: neither shows
   KeyframeStore keyframes_;
+  std::size_t version_bytes_;
   VersionPtr version_;  // of the level as it is now
   ScenePtr scene_;      // its
   std::vector<Branch> branches_;

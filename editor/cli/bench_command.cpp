@@ -6,6 +6,7 @@
 #include "bench_balls.h"
 #include "bench_kernel.h"
 #include "command.h"
+#include "progress_line.h"
 #include "sim/solver.h"
 #include "timing.h"
 #include "trace.h"
@@ -44,7 +45,10 @@ void bench(CommandContext& context, const BenchOptions& options) {
   std::size_t resting = 0;  // steps of a body in which it did not move
   double total_ns = 0;
   // The two take turns, so that whatever else the machine does falls on both.
+  ProgressLine progress(context.err, options.file, is_terminal(context.err));
   for (int frame = 0; frame < options.frames; ++frame) {
+    if (!progress.at(static_cast<double>(frame) / options.frames))
+      return fail(context, options.file, "", "was cancelled");
     before.clear();
     for (const Body& body : state.bodies) before.push_back(body.box.position());
     const double ns = nanoseconds([&] { solver->step(state, input); });
@@ -55,6 +59,7 @@ void bench(CommandContext& context, const BenchOptions& options) {
     for (std::size_t i = 0; i < before.size(); ++i) resting += state.bodies[i].box.position() == before[i];
   }
 
+  progress.wipe();
   nlohmann::ordered_json line;
   line["solver"] = solver_name(scene->tuning.solver);
   line["bodies"] = state.bodies.size();

@@ -11,6 +11,7 @@
 #include "formats/last_catch.h"
 #include "formats/number_text.h"
 #include "formats/utf8_text.h"
+#include "progress_line.h"
 
 namespace talus {
 namespace {
@@ -93,7 +94,10 @@ void fail(CommandContext& context, const std::string& file, const std::string& p
 std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
                                              const ImportChoices& choices) {
   context.doing = "reading " + file;
-  FormatResult<LoadedLevel> loaded = load_level(file, choices);
+  FormatResult<LoadedLevel> loaded = [&] {
+    ProgressLine line(context.err, "reading " + file, is_terminal(context.err));
+    return load_level(file, choices, Progress([&](double share) { return line.at(share); }));
+  }();
   if (!loaded) {
     say(context.err, to_string(loaded.error(), file));
     context.status = kExitBad;

@@ -13,6 +13,7 @@
 #include "command.h"
 #include "formats/atomic_file.h"
 #include "platform/shot.h"
+#include "progress_line.h"
 
 namespace talus {
 namespace {
@@ -64,8 +65,11 @@ void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
   shot.body = options.shot.body;
   if (!options.physics.solver.empty()) shot.solver = solver_of_name(options.physics.solver);
   if (!options.compared.empty()) shot.compared = solver_of_name(options.compared);
+  ProgressLine line(context.err, options.file, is_terminal(context.err));
+  shot.goes_on = [&](double share) { return line.at(share); };
   WindowCost cost;
   const auto written = write_window_shot(shot, options.output, options.metrics ? &cost : nullptr);
+  line.wipe();
   if (!written) return fail(context, options.output, "", written.error());
   if (options.metrics) print(cost, context.out);
 }
@@ -77,12 +81,18 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
   for (const std::string& key : options.overlays) options.shot.overlays.set(*find_overlay(key), true);
   if (!options.window.empty()) return shoot_window(context, options);
   Session session(std::move(*level), options.file);
-  for (std::int64_t i = 0; i < options.frame; ++i) session.apply(action::StepFrame{});
+  ProgressLine line(context.err, options.file, is_terminal(context.err));
+  for (std::int64_t i = 0; i < options.frame; ++i) {
+    if (!line.at(static_cast<double>(i) / static_cast<double>(options.frame)))
+      return fail(context, options.file, "", "was cancelled");
+    session.apply(action::StepFrame{});
+  }
   if (options.shot.overlays.has(OverlayId::reach)) {
     session.apply(action::FindReach{});
     if (session.message()) return fail(context, options.file, "", session.message()->text);
     while (session.reach().running()) session.advance(0);
   }
+  line.wipe();
   const auto written = write_shot(session, options.shot, options.output);
   if (!written) fail(context, options.output, "", written.error());
 }

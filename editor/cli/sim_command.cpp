@@ -12,6 +12,7 @@
 #include "formats/last_catch.h"
 #include "formats/number_text.h"
 #include "input_file.h"
+#include "progress_line.h"
 #include "sim/case_input.h"
 #include "sim/hard_case_run.h"
 #include "sim/solver.h"
@@ -81,14 +82,18 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   const auto stops = [&] {
     return until.wanted() && until.stops_at({scene, ground, state, record, input, {}});
   };
+  ProgressLine line(context.err, options.file, is_terminal(context.err) && options.trace != "-");
   bool stopped = stops();
   for (std::int64_t i = 0; !stopped && i < options.frames; ++i) {
+    if (!line.at(static_cast<double>(i) / static_cast<double>(options.frames)))
+      return fail(context, options.file, "", "was cancelled");
     const std::int64_t frame = state.frame + 1;
     input = added(case_input(script, frame), player.at(frame));
     solver->step(state, input, wanted);
     trace.write(state, trace.wants_contacts() ? wanted : nullptr);
     stopped = stops();
   }
+  line.wipe();
   if (!trace.finish()) return;
   until.report(context, options.file);
   if (options.hash) context.out << hash_text(state_hash(state)) << '\n';

@@ -7,6 +7,7 @@
 #include "debug/branch_frames.h"
 #include "formats/atomic_file.h"
 #include "formats/recording.h"
+#include "progress_line.h"
 #include "sim/timeline.h"
 #include "trace.h"
 #include "until.h"
@@ -14,11 +15,14 @@
 namespace talus {
 namespace {
 
-constexpr std::int64_t kStepsAtOnce = 4096;  // between looks for a frame that is not as recorded
+constexpr std::int64_t kStepsAtOnce = 256;  // between looks for a frame that is not as recorded
 
 std::optional<Recording> load_recording_or_fail(CommandContext& context, const SimOptions& options) {
   context.doing = "reading " + options.file;
-  auto recording = load_recording(options.file);
+  auto recording = [&] {
+    ProgressLine line(context.err, "reading " + options.file, is_terminal(context.err));
+    return load_recording(options.file, Progress([&](double share) { return line.at(share); }));
+  }();
   if (!recording) {
     fail(context, options.file, recording.error().place, recording.error().message);
     return std::nullopt;
@@ -33,15 +37,34 @@ std::optional<Recording> load_recording_or_fail(CommandContext& context, const S
   return *std::move(recording);
 }
 
+// Runs a timeline to a frame; false after having failed.
+bool catch_up(CommandContext& context, const SimOptions& options, Timeline& timeline, std::int64_t frames,
+              ProgressLine& line) {
+  const auto all = static_cast<double>(std::max<std::int64_t>(frames, 1));
+  for (std::int64_t done = 0; done < frames && timeline.behind(); done += kStepsAtOnce) {
+    if (!line.at(static_cast<double>(done) / all)) {
+      fail(context, options.file, "", "was cancelled");
+      return false;
+    }
+    timeline.catch_up(std::min(kStepsAtOnce, frames - done));
+  }
+  return true;
+}
+
 // "passed 3600 frames", or "failed frame 61: hash .., recorded ..".
-void verify(CommandContext& context, Timeline& timeline) {
+void verify(CommandContext& context, const SimOptions& options, Timeline& timeline) {
   const Branch& branch = timeline.current();
   if (branch.expected.size() == 0) {
     context.out << "failed: the recording holds no hashes to compare with\n";
     context.status = kExitBad;
     return;
   }
-  while (timeline.behind() && !timeline.unexpected_frame(branch)) timeline.catch_up(kStepsAtOnce);
+  {
+    ProgressLine line(context.err, options.file, is_terminal(context.err));
+    for (; timeline.behind() && !timeline.unexpected_frame(branch); timeline.catch_up(kStepsAtOnce)) {
+      if (!line.at(timeline.progress())) return fail(context, options.file, "", "was cancelled");
+    }
+  }
   const auto failed = timeline.unexpected_frame(branch);
   if (!failed) {
     context.out << "passed " << branch.last_frame() << " frames\n";
@@ -90,22 +113,27 @@ void simulate_recording(CommandContext& context, const SimOptions& options) {
   const std::optional<Recording> recording = load_recording_or_fail(context, options);
   if (!recording) return;
   Timeline timeline(*recording);
-  if (options.verify) return verify(context, timeline);
+  if (options.verify) return verify(context, options, timeline);
 
   TraceFile trace(context, options);
   if (!trace.good()) return;
   const Branch& branch = timeline.current();
   std::int64_t frames = std::min(options.frames, branch.last_frame());
-  timeline.catch_up(frames);
+  ProgressLine line(context.err, options.file, is_terminal(context.err) && options.trace != "-");
+  if (!catch_up(context, options, timeline, frames, line)) return;
+  bool goes_on = true;
+  const auto is_wanted = [&](double share) { return goes_on = line.at(share); };
   Until until(options.until);
-  if (until.wanted()) frames = until.run(BranchFrames(branch), frames);
+  if (until.wanted()) frames = until.run(BranchFrames(branch), frames, is_wanted);
   if (trace.wanted() && frames > 0) {
     timeline.walk(branch, 1, frames, trace.wants_contacts(),
                   [&](const State& state, const StepRecord* record) {
                     trace.write(state, record);
-                    return true;
+                    return is_wanted(static_cast<double>(state.frame) / static_cast<double>(frames));
                   });
   }
+  line.wipe();
+  if (!goes_on) return fail(context, options.file, "", "was cancelled");
   if (!trace.finish()) return;
   until.report(context, options.file);
   if (options.hash) context.out << hash_text(state_hash(timeline.state_at(branch, frames))) << '\n';

@@ -26,8 +26,10 @@ bool Until::stops_at(Frame frame) {
   return body_.has_value();
 }
 
-std::int64_t Until::run(const FrameSource& source, std::int64_t last) {
-  for (std::int64_t i = 0; i <= last; ++i) {
+std::int64_t Until::run(const FrameSource& source, std::int64_t last,
+                        FunctionRef<bool(double share)> goes_on) {
+  for (std::int64_t i = 0; i <= last && goes_on(static_cast<double>(i) / static_cast<double>(last + 1));
+       ++i) {
     Frame frame;
     source.read(i, frame);
     if (stops_at(std::move(frame))) return i;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "collision/function_ref.h"
 #include "command.h"
 #include "debug/breakpoint.h"
 
@@ -19,8 +20,9 @@ class Until {
   // The next frame of the run, from 0 on. True: the condition holds in it, and the run should stop. False
   // where none is wanted.
   bool stops_at(Frame frame);
-  // The frames 0 to `last` of a source; the one at which it stops, or `last`.
-  std::int64_t run(const FrameSource& source, std::int64_t last);
+  // The frames 0 to `last` of a source; the one at which it stops, or `last`. goes_on: told the share of them
+  // that it has looked at, 0..1; where it says no, the frame is `last` too.
+  std::int64_t run(const FrameSource& source, std::int64_t last, FunctionRef<bool(double share)> goes_on);
   // Prints the frame as a line of a trace, and a sentence about the body for which the condition holds; where
   // it never held, fails.
   void report(CommandContext& context, const std::string& file) const;

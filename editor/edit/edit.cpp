@@ -5,6 +5,8 @@
 #include <cassert>
 #include <type_traits>
 
+#include "level/limits.h"
+
 namespace talus {
 namespace {
 
@@ -113,7 +115,67 @@ bool is_no_change(const Change& change) {
   return std::visit([](const auto& c) { return c.before == c.after; }, change);
 }
 
+// Whether a change is of what a level has limited amounts of.
+template <class C>
+constexpr bool kIsCounted = std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
+                            std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> ||
+                            std::is_same_v<C, BrushesChange> || std::is_same_v<C, ExportsChange>;
+
+// What of a level problem_of_amounts counts.
+Level counted_part(const Level& level) {
+  Level part;
+  part.map = TileMap(1, 1);
+  part.flag_names = level.flag_names;
+  part.flag_fields = level.flag_fields;
+  part.curves = level.curves;
+  part.spawns = level.spawns;
+  part.brushes = level.brushes;
+  part.exports = level.exports;
+  part.extra = level.extra;
+  return part;
+}
+
+// Besides its own size.
+template <class C>
+std::size_t memory_behind(const C& change) {
+  if constexpr (std::is_same_v<C, MapChange>) {
+    return change.before.cells().size() + change.after.cells().size();
+  } else if constexpr (std::is_same_v<C, LevelChange>) {
+    return 2 * sizeof(Level) + size_of(change.before) + size_of(change.after);
+  } else if constexpr (kIsCounted<C>) {
+    Level before, after;
+    before.map = after.map = TileMap(1, 1);  // which is no part of the change
+    place(before, change) = change.before;
+    place(after, change) = change.after;
+    return size_of(before) + size_of(after);
+  }
+  return 0;
+}
+
 }  // namespace
+
+std::optional<std::string> problem_after(const Level& level, const Edit& edit) {
+  std::optional<Level> after;  // without what is not counted; none: nothing that is counted changes
+  for (const Change& change : edit.changes) {
+    std::visit(
+        [&]<class C>(const C& c) {
+          if constexpr (std::is_same_v<C, LevelChange>) after = counted_part(c.after);
+          if constexpr (kIsCounted<C>) {
+            if (!after) after = counted_part(level);
+            place(*after, c) = c.after;
+          }
+        },
+        change);
+  }
+  return after ? problem_of_amounts(*after) : std::nullopt;
+}
+
+std::size_t memory_of(const Edit& edit) {
+  std::size_t bytes = sizeof(Edit) + edit.label.size();
+  for (const Change& change : edit.changes)
+    bytes += sizeof(Change) + std::visit([](const auto& c) { return memory_behind(c); }, change);
+  return bytes;
+}
 
 Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::string label) {
   Edit edit{std::move(label), {}};

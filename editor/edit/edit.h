@@ -112,6 +112,12 @@ struct Edit {
 // The whole level becomes `other`, which is never null; empty when it is the same.
 Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::string label);
 
+// What the edited level would have more of than a level may: "has 70000 bodies, and a level holds up to
+// 65536".
+std::optional<std::string> problem_after(const Level& level, const Edit& edit);
+// The memory that an edit takes, in bytes.
+std::size_t memory_of(const Edit& edit);
+
 void apply_edit(Level& level, const Edit& edit);
 void revert_edit(Level& level, const Edit& edit);
 // Fits an edit to a level that has changed since the tool saw it: each `before` becomes what the level holds.

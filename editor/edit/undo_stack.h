@@ -5,11 +5,16 @@
 #include <vector>
 
 #include "edit.h"
+#include "level/limits.h"
 
 namespace talus {
 
 class UndoStack {
  public:
+  // most_bytes: the memory that the entries take together; the oldest are forgotten beyond it, all but the
+  // last.
+  explicit UndoStack(std::size_t most_bytes = kMaxHistoryBytes) : most_bytes_(most_bytes) {}
+
   // Applies and records. Edits with the same stroke (> 0) in a row are one entry; stroke 0 never merges. An
   // empty edit is ignored, and a stroke that ends where it began leaves no entry.
   void push(Level& level, Edit edit, int stroke = 0);
@@ -34,7 +39,11 @@ class UndoStack {
   bool is_saved() const { return saved_ == static_cast<std::ptrdiff_t>(next_); }
 
  private:
+  void forget_oldest();
+
   std::vector<Edit> edits_;
+  std::vector<std::size_t> bytes_;  // of each of them; of the last one, what it had when it was begun
+  std::size_t most_bytes_;
   std::size_t next_ = 0;
   std::ptrdiff_t saved_ = 0;  // -1: the saved state can no longer be reached
   int open_stroke_ = 0;       // the stroke that the last entry still takes edits of; 0: none

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -45,6 +46,7 @@ void point_at_nothing() {
   ::setsid();
   if (::fork() != 0) ::_exit(0);
   point_at_nothing();
+  ::signal(SIGXFSZ, SIG_DFL);  // which this program ignores
   ::execvp(arguments[0], arguments);
   const int error = errno;
   const ssize_t told = ::write(errors, &error, sizeof error);

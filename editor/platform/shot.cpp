@@ -19,14 +19,17 @@ Rect first_screen(const TileMap& map) {
 
 constexpr int kFramesToSettle = 3;  // text and tables need more than one to find their sizes
 
-// Does what a user would do to see what the options ask for.
-void prepare(const WindowShotOptions& options, Session& session, View& view) {
+// Does what a user would do to see what the options ask for. False: it was told to end.
+bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (options.solver) {
     Tuning tuning = session.level().tuning;
     tuning.solver = *options.solver;
     session.apply(action::EditLevel{set_tuning(session.level(), tuning)});
   }
-  for (int i = 0; i < options.frames; ++i) session.apply(action::StepFrame{});
+  for (int i = 0; i < options.frames; ++i) {
+    if (options.goes_on && !options.goes_on(static_cast<double>(i) / options.frames)) return false;
+    session.apply(action::StepFrame{});
+  }
   session.apply(action::SelectBody{options.body});
   for (const std::string& condition : options.stops)
     session.apply(action::SetBreakpoint{{.condition = condition, .body = options.body}});
@@ -38,6 +41,7 @@ void prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (view.dock_open) view.canvas = CanvasMode::play;
   view.split_compared = options.two_views;
   view.stage = options.stage;
+  return true;
 }
 
 // A step for each frame, as it is played, so that every overlay changes.
@@ -96,7 +100,7 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   session.apply(action::Pause{});
   for (const OverlayInfo& info : overlay_infos())
     session.apply(action::SetOverlay{info.id, options.overlays.has(info.id)});
-  prepare(options, session, (*app)->ui().view);
+  if (!prepare(options, session, (*app)->ui().view)) return tl::unexpected(std::string("was cancelled"));
   do {
     for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();
   } while (session.debugger().is_busy() || session.compile_progress() || session.is_linting() ||

@@ -1,6 +1,7 @@
 // Pictures of the level and of the window, without a display.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -36,6 +37,9 @@ struct WindowShotOptions {
   std::optional<SolverKind> compared;  // runs the same input through it, too
   bool two_views = false;              // for the two sides
   int stage = -1;                      // of the chosen body's step, drawn; -1: none
+  // Told the share of the steps that are run, 0..1; where it says no, there is no picture. Empty: all are
+  // run.
+  std::function<bool(double share)> goes_on = {};
 };
 
 // What the window cost while the level was played for as many frames as FrameMetrics remembers.

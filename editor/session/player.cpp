@@ -33,16 +33,18 @@ void Player::start() {
   held_.reset();
 }
 
-void Player::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled) {
+bool Player::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled) {
   const bool reruns = rule_.kind != EditRule::Kind::go_on && timeline_->last_frame() > 0;
+  bool has_room = true;
   if (reruns) {
     timeline_->edit_and_rerun(edited, cells, rule_.kind == EditRule::Kind::from_start ? 0 : rule_.frame,
                               std::move(compiled));
   } else {
-    timeline_->edit(edited, cells, std::move(compiled));
+    has_room = timeline_->edit(edited, cells, std::move(compiled));
   }
   if (timeline_->frame() == 0) playback_.input.grab = 0;  // bodies may have other numbers now
   show_held();
+  return has_room;
 }
 
 void Player::reset() {

@@ -15,8 +15,8 @@ class Player {
 
   void load(const Level& level);          // another level: stopped, at frame 0, with nothing recorded
   void load(const Recording& recording);  // the same with a recording, which is still to be run
-  // The same level, edited; see Timeline::edit. What follows the rule says.
-  void edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled = nullptr);
+  // The same level, edited; see Timeline::edit, also for what is returned. What follows the rule says.
+  bool edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled = nullptr);
   void set_rule(const EditRule& rule) { rule_ = rule; }
   void reset();  // a new run from frame 0; keeps running if it ran
 

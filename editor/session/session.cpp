@@ -9,6 +9,7 @@
 
 #include "edit/stamp.h"
 #include "level/followed_spawn.h"
+#include "level/limits.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -59,6 +60,10 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
   last_stroke = std::max(last_stroke, a.stroke);
   Edit edit = a.edit;
   rebase_edit(level, edit);
+  if (const auto problem = problem_after(level, edit)) {
+    message = Message{edit.label + ": not done, as the level then " + *problem + ".", true};
+    return;
+  }
   if (edit.selection) choices.selection = edit.selection->after;
   if (edit.empty()) return;
   note_change(edit);
@@ -149,7 +154,13 @@ void Session::Impl::refresh_scene() {
   compiler.cancel();
   is_opening = false;
   reach.note_change();
-  keep_chosen_body([&] { player.edit(level, changes.whole ? nullptr : &changes.cells); });
+  bool has_room = true;
+  keep_chosen_body([&] { has_room = player.edit(level, changes.whole ? nullptr : &changes.cells); });
+  if (!has_room) {
+    message = Message{"The run begins anew, as its edits of the level took more than " +
+                          std::to_string(kMaxVersionBytes >> 20) + " MiB.",
+                      false};
+  }
 }
 
 // A large level is opened with nothing on its map, which the compiled scene brings.

@@ -10,6 +10,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/format.h"
+#include "formats/recording.h"
 
 namespace talus::progress_line_test {
 
@@ -81,6 +82,42 @@ TEST_F(InterruptedExport, LeavesOldFilesAsTheyWere) {
   EXPECT_NE(answer.err.find("error: was cancelled\n"), std::string::npos) << answer.err;
   EXPECT_EQ(bytes_of("a.json"), "old");
   EXPECT_EQ(cli_answer({"export", path("cave.talus.json"), "--to", "json", "-o", "-"}).out, "");
+}
+
+class InterruptedRun : public FolderTest {};
+
+TEST_F(InterruptedRun, EndsLongBeforeItsLastFrame) {
+  const std::string level = path("cave.talus.json");
+  ASSERT_TRUE(save_level(Level(), *find_format("native"), level));
+  Recording recording;
+  recording.frames = kMostUnhashedFrames;
+  ASSERT_TRUE(save_recording(recording, path("run.talusrec")));
+  const HeldSignals held;
+  pthread_kill(pthread_self(), SIGINT);
+  const std::vector<std::vector<std::string>> commands = {
+      {"sim", level, "--frames", "1000000000"},
+      {"sim", level, "--frames", "1000000000", "--until", "frame < 0"},
+      {"sim", path("run.talusrec"), "--hash"},
+      {"shot", level, "--frame", "1000000", "-o", path("a.png")},
+      {"bench", level, "--bodies", "10", "--frames", "10000000"}};
+  for (const auto& command : commands) {
+    const CliAnswer answer = cli_answer(command);
+    EXPECT_EQ(answer.status, 1) << command[0];
+    EXPECT_NE(answer.err.find(": error: was cancelled\n"), std::string::npos) << command[0] << answer.err;
+    EXPECT_EQ(answer.out, "") << command[0];
+  }
+  EXPECT_FALSE(exists("a.png"));
+}
+
+TEST_F(InterruptedRun, EndsWhileAFileIsRead) {
+  Level large;
+  large.map = TileMap(1000, 1000);
+  std::fill(large.map.cells().begin(), large.map.cells().end(), std::uint8_t{1});
+  ASSERT_TRUE(save_level(large, *find_format("native"), path("cave.talus.json")));
+  const HeldSignals held;
+  pthread_kill(pthread_self(), SIGINT);
+  EXPECT_EQ(cli_answer({"check", path("cave.talus.json")}).err,
+            path("cave.talus.json") + ": error: was cancelled\n");
 }
 
 }  // namespace talus::progress_line_test

@@ -183,7 +183,7 @@ TEST(RecordingFile, IsRefusedByTheEditThatIsWrong) {
   expect("key edits[0], key tuning.solver: must be \"article\", \"bump\" or \"exact\"", [](json& d) {
     d["edits"][0]["patch"] = {{{"op", "replace"}, {"path", "/tuning/solver"}, {"value", 0}}};
   });
-  expect("key edits: has too many edits for a level of this size", [](json& d) {
+  expect("key edits: has more than 10000 edits of the level", [](json& d) {
     d["edits"] = json::array();
     for (int i = 0; i < 10'001; ++i) d["edits"].push_back({{"frame", 1}, {"patch", json::array()}});
   });

@@ -442,6 +442,26 @@ TEST(Timeline, ABranchOfARerunLeavesItsParentWhereItIsRunAgain) {
   EXPECT_EQ(timeline.current().fork, 10);
 }
 
+TEST(Timeline, BeginsAnewWhereTheLevelsOfABranchTakeTooMuchMemory) {
+  Level level = drop();
+  const std::size_t one = memory_of(version_of(level), nullptr);
+  Timeline timeline(level, Timeline::kKeyframeBytes, 10 * one);
+  played(timeline, 5);
+  int kept = 0;
+  const auto add_body = [&] {
+    level.spawns.push_back({"", {static_cast<double>(kept), 0}, {}, ""});
+    return timeline.edit(level);
+  };
+  while (kept < 1000 && add_body()) ++kept;
+  EXPECT_GT(kept, 3);
+  EXPECT_LT(kept, 500);
+  EXPECT_EQ(timeline.frame(), 0);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+  EXPECT_EQ(*timeline.current().chapters[0].version->spawns, level.spawns);
+  played(timeline, 5);
+  EXPECT_TRUE(add_body()) << "there is room again";
+}
+
 TEST(Timeline, ManyEditsOfOneFrameAreOneChapterUnlessABodyComesOrGoes) {
   Timeline timeline(drop());
   played(timeline, 5);

@@ -1,0 +1,74 @@
+// Counting what a level holds.
+#include "limits.h"
+
+namespace talus {
+namespace {
+
+struct Amounts {
+  std::size_t heights = 0, brush_cells = 0, name_bytes = 0, unknown_bytes = 0;
+};
+
+// Of an entry of a list, as all of them have them.
+template <class Entry>
+void count_texts(const Entry& entry, Amounts& amounts) {
+  amounts.name_bytes += entry.name.size();
+  amounts.unknown_bytes += entry.extra.size();
+}
+
+Amounts amounts_of(const Level& level) {
+  Amounts amounts;
+  amounts.unknown_bytes = level.extra.size();
+  for (const std::string& name : level.flag_names) amounts.name_bytes += name.size();
+  for (const FlagField& field : level.flag_fields) {
+    count_texts(field, amounts);
+    for (const std::string& value : field.values) amounts.name_bytes += value.size();
+  }
+  for (const Spawn& spawn : level.spawns) count_texts(spawn, amounts);
+  for (const LevelCurve& curve : level.curves) {
+    count_texts(curve, amounts);
+    if (const auto* line = std::get_if<Polyline>(&curve.curve.form)) amounts.heights += line->ys.size();
+  }
+  for (const Brush& brush : level.brushes) {
+    count_texts(brush, amounts);
+    amounts.brush_cells += brush.tiles.size();
+  }
+  for (const ExportPreset& preset : level.exports) {
+    count_texts(preset, amounts);
+    amounts.name_bytes += preset.exporter.size() + preset.path.size() + preset.parts.size();
+  }
+  return amounts;
+}
+
+}  // namespace
+
+std::optional<std::string> problem_of_amounts(const Level& level) {
+  const Amounts amounts = amounts_of(level);
+  struct Row {
+    std::size_t has, most;
+    const char* what;
+  };
+  for (const Row& row :
+       {Row{level.spawns.size(), kMaxSpawns, "bodies"},
+        {level.curves.size(), kMaxCurves, "curves"},
+        {amounts.heights, kMaxLevelHeights, "heights of polylines"},
+        {level.brushes.size(), kMaxBrushes, "brushes"},
+        {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
+        {level.exports.size(), kMaxExports, "export presets"},
+        {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
+        {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of members that Talus does not know"}}) {
+    if (row.has > row.most)
+      return "has " + std::to_string(row.has) + " " + row.what + ", and a level holds up to " +
+             std::to_string(row.most);
+  }
+  return std::nullopt;
+}
+
+std::size_t size_of(const Level& level) {
+  constexpr std::size_t kEntry = 128;  // bytes, about what one takes in memory, or as text
+  const Amounts amounts = amounts_of(level);
+  return level.map.cells().size() + amounts.brush_cells + amounts.heights * sizeof(double) +
+         amounts.name_bytes + amounts.unknown_bytes +
+         kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());
+}
+
+}  // namespace talus

@@ -1,0 +1,45 @@
+// What a level, and what is kept of it, holds at most: one set for all. Readers refuse a file that has more,
+// edits that would make more are refused, and nothing is saved that could not be read again.
+//
+// Others are where their things are: kMaxTerrainSide and kMaxTerrainCells, kMaxPolylineHeights,
+// kMaxShapeHeights, kMaxBrushSide, kMaxBrushes, kMaxExports.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "level.h"
+
+namespace talus {
+
+inline constexpr std::size_t kMaxSpawns = 65'536;
+inline constexpr std::size_t kMaxCurves = 16'384;
+inline constexpr std::size_t kMaxLevelHeights = 262'144;            // of all polylines together
+inline constexpr std::size_t kMaxBrushCells = 1'048'576;            // of all brushes together
+inline constexpr std::size_t kMaxNameBytes = std::size_t{4} << 20;  // of all names and other texts together
+inline constexpr std::size_t kMaxUnknownBytes = std::size_t{1} << 20;  // of all unknown members together
+
+// Bytes of a file that is read; of the largest levels a full map of 4096x4096 cells takes 34 MB, and one of
+// 8x2097152, with its many lines, 55 MB.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+
+// Of the edits of one recording: how many, the memory that their versions of the level take (see
+// level_version.h), and the sizes of all the levels that reading and writing it goes through.
+inline constexpr std::size_t kMaxRecordedEdits = 10'000;
+inline constexpr std::size_t kMaxVersionBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kMaxEditedBytes = std::size_t{2} << 30;
+
+// Of the edits that can be undone; the oldest are forgotten beyond it.
+inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
+
+// What a level has more of than it may: "has 70000 bodies, and a level holds up to 65536". Nothing: all is
+// well.
+std::optional<std::string> problem_of_amounts(const Level& level);
+
+// About what a level takes as data, by which work that goes through it is reckoned: its cells, heights and
+// texts, and some bytes for each body, curve and brush. Pictures, shapes and tuning are small, and count as
+// nothing.
+std::size_t size_of(const Level& level);
+
+}  // namespace talus

@@ -1,0 +1,320 @@
+// What a level holds at most: refused where it is read, edited and saved, and what is saved can be read.
+#include "level/limits.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "edit/undo_stack.h"
+#include "folder_test.h"
+#include "formats/recording.h"
+#include "formats/tic_cart.h"
+#include "formats/tic_text.h"
+#include "formats/tiled_map.h"
+#include "native_text.h"
+#include "png_bytes.h"
+#include "session/session.h"
+
+namespace talus::limits_test {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+Level with_spawns(std::size_t count) {
+  Level level;
+  level.spawns.assign(count, Spawn{});
+  return level;
+}
+
+class SavedLimits : public FolderTest {};
+
+TEST_F(SavedLimits, WhatIsTooMuchIsSaidAndTheOldFileStays) {
+  const std::string file = path("cave.talus.json");
+  ASSERT_TRUE(save_level(with_spawns(1), *find_format("native"), file));
+  const std::string before = bytes_of("cave.talus.json");
+  const auto saved = save_level(with_spawns(kMaxSpawns + 1), *find_format("native"), file);
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(to_string(saved.error(), "cave"), "cave: error: has 65537 bodies, and a level holds up to 65536");
+  EXPECT_EQ(bytes_of("cave.talus.json"), before);
+}
+
+TEST(LevelLimits, AsManyBodiesAsAreAllowedComeBack) {
+  Level level = with_spawns(kMaxSpawns);
+  for (std::size_t i = 0; i < level.spawns.size(); ++i) level.spawns[i].position.x = static_cast<double>(i);
+  const auto again = read_native(native_of_level(level), {});
+  ASSERT_TRUE(again) << to_string(again.error(), "level");
+  EXPECT_TRUE(*again == level);
+}
+
+TEST(LevelLimits, LongListsAreRefusedBeforeTheyAreRead) {
+  const auto entries = [](std::size_t count) {
+    std::string list = "{}";
+    for (std::size_t i = 1; i < count; ++i) list += ",{}";
+    return "[" + list + "]";
+  };
+  expect_native_error(native_with("\"spawns\":" + entries(kMaxSpawns + 1)), "key spawns",
+                      "must be a list of up to 65536 bodies");
+  expect_native_error(native_with("\"curves\":" + entries(kMaxCurves + 1)), "key curves",
+                      "must be a list of up to 16384 curves");
+}
+
+// A level with amounts close to what is allowed, some of them above it.
+Level level_with(const std::vector<std::size_t>& amounts) {
+  Level level = with_spawns(amounts[0] % 50);
+  level.curves.resize(amounts[1] % 50, {"ramp", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
+  if (!level.spawns.empty()) level.spawns[0].name.assign(kMaxNameBytes - 300 + amounts[2] % 250, 'x');
+  level.extra = json{{"unknown", std::string(kMaxUnknownBytes - 100 + amounts[3] % 100, 'x')}}.dump();
+  level.brushes.resize(15 + amounts[4] % 2,
+                       {"b", 256, 256, std::vector<std::uint8_t>(256 * 256, 3), false, ""});
+  if (amounts[4] % 5 == 0) level.brushes.push_back({"one", 1, 1, {7}, false, ""});
+  Polyline line{0, 1900, std::vector<double>(kMaxPolylineHeights, 4)};
+  level.curves.resize(level.curves.size() + 3 + amounts[5] % 3, {"", {line, Curve::Faces::up}, ""});
+  return level;
+}
+
+TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
+  std::size_t saved = 0, refused = 0, number = 1;
+  const auto next = [&number] { return (number = number * 48271 % 2147483647) >> 3; };
+  for (int i = 0; i < 7; ++i) {
+    const Level level = level_with({next(), next(), next(), next(), next(), next()});
+    const auto written = write_native(level, {});
+    EXPECT_EQ(written.has_value(), !problem_of_amounts(level));
+    ++(written ? saved : refused);
+    if (!written) continue;
+    const auto again = read_native(written->bytes, {});
+    ASSERT_TRUE(again) << to_string(again.error(), "level");
+    EXPECT_TRUE(*again == level);
+  }
+  EXPECT_GT(saved, 0u);
+  EXPECT_GT(refused, 0u);
+}
+
+TEST(LevelLimits, UnknownMembersAreKeptUpToAMegabyte) {
+  std::string keys;
+  for (int i = 0; i < 100'000; ++i) keys += ",\"key" + std::to_string(i) + "\":0";
+  const auto read = read_native(R"({"talus":1)" + keys + "}", {});
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message,
+              HasSubstr("bytes of members that Talus does not know, and a level holds"));
+}
+
+// Printed a value a line, each behind a hundred blanks, it would take fifty times as much.
+TEST(LevelLimits, DeepUnknownMembersStaySmall) {
+  std::string deep = "{\"a\":{}";
+  for (int i = 1; i < 1000; ++i) deep += ",\"a" + std::to_string(i) + "\":{}";
+  deep += "}";
+  for (int i = 0; i < 50; ++i) deep = "{\"a\":" + deep + "}";
+  Level level;
+  level.extra = deep;
+  const std::string text = native_of_level(level);
+  EXPECT_LT(text.size(), 2 * deep.size() + 10'000);
+  EXPECT_TRUE(level_of_native(text).extra == json::parse(deep).dump());
+}
+
+TEST(LevelLimits, LinesThatStandForASectionDoNotMakeACartGrow) {
+  Level level;
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{17});
+  json document = json::parse(native_of_level(level));
+  document["cart"] = {{"kind", "text"}, {"comment", "--"}, {"lines", json::array()}};
+  for (int i = 0; i < 200; ++i) document["cart"]["lines"].push_back({{"level", "MAP"}});
+  expect_native_error(document.dump(), "key cart.lines", "make the cart larger than a cart can be");
+}
+
+TEST(LevelLimits, CodeOfLineBreaksAloneIsKeptAsData) {
+  const Level level = read_text(std::string(1'000'000, '\n'), {"lua"}).value();
+  const json document = json::parse(native_of_level(level));
+  EXPECT_FALSE(document["cart"].contains("lines"));
+  EXPECT_EQ(level_of_native(document.dump()).cart->bytes, level.cart->bytes);
+}
+
+TEST(LevelLimits, ACartThatEditsMakeTooLargeIsNotSavedAsOne) {
+  std::string bytes;
+  constexpr int kUnknown = 21;
+  const std::string data(65'535, 'x');
+  for (int i = 0; i < 63; ++i) append_tic_chunk(bytes, {.type = kUnknown, .data = data});
+  append_tic_chunk(bytes, {.type = kUnknown,
+                           .data = std::string_view(data).substr(0, kMaxCartBytes - bytes.size() - 100)});
+  auto level = read_tic(bytes, {});
+  ASSERT_TRUE(level) << level.error().message;
+  std::fill(level->map.cells().begin(), level->map.cells().end(), std::uint8_t{3});
+  const auto cart = write_tic(*level, {});
+  ASSERT_FALSE(cart);
+  EXPECT_THAT(cart.error().message, HasSubstr("bytes as a cartridge, and one has up to 4194304"));
+  EXPECT_TRUE(level_of_native(native_of_level(*level)) == *level);
+}
+
+// ---- Recordings
+
+json recording_with(const Level& level, const json& edits) {
+  Recording recording;
+  recording.level = level;
+  recording.frames = 100;
+  json document = json::parse(write_recording(recording).value());
+  document["edits"] = edits;
+  return document;
+}
+
+std::string error_of(const json& recording) {
+  const auto read = read_recording(recording.dump());
+  return read ? "" : to_string(read.error(), "file");
+}
+
+TEST(RecordingLimits, TheLevelsAfterTheEditsAreReckonedNotTheFirstOne) {
+  json edits = {
+      {{"frame", 1}, {"patch", {{{"op", "replace"}, {"path", "/spawns"}, {"value", json::array()}}}}}};
+  edits[0]["patch"][0]["value"] = json(std::vector<json>(kMaxSpawns, json::object()));
+  for (int i = 0; i < 40; ++i) {
+    const std::string op = i == 0 ? "add" : "replace";
+    edits.push_back({{"frame", 2}, {"patch", {{{"op", op}, {"path", "/spawns/0/x"}, {"value", i}}}}});
+  }
+  EXPECT_EQ(error_of(recording_with(with_spawns(1), edits)),
+            "file:key edits: error: has too many edits for a level of this size");
+}
+
+TEST(RecordingLimits, PatchesMoveNoLongLists) {
+  json patch = json::array();
+  for (int i = 0; i < 2000; ++i) patch.push_back({{"op", "remove"}, {"path", "/spawns/0"}});
+  EXPECT_EQ(error_of(recording_with(with_spawns(kMaxSpawns), {{{"frame", 1}, {"patch", patch}}})),
+            "file:key edits[0].patch: error: moves too many entries of lists");
+}
+
+TEST(RecordingLimits, ManyBodiesThatGoOrComeAreOneStepOfAPatch) {
+  Recording recording;
+  recording.level = with_spawns(3000);
+  recording.frames = 10;
+  for (const std::size_t count : {1000u, 2000u, 2000u}) {
+    Level edited = with_spawns(count);
+    for (std::size_t i = 0; i < count; ++i)
+      edited.spawns[i].position.x = static_cast<double>(recording.edits.size() + (i > 7 ? 0 : i));
+    recording.edits.push_back({1, std::make_shared<LevelVersion>(version_of(edited))});
+  }
+  const auto text = write_recording(recording);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(json::parse(*text)["edits"][0]["patch"].size(), 1u);
+  const auto again = read_recording(*text);
+  ASSERT_TRUE(again) << to_string(again.error(), "file");
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(*again->edits[i].version->spawns, *recording.edits[i].version->spawns);
+}
+
+TEST(RecordingLimits, WhatIsNotReadIsNotWrittenEither) {
+  Recording recording;
+  recording.level = with_spawns(kMaxSpawns);
+  recording.frames = 10;
+  LevelVersion version = version_of(recording.level);
+  EXPECT_TRUE(write_recording(recording));
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Spawn> spawns = *version.spawns;
+    spawns[0].position.x = i + 1;
+    version.spawns = std::make_shared<const std::vector<Spawn>>(std::move(spawns));
+    recording.edits.push_back({1, std::make_shared<LevelVersion>(version)});
+  }
+  const auto text = write_recording(recording);
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().message, "has too many edits for a level of this size");
+}
+
+// ---- Edits
+
+TEST(EditLimits, AnEditThatWouldMakeTooManyIsRefusedWithAMessage) {
+  Session session(with_spawns(kMaxSpawns));
+  std::vector<Spawn> more = session.level().spawns;
+  more.emplace_back();
+  session.apply(action::EditLevel{{"Place a body", {SpawnsChange{session.level().spawns, more}}}});
+  EXPECT_EQ(session.level().spawns.size(), kMaxSpawns);
+  EXPECT_FALSE(session.modified());
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_EQ(session.message()->text,
+            "Place a body: not done, as the level then has 65537 bodies, and a level holds up to 65536.");
+}
+
+TEST(EditLimits, OldEditsAreForgottenForMemory) {
+  Level level;
+  UndoStack history(10'000);
+  history.mark_saved();
+  for (std::size_t i = 1; i <= 100; ++i) {
+    std::vector<Spawn> spawns(i % 2);
+    history.push(level, {"Edit " + std::to_string(i), {SpawnsChange{level.spawns, spawns}}});
+  }
+  EXPECT_LT(history.edits().size(), 50u);
+  EXPECT_GT(history.edits().size(), 2u);
+  EXPECT_EQ(history.edits().back().label, "Edit 100");
+  EXPECT_FALSE(history.is_saved());
+  while (history.can_undo()) history.undo(level);
+  EXPECT_FALSE(history.is_saved()) << "what was saved cannot be reached any more";
+  while (history.can_redo()) history.redo(level);
+  EXPECT_TRUE(level.spawns.empty());
+}
+
+// ---- Maps of Tiled
+
+std::string tiled_map(int side, const std::string& tilesets, const std::string& layers) {
+  const std::string size = std::to_string(side);
+  return R"({"type":"map","orientation":"orthogonal","tilewidth":8,"tileheight":8,"width":)" + size +
+         ",\"height\":" + size + ",\"tilesets\":[" + tilesets + "],\"layers\":[" + layers + "]}";
+}
+
+TEST(TiledLimits, LayersAreCountedBeforeTheyAreUnpacked) {
+  std::string layers =
+      R"({"type":"tilelayer","name":"a","encoding":"base64","compression":"zlib","data":"x"})";
+  for (int i = 1; i < 100; ++i)
+    layers += ",{\"type\":\"group\",\"layers\":[{\"type\":\"tilelayer\",\"data\":\"x\"}]}";
+  const auto read = read_level(tiled_map(4096, "", layers), {"tmj"});
+  ASSERT_FALSE(read);
+  EXPECT_EQ(
+      to_string(read.error(), "map"),
+      "map:key layers: error: has 100 layers of 4096x4096 tiles, and those of a map that is read have up to "
+      "67108864 cells together");
+}
+
+TEST(TiledLimits, ObjectsAreCountedBeforeTheyAreRead) {
+  std::string xml, json_list = "{}";
+  for (std::size_t i = 0; i <= kMaxTiledObjects; ++i) xml += "<object/>";
+  for (std::size_t i = 0; i < kMaxTiledObjects; ++i) json_list += ",{}";
+  xml =
+      "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" "
+      "tileheight=\"8\"><objectgroup>" +
+      xml + "</objectgroup></map>";
+  EXPECT_EQ(read_level(xml, {"tmx"}).error().message,
+            "has 262145 objects, and a map that is read has up to 262144");
+  const auto read =
+      read_level(tiled_map(1, "", R"({"type":"objectgroup","objects":[)" + json_list + "]}"), {"tmj"});
+  ASSERT_FALSE(read);
+  EXPECT_EQ(
+      to_string(read.error(), "map"),
+      "map:key layers[0].objects[262144]: error: is an object too many: a map that is read has up to 262144");
+}
+
+class TiledFilesLimits : public FolderTest {
+ protected:
+  // A map of so many tilesets; the picture of each has the name that `picture` gives.
+  template <class Picture>
+  std::string error_of_map(int tilesets, Picture picture) const {
+    std::string list;
+    for (int i = 0; i < tilesets; ++i) {
+      list += std::string(i == 0 ? "" : ",") + "{\"name\":\"t\",\"firstgid\":" + std::to_string(1 + 256 * i) +
+              R"(,"tilewidth":8,"tileheight":8,"tilecount":256,"columns":16,"image":")" + picture(i) + "\"}";
+    }
+    put("map.tmj", tiled_map(1, list, R"({"type":"tilelayer","data":[1]})"));
+    const auto read = load_level(path("map.tmj"));
+    return read ? "" : to_string(read.error(), "map");
+  }
+};
+
+TEST_F(TiledFilesLimits, TilesetsOfOnePictureShareIt) {
+  put("a.png", png_of(1024, 2, std::vector<std::string>(1024, std::string(3 * 1024, '\x40'))));
+  EXPECT_EQ(error_of_map(500, [](int) { return "a.png"; }), "");
+}
+
+TEST_F(TiledFilesLimits, PicturesAreCountedTogether) {
+  const std::string png = png_of(1024, 2, std::vector<std::string>(1024, std::string(3 * 1024, '\x40')));
+  for (int i = 0; i < 33; ++i) put(std::to_string(i) + ".png", png);
+  EXPECT_EQ(
+      error_of_map(33, [](int i) { return std::to_string(i) + ".png"; }),
+      "map:file 32.png: error: is a picture too many: those that a map names have up to 33554432 pixels "
+      "together");
+}
+
+}  // namespace talus::limits_test
