@@ -57,7 +57,7 @@ class ReadingIterator {
 // Takes what the parser finds (nlohmann's SAX interface), and stops it at what no file may have.
 class StrictBuilder {
  public:
-  enum class Problem { none, invalid, too_large, too_deep, too_many, twice };
+  enum class Problem { none, invalid, too_large, too_deep, too_many, too_many_keys, twice };
 
   Problem problem() const { return problem_; }
   // That the parser had read when it found something wrong; 0: it found nothing.
@@ -90,8 +90,10 @@ class StrictBuilder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& key) {
-    const auto [member, is_new] = open_.back()->get_ref<Json::object_t&>().try_emplace(std::move(key));
+    auto& members = open_.back()->get_ref<Json::object_t&>();
+    const auto [member, is_new] = members.try_emplace(std::move(key));
     member_ = &member->second;
+    if (members.size() > kMaxJsonKeys) return stop(Problem::too_many_keys);
     return is_new || stop(Problem::twice);
   }
   bool parse_error(std::size_t bytes, const std::string&, const Json::exception& error) {
@@ -175,6 +177,8 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
       return {place, "JSON is nested deeper here than 64 levels"};
     case Problem::too_many:
       return {place, "JSON has too many values"};
+    case Problem::too_many_keys:
+      return {place, "JSON has an object of more than 65536 keys"};
     case Problem::none:
     case Problem::invalid:
       break;

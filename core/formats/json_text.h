@@ -12,14 +12,15 @@ namespace talus {
 
 using Json = nlohmann::json;
 
-inline constexpr int kMaxJsonDepth = 64;          // levels have 5; printing recurses once a level
+inline constexpr int kMaxJsonDepth = 64;             // levels have 5; printing recurses once a level
+inline constexpr std::size_t kMaxJsonKeys = 65'536;  // of one object; those of a level have up to 256
 inline constexpr int kMaxJsonValues = 5'000'000;  // a text project of line breaks alone has 4.2 million lines
 
 // The one way from text to JSON: each reader of JSON uses it. Text that is no JSON, nests deeper or has more
-// values than the limits above, has a key twice in one object, a number that no double holds, or anything but
-// blanks after its end is an error, placed by line, and by the column or the key in it where there is one.
-// progress: told how much of the text is parsed; where it says so, that is an error. first_line: the number
-// that the text's first line has in its file.
+// values or keys than the limits above, has a key twice in one object, a number that no double holds, or
+// anything but blanks after its end is an error, placed by line, and by the column or the key in it where
+// there is one. progress: told how much of the text is parsed; where it says so, that is an error.
+// first_line: the number that the text's first line has in its file.
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {},
                               std::int64_t first_line = 1);
 

@@ -92,11 +92,17 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
 
 TEST(LevelLimits, UnknownMembersAreKeptUpToAMegabyte) {
   std::string keys;
-  for (int i = 0; i < 100'000; ++i) keys += ",\"key" + std::to_string(i) + "\":0";
+  for (int i = 0; i < 50'000; ++i) keys += ",\"key of a later version " + std::to_string(i) + "\":0";
   const auto read = read_native(R"({"talus":1)" + keys + "}", {});
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message,
               HasSubstr("bytes of members that Talus does not know, and a level holds"));
+}
+
+TEST(LevelLimits, AnObjectOfManyKeysIsRefusedWhileItIsRead) {
+  std::string keys;
+  for (int i = 0; i < 100'000; ++i) keys += ",\"k" + std::to_string(i) + "\":0";
+  expect_native_error(R"({"talus":1)" + keys + "}", "line 1", "JSON has an object of more than 65536 keys");
 }
 
 // Printed a value a line, each behind a hundred blanks, it would take fifty times as much.
