@@ -8,7 +8,7 @@ namespace talus {
 FormatResult<Exported> export_bump(const ExportRequest& request) {
   Exported out;
   out.files = {{"level.lua", lua_level(request.level, LuaForm::readable, request.progress)},
-               {"sheet.png", write_png_part(request.level, PngPart::tiles)}};
+               {"sheet.png", write_clear_tiles(request.level)}};
   struct Copied {
     const char *name, *asset;
     bool is_starter = false;
@@ -16,6 +16,7 @@ FormatResult<Exported> export_bump(const ExportRequest& request) {
   constexpr Copied kCopied[] = {{"bump_slopes.lua", "runtime/bump_slopes.lua"},
                                 {"main.lua", "templates/bump/main.lua", true},
                                 {"camera.lua", "templates/camera.lua"},
+                                {"pictures.lua", "templates/pictures.lua"},
                                 {"conf.lua", "templates/love/conf.lua", true}};
   for (const Copied& file : kCopied) {
     FormatResult<std::string> text = request.read_asset(file.asset);

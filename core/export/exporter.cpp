@@ -30,14 +30,14 @@ using Names = std::array<std::string_view, N>;
 
 constexpr Names<1> kSheetBeside = {"*-tiles.png"};
 constexpr Names<1> kCompanion = {"**.talus.json"};
-constexpr Names<7> kLoveFiles = {"talus.lua", "level.lua",  "sheet.png",       "main.lua",
-                                 "conf.lua",  "camera.lua", "curve_points.lua"};
+constexpr Names<8> kLoveFiles = {"talus.lua", "level.lua",  "sheet.png",        "main.lua",
+                                 "conf.lua",  "camera.lua", "curve_points.lua", "pictures.lua"};
 constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
-constexpr Names<6> kBumpFiles = {"level.lua", "sheet.png", "bump_slopes.lua",
-                                 "main.lua",  "conf.lua",  "camera.lua"};
+constexpr Names<7> kBumpFiles = {"level.lua", "sheet.png",  "bump_slopes.lua", "main.lua",
+                                 "conf.lua",  "camera.lua", "pictures.lua"};
 constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
-constexpr Names<6> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv",
-                                "polygons.csv", "lines.csv", "spawns.csv"};
+constexpr Names<8> kCsvFiles = {"map.csv",   "flags.csv",  "sprite_flags.csv", "polygons.csv",
+                                "lines.csv", "bodies.csv", "roles.csv",        "tuning.csv"};
 
 }  // namespace
 
@@ -134,7 +134,7 @@ std::span<const Exporter> exporters() {
        kSheetBeside,
        true},
       {"sti", "Lua map for Simple Tiled Implementation", kLua, export_sti,
-       "A map for the STI library of LÖVE and its bump plugin.", false, "-sti", kSheetBeside},
+       "A map for the STI library of LÖVE and its bump plugin.", false, "-sti", kSheetBeside, true},
       {"ldtk",
        "LDtk project",
        kLdtk,
@@ -145,19 +145,19 @@ std::span<const Exporter> exporters() {
        kSheetBeside,
        true},
       {"lua", "Lua table of plain data", kLua, export_lua,
-       "Map, flags, floor heights, outlines and bodies for a Lua game with physics of its own."},
+       "Map, flags, floor heights, outlines, bodies and tuning for a Lua game with physics of its own."},
       {"json", "JSON file of plain data", kJson, export_json,
-       "Map, flags, floor heights, outlines and bodies for any language."},
+       "Map, flags, floor heights, outlines, bodies and tuning for any language."},
       {"csv",
        "set of CSV tables",
        {},
        export_csv,
-       "Map, flags, floor heights, outlines and bodies, a table each.",
+       "Map, flags, floor heights, outlines, bodies and tuning, a table each.",
        false,
        {},
        kCsvFiles},
       {"c", "C99 header", kHeader, export_c,
-       "Map, flags and floors in fixed point, and a function that finds the floor below a point."},
+       "Map, flags, floors, bodies and tuning, and a function that finds the floor below a point."},
       {"png", "PNG picture of the map", kPng, export_png, "The map, one pixel a px."},
       {"svg", "SVG drawing of the map and its outline", kSvg, export_svg,
        "The map with its outline, normals, curves and bodies, as lines of any size."},

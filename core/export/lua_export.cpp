@@ -21,9 +21,10 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
   if (!runtime) return tl::unexpected(runtime.error());
   Exported out{{{"talus.lua", std::move(*runtime)},
                 {"level.lua", lua_level(request.level, LuaForm::readable, request.progress)},
-                {"sheet.png", write_png_part(request.level, PngPart::tiles)}},
+                {"sheet.png", write_clear_tiles(request.level)}},
                dropped_solver(request.level)};
-  for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua"}) {
+  for (const std::string name :
+       {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua", "pictures.lua"}) {
     FormatResult<std::string> text = request.read_asset("templates/" + name);
     if (!text) return tl::unexpected(text.error());
     out.files.push_back({name.substr(name.find('/') + 1), std::move(*text), name.starts_with("love/")});

@@ -146,9 +146,27 @@ std::vector<PlainShape> plain_shapes(const TerrainSource& ground) {
   return shapes;
 }
 
-bool is_ball_tile(const Level& level, std::uint8_t tile) {
-  return level.tile_shapes[tile].kind == TileShape::Kind::none &&
-         role_of(level.tile_flags(tile), level.roles) == TileRole::ball;
+PlainBodies::PlainBodies(const Level& level) : level_(level) {
+  std::array<bool, kTileCount> is_ball{};
+  for (std::size_t tile = 0; tile < kTileCount; ++tile)
+    is_ball[tile] = is_ball_tile(level, static_cast<std::uint8_t>(tile));
+  for (Cell c; c.y < level.map.height(); ++c.y) {
+    for (c.x = 0; c.x < level.map.width(); ++c.x)
+      if (is_ball[level.map.at(c)]) tiles_.push_back(c);
+  }
+  std::stable_sort(tiles_.begin(), tiles_.end(), [](Cell a, Cell b) { return a.x < b.x; });
+}
+
+PlainBody PlainBodies::at(std::size_t index) const {
+  PlainBody body;
+  body.id = static_cast<int>(index) + 1;
+  if (index >= tiles_.size()) {
+    body.start = level_.spawns[index - tiles_.size()];
+  } else {
+    body.tile = level_.map.at(tiles_[index]);
+    body.start.position = Vec2{1.0 * kTileSide * tiles_[index].x, 1.0 * kTileSide * tiles_[index].y};
+  }
+  return body;
 }
 
 std::vector<std::string> dropped_curves(const Level& level) {

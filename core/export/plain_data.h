@@ -30,8 +30,25 @@ struct PlainShape {
 // Of every tile that has a usable shape (see ground_of), by number.
 std::vector<PlainShape> plain_shapes(const TerrainSource& ground);
 
-// Whether the tile stands on the map for a body: its flags alone make it a ball.
-bool is_ball_tile(const Level& level, std::uint8_t tile);
+// A body at its start.
+struct PlainBody {
+  int id = 1;     // that the simulation gives it
+  int tile = -1;  // of a ball that is a tile of the map; -1: it was placed by hand
+  Spawn start;
+};
+
+// All bodies, in the order of their ids, from 1: the ball tiles of the map, its columns from left to right
+// and each from top to bottom, and then what was placed by hand.
+class PlainBodies {
+ public:
+  explicit PlainBodies(const Level& level);  // which must outlive it
+  std::size_t size() const { return tiles_.size() + level_.spawns.size(); }
+  PlainBody at(std::size_t index) const;  // index < size()
+
+ private:
+  const Level& level_;
+  std::vector<Cell> tiles_;
+};
 
 // "2 curves", for Exported::dropped of exports that cannot hold those of the level; empty without any.
 std::vector<std::string> dropped_curves(const Level& level);

@@ -18,12 +18,15 @@ void append(std::vector<std::uint8_t>& bytes, Rgb color) {
   bytes.insert(bytes.end(), {color.r, color.g, color.b});
 }
 
-std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette) {
+// clear_zero: a fourth byte a pixel, 0 where its colour is colour 0.
+std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette, bool clear_zero) {
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < kSheetSide; ++y) {
     for (int x = 0; x < kSheetSide; ++x) {
       const TileImage& image = sheet.images[y / kTileSize * kSheetColumns + x / kTileSize];
-      append(bytes, palette[image[y % kTileSize * kTileSize + x % kTileSize]]);
+      const std::uint8_t color = image[static_cast<std::size_t>(y % kTileSize * kTileSize + x % kTileSize)];
+      append(bytes, palette[color]);
+      if (clear_zero) bytes.push_back(color == 0 ? 0 : 255);
     }
   }
   return bytes;
@@ -69,7 +72,12 @@ std::string write_png_part(const Level& level, PngPart part) {
     return encode_png(kColorCount, 1, 3, bytes.data());
   }
   const SheetId id = part == PngPart::tiles ? SheetId::tiles : SheetId::sprites;
-  return encode_png(kSheetSide, kSheetSide, 3, bytes_of_sheet(level.sheet(id), level.palette).data());
+  return encode_png(kSheetSide, kSheetSide, 3, bytes_of_sheet(level.sheet(id), level.palette, false).data());
+}
+
+std::string write_clear_tiles(const Level& level) {
+  const auto bytes = bytes_of_sheet(level.sheet(SheetId::tiles), level.palette, true);
+  return encode_png(kSheetSide, kSheetSide, 4, bytes.data());
 }
 
 MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {

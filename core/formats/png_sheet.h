@@ -11,6 +11,9 @@ enum class PngPart { tiles, sprites, palette };
 // Opaque RGB: a sheet of 128x128 px, or the palette, 16x1 px.
 std::string write_png_part(const Level& level, PngPart part);
 
+// The tiles for games, RGBA: colour 0 is clear, as bodies are drawn, and has its colour all the same.
+std::string write_clear_tiles(const Level& level);
+
 // A picture in 16 colours.
 struct MatchedPicture {
   std::vector<std::uint8_t> indices;  // 0..15, a pixel each as in PngPicture; of transparent ones 0

@@ -64,6 +64,11 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
   return shape;
 }
 
+bool is_ball_tile(const Level& level, std::uint8_t tile) {
+  return level.tile_shapes[tile].kind == TileShape::Kind::none &&
+         role_of(level.tile_flags(tile), level.roles) == TileRole::ball;
+}
+
 std::optional<std::string> problem_of(const Curve& curve, const TileMap& map) {
   if (auto problem = problem_of(curve)) return problem;
   const double width = map.width() * kTileSize, height = map.height() * kTileSize;

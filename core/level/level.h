@@ -90,6 +90,9 @@ TileShape shape_of_tile(const Level& level, std::uint8_t tile);
 // `ceiling` flags change what came out.
 TileShape shape_of_flags(const Level& level, std::uint8_t flags);
 
+// Whether the tile stands on the map for a body: its flags make it a ball, and it has no shape of its own.
+bool is_ball_tile(const Level& level, std::uint8_t tile);
+
 // Why a curve cannot be part of a level with this map, as problem_of(curve) says it: that, or an end more
 // than kCurveEndSlack off the map.
 inline constexpr double kCurveEndSlack = 1.0 / 256;  // px

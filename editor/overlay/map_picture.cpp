@@ -77,7 +77,7 @@ TileColors tile_colors(const Level& level, const MapLook& look) {
   TileColors colors;
   const Sheet& sheet = level.sheet(SheetId::tiles);
   for (std::size_t tile = 0; tile < kTileCount; ++tile) {
-    const bool hidden = look.hide_balls && role_of(sheet.flags[tile], level.roles) == TileRole::ball;
+    const bool hidden = look.hide_balls && is_ball_tile(level, static_cast<std::uint8_t>(tile));
     colors[tile] = main_color(sheet.images[hidden ? 0 : tile], level.palette);
     if (look.tinted && look.tinted->matches(sheet.flags[tile])) colors[tile] = mixed(colors[tile], look.tint);
   }

@@ -51,17 +51,21 @@ bool is_one_color(const TileImage& image) {
   return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
 }
 
+constexpr int kNothing = -1;
+using ShownTiles = std::array<int, kTileCount>;  // by tile: what is drawn for it, or kNothing
+
 // The cells from `from` to column `end` of a row. All at once, as there may be a hundred thousand on a
 // screen.
-void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end,
-              const std::array<bool, kTileCount>& hidden, const CanvasView& view) {
+void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const ShownTiles& shown,
+              const CanvasView& view) {
   int count = 0;
-  for (Cell cell = from; cell.x < end; ++cell.x) count += hidden[map.at(cell)] ? 0 : 1;
+  for (Cell cell = from; cell.x < end; ++cell.x) count += shown[map.at(cell)] == kNothing ? 0 : 1;
   if (count == 0) return;
   list.PrimReserve(6 * count, 4 * count);
   for (Cell cell = from; cell.x < end; ++cell.x) {
-    if (hidden[map.at(cell)]) continue;
-    const SheetUv uv = uv_of(map.at(cell));
+    const int tile = shown[map.at(cell)];
+    if (tile == kNothing) continue;
+    const SheetUv uv = uv_of(tile);
     list.PrimRectUV(cell_corner(view, cell.x, cell.y), cell_corner(view, cell.x + 1, cell.y + 1), uv.from,
                     uv.to, IM_COL32_WHITE);
   }
@@ -69,15 +73,14 @@ void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end,
 
 int first_ball_tile(const Level& level) {  // -1: none
   for (int tile = 0; tile < kTileCount; ++tile)
-    if (role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) == TileRole::ball)
-      return tile;
+    if (is_ball_tile(level, static_cast<std::uint8_t>(tile))) return tile;
   return -1;
 }
 
 // The image that a body is drawn with: its own tile, or the first ball tile; -1 when there is none.
 int image_of(const Level& level, const Body& body, int first_ball) {
   if (body.origin.spawn < 0 && level.map.contains(body.origin.cell) &&
-      level.role_at(body.origin.cell) == TileRole::ball)
+      is_ball_tile(level, level.map.at(body.origin.cell)))
     return level.map.at(body.origin.cell);
   return first_ball;
 }
@@ -123,12 +126,14 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   const Rgb background = level.palette[skip_empty ? empty[0] : 0];
   list.AddRectFilled(cell_corner(view, cells.x0, cells.y0), cell_corner(view, cells.x1, cells.y1),
                      theme::color(background));
-  std::array<bool, kTileCount> hidden{};
-  hidden[0] = skip_empty;
-  for (int tile = 0; hide_balls && tile < kTileCount; ++tile)
-    hidden[tile] |= role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) == TileRole::ball;
+  ShownTiles shown;
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const bool hidden = hide_balls && is_ball_tile(level, static_cast<std::uint8_t>(tile));
+    const int looks = hidden ? 0 : tile;  // a ball's cell as tile 0
+    shown[static_cast<std::size_t>(tile)] = looks == 0 && skip_empty ? kNothing : looks;
+  }
   list.PushTextureID(ui.sheet(SheetId::tiles));
-  for (int y = cells.y0; y < cells.y1; ++y) draw_row(list, level.map, {cells.x0, y}, cells.x1, hidden, view);
+  for (int y = cells.y0; y < cells.y1; ++y) draw_row(list, level.map, {cells.x0, y}, cells.x1, shown, view);
   list.PopTextureID();
 }
 

@@ -34,10 +34,20 @@ function spr(id, x, y, colorkey)
   assert(id >= 0 and id < 512 and x == x and y == y and colorkey == 0)
   drawn = drawn + 1
 end
-function line(x0, y0, x1, y1, color) assert(x0 == x0 and y0 == y0 and x1 == x1 and y1 == y1 and color < 16) end
-function rect(x, y, w, h, color)
-  assert(x == x and y == y and w > 0 and h > 0 and color >= 0 and color < 16)
+function ttri(x1, y1, x2, y2, x3, y3, u1, v1, u2, v2, u3, v3, source, colorkey)  -- two of a body
+  for _, number in ipairs {x1, y1, x2, y2, x3, y3} do assert(number == number) end
+  for _, number in ipairs {u1, v1, u2, v2, u3, v3} do assert(number >= 0 and number <= 128) end
+  assert(source == 0 and colorkey == 0)
+  drawn = drawn + 1 / 2
+end
+function circ(x, y, radius, color)
+  assert(x == x and y == y and radius > 0 and color >= 0 and color < 16)
   drawn = drawn + 1
+end
+function line(x0, y0, x1, y1, color) assert(x0 == x0 and y0 == y0 and x1 == x1 and y1 == y1 and color < 16) end
+function rect(x, y, w, h, color)  -- of a player the first of four
+  assert(x == x and y == y and w > 0 and h > 0 and color >= 0 and color < 16)
+  drawn = drawn + 1 / 4
 end
 
 dofile(arg[1])

@@ -3,13 +3,14 @@
 local is_found, bump = pcall(require, "bump")
 local slopes, level = require "bump_slopes", require "level"
 local _, camera = require "camera"(level)
+local pictures = require "pictures"
 local tuning = level.tuning
 
 local TILE, STEP = 8, 1 / 60  -- px, s
 local SOFT = {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}  -- a player's, in bounce()
 local SNAP = 3                -- px below a player who walks where it still finds ground
 local HELP = "arrows: run, jump     R: start again     Esc: end"
-local world, bodies, sheet, due
+local world, bodies, drawing, due
 
 local function add_body(body)
   bodies[#bodies + 1] = body
@@ -60,9 +61,7 @@ local function run(body)
 end
 
 function love.load()
-  love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
-  sheet = love.graphics.newImage("sheet.png")
-  sheet:setFilter("nearest", "nearest")
+  drawing = pictures(level, "sheet.png")
   if is_found then start() end
 end
 
@@ -77,11 +76,6 @@ function love.update(seconds)
   end
 end
 
-local function draw_tile(tile, x, y)
-  local quad = love.graphics.newQuad(tile % 16 * TILE, math.floor(tile / 16) * TILE, TILE, TILE, 128, 128)
-  love.graphics.draw(sheet, quad, x, y)
-end
-
 function love.draw()
   if not is_found then
     return love.graphics.print("bump.lua is missing: get it from https://github.com/kikito/bump.lua", 20, 20)
@@ -92,20 +86,10 @@ function love.draw()
   love.graphics.push()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
-  for y = 0, level.height - 1 do
-    for x = 0, level.width - 1 do
-      local tile = level.tiles[y * level.width + x + 1]
-      if tile ~= 0 and not level.balls[tile] then draw_tile(tile, x * TILE, y * TILE) end
-    end
-  end
-  for _, body in ipairs(bodies) do
-    if body.tile then
-      draw_tile(body.tile, body.x, body.y)
-    else
-      love.graphics.rectangle("fill", body.x, body.y, body.w, body.h)
-    end
-  end
+  drawing.draw_ground()
+  for _, body in ipairs(bodies) do drawing.draw_body(body) end
   love.graphics.pop()
+  love.graphics.setColor(1, 1, 1)
   love.graphics.print(HELP, 8, height - 22)
 end
 

@@ -2,14 +2,13 @@
 -- can do. `love . --trace FRAMES` prints frame, id, x, y, vx and vy of every body in every frame, and ends.
 local talus, level = require "talus", require "level"
 local area, camera = require "camera"(level)
-local curve_points = require "curve_points"
+local curve_points, pictures = require "curve_points", require "pictures"
 
 local HELP = "arrows: run, jump     mouse: drag     R: start again     Esc: end"
 local HELP_TIME = 10      -- s; H shows it again
-local TILE = 8            -- px
 local STEP = 1 / 60       -- s
 local MOST_STEPS = 4      -- after a longer pause the rest is dropped
-local world, sheet, tiles, curves, zoom, left, top, due, help_left
+local world, drawing, curves, zoom, left, top, due, help_left
 
 local function trace(frames)
   for _ = 1, frames do
@@ -21,30 +20,11 @@ local function trace(frames)
   love.event.quit()
 end
 
--- The ground never changes: its tiles go into one batch. Balls are bodies, and tile 0 is the background.
-local function load_ground()
-  local picture = love.image.newImageData("sheet.png")
-  love.graphics.setBackgroundColor(picture:getPixel(0, 0))
-  sheet = love.graphics.newImage(picture)
-  sheet:setFilter("nearest", "nearest")
-  tiles = love.graphics.newSpriteBatch(sheet, level.width * level.height)
-  for y = 0, level.height - 1 do
-    for x = 0, level.width - 1 do
-      local tile = level.tiles[y * level.width + x + 1]
-      if tile ~= 0 and not level.balls[tile] then
-        tiles:add(love.graphics.newQuad(tile % 16 * TILE, math.floor(tile / 16) * TILE, TILE, TILE,
-                                        sheet:getDimensions()), x * TILE, y * TILE)
-      end
-    end
-  end
-  curves = {}
-  for i, curve in ipairs(level.curves) do curves[i] = curve_points(curve) end
-end
-
 function love.load(arguments)
   world, due, help_left = talus.new(level), 0, HELP_TIME
   if arguments[1] == "--trace" then return trace(tonumber(arguments[2])) end
-  load_ground()
+  drawing, curves = pictures(level, "sheet.png"), {}
+  for i, curve in ipairs(level.curves) do curves[i] = curve_points(curve) end
 end
 
 local function is_down(...) return love.keyboard.isDown(...) end
@@ -73,31 +53,14 @@ function love.update(seconds)
   help_left = help_left - seconds
 end
 
-local function draw_body(body)
-  if body.tile then
-    local quad = love.graphics.newQuad(body.tile % 16 * TILE, math.floor(body.tile / 16) * TILE, TILE, TILE,
-                                       sheet:getDimensions())
-    love.graphics.setColor(1, 1, 1)
-    love.graphics.draw(sheet, quad, body.x, body.y)
-  else
-    if body.kind == "player" then
-      love.graphics.setColor(0.25, 0.65, 0.96)
-    else
-      love.graphics.setColor(0.94, 0.49, 0.34)
-    end
-    love.graphics.rectangle("fill", body.x, body.y, body.w, body.h)
-  end
-end
-
 function love.draw()
   place_view()
   love.graphics.push()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
-  love.graphics.setColor(1, 1, 1)
-  love.graphics.draw(tiles)
+  drawing.draw_ground()
   for _, points in ipairs(curves) do love.graphics.line(points) end
-  for _, body in ipairs(world.bodies) do draw_body(body) end
+  for _, body in ipairs(world.bodies) do drawing.draw_body(body) end
   love.graphics.pop()
   if help_left > 0 then
     local height = love.graphics.getHeight()

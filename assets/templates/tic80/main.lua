@@ -7,7 +7,10 @@ for y = 0, level.height - 1 do
 end
 world = talus.new(level)
 local _, look = camera(level)
-local curves = {}
+local curves, first_ball = {}, nil
+for tile = 255, 0, -1 do
+  if level.balls[tile] then first_ball = tile end
+end
 for i, curve in ipairs(level.curves) do curves[i] = curve_points(curve) end
 
 -- The top left corner of what is shown.
@@ -20,6 +23,30 @@ local function without_balls(tile)
   return level.balls[tile] and 0 or tile
 end
 
+-- The bar below is what it stands on: all of its bottom side, or the middle of it.
+local function draw_player(body, x, y, w, h)
+  rect(x, y, w, h, 10)
+  for _, eye in ipairs {0.3, 0.6} do rect(x + w * eye, y + h * 0.2, math.max(1, w * 0.12), math.max(1, h * 0.25), 0) end
+  local inset, foot = body.foot == "centre" and w * 0.38 or 0, math.max(1, h * 0.15)
+  rect(x + inset, y + h - foot, math.max(1, w - 2 * inset), foot, 12)
+end
+
+-- As Talus's editor does it: a ball without a tile has the picture of the first ball tile, or is a disc.
+local function draw_body(body, left, top)
+  local x, y, w, h, tile = (body.x - left) // 1, (body.y - top) // 1, body.w, body.h, body.tile or first_ball
+  if body.kind == "player" then
+    draw_player(body, x, y, w, h)
+  elseif not tile then
+    circ(x + w / 2, y + h / 2, w / 2, 12)
+  elseif w == TILE and h == TILE then
+    spr(tile, x, y, 0)
+  else  -- stretched, in two triangles
+    local u, v = tile % 16 * TILE, tile // 16 * TILE
+    ttri(x, y, x + w, y, x, y + h, u, v, u + TILE, v, u, v + TILE, 0, 0)
+    ttri(x + w, y, x, y + h, x + w, y + h, u + TILE, v, u, v + TILE, u + TILE, v + TILE, 0, 0)
+  end
+end
+
 local function draw(left, top)
   cls(0)
   local x, y = left // TILE, top // TILE
@@ -29,13 +56,7 @@ local function draw(left, top)
       line(points[i] - left, points[i + 1] - top, points[i + 2] - left, points[i + 3] - top, 12)
     end
   end
-  for _, body in ipairs(world.bodies) do
-    if body.tile then
-      spr(body.tile, body.x - left, body.y - top, 0)
-    else
-      rect(body.x - left, body.y - top, body.w, body.h, body.kind == "player" and 11 or 3)
-    end
-  end
+  for _, body in ipairs(world.bodies) do draw_body(body, left, top) end
 end
 
 function TIC()

@@ -1,0 +1,83 @@
+-- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the 256 tiles in which colour 0 is
+-- clear. pictures(level, file) gives
+--   draw_ground()      the tiles of the map; a cell with a ball, which is a body, shows tile 0
+--   draw_body(body)    its kind, x, y, w and h; a ball has the picture of its `tile`, without one that of the
+--                      level's first ball tile, and without any it is a disc; a player is a box with a face
+local TILE = 8  -- px
+local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
+local DARK = {11 / 255, 12 / 255, 20 / 255}
+
+local function image(picture)
+  local drawable = love.graphics.newImage(picture)
+  drawable:setFilter("nearest", "nearest")
+  return drawable
+end
+
+-- Whether tile 0 has one colour: then the background is all that there is of it.
+local function is_plain(picture)
+  local r, g, b = picture:getPixel(0, 0)
+  for y = 0, TILE - 1 do
+    for x = 0, TILE - 1 do
+      local other_r, other_g, other_b = picture:getPixel(x, y)
+      if other_r ~= r or other_g ~= g or other_b ~= b then return false end
+    end
+  end
+  return true
+end
+
+-- The ground never changes: its tiles go into one batch.
+local function ground_of(level, sheet, quads, skips_empty)
+  local batch = love.graphics.newSpriteBatch(sheet)
+  for i, number in ipairs(level.tiles) do
+    local tile = level.balls[number] and 0 or number
+    if tile ~= 0 or not skips_empty then
+      batch:add(quads[tile], (i - 1) % level.width * TILE, math.floor((i - 1) / level.width) * TILE)
+    end
+  end
+  return batch
+end
+
+local function rectangle(color, x, y, w, h)
+  love.graphics.setColor(color)
+  love.graphics.rectangle("fill", x, y, w, h)
+end
+
+-- The bar below is what it stands on: all of its bottom side, or the middle of it.
+local function draw_player(body)
+  local x, y, w, h = body.x, body.y, body.w, body.h
+  rectangle(BLUE, x, y, w, h)
+  for _, eye in ipairs {0.3, 0.6} do rectangle(DARK, x + w * eye, y + h * 0.2, w * 0.12, h * 0.25) end
+  local inset, foot = body.foot == "centre" and w * 0.38 or 0, h * 0.15
+  rectangle(LIGHT, x + inset, y + h - foot, w - 2 * inset, foot)
+end
+
+return function(level, file)
+  local picture = love.image.newImageData(file)
+  local r, g, b = picture:getPixel(0, 0)
+  love.graphics.setBackgroundColor(r, g, b)
+  local clear = image(picture)
+  picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
+  local quads, first_ball = {}, nil
+  for tile = 255, 0, -1 do
+    quads[tile] = love.graphics.newQuad(tile % 16 * TILE, math.floor(tile / 16) * TILE, TILE, TILE,
+                                        picture:getDimensions())
+    if level.balls[tile] then first_ball = tile end
+  end
+  local ground = ground_of(level, image(picture), quads, is_plain(picture))
+
+  local function draw_ground()
+    love.graphics.setColor(1, 1, 1)
+    love.graphics.draw(ground)
+  end
+  local function draw_body(body)
+    local tile = body.tile or first_ball
+    if body.kind == "player" then return draw_player(body) end
+    love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
+    if tile then
+      love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / TILE, body.h / TILE)
+    else
+      love.graphics.circle("fill", body.x + body.w / 2, body.y + body.h / 2, body.w / 2)
+    end
+  end
+  return {draw_ground = draw_ground, draw_body = draw_body}
+end
