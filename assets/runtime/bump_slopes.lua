@@ -12,7 +12,7 @@
 --   if slopes.grounded(world, body) then body.vy = -3 end
 --
 -- Any item of the world is a slope that has a field `slope`: {h0 = 0, h1 = 8} is ground within its box, whose
--- surface is 0 px above the box's bottom at the left side and 8 px at the right one. So are the tiles that STI's
+-- surface is 0 px above the box's bottom at the left side and 8 px at the right one. So are the boxes that STI's
 -- plugin for bump puts into the world from a map that Talus exported (--to sti). Optional:
 --   ceiling = true    ground hangs from the box's top, and the heights are measured down from there
 --   one_way = true    stops only what comes from the open side

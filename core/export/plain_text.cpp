@@ -30,6 +30,16 @@ OrderedJson roles_of(const Level& level) {
   return roles;
 }
 
+// As a level's file has them.
+OrderedJson tuning_of(const Tuning& tuning) {
+  OrderedJson members = {{"solver", solver_name(tuning.solver)}};
+  for (const TuningField& field : tuning_fields()) {
+    const std::string group(field.group), key(field.key);
+    (group.empty() ? members[key] : members[group][key]) = number(field.of(tuning));
+  }
+  return members;
+}
+
 OrderedJson shapes_of(const TerrainSource& ground) {
   OrderedJson shapes = OrderedJson::object();
   for (const PlainShape& shape : plain_shapes(ground)) {
@@ -37,17 +47,6 @@ OrderedJson shapes_of(const TerrainSource& ground) {
   }
   return shapes;
 }
-
-// Lists of more tables are functions of so many each in Lua: LuaJIT takes no more than 65536 constants, of
-// which each table of numbers is one, in a function.
-constexpr std::size_t kMostEntries = 4096;
-
-constexpr std::string_view kJoin =
-    "local function join(parts)\n"
-    " local all={}\n"
-    " for _,part in ipairs(parts) do for _,entry in ipairs(part()) do all[#all+1]=entry end end\n"
-    " return all\n"
-    "end\n";
 
 bool is_nested(const OrderedJson& list) {
   return std::any_of(list.begin(), list.end(),
@@ -69,7 +68,7 @@ class PlainPrinter {
   template <class Entry>
   void put_list(const char* key, std::size_t count, const Progress& progress, const Entry& entry) {
     begin_member(key);
-    const bool in_parts = is_lua_ && count > kMostEntries;
+    const bool in_parts = is_lua_ && count > kMostLuaEntries;
     joins_ = joins_ || in_parts;
     if (in_parts)
       text_ += "join{";
@@ -77,7 +76,7 @@ class PlainPrinter {
       open_list();
     for (std::size_t i = 0; i < count; ++i) {
       if (!progress.at(i, count)) return;
-      const bool begins_part = in_parts && i % kMostEntries == 0;
+      const bool begins_part = in_parts && i % kMostLuaEntries == 0;
       if (begins_part) text_ += i == 0 ? "function() return {" : "} end,function() return {";
       if (i > 0 && !begins_part) text_ += ',';
       print_line_break(2);
@@ -138,7 +137,7 @@ class PlainPrinter {
 
   std::string take() {
     text_ += text_.empty() ? "{}\n" : "\n}\n";
-    if (is_lua_) text_.insert(0, std::string(joins_ ? kJoin : "") + "return ");
+    if (is_lua_) text_.insert(0, std::string(joins_ ? kLuaJoin : "") + "return ");
     return std::move(text_);
   }
 
@@ -200,16 +199,20 @@ OrderedJson plain_shape_json(const PlainShape& shape) {
           {shape.is_ceiling ? "ceiling" : "floor", numbers(shape.columns)}};
 }
 
-OrderedJson plain_spawn_json(const Spawn& spawn) {
-  return {{"name", spawn.name},
-          {"kind", body_word(spawn.kind)},
-          {"x", number(spawn.position.x)},
-          {"y", number(spawn.position.y)},
-          {"w", number(spawn.size.x)},
-          {"h", number(spawn.size.y)},
-          {"vx", number(spawn.velocity.x)},
-          {"vy", number(spawn.velocity.y)},
-          {"foot", foot_word(spawn.used_foot())}};
+OrderedJson plain_body_json(const PlainBody& body) {
+  const Spawn& start = body.start;
+  OrderedJson members = {{"id", body.id},
+                         {"name", start.name},
+                         {"kind", body_word(start.kind)},
+                         {"x", number(start.position.x)},
+                         {"y", number(start.position.y)},
+                         {"w", number(start.size.x)},
+                         {"h", number(start.size.y)},
+                         {"vx", number(start.velocity.x)},
+                         {"vy", number(start.velocity.y)},
+                         {"foot", foot_word(start.used_foot())}};
+  if (body.tile >= 0) members["tile"] = body.tile;
+  return members;
 }
 
 std::string plain_text(const Level& level, Dialect dialect, const Progress& progress) {
@@ -233,8 +236,10 @@ std::string plain_text(const Level& level, Dialect dialect, const Progress& prog
   const std::vector<PlainLine> lines = plain_lines(level, progress.part(0.8, 0.95));
   printer.put_list("lines", lines.size(), progress.part(0.95, 1),
                    [&](std::size_t i) { printer.print(lines[i]); });
-  printer.put_list("spawns", level.spawns.size(), {},
-                   [&](std::size_t i) { printer.print(plain_spawn_json(level.spawns[i]), 2); });
+  const PlainBodies bodies(level);
+  printer.put_list("bodies", bodies.size(), {},
+                   [&](std::size_t i) { printer.print(plain_body_json(bodies.at(i)), 2); });
+  printer.put("tuning", tuning_of(level.tuning));
   return printer.take();
 }
 

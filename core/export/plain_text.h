@@ -1,24 +1,6 @@
 // Plain data as text: JSON, or a table of Lua, by one printer.
 //
-// The object that plain_json makes, and that the exporters `json` and `lua` write; lengths in px, y down:
-//   width, height, tile_size   of the map in cells; of a cell, 8
-//   map        height rows of width tile numbers
-//   flags      tiles, sprites: 256 numbers each; bit n is flag n
-//   roles      which flag means what: solid, ball, up_slope, down_slope, one_way, ceiling; those in use
-//   shapes     by tile number, tiles without one left out: kind ("solid", "slope", "profile"), one_way, tiles
-//              (width), and `floor`, or `ceiling` if the shape hangs from the tile's top: 8 * tiles heights,
-//              measured from the tile's top downwards, in the middle of each column of pixels: x = 0.5, 1.5,
-//              ... A floor of 8 or a ceiling of 0 is where the shape has no ground. A floor's ground reaches
-//              down to the tile's bottom, a ceiling's up to its top; a one-way shape is its line alone. What
-//              is beyond the first 8 reaches over the cells to the right.
-//   polygons   the outline of all ground: hole, and points (x, y, x, y, ...), as GroundPolygon
-//   lines      what stops bodies on one side alone, and free curves as lines through points, at most 1/64 px
-//              off: kind ("one_way", "curve"), name, both_sides, points; as PlainLine
-//   spawns     bodies placed by hand: name, kind ("ball", "player"), x, y (top left), w, h, vx, vy
-//   (px/frame),
-//              foot ("box", "centre")
-// In Lua lists begin at 1, so that the tile at a column and row is map[row + 1][column + 1], and the flags of
-// a tile flags.tiles[tile + 1]; shapes are found by the tile's number itself, in JSON as a string.
+// docs/export-data.md tells the members of the object that the exporters `json` and `lua` write.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -32,9 +14,9 @@ namespace talus {
 
 using OrderedJson = nlohmann::ordered_json;  // keeps members as they were put
 
-// One of its shapes, and one of its spawns.
+// One of its shapes, and one of its bodies.
 OrderedJson plain_shape_json(const PlainShape& shape);
-OrderedJson plain_spawn_json(const Spawn& spawn);
+OrderedJson plain_body_json(const PlainBody& body);
 
 enum class Dialect { json, lua };
 

@@ -47,6 +47,7 @@ TiledMap tiled_map_of(const ExportRequest& request) {
   TiledMap map;
   map.width = level.map.width();
   map.height = level.map.height();
+  map.background = tiled_color(level.palette[0]);
   map.tilesets.push_back(tileset_of(request));
   map.layers.push_back(tile_layer(level));
   TiledLayer spawns, curves;

@@ -16,7 +16,10 @@ class TableText {
   explicit TableText(Syntax syntax) : is_lua_(syntax == Syntax::lua) {}
 
   bool is_lua() const { return is_lua_; }
-  std::string take() { return std::move(text_); }
+  std::string take() {
+    if (joins_) text_.insert(0, kLuaJoin);
+    return std::move(text_);
+  }
   void begin_text(std::string_view text) { text_ += text; }
 
   // key: empty in a list.
@@ -30,6 +33,21 @@ class TableText {
     open_.pop_back();
     if (!table.is_empty && !table.in_line) break_line();
     text_ += table.is_list && !is_lua_ ? ']' : '}';
+  }
+
+  // A list of Lua in parts, see kLuaJoin: open_parts(), for each part open_part() and close_part(), close().
+  void open_parts(std::string_view key) {
+    member(key) += "join{";
+    open_.push_back({true, false, true});
+    joins_ = true;
+  }
+  void open_part() {
+    member("") += "function() return {";
+    open_.push_back({true, false, true});
+  }
+  void close_part() {
+    close();
+    text_ += " end";
   }
 
   void put(std::string_view key, bool value) { member(key) += value ? "true" : "false"; }
@@ -105,6 +123,7 @@ class TableText {
   }
 
   bool is_lua_;
+  bool joins_ = false;  // a list is in parts
   std::string text_;
   std::vector<Table> open_;
 };
@@ -133,6 +152,7 @@ class TiledTextWriter {
     text_.put("tilewidth", kTileSize);
     text_.put("tileheight", kTileSize);
     if (!text_.is_lua()) text_.put("infinite", false);
+    if (!text_.is_lua() && !map.background.empty()) text_.put("backgroundcolor", map.background);
     properties(map.properties);
     text_.open("tilesets", true);
     for (const TiledTileset& set : map.tilesets) tileset(set);
@@ -197,7 +217,7 @@ class TiledTextWriter {
       text_.put("type", "objectgroup");
       text_.put("name", "");
       text_.put("draworder", "index");
-      placement();
+      placement(true);
       properties({});
       int id = 0;  // counts in each tile
       objects(tile.objects, id);
@@ -207,11 +227,11 @@ class TiledTextWriter {
   }
 
   // Where and whether a layer is shown; Tiled takes what is missing in JSON for 0 and false.
-  void placement() {
+  void placement(bool is_shown) {
     text_.put("x", 0);
     text_.put("y", 0);
     text_.put("opacity", 1);
-    text_.put("visible", true);
+    text_.put("visible", is_shown);
     if (!text_.is_lua()) return;
     text_.put("offsetx", 0);
     text_.put("offsety", 0);
@@ -222,7 +242,7 @@ class TiledTextWriter {
     text_.put("type", layer.has_tiles ? "tilelayer" : "objectgroup");
     text_.put("id", next_layer_++);
     text_.put("name", layer.name);
-    placement();
+    placement(!layer.is_hidden);
     properties({});
     if (layer.has_tiles) {
       text_.put("width", map.width);
@@ -239,15 +259,25 @@ class TiledTextWriter {
   }
 
   void objects(const std::vector<TiledObject>& objects, int& id) {
-    text_.open("objects", true);
-    for (const TiledObject& one : objects) object(one, ++id);
+    const bool in_parts = text_.is_lua() && objects.size() > kMostLuaEntries;
+    if (in_parts)
+      text_.open_parts("objects");
+    else
+      text_.open("objects", true);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const bool begins_part = in_parts && i % kMostLuaEntries == 0;
+      if (begins_part && i > 0) text_.close_part();
+      if (begins_part) text_.open_part();
+      object(objects[i], ++id);
+    }
+    if (in_parts) text_.close_part();
     text_.close();
   }
 
   void object(const TiledObject& object, int id) {
     const bool is_box = object.form == TiledObject::Form::box;
     const char* const form = object.form == TiledObject::Form::polygon ? "polygon" : "polyline";
-    text_.open("", false);
+    text_.open("", false, text_.is_lua());  // there a line each
     text_.put("id", id);
     text_.put("name", object.name);
     text_.put("type", object.type);

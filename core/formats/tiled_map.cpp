@@ -1,9 +1,17 @@
-// What was dropped, as phrases.
+// Colours as Tiled writes them, and what was dropped, as phrases.
 #include "tiled_map.h"
 
 #include "utf8_text.h"
 
 namespace talus {
+
+std::string tiled_color(Rgb color) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t part : {color.r, color.g, color.b})
+    (text += kDigits[part / 16]) += kDigits[part % 16];
+  return text;
+}
 
 std::vector<std::string> TiledDrops::phrases() const {
   std::vector<std::string> phrases;

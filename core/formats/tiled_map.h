@@ -5,7 +5,9 @@
 //   one tileset   "tiles", 16 columns, its picture beside the map. A tile has the int `flags`, a bool for
 //   each
 //                 flag that is set (see tiled_flag_names), what its shape is (`shape`, `shape_side`,
-//                 `shape_one_way`, `shape_heights`), and the shape as a polygon or box
+//                 `shape_one_way`, `shape_heights`), and the shape as a polygon or box,
+//                 with the bool `one_way` where it is so, as importers into engines look for it there
+//   background    the level's colour 0
 //   layer "map"   the tiles; cells with tile 0 are empty where tile 0 is blank
 //   "spawns"      boxes of the type "ball" or "player" with `vx`, `vy`, `foot`
 //   "curves"      polylines of the type "curve" no further than kTiledTolerance off, with the exact numbers
@@ -89,6 +91,7 @@ struct TiledTileset {
 
 struct TiledLayer {
   bool has_tiles = false;  // else objects
+  bool is_hidden = false;  // of what is written; what is read counts all the same
   std::string name;
   std::vector<std::uint32_t> cells;  // row by row: 0 or a tile's number, with the bits of how it is turned
   std::vector<TiledObject> objects;
@@ -96,10 +99,13 @@ struct TiledLayer {
 
 struct TiledMap {
   int width = 0, height = 0;  // cells
+  std::string background;     // colour, see tiled_color; empty: none
   std::vector<TiledTileset> tilesets;
   std::vector<TiledLayer> layers;  // groups are taken apart
   TiledProperties properties;
 };
+
+std::string tiled_color(Rgb color);  // "#1a1c2c"
 
 // What was found and cannot be kept, each once.
 class TiledDrops {

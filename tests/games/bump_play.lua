@@ -1,7 +1,8 @@
 -- Moves a level's bodies by bump's World and the companion, as the program's solver "bump" does, and prints
 -- each after each frame: frame id x y vx vy.
---   lua5.3 bump_play.lua FOLDER FRAMES [INPUT.jsonl]
--- FOLDER: as exported for bump. INPUT: as of `talus sim --input`, of the mouse alone.
+--   lua5.3 bump_play.lua FOLDER FRAMES [INPUT.jsonl [MAP.lua]]
+-- FOLDER: as exported for bump. INPUT: as of `talus sim --input`, of the mouse alone; "": none. MAP: as exported for
+-- STI; the ground is then what STI's plugin adds of it.
 package.path = arg[1] .. "/?.lua;" .. arg[0]:match("^(.*/)[^/]*$") .. "?.lua"
 local bump, slopes, level = require "bump_world", require "bump_slopes", require "level"
 local tuning = level.tuning
@@ -19,7 +20,9 @@ local function add_body(x, y, w, h, vx, vy)
   bodies[#bodies + 1], ids[body] = body, #bodies + 1
   world:add(body, x, y, w, h)
 end
-slopes.add_level(world, level, {on_ball = function(x, y) add_body(x, y, 8, 8, 0, 0) end})
+local elsewhere = {add = function() end}
+if arg[4] then require "sti_plugin"(dofile(arg[4]), world) end
+slopes.add_level(arg[4] and elsewhere or world, level, {on_ball = function(x, y) add_body(x, y, 8, 8, 0, 0) end})
 for _, spawn in ipairs(level.spawns) do add_body(spawn.x, spawn.y, spawn.w, spawn.h, spawn.vx, spawn.vy) end
 
 local function filter(item, other)
@@ -62,7 +65,7 @@ local function take_mouse(mouse)
 end
 
 local inputs = {}
-for line in arg[3] and io.lines(arg[3]) or function() end do
+for line in (arg[3] or "") ~= "" and io.lines(arg[3]) or function() end do
   local frame, x, y, down = line:match('"frame": (%d+), "mouse": %[([^,]+), ([^]]+)%], "down": (%l+)')
   inputs[tonumber(frame)] = {x = tonumber(x), y = tonumber(y), down = down == "true"}
 end

@@ -1,7 +1,6 @@
 // Lua maps for Simple Tiled Implementation: the text. tests/games/sti_test loads one.
 #include <gmock/gmock.h>
 
-#include "formats/png_picture.h"
 #include "tiled_files.h"
 
 namespace talus::export_sti_test {
@@ -28,11 +27,20 @@ Level level_with(const TileShape& shape, const std::vector<std::uint8_t>& cells,
   return level;
 }
 
-std::string cells_of(const std::string& lua) {
-  const std::size_t from = lua.find("data = {") + 8;
-  std::string cells = lua.substr(from, lua.find('}', from) - from);
-  std::erase_if(cells, [](char c) { return c == ' ' || c == '\n'; });
-  return cells;
+// The objects of the layer "slopes", without what they have in common.
+std::vector<std::string> slopes_of(const std::string& lua) {
+  std::vector<std::string> objects;
+  for (std::size_t at = lua.find("name = \"slopes\""); (at = lua.find("{id = ", at)) != std::string::npos;) {
+    const std::size_t from = lua.find(" x = ", at) + 1, end = lua.find('\n', at);
+    std::string object = lua.substr(from, end - from);
+    for (const std::string common :
+         {" rotation = 0, visible = true, properties =", "[\"collidable\"] = true"})
+      if (const std::size_t place = object.find(common); place != std::string::npos)
+        object.erase(place, common.size());
+    objects.push_back(object);
+    at = end;
+  }
+  return objects;
 }
 
 TEST(ExportSti, HasTheTablesThatStiReads) {
@@ -48,60 +56,68 @@ TEST(ExportSti, HasTheTablesThatStiReads) {
   EXPECT_THAT(lua, testing::Not(HasSubstr("talus_level")));
 }
 
-TEST(ExportSti, ASlopeIsCutIntoItsCells) {
+TEST(ExportSti, AWideSlopeIsOneBox) {
   const TileShape slope = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {2, 6}};
   const std::string lua = sti_of(level_with(slope, {0, 2, 0}, 3));
-  EXPECT_EQ(cells_of(lua), "0,3,257");
-  EXPECT_THAT(properties_of(lua, 2),
-              StartsWith("{[\"collidable\"] = true, [\"slope\"] = \"floor\", [\"h0\"] = 2, [\"h1\"] = 4}"));
-  EXPECT_THAT(properties_of(lua, 256),
-              StartsWith("{[\"collidable\"] = true, [\"slope\"] = \"floor\", [\"h0\"] = 4, [\"h1\"] = 6}"));
+  EXPECT_THAT(slopes_of(lua), ElementsAre("x = 8, y = 2, width = 16, height = 4, "
+                                          "{, [\"slope\"] = \"floor\", [\"h0\"] = 0, [\"h1\"] = 4}},",
+                                          "x = 8, y = 6, width = 16, height = 2, {}}"));
+  EXPECT_EQ(properties_of(lua, 2), "{}") << "the tile itself stops nothing";
 }
 
-TEST(ExportSti, AHighSlopeReachesIntoTheCellAbove) {
-  const TileShape slope = {.kind = TileShape::Kind::slope, .heights = {4, 12}};
-  const std::string lua = sti_of(level_with(slope, {0, 2}, 1));
-  EXPECT_EQ(cells_of(lua), "257,3");
-  EXPECT_THAT(properties_of(lua, 2), HasSubstr("[\"h0\"] = 4, [\"h1\"] = 12"));
-  EXPECT_THAT(properties_of(lua, 256), HasSubstr("[\"h0\"] = -4, [\"h1\"] = 4"));
-}
-
-TEST(ExportSti, CeilingsReachDownAndProfilesHaveNineHeights) {
+TEST(ExportSti, AProfileIsABoxForEachStraightPart) {
   const TileShape profile = {.kind = TileShape::Kind::profile,
                              .side = TileShape::Side::ceiling,
                              .one_way = true,
-                             .heights = {2, 4, 10}};
-  const std::string lua = sti_of(level_with(profile, {2, 0}, 1));
-  EXPECT_THAT(
-      properties_of(lua, 2),
-      StartsWith("{[\"collidable\"] = true, [\"one_way\"] = true, [\"slope\"] = \"ceiling\", [\"h0\"] = 2, "
-                 "[\"h1\"] = 10, [\"heights\"] = \"2 2.5 3 3.5 4 5.5 7 8.5 10\"}"));
-  EXPECT_THAT(properties_of(lua, 256), HasSubstr("[\"heights\"] = \"-6 -5.5 -5 -4.5 -4 -2.5 -1 0.5 2\""));
+                             .heights = {2, 4, 6, 6, 2}};
+  EXPECT_THAT(slopes_of(sti_of(level_with(profile, {2, 0}, 1))),
+              ElementsAre(HasSubstr("x = 0, y = 1, width = 4, height = 5, {, [\"one_way\"] = true, "
+                                    "[\"slope\"] = \"ceiling\", [\"h0\"] = 1, [\"h1\"] = 5}"),
+                          HasSubstr("x = 4, y = 5, width = 2, height = 1, {, [\"one_way\"] = true, "
+                                    "[\"slope\"] = \"ceiling\", [\"h0\"] = 1, [\"h1\"] = 1}"),
+                          HasSubstr("x = 6, y = 1, width = 2, height = 5, {, [\"one_way\"] = true, "
+                                    "[\"slope\"] = \"ceiling\", [\"h0\"] = 5, [\"h1\"] = 1}")));
 }
 
-TEST(ExportSti, FlagsStayWithTheTileWhateverReachesIntoItsCell) {
-  Level level = level_with({.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 8}}, {2, 3, 0, 3}, 4);
-  level.sheet(SheetId::tiles).flags[3] = 1 << 6;
-  const Exported files = tiled_export_of(level, "sti", "cave.lua");
-  const std::string lua = files.files[0].bytes;
-  EXPECT_EQ(cells_of(lua), "3,257,0,4");
-  EXPECT_THAT(properties_of(lua, 3), StartsWith("{[\"flags\"] = 64, [\"flag6\"] = true}"));
-  EXPECT_THAT(
-      properties_of(lua, 256),
-      StartsWith("{[\"flags\"] = 64, [\"flag6\"] = true, [\"collidable\"] = true, [\"slope\"] = \"floor\", "
-                 "[\"h0\"] = 4, [\"h1\"] = 8}"));
-  EXPECT_THAT(lua, HasSubstr("tilecount = 272,"));
-  const auto picture = read_rgba(files.files[1].bytes);
-  EXPECT_EQ(picture->height, 136) << "a row more for the tiles from 256 on";
+TEST(ExportSti, FullTilesAreCollidableAndKeepTheirFlags) {
+  Level level = level_with({.kind = TileShape::Kind::solid}, {2, 3, 0, 3}, 4);
+  level.sheet(SheetId::tiles).flags[2] = 1 << 6;
+  level.tile_shapes[3] = {.kind = TileShape::Kind::solid, .one_way = true};
+  const std::string lua = sti_of(level);
+  EXPECT_THAT(properties_of(lua, 2),
+              StartsWith("{[\"flags\"] = 64, [\"flag6\"] = true, [\"collidable\"] = true}"));
+  EXPECT_EQ(slopes_of(lua).size(), 2U) << "the one-way tiles";
+  EXPECT_THAT(lua, HasSubstr("visible = false"));
+}
+
+// LuaJIT takes no more tables in one function.
+TEST(ExportSti, ALongLayerIsInParts) {
+  Level level = level_with({.kind = TileShape::Kind::slope, .heights = {0, 8}}, {2}, 1);
+  level.map = TileMap(100, 100);
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{2});
+  const std::string lua = sti_of(level);
+  EXPECT_TRUE(lua.starts_with("local function join(parts)"));
+  EXPECT_EQ(slopes_of(lua).size(), 10'000U);
+  EXPECT_THAT(lua, HasSubstr("objects = join{\n   function() return {\n"));
+}
+
+TEST(ExportSti, MoreThanAMillionBoxesAreRefused) {
+  Level level =
+      level_with({.kind = TileShape::Kind::profile, .heights = {0, 8, 0, 8, 0, 8, 0, 8, 0}}, {2}, 1);
+  level.map = TileMap(400, 400);
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{2});
+  const ReadAsset no_asset;
+  const auto exported = find_exporter("sti")->write({level, "a.lua", no_asset});
+  ASSERT_FALSE(exported);
+  EXPECT_EQ(exported.error().message,
+            "the slopes are more than 1000000 boxes, too many for an STI map: make the map smaller");
 }
 
 TEST(ExportSti, TellsWhatBumpDoesNotHave) {
-  const TileShape slope = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {1, 8}};
-  Level level = level_with(slope, {2, 2}, 2);
+  Level level = level_with({.kind = TileShape::Kind::slope, .tiles = 2, .heights = {1, 8}}, {2, 2}, 2);
   level.curves.push_back({"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
   EXPECT_THAT(tiled_export_of(level, "sti", "a.lua").dropped,
-              ElementsAre("the second of two slopes that reach into 1 cell",
-                          "collision, which bump.lua has none of, with 1 curve"));
+              ElementsAre("collision, which bump.lua has none of, with 1 curve"));
 }
 
 }  // namespace talus::export_sti_test

@@ -1,0 +1,63 @@
+#include "bump_boxes.h"
+
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+// Puts boxes between two heights over or under a base. The sums are in the order of bump_slopes.lua.
+class BoxMaker {
+ public:
+  BoxMaker(const TileShape& shape, Cell cell)
+      : is_ceiling_(shape.side == TileShape::Side::ceiling),
+        one_way_(shape.one_way),
+        base_((is_ceiling_ ? cell.y : cell.y + 1.0) * kTileSize) {}
+
+  // The straight part of the ground's line over x .. x + w. Of a longer line it is one box down to the base,
+  // which has no seam that rounding could make a step of; one alone is a slope on a full box.
+  void add_part(double x, double w, double h0, double h1, bool is_alone) {
+    const auto [low, high] = std::minmax(h0, h1);
+    if (one_way_) return add(x, w, low - 1, high, {{h0, h1}});  // a level line's box needs a height
+    add(x, w, is_alone ? low : 0, high, {{h0, h1}});
+    if (is_alone) add(x, w, 0, low, {});
+  }
+  std::vector<BumpBox> take() { return std::move(boxes_); }
+
+ private:
+  struct Heights {
+    double h0, h1;
+  };
+  void add(double x, double w, double from, double to, std::optional<Heights> line) {
+    const double y = is_ceiling_ ? base_ + from : (kTileSize - to) + (base_ - kTileSize);
+    BumpBox made{{x, y, w, to - from}, {}};
+    if (line) made.line = {line->h0 - from, line->h1 - from, is_ceiling_, one_way_};
+    if (made.box.w > 0 && made.box.h > 0) boxes_.push_back(made);
+  }
+
+  bool is_ceiling_, one_way_;
+  double base_;  // px, y of height 0
+  std::vector<BumpBox> boxes_;
+};
+
+}  // namespace
+
+std::vector<BumpBox> bump_boxes(const TileShape& shape, Cell cell) {
+  if (shape.kind == TileShape::Kind::none) return {};
+  const bool is_solid = shape.kind == TileShape::Kind::solid;
+  const std::vector<double> heights = is_solid ? std::vector<double>{kTileSize, kTileSize} : shape.heights;
+  const double left = cell.x * kTileSize, width = shape.tiles * kTileSize;
+  const std::size_t last = heights.size() - 1;
+  const auto count = static_cast<double>(last);
+  BoxMaker boxes(shape, cell);
+  std::size_t from = 0;
+  for (std::size_t i = 1; i <= last; ++i) {
+    const bool goes_on = i < last && heights[i + 1] - heights[i] == heights[i] - heights[i - 1];
+    if (goes_on) continue;
+    boxes.add_part(left + width * static_cast<double>(from) / count,
+                   width * static_cast<double>(i - from) / count, heights[from], heights[i], last == 1);
+    from = i;
+  }
+  return boxes.take();
+}
+
+}  // namespace talus

@@ -1,0 +1,30 @@
+// The ground as bump.lua can have it: boxes, each full or with one straight line across it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "../level/level.h"
+
+namespace talus {
+
+// A line from the left side of a box to its right side. Ground lies between it and the box's bottom, or, of a
+// ceiling, its top.
+struct BumpLine {
+  double h0 = 0, h1 = 0;  // px at the left and the right side, from the bottom; of a ceiling from the top
+  bool is_ceiling = false;
+  bool one_way = false;  // the line alone stops bodies, and only from its open side
+  friend bool operator==(const BumpLine&, const BumpLine&) = default;
+};
+
+struct BumpBox {
+  Rect box;                      // px
+  std::optional<BumpLine> line;  // none: it is full
+  friend bool operator==(const BumpBox&, const BumpBox&) = default;
+};
+
+// The boxes of a shape, a usable one (see problem_of), in a cell: those that add_ground() of
+// assets/runtime/bump_slopes.lua adds, in its order and to the last bit. None of a shape without height.
+std::vector<BumpBox> bump_boxes(const TileShape& shape, Cell cell);
+
+}  // namespace talus
