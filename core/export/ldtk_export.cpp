@@ -1,10 +1,11 @@
 // A project of LDtk with one level, and the sheet of its tiles beside it.
 //
-// Layers, from the top: "Bodies", an entity for each spawn with its exact numbers as fields; "Collision", an
-// IntGrid: 0 is empty, 1 a full tile, 2 a full one-way tile, and each other shape of the level has a value of
-// its own, whose identifier says what it is, in the cell of its left end; "Tiles". Shapes cannot be drawn in
-// LDtk, so the tileset's custom data hold for each tile with flags or a shape one JSON object as text: flags,
-// ball, and the shape as plain_text.h has it. Curves have no place.
+// Layers, from the top: "Bodies", an entity for each body at its start, ball tiles of the map as well, with
+// its exact numbers as fields; "Collision", an IntGrid: 0 is empty, 1 a full tile, 2 a full one-way tile, and
+// each other shape of the level has a value of its own for each cell that it is in, whose identifier says
+// what it is (ldtk_shapes.h); "Tiles". Shapes cannot be drawn in LDtk, so the tileset's custom data hold for
+// each tile with flags or a shape one JSON object as text: flags, ball, and the shape as plain_text.h has it.
+// Curves have no place.
 //
 // All keys that LDtk's schema requires are there, though its loader does without many: other programs do not.
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "../formats/png_sheet.h"
 #include "../level/ground.h"
 #include "export_targets.h"
+#include "ldtk_shapes.h"
 #include "plain_data.h"
 #include "plain_text.h"
 
@@ -97,61 +99,6 @@ std::string color_text(Rgb color) {
   return text;
 }
 
-// Letters, digits and '_' alone, and no digit first.
-std::string ldtk_identifier(const std::string& name) {
-  std::string id = name.empty() || (name[0] >= '0' && name[0] <= '9') ? "Level_" + name : name;
-  std::replace_if(
-      id.begin(), id.end(), [](unsigned char c) { return c > 127 || (std::isalnum(c) == 0 && c != '_'); },
-      '_');
-  return id;
-}
-
-// "slope_0_to_8", "one_way_ceiling_slope_8_to_2p5_over_3_tiles"; heights as TileShape has them.
-std::string value_name(const TileShape& shape, int tile) {
-  const bool is_ceiling = shape.side == TileShape::Side::ceiling;
-  std::string name = std::string(shape.one_way ? "one_way_" : "") + (is_ceiling ? "ceiling_" : "");
-  if (shape.kind == TileShape::Kind::profile) return name + "profile_of_tile_" + std::to_string(tile);
-  name += "slope_";
-  append_number(name, shape.heights[0]);
-  append_number(name += "_to_", shape.heights[1]);
-  if (shape.tiles > 1) name += "_over_" + std::to_string(shape.tiles) + "_tiles";
-  std::replace(name.begin(), name.end(), '.', 'p');
-  return ldtk_identifier(name);
-}
-
-struct CollisionValues {
-  std::array<int, kTileCount> of_tile{};
-  OrderedJson definitions = OrderedJson::array();
-};
-
-CollisionValues collision_values(const TerrainSource& ground) {
-  CollisionValues values;
-  std::vector<TileShape> shapes;  // by value, from 1
-  const auto define = [&](const TileShape& shape, const std::string& name, const char* color) {
-    shapes.push_back(shape);
-    values.definitions.push_back({{"value", shapes.size()},
-                                  {"identifier", name},
-                                  {"color", color},
-                                  {"tile", nullptr},
-                                  {"groupUid", 0}});
-  };
-  define({.kind = TileShape::Kind::solid}, "solid", "#94B0C2");
-  define({.kind = TileShape::Kind::solid, .one_way = true}, "one_way", "#41A6F6");
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    TileShape shape = ground.shapes[tile];
-    if (shape.kind == TileShape::Kind::none) continue;
-    if (shape.kind == TileShape::Kind::solid) shape = {.kind = shape.kind, .one_way = shape.one_way};
-    auto known = std::find(shapes.begin(), shapes.end(), shape);
-    if (known == shapes.end()) {
-      const bool is_ceiling = shape.side == TileShape::Side::ceiling;
-      define(shape, value_name(shape, tile), is_ceiling ? "#B13E53" : shape.one_way ? "#3B5DC9" : "#38B764");
-      known = shapes.end() - 1;
-    }
-    values.of_tile[tile] = static_cast<int>(known - shapes.begin()) + 1;
-  }
-  return values;
-}
-
 // Of tiles with flags or a shape, each a text.
 OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
   std::array<OrderedJson, kTileCount> tiles;
@@ -169,22 +116,41 @@ OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
   return all;
 }
 
-// By their names, texts and numbers.
-OrderedJson body_fields(const Spawn& spawn) {
-  OrderedJson fields = plain_spawn_json(spawn);
+// Whole pixels, as LDtk has them.
+OrderedJson tile_rect(int tile) {
+  return {{"tilesetUid", int{kTilesetUid}},
+          {"x", tile % kSheetColumns * kTileSize},
+          {"y", tile / kSheetColumns * kTileSize},
+          {"w", kTileSize},
+          {"h", kTileSize}};
+}
+
+// By their names, texts and numbers, and at last the tile of the map that the body is, or null.
+OrderedJson body_fields(const PlainBody& body) {
+  OrderedJson fields = plain_body_json(body);
+  fields.erase("id");
   fields.erase("kind");  // which entity it is says that
+  fields.erase("tile");
+  fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(body.tile);
   return fields;
+}
+
+// As LDtk calls what a field holds.
+const char* field_type(const std::string& name, const OrderedJson& value) {
+  if (name == "tile") return "Tile";
+  return value.is_string() ? "String" : "Float";
 }
 
 OrderedJson entity_def(const char* identifier, int uid, const char* color) {
   OrderedJson entity = filled(kEntityDef, {{"identifier", identifier}, {"uid", uid}, {"color", color}});
-  const OrderedJson fields = body_fields(Spawn());
+  const OrderedJson fields = body_fields({});
   for (const auto& [name, value] : fields.items()) {
-    const bool is_text = value.is_string();
-    entity["fieldDefs"].push_back(filled(kFieldDef, {{"identifier", name},
-                                                     {"__type", is_text ? "String" : "Float"},
-                                                     {"uid", ++uid},
-                                                     {"type", is_text ? "F_String" : "F_Float"}}));
+    const std::string type = field_type(name, value);
+    OrderedJson& field = entity["fieldDefs"].emplace_back(
+        filled(kFieldDef, {{"identifier", name}, {"__type", type}, {"uid", ++uid}, {"type", "F_" + type}}));
+    if (type == "Tile")
+      field.update(
+          {{"canBeNull", true}, {"tilesetUid", int{kTilesetUid}}, {"editorDisplayMode", "EntityTile"}});
   }
   return entity;
 }
@@ -193,36 +159,44 @@ constexpr const char *kBallColor = "#FFCD75", *kPlayerColor = "#EF7D57";
 
 int rounded_px(double px) { return static_cast<int>(std::lround(std::clamp(px, -1e9, 1e9))); }
 
-OrderedJson entity(const Spawn& spawn, int number) {
-  const bool is_player = spawn.kind == BodyKind::player;
-  const int x = rounded_px(spawn.position.x), y = rounded_px(spawn.position.y);
+OrderedJson field_instance(const std::string& name, const OrderedJson& value, int uid) {
+  const std::string type = field_type(name, value);
+  const bool is_tile = type == "Tile";
+  OrderedJson edited = OrderedJson::array();
+  if (is_tile && !value.is_null()) {
+    const std::string rect =
+        std::to_string(value["x"].get<int>()) + "," + std::to_string(value["y"].get<int>()) + ",8,8";
+    edited.push_back({{"id", "V_String"}, {"params", OrderedJson::array({rect})}});
+  } else if (!is_tile) {
+    edited.push_back({{"id", "V_" + type}, {"params", OrderedJson::array({value})}});
+  }
+  return {{"__identifier", name}, {"__type", type},
+          {"__value", value},     {"__tile", is_tile ? value : OrderedJson()},
+          {"defUid", uid},        {"realEditorValues", edited}};
+}
+
+OrderedJson entity(const PlainBody& body) {
+  const Spawn& start = body.start;
+  const bool is_player = start.kind == BodyKind::player;
+  const int x = rounded_px(start.position.x), y = rounded_px(start.position.y);
   int uid = is_player ? kPlayerUid : kBallUid;
+  const OrderedJson fields = body_fields(body);
   OrderedJson instance = {{"__identifier", is_player ? "Player" : "Ball"},
                           {"__grid", {cell_of(x), cell_of(y)}},
                           {"__pivot", {0, 0}},
                           {"__tags", OrderedJson::array()},
-                          {"__tile", nullptr},
+                          {"__tile", fields["tile"]},
                           {"__smartColor", is_player ? kPlayerColor : kBallColor},
                           {"__worldX", x},
                           {"__worldY", y},
-                          {"iid", iid(100 + number)},
-                          {"width", std::max(1, rounded_px(spawn.size.x))},
-                          {"height", std::max(1, rounded_px(spawn.size.y))},
+                          {"iid", iid(99 + body.id)},
+                          {"width", std::max(1, rounded_px(start.size.x))},
+                          {"height", std::max(1, rounded_px(start.size.y))},
                           {"defUid", uid},
                           {"px", {x, y}},
                           {"fieldInstances", OrderedJson::array()}};
-  const OrderedJson fields = body_fields(spawn);
-  for (const auto& [name, value] : fields.items()) {
-    const bool is_text = value.is_string();
-    const OrderedJson edited = {{"id", is_text ? "V_String" : "V_Float"},
-                                {"params", OrderedJson::array({value})}};
-    instance["fieldInstances"].push_back({{"__identifier", name},
-                                          {"__type", is_text ? "String" : "Float"},
-                                          {"__value", value},
-                                          {"__tile", nullptr},
-                                          {"defUid", ++uid},
-                                          {"realEditorValues", OrderedJson::array({edited})}});
-  }
+  for (const auto& [name, value] : fields.items())
+    instance["fieldInstances"].push_back(field_instance(name, value, ++uid));
   return instance;
 }
 
@@ -248,15 +222,13 @@ bool is_blank(const Level& level, std::uint8_t tile) {
   return level.tile_flags(tile) == 0 && image == TileImage{};
 }
 
-void put_int_grid(const Level& level, const CollisionValues& values, const Progress& progress,
-                  std::string& text) {
+void put_int_grid(const Level& level, const LdtkShapes::Grid& grid, std::string& text) {
   text += '[';
-  for (Cell c; c.y < level.map.height() && progress.at(c.y, level.map.height()); ++c.y) {
-    for (c.x = 0; c.x < level.map.width(); ++c.x) {
-      if (c != Cell{0, 0}) text += ',';
-      if (c.x == 0) text += '\n';
-      append_number(text, values.of_tile[level.map.at(c)]);
-    }
+  const auto width = static_cast<std::size_t>(level.map.width());
+  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+    if (i > 0) text += ',';
+    if (i % width == 0) text += '\n';
+    append_number(text, grid.cells[i]);
   }
   text += ']';
 }
@@ -264,7 +236,8 @@ void put_int_grid(const Level& level, const CollisionValues& values, const Progr
 void put_grid_tiles(const Level& level, const Progress& progress, std::string& text) {
   std::array<bool, kTileCount> blank{};
   for (int tile = 0; tile < kTileCount; ++tile)
-    blank[static_cast<std::size_t>(tile)] = is_blank(level, static_cast<std::uint8_t>(tile));
+    blank[static_cast<std::size_t>(tile)] = is_blank(level, static_cast<std::uint8_t>(tile)) ||
+                                            is_ball_tile(level, static_cast<std::uint8_t>(tile));
   const auto put_place = [&text](int column, int row) {
     append_number(text += '[', column * kTileSize);
     append_number(text += ',', row * kTileSize);
@@ -297,7 +270,10 @@ class LdtkProject {
         progress_(std::move(progress)),
         stem_(std::move(stem)),
         sheet_(std::move(sheet)),
-        values_(collision_values(ground_of(level))) {}
+        shapes_(ground_of(level)),
+        grid_(shapes_.grid_of(ground_of(level), progress_.part(0, 0.1))) {}
+
+  std::size_t overlaps() const { return grid_.overlaps; }
 
   std::string text() const {
     const std::string background = color_text(level_.palette[0]);
@@ -309,7 +285,14 @@ class LdtkProject {
     defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid),
                       layer_def("Collision", "IntGrid", kCollisionUid),
                       layer_def("Tiles", "Tiles", kTilesUid)};
-    defs["layers"][1]["intGridValues"] = values_.definitions;
+    for (const LdtkShapes::Value& value : shapes_.values()) {
+      OrderedJson& values = defs["layers"][1]["intGridValues"];
+      values.push_back({{"value", values.size() + 1},
+                        {"identifier", value.name},
+                        {"color", value.color},
+                        {"tile", nullptr},
+                        {"groupUid", 0}});
+    }
     defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
     defs["entities"] = {entity_def("Ball", kBallUid, kBallColor),
                         entity_def("Player", kPlayerUid, kPlayerColor)};
@@ -371,37 +354,42 @@ class LdtkProject {
     begin_member(text, "intGridCsv") += "[]";
     begin_member(text, "gridTiles") += "[]";
     begin_member(text, "entityInstances") += '[';
-    for (std::size_t i = 0; i < level_.spawns.size(); ++i)
-      text.append(i == 0 ? "\n" : ",\n").append(dumped(entity(level_.spawns[i], static_cast<int>(i))));
+    const PlainBodies bodies(level_);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      text.append(i == 0 ? "\n" : ",\n").append(dumped(entity(bodies.at(i))));
     text += "]}";
   }
   void put_collision(std::string& text) const {
     text += layer("Collision", "IntGrid", kCollisionUid);
-    put_int_grid(level_, values_, progress_.part(0, 0.2), begin_member(text, "intGridCsv"));
+    put_int_grid(level_, grid_, begin_member(text, "intGridCsv"));
     begin_member(text, "gridTiles") += "[]";
     begin_member(text, "entityInstances") += "[]}";
   }
   void put_tiles(std::string& text) const {
     text += layer("Tiles", "Tiles", kTilesUid);
     begin_member(text, "intGridCsv") += "[]";
-    put_grid_tiles(level_, progress_.part(0.2, 1), begin_member(text, "gridTiles"));
+    put_grid_tiles(level_, progress_.part(0.1, 1), begin_member(text, "gridTiles"));
     begin_member(text, "entityInstances") += "[]}";
   }
 
   const Level& level_;
   Progress progress_;
   std::string stem_, sheet_;
-  CollisionValues values_;
+  LdtkShapes shapes_;
+  LdtkShapes::Grid grid_;
 };
 
 }  // namespace
 
 FormatResult<Exported> export_ldtk(const ExportRequest& request) {
-  Exported out{
-      {{"", LdtkProject(request.level, request.stem(), request.sheet_name(), request.progress).text()},
-       {request.sheet_name(), write_png_part(request.level, PngPart::tiles)}},
-      dropped_curves(request.level)};
-  return out;
+  const LdtkProject project(request.level, request.stem(), request.sheet_name(), request.progress);
+  std::vector<std::string> dropped = dropped_curves(request.level);
+  if (const std::size_t cells = project.overlaps(); cells > 0)
+    dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
+                      " that two shapes reach into");
+  return Exported{
+      {{"", project.text()}, {request.sheet_name(), write_png_part(request.level, PngPart::tiles)}},
+      std::move(dropped)};
 }
 
 }  // namespace talus

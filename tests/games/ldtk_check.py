@@ -33,7 +33,10 @@ def check_references(path, project):
             for field in entity["fieldInstances"]:
                 owner, definition = fields[field["defUid"]]
                 assert owner == entity["defUid"] and definition["identifier"] == field["__identifier"]
-                assert field["realEditorValues"][0]["params"] == [field["__value"]]
+                value = field["__value"]
+                if field["__type"] == "Tile" and value:
+                    value = f'{value["x"]},{value["y"]},{value["w"]},{value["h"]}'
+                assert field["realEditorValues"] == [] if value is None else field["realEditorValues"][0]["params"] == [value]
     assert len(iids) == len(set(iids)), "an iid is used twice"
     for tileset in tilesets.values():
         with open(os.path.join(os.path.dirname(path), tileset["relPath"]), "rb") as picture:

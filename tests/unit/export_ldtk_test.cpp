@@ -60,7 +60,7 @@ TEST(ExportLdtk, IsAProjectAndTheSheetBesideIt) {
 TEST(ExportLdtk, AnIntGridTellsTheShapes) {
   const LdtkJson json = project(small_level());
   const LdtkJson& values = json["defs"]["layers"][1]["intGridValues"];
-  ASSERT_EQ(values.size(), 3U);
+  ASSERT_EQ(values.size(), 4U);
   EXPECT_EQ(values[0]["identifier"], "solid");
   EXPECT_EQ(values[0]["value"], 1);
   EXPECT_EQ(values[1]["identifier"], "one_way");
@@ -70,7 +70,37 @@ TEST(ExportLdtk, AnIntGridTellsTheShapes) {
   EXPECT_EQ(layer["__identifier"], "Collision");
   EXPECT_EQ(layer["__type"], "IntGrid");
   EXPECT_EQ(layer["__cWid"], 3);
-  EXPECT_EQ(layer["intGridCsv"], LdtkJson({1, 3, 0, 2, 3, 0}));
+  EXPECT_EQ(values[3]["identifier"], "slope_0_to_7p5_over_2_tiles_part_2");
+  EXPECT_EQ(layer["intGridCsv"], LdtkJson({1, 3, 4, 2, 3, 4})) << "4: the slope's second cell";
+}
+
+// No cell with ground in it is 0.
+TEST(ExportLdtk, EveryCellThatAShapeReachesIntoHasAValue) {
+  Level level = small_level();
+  level.map = TileMap(3, 4);
+  level.map.cells() = {0, 0, 0,  //
+                       7, 0, 0,  //
+                       0, 0, 1,  //
+                       6, 0, 0};
+  level.tile_shapes[6] = {.kind = TileShape::Kind::slope, .tiles = 3, .heights = {0, 24}};
+  level.tile_shapes[7] = {.kind = TileShape::Kind::profile,
+                          .side = TileShape::Side::ceiling,
+                          .one_way = true,
+                          .heights = {12, 20, 12}};
+  const Exported out = exported(level);
+  const LdtkJson json = LdtkJson::parse(out.files[0].bytes);
+  std::vector<std::string> names = {"0"};
+  for (const LdtkJson& value : json["defs"]["layers"][1]["intGridValues"])
+    names.push_back(value["identifier"]);
+  std::vector<std::string> cells;
+  for (const LdtkJson& value : json["levels"][0]["layerInstances"][1]["intGridCsv"])
+    cells.push_back(names.at(value.get<std::size_t>()));
+  const std::string wide = "slope_0_to_24_over_3_tiles", hanging = "one_way_ceiling_profile_of_tile_7";
+  EXPECT_EQ(cells, (std::vector<std::string>{"0", "0", "0",                                               //
+                                             hanging, "0", wide + "_part_3_row_3",                        //
+                                             hanging + "_part_1_row_2", wide + "_part_2_row_2", "solid",  //
+                                             wide, wide + "_part_2", wide + "_part_3"}));
+  EXPECT_EQ(out.dropped, std::vector<std::string>{"a second shape in 1 cell that two shapes reach into"});
 }
 
 TEST(ExportLdtk, ShapesOfOtherKindsHaveValuesOfTheirOwn) {
@@ -80,9 +110,9 @@ TEST(ExportLdtk, ShapesOfOtherKindsHaveValuesOfTheirOwn) {
       .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .one_way = true, .heights = {8, 0}};
   level.tile_shapes[8] = {.kind = TileShape::Kind::slope, .heights = {1, -4}};  // cannot be used
   const LdtkJson values = project(level)["defs"]["layers"][1]["intGridValues"];
-  ASSERT_EQ(values.size(), 5U);
-  EXPECT_EQ(values[3]["identifier"], "profile_of_tile_6");
-  EXPECT_EQ(values[4]["identifier"], "one_way_ceiling_slope_8_to_0");
+  ASSERT_EQ(values.size(), 6U);
+  EXPECT_EQ(values[4]["identifier"], "profile_of_tile_6");
+  EXPECT_EQ(values[5]["identifier"], "one_way_ceiling_slope_8_to_0");
 }
 
 TEST(ExportLdtk, TilesAreWhereTheMapHasThem) {
@@ -90,10 +120,9 @@ TEST(ExportLdtk, TilesAreWhereTheMapHasThem) {
   const LdtkJson& layer = json["levels"][0]["layerInstances"][2];
   EXPECT_EQ(layer["__type"], "Tiles");
   EXPECT_EQ(layer["__tilesetRelPath"], "my cave-tiles.png");
-  // The tiles 0, 2, 3 and 5 have neither pixels nor flags.
-  ASSERT_EQ(layer["gridTiles"].size(), 2U);
+  // The tiles 0, 2, 3 and 5 have neither pixels nor flags, and tile 4 is a ball.
+  ASSERT_EQ(layer["gridTiles"].size(), 1U);
   EXPECT_EQ(layer["gridTiles"][0].dump(), R"({"a":1,"d":[0],"f":0,"px":[0,0],"src":[8,0],"t":1})");
-  EXPECT_EQ(layer["gridTiles"][1].dump(), R"({"a":1,"d":[5],"f":0,"px":[16,8],"src":[32,0],"t":4})");
   Level drawn = small_level();
   drawn.sheet(SheetId::tiles).images[0][3] = 7;
   drawn.map.cells()[5] = 255;
@@ -128,12 +157,13 @@ TEST(ExportLdtk, SpawnsAreEntities) {
   ball.velocity = {0.1, 0};
   ball.size = {0.25, 12};
   level.spawns.emplace_back().kind = BodyKind::player;
+  level.map.set({2, 1}, 0);  // no ball tile
   const LdtkJson json = project(level);
   const LdtkJson& definitions = json["defs"]["entities"];
   ASSERT_EQ(definitions.size(), 2U);
   EXPECT_EQ(definitions[0]["identifier"], "Ball");
   EXPECT_EQ(definitions[1]["identifier"], "Player");
-  ASSERT_EQ(definitions[1]["fieldDefs"].size(), 8U);
+  ASSERT_EQ(definitions[1]["fieldDefs"].size(), 9U);
   EXPECT_EQ(definitions[1]["fieldDefs"][7]["identifier"], "foot");
   EXPECT_EQ(definitions[1]["fieldDefs"][7]["type"], "F_String");
 
@@ -152,6 +182,21 @@ TEST(ExportLdtk, SpawnsAreEntities) {
   EXPECT_EQ(entities[1]["__identifier"], "Player");
   EXPECT_EQ(entities[1]["fieldInstances"][7]["__value"], "centre");
   EXPECT_NE(entities[0]["iid"], entities[1]["iid"]);
+}
+
+// With their picture, which the layer of tiles then has not.
+TEST(ExportLdtk, BallTilesAreEntities) {
+  const LdtkJson json = project(small_level());
+  const LdtkJson& entities = json["levels"][0]["layerInstances"][0]["entityInstances"];
+  ASSERT_EQ(entities.size(), 1U);
+  EXPECT_EQ(entities[0]["__identifier"], "Ball");
+  EXPECT_EQ(entities[0]["px"], LdtkJson({16, 8}));
+  EXPECT_EQ(entities[0]["__tile"].dump(), R"({"h":8,"tilesetUid":1,"w":8,"x":32,"y":0})");
+  const LdtkJson& field = entities[0]["fieldInstances"][8];
+  EXPECT_EQ(field["__identifier"], "tile");
+  EXPECT_EQ(field["__type"], "Tile");
+  EXPECT_EQ(field["__value"], entities[0]["__tile"]);
+  EXPECT_EQ(field["realEditorValues"].dump(), R"([{"id":"V_String","params":["32,0,8,8"]}])");
 }
 
 TEST(ExportLdtk, CurvesAreToldAsDropped) {
