@@ -116,7 +116,11 @@ bool is_same(const PlainShape& a, const PlainShape& b) {
 class CHeader {
  public:
   CHeader(const Level& level, std::string name)
-      : level_(level), name_(std::move(name)), macro_(upper(name_)), shapes_(plain_shapes(ground_of(level))) {
+      : level_(level),
+        bodies_(level),
+        name_(std::move(name)),
+        macro_(upper(name_)),
+        shapes_(plain_shapes(ground_of(level))) {
     for (const PlainShape& shape : shapes_) {
       const auto same = std::find_if(distinct_.begin(), distinct_.end(),
                                      [&](const PlainShape* other) { return is_same(*other, shape); });
@@ -130,7 +134,8 @@ class CHeader {
     put_map();
     put_shapes();
     put_floors();
-    put_spawns();
+    put_bodies();
+    put_tuning();
     put_functions();
     line("#endif");
     return std::move(text_);
@@ -157,10 +162,12 @@ class CHeader {
   void put_map();
   void put_shapes();
   void put_floors();
-  void put_spawns();
+  void put_bodies();
+  void put_tuning();
   void put_functions();
 
   const Level& level_;
+  PlainBodies bodies_;
   std::string name_, macro_;
   std::vector<PlainShape> shapes_;
   std::vector<const PlainShape*> distinct_;  // of tiles with the same shape the first one's
@@ -180,7 +187,7 @@ void CHeader::put_head() {
   define("WIDTH", level_.map.width());
   define("HEIGHT", level_.map.height());
   define("TILE_SIZE", kTileSide);
-  define("SPAWNS", static_cast<std::int64_t>(level_.spawns.size()));
+  define("BODIES", static_cast<std::int64_t>(bodies_.size()));
   for (const FlagRoleInfo& info : flag_role_infos()) {
     const int flag = level_.roles.*info.flag;
     if (flag != FlagRoles::kUnused) define("FLAG_" + upper(std::string(info.key)), flag);
@@ -264,15 +271,22 @@ void CHeader::put_floors() {
   line("};\n");
 }
 
-void CHeader::put_spawns() {
-  line(R"(/* Bodies placed by hand: the top left corner, the size, the velocity in px a frame. */
-typedef struct @_spawn {
+void CHeader::put_bodies() {
+  line(
+      R"(/* All bodies at their start: the top left corner, the size, the velocity in px a frame. tile: of the map, that
+   is the body and is not to be drawn then; -1: none. stands_on_centre: the middle of its bottom side stands on
+   slopes; else all of it. */
+typedef struct @_body {
   const char *name;
-  int32_t is_player, x, y, w, h, vx, vy;
-} @_spawn;
-static const @_spawn @_spawns[^_SPAWNS + 1] = { /* the last one is empty */)");
-  for (const Spawn& s : level_.spawns) {
+  int32_t is_player, tile, stands_on_centre, x, y, w, h, vx, vy;
+} @_body;
+static const @_body @_bodies[^_BODIES + 1] = { /* the last one is empty */)");
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const PlainBody body = bodies_.at(i);
+    const Spawn& s = body.start;
     const std::vector<std::int64_t> numbers = {s.kind == BodyKind::player,
+                                               body.tile,
+                                               s.used_foot() == Foot::centre,
                                                fixed(s.position.x),
                                                fixed(s.position.y),
                                                fixed(s.size.x),
@@ -281,7 +295,22 @@ static const @_spawn @_spawns[^_SPAWNS + 1] = { /* the last one is empty */)");
                                                fixed(s.velocity.y)};
     text_ += "{" + c_string(s.name) + "," + c_list(numbers).substr(1) + ",\n";
   }
-  line("{\"\",0,0,0,0,0,0,0}};\n");
+  line("{\"\",0,-1,0,0,0,0,0,0,0}};\n");
+}
+
+void CHeader::put_tuning() {
+  line(
+      "/* The numbers of the physics; px, and frames of 1/60 s. ^_SOLVER is what the level was played by. "
+      "*/");
+  line("#define ^_SOLVER " + c_string(solver_name(level_.tuning.solver)));
+  for (const TuningField& field : tuning_fields()) {
+    std::string name = upper(field.path()), value;
+    std::replace(name.begin(), name.end(), '.', '_');
+    append_number(value, field.of(level_.tuning));
+    if (value.find_first_of(".e") == std::string::npos) value += ".0";
+    line("#define ^_TUNING_" + name + " " + value);
+  }
+  line("");
 }
 
 void CHeader::put_functions() {

@@ -1,4 +1,5 @@
-// A folder of tables: plain data for spreadsheets and scripts. See plain_text.h for what the numbers mean.
+// A folder of tables: plain data for spreadsheets and scripts. docs/export-data.md tells what the numbers
+// mean.
 #include "../formats/number_text.h"
 #include "../level/ground.h"
 #include "export_targets.h"
@@ -124,10 +125,33 @@ std::string line_table(const std::vector<PlainLine>& lines) {
   return table.take();
 }
 
-std::string spawn_table(const std::vector<Spawn>& spawns) {
-  CsvTable table("name,kind,x,y,w,h,vx,vy,foot");
-  for (const Spawn& spawn : spawns) {
-    table.word(spawn.name).word(body_word(spawn.kind)).number(spawn.position.x).number(spawn.position.y);
+std::string role_table(const FlagRoles& roles) {
+  CsvTable table("role,flag");
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const int flag = roles.*info.flag;
+    if (flag != FlagRoles::kUnused) table.word(info.key).number(flag).end_row();
+  }
+  return table.take();
+}
+
+std::string tuning_table(const Tuning& tuning) {
+  CsvTable table("name,value,unit");
+  table.word("solver").word(solver_name(tuning.solver)).word("").end_row();
+  for (const TuningField& field : tuning_fields())
+    table.word(field.path()).number(field.of(tuning)).word(field.unit).end_row();
+  return table.take();
+}
+
+std::string body_table(const Level& level) {
+  CsvTable table("id,name,kind,tile,x,y,w,h,vx,vy,foot");
+  const PlainBodies bodies(level);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const PlainBody body = bodies.at(i);
+    const Spawn& spawn = body.start;
+    table.number(body.id);
+    table.word(spawn.name).word(body_word(spawn.kind));
+    table.word(body.tile < 0 ? "" : std::to_string(body.tile));
+    table.number(spawn.position.x).number(spawn.position.y);
     table.number(spawn.size.x).number(spawn.size.y).number(spawn.velocity.x).number(spawn.velocity.y);
     table.word(foot_word(spawn.used_foot())).end_row();
   }
@@ -144,7 +168,9 @@ FormatResult<Exported> export_csv(const ExportRequest& request) {
                    {"sprite_flags.csv", sprite_table(level)},
                    {"polygons.csv", polygon_table(level, progress.part(0.1, 0.8))},
                    {"lines.csv", line_table(plain_lines(level, progress.part(0.8, 1)))},
-                   {"spawns.csv", spawn_table(level.spawns)}},
+                   {"bodies.csv", body_table(level)},
+                   {"roles.csv", role_table(level.roles)},
+                   {"tuning.csv", tuning_table(level.tuning)}},
                   {}};
 }
 

@@ -5,11 +5,13 @@
 namespace talus {
 
 FormatResult<Exported> export_lua(const ExportRequest& request) {
-  const std::string head = R"(-- A level exported by Talus: plain data. Lengths are px, y goes down.
+  const std::string head =
+      R"(-- A level exported by Talus: plain data. Lengths are px, y goes down, velocities are px a frame.
 -- The tile at a column and row, both from 0, is map[row + 1][column + 1], its flags flags.tiles[tile + 1],
 -- and its shape, if it has one, shapes[tile]. floor: how far below the tile's top the ground is, in the
 -- middle of each column of pixels. polygons: the ground's outline, x, y, x, y, ..., clockwise on the screen,
 -- holes the other way. lines: what stops bodies on their left hand side alone, and curves.
+-- bodies: all that move, at their start; `tile` where a tile of the map is one, which is not to be drawn then.
 )";
   return Exported{{{"", head + plain_text(request.level, Dialect::lua, request.progress)}}, {}};
 }

@@ -110,15 +110,20 @@ class ExportCFloors : public FolderTest {
   static std::int64_t fixed(double px) { return std::llround(px * 256); }
 };
 
-TEST_F(ExportCFloors, TablesAndSpawnsAreRead) {
+TEST_F(ExportCFloors, TablesBodiesAndTuningAreRead) {
   Level level = level_of_shapes({"..", ".7"});
   level.sheet(SheetId::tiles).flags[7] = 129;
   level.sheet(SheetId::sprites).flags[255] = 3;
-  EXPECT_EQ(run(level, {{12, 0}, {4, 0}, {12, 9}}), "7 129 3 0\n0  0\n2048\n2147483647\n2147483647\n");
+  const std::string tuning = "exact 0.074999999999999997 0 3.5\n";
+  EXPECT_EQ(run(level, {{12, 0}, {4, 0}, {12, 9}}),
+            "7 129 3 0\n 0 -1 0 0 0\n" + tuning + "2048\n2147483647\n2147483647\n");
   Spawn& spawn = level.spawns.emplace_back();
   spawn.name = "a\"?\?/b";
   spawn.position = {1.5, 0};
-  EXPECT_EQ(run(level, {}), "7 129 3 0\n1 a\"?\?/b 384\n");
+  spawn.kind = BodyKind::player;
+  level.sheet(SheetId::tiles).flags[9] = 2;  // a ball
+  level.map.set({1, 0}, 9);
+  EXPECT_EQ(run(level, {}), "7 129 3 0\n 0 9 0 2048 0\na\"?\?/b 1 -1 1 384 0\n 0 -1 0 0 0\n" + tuning);
 }
 
 TEST_F(ExportCFloors, AreExactInTheDemo) {

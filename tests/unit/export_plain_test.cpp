@@ -7,6 +7,9 @@
 
 #include "export/plain_data.h"
 #include "folder_test.h"
+#include "formats/native.h"
+#include "sim/scene.h"
+#include "sim/state.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
 
@@ -64,7 +67,7 @@ TEST(ExportJson, HoldsFloorsByColumnOfPixels) {
   EXPECT_EQ(shapes["9"]["floor"][63], 8 - 63.5);
 }
 
-TEST(ExportJson, HoldsPolygonsLinesAndSpawns) {
+TEST(ExportJson, HoldsPolygonsLinesAndBodies) {
   const Json json = json_of(cave());
   EXPECT_EQ(json["polygons"].size(), 2U);
   EXPECT_EQ(json["polygons"][0],
@@ -73,8 +76,9 @@ TEST(ExportJson, HoldsPolygonsLinesAndSpawns) {
   EXPECT_EQ(json["lines"],
             (Json{{{"kind", "one_way"}, {"name", ""}, {"both_sides", false}, {"points", {8, 0, 16, 0}}},
                   {{"kind", "curve"}, {"name", "bow"}, {"both_sides", true}, {"points", {0, 4, 4, 2.5}}}}));
-  EXPECT_EQ(json["spawns"].size(), 1U);
-  EXPECT_EQ(json["spawns"][0], (Json{{"name", "a \"b\",\nc\\"},
+  EXPECT_EQ(json["bodies"].size(), 1U);
+  EXPECT_EQ(json["bodies"][0], (Json{{"id", 1},
+                                     {"name", "a \"b\",\nc\\"},
                                      {"kind", "player"},
                                      {"x", 0.1},
                                      {"y", 2},
@@ -91,7 +95,42 @@ TEST(ExportJson, AnEmptyMapHasEmptyLists) {
   const std::string text = exported_file("json", level);
   EXPECT_THAT(text,
               StartsWith("{\n \"width\":2,\n \"height\":1,\n \"tile_size\":8,\n \"map\":[\n  [0,0]\n ],\n"));
-  EXPECT_THAT(text, HasSubstr(" \"shapes\":{},\n \"polygons\":[],\n \"lines\":[],\n \"spawns\":[]\n}\n"));
+  EXPECT_THAT(
+      text, HasSubstr(" \"shapes\":{},\n \"polygons\":[],\n \"lines\":[],\n \"bodies\":[],\n \"tuning\":{"));
+}
+
+// As a level's file has them; a body has the id that it has in the simulation.
+TEST(ExportJson, HoldsBallTilesAsBodiesAndTheTuning) {
+  Level level = cave();
+  level.sheet(SheetId::tiles).flags[60] = level.sheet(SheetId::tiles).flags[61] = 2;
+  level.map.set({3, 0}, 60);
+  level.map.set({2, 1}, 61);
+  level.map.set({0, 1}, 61);
+  level.tuning.solver = SolverKind::bump;
+  level.tuning.article.fall_speed = 3.25;
+  level.tuning.player.gravity = 0.1;
+  const Json json = json_of(level);
+  ASSERT_EQ(json["bodies"].size(), 4U);
+  EXPECT_EQ(json["bodies"][0], (Json{{"id", 1},
+                                     {"name", ""},
+                                     {"kind", "ball"},
+                                     {"x", 0},
+                                     {"y", 8},
+                                     {"w", 8},
+                                     {"h", 8},
+                                     {"vx", 0},
+                                     {"vy", 0},
+                                     {"foot", "box"},
+                                     {"tile", 61}}));
+  const State state = initial_state(compile_scene(level));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(json["bodies"][i]["id"], state.bodies[i].id);
+    EXPECT_EQ(json["bodies"][i]["x"], state.bodies[i].box.x);
+    EXPECT_EQ(json["bodies"][i]["y"], state.bodies[i].box.y);
+  }
+  EXPECT_EQ(json["bodies"][2]["tile"], 60);
+  EXPECT_FALSE(json["bodies"][3].contains("tile"));
+  EXPECT_EQ(json["tuning"], Json::parse(write_native(level, {})->bytes)["tuning"]);
 }
 
 // ---- Lines ----
@@ -160,7 +199,8 @@ print(level.shapes[2].kind, level.shapes[2].one_way, table.concat(level.shapes[2
 print(level.shapes[6].floor, level.shapes[6].ceiling[8], level.shapes[7].one_way, level.shapes[0])
 print(#level.polygons, level.polygons[1].hole, table.concat(level.polygons[1].points, " "))
 print(#level.lines, level.lines[1].kind, level.lines[2].name, table.concat(level.lines[2].points, " "))
-print(#level.spawns, level.spawns[1].name == 'a "b",\nc\\', level.spawns[1].x == 0.1, level.spawns[1].foot)
+print(#level.bodies, level.bodies[1].name == 'a "b",\nc\\', level.bodies[1].x == 0.1, level.bodies[1].foot)
+print(level.tuning.solver, level.tuning.fall_blend == 0.075, level.tuning.exact.steepest, level.tuning.player.jump_speed)
 )",
              "4\t3\t8\t3\t4\t5\n"
              "1\t130\t256\t255\n"
@@ -169,7 +209,8 @@ print(#level.spawns, level.spawns[1].name == 'a "b",\nc\\', level.spawns[1].x ==
              "nil\t7.5\ttrue\tnil\n"
              "2\tfalse\t0 16 8 16 16 8 16 16 24 16 24 24 0 24\n"
              "2\tone_way\tbow\t0 4 4 2.5\n"
-             "1\ttrue\ttrue\tcentre\n");
+             "1\ttrue\ttrue\tcentre\n"
+             "exact\ttrue\t2\t3.5\n");
 }
 
 TEST_F(ExportLuaData, MoreTablesThanLuaJitTakesInAFunctionAreRead) {
@@ -193,7 +234,7 @@ TEST(ExportCsv, IsAFolderOfTables) {
   std::vector<std::string> names;
   for (const ExportedFile& file : files->files) names.push_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"map.csv", "flags.csv", "sprite_flags.csv", "polygons.csv",
-                                             "lines.csv", "spawns.csv"}));
+                                             "lines.csv", "bodies.csv", "roles.csv", "tuning.csv"}));
   EXPECT_EQ(exported_file("csv", cave(), "map.csv"), "0,7,0,0\n0,2,0,0\n1,1,1,5\n");
 }
 
@@ -212,15 +253,28 @@ TEST(ExportCsv, HasARowForEachTileAndForEachColumnOfCells) {
   EXPECT_THAT(exported_file("csv", cave(), "sprite_flags.csv"), StartsWith("sprite,flags\n0,255\n1,0\n"));
 }
 
-TEST(ExportCsv, HoldsPolygonsLinesAndSpawns) {
+TEST(ExportCsv, HoldsPolygonsLinesAndBodies) {
   Level level = level_of_shapes({"7", "1"});
   EXPECT_EQ(exported_file("csv", level, "polygons.csv"),
             "polygon,hole,point,x,y\n0,0,0,0,8\n0,0,1,8,8\n0,0,2,8,16\n0,0,3,0,16\n");
   EXPECT_EQ(exported_file("csv", level, "lines.csv"),
             "line,kind,name,both_sides,point,x,y\n0,one_way,,0,0,0,0\n0,one_way,,0,1,8,0\n");
-  EXPECT_EQ(exported_file("csv", level, "spawns.csv"), "name,kind,x,y,w,h,vx,vy,foot\n");
-  EXPECT_EQ(exported_file("csv", cave(), "spawns.csv"),
-            "name,kind,x,y,w,h,vx,vy,foot\n\"a \"\"b\"\",\nc\\\",player,0.1,2,8,8,-1,0.5,centre\n");
+  EXPECT_EQ(exported_file("csv", level, "bodies.csv"), "id,name,kind,tile,x,y,w,h,vx,vy,foot\n");
+  level = cave();
+  level.sheet(SheetId::tiles).flags[60] = 2;
+  level.map.set({3, 0}, 60);
+  EXPECT_EQ(exported_file("csv", level, "bodies.csv"),
+            "id,name,kind,tile,x,y,w,h,vx,vy,foot\n1,,ball,60,24,0,8,8,0,0,box\n"
+            "2,\"a \"\"b\"\",\nc\\\",player,,0.1,2,8,8,-1,0.5,centre\n");
+}
+
+TEST(ExportCsv, HoldsRolesAndTuning) {
+  EXPECT_EQ(exported_file("csv", cave(), "roles.csv"),
+            "role,flag\nsolid,0\nball,1\nup_slope,2\ndown_slope,3\n");
+  const std::string text = exported_file("csv", cave(), "tuning.csv");
+  EXPECT_THAT(text, StartsWith("name,value,unit\nsolver,exact,\ncell_size,24,px\nfall_speed,5,px/frame\n"));
+  EXPECT_THAT(text, HasSubstr("\nexact.gravity,0,px/frame^2\n"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + static_cast<int>(tuning_fields().size()));
 }
 
 }  // namespace talus::export_plain_test
