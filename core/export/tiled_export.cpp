@@ -75,6 +75,7 @@ class TiledXmlWriter {
     put(root, "tilewidth", kTileSize);
     put(root, "tileheight", kTileSize);
     put(root, "infinite", 0);
+    if (!map.background.empty()) put(root, "backgroundcolor", map.background);
     pugi::xml_attribute next_layer = root.append_attribute("nextlayerid");
     pugi::xml_attribute next_object = root.append_attribute("nextobjectid");
     properties(root, map.properties);
@@ -148,6 +149,7 @@ class TiledXmlWriter {
     pugi::xml_node node = root.append_child(layer.has_tiles ? "layer" : "objectgroup");
     put(node, "id", next_layer_++);
     put(node, "name", layer.name);
+    if (layer.is_hidden) put(node, "visible", 0);
     if (!layer.has_tiles) {
       int id = next_object_ - 1;
       put(node, "draworder", "index");

@@ -164,13 +164,15 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   }
   check_tile_size(node);
   map.properties = properties(node, "the map");
+  map.background = text(node, "backgroundcolor");
   for_each(node, "tilesets", [&](const TiledNode& entry) { map.tilesets.push_back(tileset(entry)); });
   if (!error_) layers(node, {}, progress, map);
-  drop_others(node, "the map", {"compressionlevel", "nextlayerid", "nextobjectid",  "tiledversion",
-                                "version",          "type",        "renderorder",   "editorsettings",
-                                "orientation",      "infinite",    "width",         "height",
-                                "tilewidth",        "tileheight",  "hexsidelength", "staggeraxis",
-                                "staggerindex",     "properties",  "tilesets",      "layers"});
+  drop_others(
+      node, "the map",
+      {"compressionlevel", "nextlayerid",    "nextobjectid",   "tiledversion", "version",      "type",
+       "renderorder",      "editorsettings", "orientation",    "infinite",     "width",        "height",
+       "tilewidth",        "tileheight",     "hexsidelength",  "staggeraxis",  "staggerindex", "properties",
+       "tilesets",         "layers",         "backgroundcolor"});
   return map;
 }
 

@@ -328,7 +328,9 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   const TileShape expected = before.kind != TileShape::Kind::none ? before : of_flags;
   const bool* const word = find_property<bool>(tile.properties, "shape_one_way");
-  const bool one_way = word != nullptr && *word;
+  const bool* const of_outline =
+      tile.objects.empty() ? nullptr : find_property<bool>(tile.objects.front().properties, "one_way");
+  const bool one_way = word != nullptr ? *word : of_outline != nullptr && *of_outline;
   std::vector<TiledObject> objects = tile.objects;
   if (objects.empty() && source.turn != 0) objects = tiled_objects(of_flags);
   for (TiledObject& object : objects) object = turned(object, source.turn);
@@ -465,6 +467,8 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   name_flags();
   for (int tile = 0; tile < kTileCount; ++tile) take_tile(static_cast<std::uint8_t>(tile));
   for (const TiledLayer& objects : map_.layers) take_objects(objects);
+  if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
+    drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   return std::move(level_);
 }
 

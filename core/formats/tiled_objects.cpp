@@ -119,6 +119,7 @@ std::array<std::string, kFlagCount> tiled_flag_names(const Level& level) {
 std::vector<TiledObject> tiled_objects(const TileShape& shape) {
   if (shape.kind == TileShape::Kind::none || problem_of(shape)) return {};
   TiledObject object;
+  if (shape.one_way) object.properties.push_back({"one_way", true});
   if (shape.kind == TileShape::Kind::solid) {
     object.size = {kTileSize, kTileSize};
     return {object};

@@ -35,6 +35,7 @@ TEST(ExportTmj, HasTheMapThatTiledWants) {
   EXPECT_EQ(map["type"], "map");
   EXPECT_EQ(map["orientation"], "orthogonal");
   EXPECT_EQ(map["infinite"], false);
+  EXPECT_EQ(map["backgroundcolor"], "#1a1c2c") << "colour 0";
   EXPECT_EQ(map["width"], 6);
   EXPECT_EQ(map["height"], 4);
   EXPECT_EQ(map["tilewidth"], 8);
@@ -89,6 +90,8 @@ TEST(ExportTmj, ShapesArePolygonsWithWords) {
             Json::parse(R"([{"x":0,"y":6.99609375},{"x":16,"y":-12},{"x":16,"y":8},{"x":0,"y":8}])"));
   EXPECT_EQ(words(tile(5)["properties"]),
             "shape string \"slope\"\nshape_heights string \"1.00390625 20\"\nshape_one_way bool true\n");
+  EXPECT_EQ(words(tile(5)["objectgroup"]["objects"][0]["properties"]), "one_way bool true\n");
+  EXPECT_FALSE(tile(4)["objectgroup"]["objects"][0].contains("properties"));
 }
 
 TEST(ExportTmj, BodiesAreObjects) {

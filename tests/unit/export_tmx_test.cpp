@@ -10,7 +10,7 @@ Level small_level() {
   level.map = TileMap(2, 2);
   level.map.cells() = {0, 2, 1, 1};
   level.sheet(SheetId::tiles).flags[1] = 1;
-  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .heights = {0, 7.5}};
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .one_way = true, .heights = {0, 7.5}};
   level.spawns.push_back({.name = "<&\"\x01", .position = {0.5, 1}, .velocity = {1, 0}, .extra = ""});
   return level;
 }
@@ -23,7 +23,7 @@ std::string exported(const Level& level) {
 
 TEST(ExportTmx, HasTheTextThatTiledWants) {
   EXPECT_EQ(exported(small_level()), R"(<?xml version="1.0" encoding="UTF-8"?>
-<map version="1.10" orientation="orthogonal" renderorder="right-down" width="2" height="2" tilewidth="8" tileheight="8" infinite="0" nextlayerid="4" nextobjectid="2">
+<map version="1.10" orientation="orthogonal" renderorder="right-down" width="2" height="2" tilewidth="8" tileheight="8" infinite="0" backgroundcolor="#1a1c2c" nextlayerid="4" nextobjectid="2">
  <properties>
   <property name="talus_level" value="..." />
  </properties>
@@ -43,9 +43,13 @@ TEST(ExportTmx, HasTheTextThatTiledWants) {
    <properties>
     <property name="shape" value="slope" />
     <property name="shape_heights" value="0 7.5" />
+    <property name="shape_one_way" type="bool" value="true" />
    </properties>
    <objectgroup draworder="index">
     <object id="1" x="0" y="0">
+     <properties>
+      <property name="one_way" type="bool" value="true" />
+     </properties>
      <polygon points="0,8 8,0.5 8,8" />
     </object>
    </objectgroup>

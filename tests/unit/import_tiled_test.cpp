@@ -75,6 +75,11 @@ TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
       << "a corner on a line is none";
   EXPECT_EQ(shape_of(R"({"x":0,"y":5,"width":8,"height":3})", R"({"name":"shape_one_way","value":true})"),
             (TileShape{.kind = Kind::slope, .one_way = true, .heights = {3, 3}}));
+  const std::string one_way =
+      R"({"x":0,"y":5,"width":8,"height":3,"properties":[{"name":"one_way","type":"bool","value":true}]})";
+  EXPECT_EQ(shape_of(one_way), (TileShape{.kind = Kind::slope, .one_way = true, .heights = {3, 3}}));
+  EXPECT_EQ(shape_of(one_way, R"({"name":"shape_one_way","value":false})"),
+            (TileShape{.kind = Kind::slope, .heights = {3, 3}}));
 }
 
 TEST(ImportTiled, WhatIsNoOutlineOfATileIsTold) {
