@@ -1,7 +1,8 @@
 // TIC-80 cartridges whose code plays the level.
 #include <algorithm>
 
-#include "../formats/cart_content.h"
+#include "../formats/tic_cart.h"
+#include "../formats/tic_text.h"
 #include "cart_files.h"
 #include "export_targets.h"
 #include "lua_level.h"
@@ -19,13 +20,15 @@ TileMap on_cart_map(const TileMap& map) {
   return whole;
 }
 
-FormatResult<Level> playable_cart(const ExportRequest& request) {
+// A level as a cart with the game's code, and what of the level's own cart that has no place for.
+struct PlayableCart {
+  Level level;
+  std::size_t code_bytes = 0;
+  std::vector<std::string> dropped;
+};
+
+FormatResult<std::string> game_code(const ExportRequest& request) {
   const Level& level = request.level;
-  if (!map_fits_cart(level)) {
-    return tl::unexpected(FormatError{"", "the map has " + std::to_string(level.map.width()) + "x" +
-                                              std::to_string(level.map.height()) +
-                                              " cells, and a cart has 240x136: change its size first"});
-  }
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::small, true);
   if (!runtime) return tl::unexpected(runtime.error());
   std::vector<std::string> game;
@@ -36,14 +39,44 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
     const bool is_module = name != "tic80/main";
     game.push_back(is_module ? name + "=(function()\n" + *text + "end)()\n" : *text);
   }
-  CartOrigin cart{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = ""};
   // What is joined begins with code, so that no comment of it is kept: a cart is short of bytes.
-  cart.bytes =
-      "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
-      "drags, B starts again\n-- script: lua\n" +
-      join_lua({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
-      lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
-  Level playable = level;
+  return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
+         "drags, B starts again\n-- script: lua\n" +
+         join_lua({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
+         lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
+}
+
+// The level's own cart, such as its sounds and music; without one, an empty cart.
+FormatResult<CartContent> own_cart(const Level& level) {
+  if (!level.cart) return CartContent();
+  const CartOrigin& cart = *level.cart;
+  return cart.kind == CartOrigin::Kind::tic ? tic_content(cart.bytes)
+                                            : text_content(cart.bytes, cart.comment);
+}
+
+FormatResult<PlayableCart> playable_cart(const ExportRequest& request) {
+  const Level& level = request.level;
+  if (!map_fits_cart(level)) {
+    return tl::unexpected(FormatError{"", "the map has " + std::to_string(level.map.width()) + "x" +
+                                              std::to_string(level.map.height()) +
+                                              " cells, and a cart has 240x136: change its size first"});
+  }
+  FormatResult<std::string> code = game_code(request);
+  if (!code) return tl::unexpected(code.error());
+  if (code->size() > kCodeLimit) {
+    return tl::unexpected(FormatError{"", "the game's code has " + std::to_string(code->size()) +
+                                              " bytes, and TIC-80 has room for 524287"});
+  }
+  FormatResult<CartContent> cart = own_cart(level);
+  if (!cart) return tl::unexpected(cart.error());
+  PlayableCart made{level, code->size(), {}};
+  if (!cart->code.empty())
+    made.dropped.push_back("the cart's own code, " + std::to_string(cart->code.size()) +
+                           " bytes: the game's is in its place");
+  made.dropped.insert(made.dropped.end(), cart->rest.begin(), cart->rest.end());
+  cart->code = *std::move(code);
+  cart->lang = 0;
+  Level& playable = made.level;
   playable.map = on_cart_map(level.map);  // the code has the level's size
   playable.spawns.clear();
   playable.curves.clear();
@@ -51,17 +84,19 @@ FormatResult<Level> playable_cart(const ExportRequest& request) {
   playable.flag_shapes = {};
   playable.roles = {};
   playable.tuning = {};
-  playable.cart = std::make_shared<const CartOrigin>(std::move(cart));
-  return playable;
+  playable.cart = std::make_shared<const CartOrigin>(
+      CartOrigin{.kind = CartOrigin::Kind::tic, .comment = "", .bytes = tic_bytes(*cart)});
+  return made;
 }
 
 FormatResult<Exported> export_playable(const ExportRequest& request,
                                        FormatResult<Exported> (*write)(const ExportRequest&, const Level&)) {
-  const FormatResult<Level> cart = playable_cart(request);
+  FormatResult<PlayableCart> cart = playable_cart(request);
   if (!cart) return tl::unexpected(cart.error());
-  FormatResult<Exported> written = write(request, *cart);
+  FormatResult<Exported> written = write(request, cart->level);
   if (!written) return written;
-  written->code_bytes = cart->cart->bytes.size();  // a text without sections: code alone
+  written->code_bytes = cart->code_bytes;
+  for (std::string& what : cart->dropped) written->dropped.push_back(std::move(what));
   for (std::string& what : dropped_solver(request.level)) written->dropped.push_back(std::move(what));
   return written;
 }

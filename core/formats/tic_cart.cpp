@@ -124,25 +124,6 @@ void add_code(std::vector<TicChunk>& chunks, std::string_view code) {
   }
 }
 
-std::string render_tic(const CartContent& cart) {
-  std::vector<TicChunk> chunks;
-  for (int bank = 0; bank < kBankCount; ++bank) {
-    const Bank& content = cart.banks[bank];
-    const bool defaults = is_default(content);
-    if (defaults) chunks.push_back({.type = kTicDefault, .bank = bank});
-    for (const SectionInfo& info : section_infos()) {
-      const std::string& data = at(content, info.id);
-      const bool in_default = defaults && (info.id == Section::palette || info.id == Section::waves);
-      if (!data.empty() && !in_default) chunks.push_back({.type = info.chunk, .bank = bank, .data = data});
-    }
-  }
-  std::stable_sort(chunks.begin(), chunks.end(), [](const TicChunk& a, const TicChunk& b) {
-    return canonical_rank(a.type, a.bank) < canonical_rank(b.type, b.bank);
-  });
-  add_code(chunks, cart.code);
-  return join(chunks);
-}
-
 // The bytes of a cartridge with the level in it; adds to `dropped` what only a text project held.
 FormatResult<std::string> tic_of(const Level& level, std::vector<std::string>& dropped) {
   if (level.cart && level.cart->kind == CartOrigin::Kind::tic) return edited_tic(level.cart->bytes, level);
@@ -155,7 +136,7 @@ FormatResult<std::string> tic_of(const Level& level, std::vector<std::string>& d
   dropped.insert(dropped.end(), cart->rest.begin(), cart->rest.end());
   if (cart->lang != 0) dropped.emplace_back("the LANG section (TIC-80 never writes it to a cartridge)");
   cart->banks[0] = edited_bank(level, cart->banks[0]);
-  return render_tic(*cart);
+  return tic_bytes(*cart);
 }
 
 }  // namespace
@@ -234,6 +215,25 @@ FormatResult<CartContent> tic_content(std::string_view bytes) {
   set_code(cart, packed ? std::move(unpacked) : join_code(*chunks));
   list_rest(*chunks, cart);
   return cart;
+}
+
+std::string tic_bytes(const CartContent& cart) {
+  std::vector<TicChunk> chunks;
+  for (int bank = 0; bank < kBankCount; ++bank) {
+    const Bank& content = cart.banks[bank];
+    const bool defaults = is_default(content);
+    if (defaults) chunks.push_back({.type = kTicDefault, .bank = bank});
+    for (const SectionInfo& info : section_infos()) {
+      const std::string& data = at(content, info.id);
+      const bool in_default = defaults && (info.id == Section::palette || info.id == Section::waves);
+      if (!data.empty() && !in_default) chunks.push_back({.type = info.chunk, .bank = bank, .data = data});
+    }
+  }
+  std::stable_sort(chunks.begin(), chunks.end(), [](const TicChunk& a, const TicChunk& b) {
+    return canonical_rank(a.type, a.bank) < canonical_rank(b.type, b.bank);
+  });
+  add_code(chunks, cart.code);
+  return join(chunks);
 }
 
 FormatResult<std::string> edited_tic(std::string_view bytes, const Level& level) {

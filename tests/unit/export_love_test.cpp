@@ -3,6 +3,8 @@
 
 #include "export/exporter.h"
 #include "formats/atomic_file.h"
+#include "formats/tic_cart.h"
+#include "formats/tic_text.h"
 
 namespace talus::export_love_test {
 
@@ -46,7 +48,49 @@ TEST(ExportLove, WritesAFolderThatNeedsNothingElse) {
   std::vector<std::string> names;
   for (const ExportedFile& file : exported(Level(), "love").files) names.push_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"talus.lua", "level.lua", "sheet.png", "main.lua", "conf.lua",
-                                             "camera.lua", "curve_points.lua"}));
+                                             "camera.lua", "curve_points.lua", "pictures.lua"}));
+}
+
+// Of a cart with sounds, music, a second bank, a binary and code of its own.
+std::string cart_with_everything() {
+  std::string bytes;
+  const auto add = [&](int type, int bank, std::string_view data) {
+    append_tic_chunk(bytes, {.type = type, .bank = bank, .data = data});
+  };
+  add(17, 0, "");
+  add(1, 0, "\x11");
+  add(9, 0, "sound");
+  add(14, 0, "tracks");
+  add(15, 0, "patterns");
+  add(4, 1, "\x05");
+  add(kTicBinary, 0, "wasm");
+  add(kTicCode, 0, "function TIC() end");
+  return bytes;
+}
+
+TEST(ExportLove, ACartKeepsItsSoundAndSaysWhatMakesRoomForTheGame) {
+  for (const bool is_text : {false, true}) {
+    Level level = read_level(cart_with_everything(), {"tic"})->level;
+    if (is_text) level = read_level(exported(level, "tic-text").files[0].bytes, {"lua"})->level;
+    for (const char* id : {"tic-playable", "tic-text-playable"}) {
+      const Exported game = exported(level, id);
+      std::vector<std::string> said = {"the cart's own code, 18 bytes: the game's is in its place"};
+      if (!is_text) said.push_back("the BINARY chunk of bank 0");
+      EXPECT_EQ(game.dropped, said) << id;
+      const auto cart = read_level(game.files[0].bytes, {id == std::string("tic-playable") ? "tic" : "lua"});
+      ASSERT_TRUE(cart) << id;
+      const CartOrigin& origin = *cart->level.cart;
+      const auto content = origin.kind == CartOrigin::Kind::tic ? tic_content(origin.bytes)
+                                                                : text_content(origin.bytes, origin.comment);
+      EXPECT_EQ(at(content->banks[0], Section::sfx), "sound") << id;
+      EXPECT_EQ(at(content->banks[0], Section::tracks), "tracks") << id;
+      EXPECT_EQ(at(content->banks[0], Section::patterns), "patterns") << id;
+      EXPECT_EQ(at(content->banks[0], Section::waves), default_wave_bytes().substr(0, 48)) << id;
+      EXPECT_EQ(at(content->banks[1], Section::map), "\x05") << id;
+      EXPECT_NE(content->code.find("talus=(function()"), std::string::npos) << id;
+      EXPECT_EQ(game.code_bytes, content->code.size()) << id;
+    }
+  }
 }
 
 // What draws curves is of no use to a cart without them, and a cart is short of bytes.
