@@ -152,7 +152,7 @@ class TiledTextWriter {
     text_.put("tilewidth", kTileSize);
     text_.put("tileheight", kTileSize);
     if (!text_.is_lua()) text_.put("infinite", false);
-    if (!text_.is_lua() && !map.background.empty()) text_.put("backgroundcolor", map.background);
+    if (!map.background.empty()) background(map.background);
     properties(map.properties);
     text_.open("tilesets", true);
     for (const TiledTileset& set : map.tilesets) tileset(set);
@@ -183,6 +183,14 @@ class TiledTextWriter {
       }
       text_.close();
     }
+  }
+
+  // color: as tiled_color. Tiled's Lua has three numbers.
+  void background(const std::string& color) {
+    if (!text_.is_lua()) return text_.put("backgroundcolor", color);
+    text_.open("backgroundcolor", true, true);
+    for (const std::size_t digits : {1, 3, 5}) text_.put("", std::stoi(color.substr(digits, 2), nullptr, 16));
+    text_.close();
   }
 
   void tileset(const TiledTileset& set) {

@@ -48,6 +48,7 @@ TEST(ExportSti, HasTheTablesThatStiReads) {
   EXPECT_TRUE(lua.starts_with("return {\n luaversion = \"5.1\",\n version = \"1.10\",\n"))
       << lua.substr(0, 100);
   EXPECT_THAT(lua, HasSubstr("tileoffset = {x = 0, y = 0},\n   properties = {},"));
+  EXPECT_THAT(lua, HasSubstr("backgroundcolor = {26, 28, 44}"));
   EXPECT_THAT(lua, HasSubstr("objectGroup = {"));
   EXPECT_THAT(lua, HasSubstr("encoding = \"lua\","));
   EXPECT_THAT(lua, HasSubstr("offsetx = 0,"));
