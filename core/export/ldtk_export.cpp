@@ -4,8 +4,8 @@
 // its exact numbers as fields; "Collision", an IntGrid: 0 is empty, 1 a full tile, 2 a full one-way tile, and
 // each other shape of the level has a value of its own for each cell that it is in, whose identifier says
 // what it is (ldtk_shapes.h); "Tiles". Shapes cannot be drawn in LDtk, so the tileset's custom data hold for
-// each tile with flags or a shape one JSON object as text: flags, ball, and the shape as plain_text.h has it.
-// Curves have no place.
+// each tile with flags or a shape one JSON object as text: flags, ball, and the shape as docs/export-data.md
+// has it. Curves have no place.
 //
 // All keys that LDtk's schema requires are there, though its loader does without many: other programs do not.
 #include <algorithm>

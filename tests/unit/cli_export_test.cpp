@@ -41,7 +41,7 @@ TEST_F(CliExport, OneFileGoesToStandardOutput) {
 
 TEST_F(CliExport, TablesAreAFolder) {
   ASSERT_EQ(run({"csv", "-o", path("tables")}), 0) << answer_.err;
-  for (const char* name : {"map.csv", "flags.csv", "polygons.csv", "lines.csv", "spawns.csv"})
+  for (const char* name : {"map.csv", "flags.csv", "polygons.csv", "lines.csv", "bodies.csv"})
     EXPECT_TRUE(exists(std::string("tables/") + name)) << name;
   EXPECT_EQ(run({"csv", "-o", "-"}), 1);
   EXPECT_NE(answer_.err.find("is a folder: name one"), std::string::npos) << answer_.err;
