@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "../formats/atomic_file.h"
+#include "../formats/companion.h"
 
 namespace talus {
 namespace {
@@ -82,6 +83,10 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
   const auto paths = output.empty() ? std::vector<std::string>(plan.content.files.size())
                                     : paths_of(*exporter, plan.content, output);
   for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (const std::string problem =
+            plan.content.files[i].name.empty() ? companion_place_problem(paths[i]) : "";
+        !problem.empty())
+      return problem_at(Field::path, fs::path(paths[i]).filename().string() + " " + problem);
     if (const std::string problem = paths[i].empty() ? "" : place_problem(paths[i]); !problem.empty())
       return problem_at(Field::path, problem);
     plan.files.push_back(plan_file(paths[i], plan.content.files[i]));

@@ -29,6 +29,9 @@ std::string companion_path(const std::string& file);
 // The file that a companion of this name belongs to, "a/game.tic" for "a/game.tic.talus.json"; empty: by its
 // name it is none.
 std::string owner_of_companion(const std::string& path);
+// One sentence without its full stop on why nothing else may be written there; empty: by its name it is not
+// the place of a companion of a file that is there.
+std::string companion_place_problem(const std::string& path);
 // Whether the text is a companion, be it a faulty one: JSON with the member "companion".
 bool is_companion(std::string_view bytes);
 

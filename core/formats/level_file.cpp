@@ -161,6 +161,14 @@ std::string companion_path(const std::string& file) {
   return (error ? file : target.string()) + std::string(kCompanionEnding);
 }
 
+std::string companion_place_problem(const std::string& path) {
+  const std::string owner = owner_of_companion(path);
+  const Format* format = owner.empty() ? nullptr : format_for_file(owner);
+  std::error_code error;
+  if (format == nullptr || format->holds.empty() || !fs::exists(owner, error)) return "";
+  return "is the place of what " + last_name(owner) + " beside it cannot hold: give another name";
+}
+
 std::string level_path(const std::string& path) {
   const std::string owner = owner_of_companion(path);
   std::error_code error;
@@ -191,6 +199,8 @@ FormatResult<SavedLevel> save_level(const Level& level, const Format& format, co
   auto written = format.write(level, context_for_file(path));
   if (!written) return tl::unexpected(written.error());
   if (!format.holds.empty()) return save_pair(level, format, path, *written, known);
+  if (std::string problem = companion_place_problem(path); !problem.empty())
+    return tl::unexpected(FormatError{"", std::move(problem)});
   if (const auto saved = write_file_atomic(path, written->bytes); !saved)
     return tl::unexpected(saved.error());
   return SavedLevel{std::move(written->dropped)};

@@ -111,6 +111,19 @@ TEST_F(CliCompanions, AnOldOneDoesNotAddToANewExport) {
   EXPECT_EQ(bytes_of("out.tic.talus.json"), "mine");
 }
 
+TEST_F(CliCompanions, AreNotWrittenOver) {
+  const std::string before = bytes_of("game.tic.talus.json");
+  for (const auto& [command, options] :
+       {std::pair<std::string, std::vector<std::string>>{"import", {}}, {"export", {"--to", "native"}}}) {
+    std::vector<std::string> words = options;
+    words.insert(words.end(), {"-o", path("game.tic.talus.json")});
+    const CliAnswer answer = run(command, "game.tic", words);
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_THAT(answer.err, HasSubstr("is the place of what game.tic beside it cannot hold"));
+  }
+  EXPECT_EQ(bytes_of("game.tic.talus.json"), before);
+}
+
 TEST_F(CliCompanions, PicturesAreTakenIntoTheCartAlone) {
   const std::string companion = bytes_of("game.tic.talus.json"), cart = path("game.tic");
   put("in.png", rgb_png(8, std::vector<Rgb>(64, default_palette()[5])));

@@ -228,6 +228,16 @@ TEST_F(Companions, OpenTheirCart) {
             "is no level of its own, but what Talus added to a cart: put it beside that, and open the cart");
 }
 
+TEST_F(Companions, KeepTheirPlaceBesideACart) {
+  save(rich_level(), "game.tic");
+  const std::string before = bytes_of("game.tic.talus.json");
+  const auto saved = save_level(Level(), *find_format("native"), path("game.tic.talus.json"));
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().message, "is the place of what game.tic beside it cannot hold: give another name");
+  EXPECT_EQ(bytes_of("game.tic.talus.json"), before);
+  save(Level(), "other.tic.talus.json");  // beside nothing
+}
+
 TEST_F(Companions, AreFoundThroughALink) {
   save(rich_level(), "game.tic");
   fs::create_directory(path("links"));
