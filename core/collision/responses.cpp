@@ -101,7 +101,10 @@ class World::Checker {
       } else if (hit.response == Response::cross) {
         more = append_first(start_.position(), goal);
       } else {
-        goal = redirect(hit, goal, hit.move.x != 0 || hit.move.y != 0);
+        const bool moves = hit.move != Vec2{};
+        // Of no motion nothing is left to be turned round: the mover is put out of what it is in.
+        if (!moves && hit.response == Response::bounce) goal = hit.touch;
+        goal = redirect(hit, goal, moves);
         more = append_first(hit.touch, goal);
       }
     }

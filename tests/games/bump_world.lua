@@ -243,7 +243,9 @@ function responses.slide(world, hit, x, y, w, h, goal_x, goal_y, filter)
 end
 function responses.bounce(world, hit, x, y, w, h, goal_x, goal_y, filter)
   goal_x, goal_y = goal_x or x, goal_y or y
-  if hit.move.x ~= 0 or hit.move.y ~= 0 then
+  if hit.move.x == 0 and hit.move.y == 0 then
+    goal_x, goal_y = hit.touch.x, hit.touch.y
+  else
     local rest_x, rest_y = goal_x - hit.touch.x, goal_y - hit.touch.y
     if hit.normal.x == 0 then rest_y = -rest_y else rest_x = -rest_x end
     goal_x, goal_y = hit.touch.x + rest_x, hit.touch.y + rest_y

@@ -62,9 +62,9 @@ TEST_P(ReplayGolden, AnswersEqualTheReferenceBitByBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, ReplayGolden,
-                         testing::Values("churn-1", "churn-2", "dense-1", "dense-2", "errors-1", "errors-2",
-                                         "overlap-1", "overlap-2", "queries-1", "queries-2", "sparse-1",
-                                         "sparse-2", "tiles-1", "tiles-2"),
+                         testing::Values("bounce-1", "bounce-2", "churn-1", "churn-2", "dense-1", "dense-2",
+                                         "errors-1", "errors-2", "overlap-1", "overlap-2", "queries-1",
+                                         "queries-2", "sparse-1", "sparse-2", "tiles-1", "tiles-2"),
                          [](const auto& param) {
                            std::string name = param.param;
                            std::replace(name.begin(), name.end(), '-', '_');
