@@ -3,7 +3,7 @@
 --
 --   local bump, slopes, level = require "bump", require "bump_slopes", require "level"
 --   local world = bump.newWorld(level.tuning.cell_size)
---   slopes.install(world)                    -- adds the response "slope"
+--   slopes.install(world)                    -- adds the response "slope"; before any item
 --   slopes.add_level(world, level)           -- adds the ground of an exported level
 --
 --   local hits, count                        -- each step of a body that is in the world: one move()
@@ -180,8 +180,36 @@ function slopes.response(world, hit, x, y, w, h, goal_x, goal_y, filter)
   return goal_x, goal_y, world:project(hit.item, hit.touch.x, hit.touch.y, w, h, goal_x, goal_y, filter)
 end
 
--- Adds the response "slope" to a world.
-function slopes.install(world) world:addResponse("slope", slopes.response) end
+-- As bump measures it: squared, between the centres.
+local function distance(a, b)
+  local dx, dy = a.x - b.x + (a.w - b.w) / 2, a.y - b.y + (a.h - b.h) / 2
+  return dx * dx + dy * dy
+end
+
+-- Adds the response "slope" to a world, and an order to contacts at the same time and distance: the item that was
+-- added first comes first, as in Talus. bump leaves that to chance, which may differ from run to run. What was in the
+-- world before comes before all others.
+function slopes.install(world)
+  world:addResponse("slope", slopes.response)
+  local ages, last = setmetatable({}, {__mode = "k"}), 0
+  local add, project = world.add, world.project
+  function world:add(item, ...)
+    local added = add(self, item, ...)
+    last = last + 1
+    ages[item] = last
+    return added
+  end
+  function world:project(...)
+    local hits, count = project(self, ...)
+    table.sort(hits, function(a, b)
+      if a.ti ~= b.ti then return a.ti < b.ti end
+      local from_a, from_b = distance(a.itemRect, a.otherRect), distance(b.itemRect, b.otherRect)
+      if from_a ~= from_b then return from_a < from_b end
+      return (ages[a.other] or 0) < (ages[b.other] or 0)
+    end)
+    return hits, count
+  end
+end
 
 -- A filter for world:move() and world:check(): slopes are slopes, and all else is slid along. Yours can ask it:
 --   function(item, other) if other.is_coin then return "cross" end return slopes.filter(item, other) end
@@ -310,7 +338,7 @@ function slopes.add_level(world, level, options)
       local tile = tile_at(x, y)
       local shape = level.shapes[tile]
       if shape and not (options.merge and is_full(x, y)) then
-        local is_ceiling = shape.side == "ceiling"
+        local is_ceiling = shape.side == "ceiling" and shape.kind ~= "solid"
         slopes.add_ground(world, x * TILE, (is_ceiling and y or y + 1) * TILE, (shape.tiles or 1) * TILE,
                           shape.heights or {TILE, TILE}, {ceiling = is_ceiling, one_way = shape.one_way})
       elseif level.balls[tile] and options.on_ball then

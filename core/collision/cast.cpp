@@ -4,7 +4,6 @@
 #include "cast.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "cast_cells.h"
@@ -28,7 +27,9 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
 template <class Real, unsigned Parts, class Log = NoLog>
 class Caster {
  public:
-  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored, Log log = {})
+  // budget: null: none.
+  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
+         CastBudget* budget = nullptr, Log log = {})
       : terrain_(terrain),
         ignored_(ignored),
         box_(cast.box),
@@ -38,6 +39,7 @@ class Caster {
         inverse_(dx_ == 0 ? 0 : 1 / dx_),
         speed_(std::abs(dx_) + std::abs(dy_)),
         slack_(rounding_slack(cast)),
+        budget_(budget),
         log_(log) {}
 
   void against(const BasicRect<Real>& other, std::int32_t number) {
@@ -64,8 +66,12 @@ class Caster {
       const Real end = from + (to - from) * (Real(i + 1) / Real(slices));
       slice(from + (to - from) * (Real(i) / Real(slices)), end);
       if (best_.t <= end) return;
+      ++work_;
+      if (budget_ != nullptr && work_ > budget_->left && i + 1 < slices) return give_up(end);
     }
   }
+
+  std::int64_t work() const { return work_; }
 
   Contact<Real> contact() const {
     Contact<Real> c;
@@ -163,13 +169,21 @@ class Caster {
     return rest_on(piece, terrain_.stretches(), {x, 0, box_.w, box_.h}, foot_);
   }
 
+  // What was found is beyond what was looked at.
+  void give_up(Real end) {
+    best_ = {};
+    budget_->seen = static_cast<double>(end);
+  }
+
   // ---- Which cells ----
 
-  // The cell at a coordinate within the limits of an int; 0 for what is before the first one.
-  static int cell_at(Real at) { return static_cast<int>(std::max<Real>(at, 0) * (Real(1) / kTileSide)); }
+  // The cell at a coordinate; 0 for what is before the first one, `count` for what is beyond the last one.
+  static int cell_at(Real at, int count) {
+    return static_cast<int>(std::min<Real>(std::max<Real>(at, 0) * (Real(1) / kTileSide), Real(count)));
+  }
   // Left to themselves compilers call it, four times a cast: a twentieth of a step.
   [[gnu::always_inline]] static CellSpan span_between(Real first, Real last, int count) {
-    return {cell_at(first), std::min(cell_at(last), count - 1)};
+    return {cell_at(first, count), std::min(cell_at(last, count), count - 1)};
   }
 
   // A box meets the ground with its leading sides alone, or with the centre of its bottom.
@@ -222,7 +236,9 @@ class Caster {
         std::uint64_t pieces = here.faced(floor);
         if constexpr (!kVertical) pieces |= here.faced(up ? Facing::down : Facing::up) | here.faced(side);
         for (pieces &= cells; pieces != 0; pieces &= pieces - 1) {
-          for (const Piece<Real>& piece : words.pieces(std::countr_zero(pieces), row)) {
+          const std::span<const Piece<Real>> in_cell = words.pieces(std::countr_zero(pieces), row);
+          work_ += static_cast<std::int64_t>(in_cell.size());
+          for (const Piece<Real>& piece : in_cell) {
             log_.begin({column + std::countr_zero(pieces), row}, piece);
             against_piece(piece);
           }
@@ -513,6 +529,8 @@ class Caster {
   const Real inverse_;
   const Real speed_;  // px in the motion, sideways and up or down
   const Real slack_;
+  CastBudget* const budget_;
+  std::int64_t work_ = 0;  // done so far
   [[no_unique_address]] Log log_;
   Hit best_;
   std::int32_t origin_ = 0;  // of what is tested
@@ -528,7 +546,8 @@ Cast<Real> middle_of(const Cast<Real>& cast) {
 template <unsigned Parts>
 CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
   CastTrace trace;
-  Caster<double, Parts, TraceLog> caster(terrain, cast, nullptr, TraceLog(terrain, trace));
+  CastBudget budget{TraceLog::kMost};
+  Caster<double, Parts, TraceLog> caster(terrain, cast, nullptr, &budget, TraceLog(terrain, trace));
   caster.against_terrain();
   trace.contact = caster.contact();
   return trace;
@@ -538,23 +557,29 @@ CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
 
 template <class Real, unsigned Parts>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
-                       std::span<const BasicRect<Real>> others, const Piece<Real>* ignored) {
-  assert(std::isfinite(cast.motion.x) && std::isfinite(cast.motion.y));
-  assert(std::isfinite(cast.box.x) && std::isfinite(cast.box.y) && cast.box.w >= 0 && cast.box.h >= 0);
-  Caster<Real, Parts> caster(terrain, cast, ignored);
+                       std::span<const BasicRect<Real>> others, const Piece<Real>* ignored,
+                       CastBudget* budget) {
+  if (!is_usable(cast)) return {};
+  if (budget != nullptr) budget->seen = 1;
+  Caster<Real, Parts> caster(terrain, cast, ignored, budget);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
   caster.against_terrain();
+  if (budget != nullptr) budget->left -= caster.work() + static_cast<std::int64_t>(others.size()) + 1;
   const Contact<Real> contact = caster.contact();
   if constexpr (Parts != kTiles) {
     if (cast.foot == Foot::box) return contact;
     // Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so
     // its middle.
     const Cast<Real> middle = middle_of(cast);
-    Contact<Real> hit = cast_box<Real, kSlopes>(terrain, middle, {}, ignored);
-    if (hit.t < contact.t) {
+    const double seen = budget != nullptr ? budget->seen : 1;
+    Contact<Real> hit = cast_box<Real, kSlopes>(terrain, middle, {}, ignored, budget);
+    if (budget != nullptr) budget->seen = std::min(budget->seen, seen);
+    const bool is_known = budget == nullptr || static_cast<double>(hit.t) <= budget->seen;
+    if (is_known && hit.t < contact.t) {
       hit.position.x = moved_x(cast.box, hit.position.x - middle.box.x);
       return hit;
     }
+    if (budget != nullptr && static_cast<double>(contact.t) > budget->seen) return {};
   }
   return contact;
 }
@@ -566,6 +591,7 @@ Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast) {
 }
 
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast) {
+  if (!is_usable(cast)) return {};
   CastTrace trace = traced<kAllParts>(terrain, cast);
   if (cast.foot == Foot::centre) add_trace(trace, traced<kSlopes>(terrain, middle_of(cast)));
   trace.contact = cast_box(terrain, cast);
@@ -584,11 +610,14 @@ Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stret
   template Real rest_on(const Piece<Real>&, std::span<const CurveStretch<Real>>, const BasicRect<Real>&, \
                         Foot);                                                                           \
   template Contact<Real> cast_box<Real, kTiles>(const BasicTerrain<Real>&, const Cast<Real>&,            \
-                                                std::span<const BasicRect<Real>>, const Piece<Real>*);   \
+                                                std::span<const BasicRect<Real>>, const Piece<Real>*,    \
+                                                CastBudget*);                                            \
   template Contact<Real> cast_box<Real, kSlopes>(const BasicTerrain<Real>&, const Cast<Real>&,           \
-                                                 std::span<const BasicRect<Real>>, const Piece<Real>*);  \
+                                                 std::span<const BasicRect<Real>>, const Piece<Real>*,   \
+                                                 CastBudget*);                                           \
   template Contact<Real> cast_box<Real, kAllParts>(const BasicTerrain<Real>&, const Cast<Real>&,         \
-                                                   std::span<const BasicRect<Real>>, const Piece<Real>*)
+                                                   std::span<const BasicRect<Real>>, const Piece<Real>*, \
+                                                   CastBudget*)
 TALUS_CAST(double);
 TALUS_CAST(float);
 #undef TALUS_CAST

@@ -32,10 +32,14 @@ struct Contact {
 // one than rounding_slack() goes through it, so a box that starts inside of the ground can leave.
 template <class Real>
 struct Cast {
-  BasicRect<Real> box;     // px; finite, its sizes 0 or more (asserted)
-  BasicVec2<Real> motion;  // px; finite (asserted)
+  BasicRect<Real> box;     // px
+  BasicVec2<Real> motion;  // px
   Foot foot = Foot::box;   // what of the box stands on floors: the whole bottom, or its centre alone
 };
+
+// What is no box or too far away meets nothing: see is_usable(). No terrain comes near these limits.
+inline constexpr double kMaxCastSize = 1 << 26;             // px, of a box in x and in y
+inline constexpr double kMaxCastReach = double(1LL << 40);  // px, sum of all coordinates and sizes
 
 // What a few roundings may have made of a number, of its size.
 template <class Real>
@@ -58,13 +62,33 @@ Real rounding_slack(const Cast<Real>& cast) {
   return reach * kRounding<Real>;
 }
 
+// Whether a box can be cast: its sizes are 0 to kMaxCastSize, and all numbers finite and within
+// kMaxCastReach.
+template <class Real>
+bool is_usable(const Cast<Real>& cast) {
+  const BasicRect<Real>& b = cast.box;
+  constexpr Real most = Real(kMaxCastSize);
+  return b.w >= 0 && b.w <= most && b.h >= 0 && b.h <= most &&
+         rounding_slack(cast) <= Real(kMaxCastReach) * kRounding<Real>;
+}
+
+// What a cast may look at, for callers that cannot wait for a long one: each slice of a long way counts 1,
+// each piece of the outline and each other box as well.
+struct CastBudget {
+  std::int64_t left = std::numeric_limits<std::int64_t>::max();
+  // Share of the last cast's motion that was looked at. Less than 1: the budget was used up there; nothing is
+  // met before, and what comes after is not known.
+  double seen = 1;
+};
+
 // The first contact. Between contacts at the same time the most opposing one counts, then the one more level;
 // two mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as
 // a floor or ceiling. `ignored`: a piece that stops nothing this time.
-// `others`: boxes that stop it as tiles do.
+// `others`: boxes that stop it as tiles do. None for a cast that is not usable. budget: null: none.
 template <class Real, unsigned Parts>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
-                       std::span<const BasicRect<Real>> others = {}, const Piece<Real>* ignored = nullptr);
+                       std::span<const BasicRect<Real>> others = {}, const Piece<Real>* ignored = nullptr,
+                       CastBudget* budget = nullptr);
 
 // The same for whatever the terrain has.
 Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast);

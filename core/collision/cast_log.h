@@ -34,12 +34,16 @@ inline std::size_t place_of(CastTrace& trace, const CastCandidate& candidate) {
 // Keeps a trace.
 class TraceLog {
  public:
+  static constexpr std::size_t kMost =
+      1024;  // cells, and candidates, that are kept: more, nobody would look at
+
   explicit TraceLog(const Terrain& terrain, CastTrace& trace) : terrain_(terrain), trace_(trace) {}
 
   void looks_at(int column, int row, std::uint64_t cells) {
     for (; cells != 0; cells &= cells - 1) {
       const Cell cell{column + std::countr_zero(cells), row};
       const auto& seen = trace_.cells;
+      if (seen.size() >= kMost) return;
       const bool is_new = std::find(seen.begin(), seen.end(), cell) == seen.end();
       if (is_new && terrain_.contains(cell)) trace_.cells.push_back(cell);
     }
@@ -55,20 +59,23 @@ class TraceLog {
     add({.cell = cell, .facing = facing, .from = {x, y}, .to = to});
   }
   void meets(double t) {
+    if (at_ >= trace_.candidates.size()) return;
     CastCandidate& tested = trace_.candidates[at_];
     tested.t = std::min(tested.t, t);
   }
   void is_first() {
     for (CastCandidate& candidate : trace_.candidates) candidate.is_first = false;
-    trace_.candidates[at_].is_first = true;
+    if (at_ < trace_.candidates.size()) trace_.candidates[at_].is_first = true;
   }
 
  private:
-  void add(const CastCandidate& candidate) { at_ = place_of(trace_, candidate); }
+  void add(const CastCandidate& candidate) {
+    at_ = trace_.candidates.size() < kMost ? place_of(trace_, candidate) : kMost;
+  }
 
   const Terrain& terrain_;
   CastTrace& trace_;
-  std::size_t at_ = 0;  // of the candidate that is tested
+  std::size_t at_ = 0;  // of the candidate that is tested; kMost: it is not kept
 };
 
 // Adds a second cast of the same body; the first contact is that of the cast which met something earlier.

@@ -22,7 +22,8 @@ struct CastTrace {
   Contact<double> contact;                // the same as cast_box() gives
 };
 
-// As cast_box(), for whatever the terrain has; slower.
+// As cast_box(), for whatever the terrain has; slower. Of a long way, or in a crowd of lines, only what comes
+// first is told of; the contact is right all the same.
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast);
 
 }  // namespace talus

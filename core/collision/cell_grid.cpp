@@ -18,7 +18,9 @@ void CellGrid::insert(CellEntry entry, const CellRange& range) {
     for (std::int32_t x = range.left; x <= range.right; ++x) {
       const std::uint32_t first =
           (x == range.left ? CellEntry::kFirstColumn : 0) | (y == range.top ? CellEntry::kFirstRow : 0);
-      list(x, y).push_back({entry.index, entry.bits | first});
+      List& entries = list(x, y);
+      entries.push_back({entry.index, entry.bits | first});
+      longest_ = std::max(longest_, entries.size());
     }
   }
 }

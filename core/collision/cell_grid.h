@@ -66,6 +66,8 @@ class CellGrid {
   void remove(ItemId item, const CellRange& range);
 
   std::size_t cell_count() const noexcept { return used_; }
+  // No list was ever longer.
+  std::size_t longest_list() const noexcept { return longest_; }
   void drop_empty_cells();
 
  private:
@@ -91,6 +93,7 @@ class CellGrid {
 
   std::vector<Slot> slots_;  // a power of two, at most half full
   std::size_t used_ = 0;
+  std::size_t longest_ = 0;
 };
 
 }  // namespace talus

@@ -33,6 +33,14 @@ Real slack_of(const BasicRect<Real>& box) {
   return rounding_slack<Real>({box, {}, Foot::box});
 }
 
+template <class Real>
+bool is_box(const BasicRect<Real>& box) {
+  return is_usable<Real>({box, {}, Foot::box});
+}
+
+// How far to look: nothing of a terrain is further.
+double within_reach(double reach) { return std::min(reach, kMaxCastReach / 2); }
+
 // skip_detailed: tiles that slopes lead to do not count.
 template <class Real>
 bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
@@ -119,13 +127,15 @@ void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
 }  // namespace
 
 std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach, Foot foot) {
-  const auto contact = cast_box(ground, {box, {0, reach}, foot});
+  if (!(reach >= 0)) return std::nullopt;
+  const auto contact = cast_box(ground, {box, {0, within_reach(reach)}, foot});
   if (!contact || overlaps_ground(ground, box, foot)) return std::nullopt;
   return Surface{contact.position.y + box.h, contact.normal, contact.origin};
 }
 
 std::optional<Surface> ceiling_above(const Terrain& ground, const Rect& box, double reach) {
-  const auto contact = cast_box(ground, {box, {0, -reach}, Foot::box});
+  if (!(reach >= 0)) return std::nullopt;
+  const auto contact = cast_box(ground, {box, {0, -within_reach(reach)}, Foot::box});
   if (!contact || overlaps_ground(ground, box)) return std::nullopt;
   return Surface{contact.position.y, contact.normal, contact.origin};
 }
@@ -138,6 +148,7 @@ std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Ve
 
 template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot) {
+  if (!is_box(box)) return false;
   const Real slack = slack_of(box);
   const bool centre = foot == Foot::centre;
   if (overlaps_tile(ground, box, slack, centre)) return true;

@@ -1,4 +1,6 @@
-// What games and overlays ask of the ground.
+// What games and overlays ask of the ground. Every number is answered: a box that cannot be cast (a
+// coordinate that is no number or infinite, a size that is negative or over kMaxCastSize, numbers beyond
+// kMaxCastReach) is nowhere, meets nothing and overlaps nothing.
 #pragma once
 
 #include <optional>
@@ -14,12 +16,14 @@ struct Surface {
   std::int32_t origin = 0;  // as Piece::origin
 };
 
-// reach: px, how far to look, >= 0. None: there is nothing within it, or the box is inside of the ground.
+// reach: px, how far to look, may be infinite; negative or no number: not at all. None: there is nothing
+// within it, or the box is inside of the ground.
 std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach,
                                    Foot foot = Foot::box);
 std::optional<Surface> ceiling_above(const Terrain& ground, const Rect& box, double reach);
 
-// Where a straight line first meets the outline from outside; none: nowhere.
+// Where a straight line first meets the outline from outside; none: nowhere, or an end is beyond
+// kMaxCastReach.
 std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Vec2 to);
 
 // Whether a box overlaps the ground by more than rounding: full tiles, and what is under the lines of slopes.

@@ -11,6 +11,8 @@ namespace {
 // A bounce between near walls, or a response of the user's, may go on for ever; after this many legs the
 // mover stays where its last contact put it, and the contacts tell.
 constexpr std::size_t kMaxLegs = 64;
+// Legs of a check that are charged with what is unusual alone.
+constexpr std::size_t kFreeLegs = 16;
 
 // Whether the goal lies on the free side of the surface, as it may after leaving an overlap.
 bool leads_away(const Collision& hit, Vec2 goal) {
@@ -58,6 +60,7 @@ class World::Checker {
         near_(impl_.nears),
         first_visit_(impl_.visits.size()) {
     ++impl_.depth;
+    impl_.gave_up = false;
     hits_.clear();
   }
   ~Checker() {
@@ -87,28 +90,38 @@ class World::Checker {
 
   // bump's loop: the first contact alone counts, and each item once.
   Vec2 faithful(Vec2 goal) {
-    bool more = append_first(start_.position(), goal);
+    bool more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
     while (more) {
       Collision& hit = hits_.back();
       mark(hit.other);
       if (is_user(hit.response)) {
         ScratchPool<Collision>::Lease next(impl_.collisions);
         goal = respond(hit, goal, *next);
-        more = !next->empty();
+        more = !next->empty() && may_look(hit.touch, goal);
         if (more) append(next->front());
       } else if (hit.response == Response::touch) {
         return hit.touch;
       } else if (hit.response == Response::cross) {
-        more = append_first(start_.position(), goal);
+        more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
       } else {
         const bool moves = hit.move != Vec2{};
         // Of no motion nothing is left to be turned round: the mover is put out of what it is in.
         if (!moves && hit.response == Response::bounce) goal = hit.touch;
         goal = redirect(hit, goal, moves);
-        more = append_first(hit.touch, goal);
+        more = may_look(hit.touch, goal) && append_first(hit.touch, goal);
       }
     }
-    return goal;
+    if (!impl_.gave_up) return goal;
+    hits_.clear();
+    return start_.position();
+  }
+
+  // Whether a leg may look for contacts; false: the check gives up.
+  bool may_look(Vec2 from, Vec2 goal) {
+    const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
+    tests_ += impl_.charge_of(impl_.cells_of(swept_bounds(sweep)), hits_.size() >= kFreeLegs);
+    if (tests_ > impl_.most_tests) impl_.gave_up = true;
+    return !impl_.gave_up;
   }
 
   // Leg by leg from contact to contact. A crossed item is reported and bends nothing; a solid one ends the
@@ -271,6 +284,7 @@ class World::Checker {
   Rect near_area_;
   CellRange near_cells_;
   std::size_t first_visit_;
+  std::int64_t tests_ = 0;       // charged so far
   std::uint64_t seen_bits_ = 0;  // a bit for each met item, by its index modulo
                                  // 64: spares most looks at the item
 };

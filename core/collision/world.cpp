@@ -9,8 +9,6 @@
 namespace talus {
 namespace {
 
-// The largest number of cells that one item may cover; each costs memory.
-constexpr std::int64_t kMaxCellsOfItem = std::int64_t{1} << 22;
 // Steps after which a segment's way through the grid is replaced by the block of cells around it.
 constexpr std::int64_t kMaxSegmentSteps = std::int64_t{1} << 20;
 
@@ -99,14 +97,18 @@ void World::Impl::place(std::uint32_t slot, const Rect& rect) {
   assert(depth == 0 && "a filter or response must not change the world");
   if (rects[slot] == rect) return;
   const CellRange cells = cells_of(rect);
-  if (cells.count() > kMaxCellsOfItem) {
-    throw WorldError("The item covers more than " + std::to_string(kMaxCellsOfItem) + " cells of the grid.");
-  }
   Item& item = items[slot];
+  const std::int64_t covered_then = covered - item.cells.count() + cells.count();
+  const std::int64_t most = kMaxCells + kMaxCellsOfItem * static_cast<std::int64_t>(items.size());
+  if (covered_then > most && cells.count() > item.cells.count()) {
+    throw WorldError("The items cover more than " + std::to_string(most) +
+                     " cells of the grid: its cells are too small for them.");
+  }
   if (!(cells == item.cells)) {
     grid.remove(id_of(slot), item.cells);
     grid.insert(CellEntry::of(id_of(slot), item.group), cells);
     item.cells = cells;
+    covered = covered_then;
   }
   rects[slot] = rect;
 }
@@ -166,6 +168,7 @@ void World::remove(ItemId id) {
   Impl::Item& item = w.items[slot];
   w.free_slots.push_back(slot);
   w.grid.remove(id, item.cells);
+  w.covered -= item.cells.count();
   const std::uint32_t generation = item.generation == kMaxGeneration ? 1 : item.generation + 1;
   item = {};
   item.generation = generation;
@@ -332,6 +335,9 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
   });
   for (const Impl::WeightedHit& hit : *found) out.push_back(hit.hit);
 }
+
+void World::set_most_tests(std::int64_t count) { impl_->most_tests = std::max<std::int64_t>(count, 1); }
+bool World::gave_up() const noexcept { return impl_->gave_up; }
 
 bool World::has(ItemId item) const noexcept { return impl_->has(item); }
 Rect World::rect(ItemId item) const { return impl_->rects[impl_->checked_slot(item)]; }

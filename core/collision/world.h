@@ -102,9 +102,10 @@ class World {
   };
 
   // Where bump would hang or run out of memory, WorldError is thrown and nothing changes: for a coordinate
-  // that is infinite or kMaxCell cells or more from the origin, and for an item that covers more than 2^22
-  // cells.
+  // that is infinite or kMaxCell cells or more from the origin, and for an item with which all would cover
+  // more than kMaxCells and kMaxCellsOfItem for each of them.
   static constexpr int kMaxCell = 1 << 30;
+  static constexpr std::int64_t kMaxCells = 1 << 20, kMaxCellsOfItem = 16;
   static constexpr double kMaxCellSize = 1e100;  // px; keeps squares of coordinates finite
 
   // cell_size: px, side of a grid cell; > 0 and at most kMaxCellSize, or WorldError. A few times a typical
@@ -143,6 +144,14 @@ class World {
   void query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out) const;
   void query_segment(Vec2 from, Vec2 to, std::vector<SegmentHit>& out) const;
   void query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<SegmentHit>& out) const;
+
+  // One check() or move() looks at no more cells and boxes than this, about: each contact makes it look at
+  // those near anew, which in a heap of thousands would take minutes. Where that is used up the mover stays
+  // where it is, with no contacts, and gave_up() says so. In robust mode a move has no more than 64 looks
+  // anyway.
+  static constexpr std::int64_t kMostTests = 1 << 26;
+  void set_most_tests(std::int64_t count);  // of one check, from now on; below 1: as 1
+  bool gave_up() const noexcept;            // the last check() or move(), also of a response
 
   bool has(ItemId item) const noexcept;
   Rect rect(ItemId item) const;

@@ -68,6 +68,8 @@ struct World::Impl {
     std::uint32_t slot;
     Response response;
   };
+  static constexpr std::int64_t kFewCells = 64;
+  static constexpr std::size_t kFewInCell = 256;
   static constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
 
   double cell_size;
@@ -76,9 +78,13 @@ struct World::Impl {
   std::vector<Rect> rects;  // beside the items, since a candidate costs little more than fetching its box
   std::vector<std::uint32_t> free_slots;
   std::size_t live = 0;
+  std::int64_t covered = 0;  // cells of all items, one that two of them share counting twice
   std::uint64_t next_serial = 1;
   CellGrid grid;
   std::vector<NamedResponse> responses;
+
+  std::int64_t most_tests = World::kMostTests;
+  bool gave_up = false;  // the last check
 
   std::uint32_t depth = 0;  // of nested checks
   std::vector<Visit> visits;
@@ -100,11 +106,34 @@ struct World::Impl {
   CellRange cells_of(const Rect& rect) const;   // throws when it reaches beyond kMaxCell
   void place(std::uint32_t slot, const Rect& rect);
 
+  // A long move may sweep more cells than there are items.
+  bool is_long(const CellRange& range) const {
+    return range.count() > static_cast<std::int64_t>(64 + 4 * items.size());
+  }
+
   // Calls visit(entries) with all items that have a cell in the range, each once and `except` left out, in
   // batches of at most kBatch.
   static constexpr std::size_t kBatch = 64;
   template <class Callback>
   void for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const;
+
+  // What a look at a range of cells is charged with. What is usual is free unless `all` is wanted: a few
+  // cells, with a few items each. A function of the items alone, and not of how they came to be where they
+  // are.
+  std::int64_t charge_of(const CellRange& range, bool all) const {
+    if (is_long(range)) return static_cast<std::int64_t>(items.size());
+    const std::int64_t cells = all || range.count() > kFewCells ? range.count() : 0;
+    if (!all && grid.longest_list() <= kFewInCell) return cells;
+    std::int64_t entries = 0;
+    for (std::int32_t y = range.top; y <= range.bottom; ++y) {
+      for (std::int32_t x = range.left; x <= range.right; ++x) {
+        const CellGrid::List* list = grid.find(x, y);
+        const std::size_t count = list != nullptr ? list->size() : 0;
+        if (all || count > kFewInCell) entries += static_cast<std::int64_t>(count);
+      }
+    }
+    return cells + entries;
+  }
 
   // Calls found(slot, response, contact) for every contact of the sweep with an item but `self` to which
   // reaction(entry) is not to ignore it, in no particular order.
@@ -150,8 +179,7 @@ void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, C
     visit(std::span<const CellEntry>(batch));
     return std::size_t{0};
   };
-  // A long move may sweep more cells than there are items.
-  if (range.count() > static_cast<std::int64_t>(64 + 4 * items.size())) {
+  if (is_long(range)) {
     for (std::uint32_t slot = 0; slot < items.size(); ++slot) {
       count = take(count, CellEntry::of(id_of(slot), items[slot].group), items[slot].cells.meets(range));
     }

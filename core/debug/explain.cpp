@@ -237,6 +237,8 @@ std::string explain_step(const FrameView& view, int body) {
     text += " It began inside of the ground, and was first put out of it.";
   text += reasons(frame, *path);
   if (path->capped) text += " It met more contacts than a step handles, and the rest of its motion is lost.";
+  if (path->cut_short)
+    text += " There was more on its way than a step may look at, and it stopped where that ended.";
   if (path->limited) text += " Its way or its speed was cut to the largest allowed.";
   if (before == nullptr) return text;
   const std::string was = motion_text(before->velocity), is = motion_text(after->velocity);

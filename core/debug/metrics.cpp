@@ -42,6 +42,8 @@ constexpr std::array kInfos = {
         Metric::slope_delta, "slope_delta", "", false,
         "how far along the slope of the step's last contact with one: 0 at its left end, 1 at its right"},
     MetricInfo{Metric::capped, "capped", "", true, "it met more contacts than the solver handles in a step"},
+    MetricInfo{Metric::cut_short, "cut_short", "", true,
+               "there was more on its way than a step may look at, and it stopped"},
     MetricInfo{Metric::limited, "limited", "", true, "its way or speed was cut to the largest allowed"},
     MetricInfo{Metric::parting, "parting", "px", false,
                "distance from the same body of the run compared with; infinite when that has no such body"},
@@ -186,6 +188,9 @@ double measure(Metric metric, const Frame& frame, const Body& body) {
     case Metric::capped:
       path = path_of(frame.record, body.id);
       return path != nullptr && path->capped;
+    case Metric::cut_short:
+      path = path_of(frame.record, body.id);
+      return path != nullptr && path->cut_short;
     case Metric::limited:
       path = path_of(frame.record, body.id);
       return path != nullptr && path->limited;

@@ -29,6 +29,7 @@ enum class Metric {
   normal_angle,
   slope_delta,
   capped,
+  cut_short,
   limited,
   parting
 };

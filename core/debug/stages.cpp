@@ -167,6 +167,8 @@ class StageList {
     box_ = path_.to;
     std::string text = "arrives at " + short_text(path_.to.position());
     if (path_.capped) text += "; it met more than a step handles, and the rest of its motion is lost";
+    if (path_.cut_short)
+      text += "; more was on its way than a step may look at, and it stopped where that ended";
     if (path_.limited) text += "; its way or its speed was cut to the largest allowed";
     add(StageKind::arrived, {}, std::move(text));
   }

@@ -10,7 +10,7 @@
 namespace talus {
 
 std::span<const LintRule> lint_rules() {
-  static constexpr std::array<LintRule, 22> kRules = {{
+  static constexpr std::array<LintRule, 25> kRules = {{
       {"slope-half-missing", "slope without its right half"},
       {"slope-left-missing", "slope without its left half"},
       {"slope-overlap", "slope and tile in one place"},
@@ -32,6 +32,9 @@ std::span<const LintRule> lint_rules() {
       {"bad-curve", "curve that cannot be used"},
       {"curve-leaves-map", "curve that leaves the map"},
       {"curves-need-exact", "curves without their solver"},
+      {"ground-not-in-article", "ground that the article does not know"},
+      {"too-many-boxes", "too much ground for its solver"},
+      {"spawn-too-fast", "body that is too fast"},
       {"shared-flag", "flag with two meanings"},
   }};
   return kRules;

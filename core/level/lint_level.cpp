@@ -1,15 +1,19 @@
 // What is wrong with roles, shapes, curves and the bodies placed by hand.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "../collision/ground_queries.h"
 #include "curve_span.h"
+#include "ground.h"
 #include "lint_parts.h"
 #include "lint_text.h"
 #include "local_ground.h"
 
 namespace talus {
 namespace {
+
+constexpr double kFastest = 4096;  // px/frame: what the solvers limit speeds to after a step
 
 class LevelLinter {
  public:
@@ -20,6 +24,9 @@ class LevelLinter {
     check_roles();
     check_shapes();
     check_curves();
+    check_article();
+    if (const auto problem = boxes_problem(level_))
+      add(Severity::error, "too-many-boxes", "the level " + *problem);
     for (int i = 0; i < static_cast<int>(level_.spawns.size()); ++i) check_spawn(i);
     if (!has_balls && level_.spawns.empty()) {
       add(Severity::warning, "no-balls",
@@ -78,6 +85,35 @@ class LevelLinter {
             std::string(solver_name(level_.tuning.solver)));
   }
 
+  // The article has full tiles and floors alone; the tiles of the map that it lets everything through.
+  void check_article() {
+    if (level_.tuning.solver != SolverKind::article) return;
+    std::array<bool, kTileCount> used{};
+    for (const std::uint8_t tile : level_.map.cells()) used[tile] = true;
+    std::string tiles;
+    int count = 0, first = -1;
+    for (int tile = 0; tile < kTileCount; ++tile) {
+      const TileShape shape = shape_of_tile(level_, static_cast<std::uint8_t>(tile));
+      const bool has_role =
+          level_.tile_shapes[static_cast<std::size_t>(tile)].kind == TileShape::Kind::none &&
+          role_of(level_.tile_flags(static_cast<std::uint8_t>(tile)), level_.roles) != TileRole::none;
+      const bool is_line = shape.kind == TileShape::Kind::slope || shape.kind == TileShape::Kind::profile;
+      const bool is_unknown = shape.one_way || shape.kind == TileShape::Kind::profile ||
+                              (is_line && shape.side == TileShape::Side::ceiling);
+      if (!used[static_cast<std::size_t>(tile)] || shape.kind == TileShape::Kind::none || has_role ||
+          !is_unknown)
+        continue;
+      if (count == 0) first = tile;
+      if (++count <= 3) tiles += (count > 1 ? ", " : "") + std::to_string(tile);
+    }
+    if (count == 0) return;
+    if (count > 3) tiles += " and " + std::to_string(count - 3) + " more";
+    add(Severity::warning, "ground-not-in-article",
+        "bodies pass through tile" + std::string(count == 1 ? " " : "s ") + tiles +
+            ": the article knows no one-way ground, ceilings and profiles; the solvers bump and exact do",
+        {}, first);
+  }
+
   // Whether a curve with its ends on the map goes above or below it. Its pieces rise or fall throughout.
   bool leaves_map(const Curve& curve) const {
     const auto is_off_map = [&](double y) {
@@ -113,6 +149,12 @@ class LevelLinter {
     const std::optional<Cell> cell = nearest_cell(corner);
     if (!inside)
       add(Severity::warning, "spawn-outside", subject + " is not wholly on the map", cell, -1, index);
+    const double speed = std::max(std::abs(spawn.velocity.x), std::abs(spawn.velocity.y));
+    if (speed > kFastest)
+      add(Severity::warning, "spawn-too-fast",
+          subject + " starts with " + px_text(speed) + " px/frame; after the first step speeds are cut to " +
+              px_text(kFastest) + " px/frame",
+          cell, -1, index);
     if (touches && !check_solids(index, subject, cell) && !check_slopes(index, subject, cell))
       check_shapes_at(index, subject, cell);
   }

@@ -30,19 +30,36 @@ class BodyGrid {
     old = range;
   }
 
-  // The bodies in the cells that the box meets, in order, each once.
-  void near(const Rect& box, std::vector<std::uint32_t>& found) const {
+  // The bodies in the cells that the box meets, in order, each once. False, and none of them: there are more
+  // than `most`, one in several cells counting in each.
+  bool near(const Rect& box, std::int64_t most, std::vector<std::uint32_t>& found) const {
     found.clear();
     const CellRange range = cells_of(box);
+    // A long way may sweep more cells than there are bodies.
+    if (range.count() > static_cast<std::int64_t>(64 + 4 * placed_.size())) {
+      for (std::uint32_t i = 0; i < placed_.size(); ++i) {
+        if (placed_[i].meets(range)) found.push_back(i);
+      }
+      if (static_cast<std::int64_t>(found.size()) <= most) return true;
+      found.clear();
+      return false;
+    }
+    std::int64_t count = 0;
     for (std::int32_t y = range.top; y <= range.bottom; ++y) {
       for (std::int32_t x = range.left; x <= range.right; ++x) {
         const CellGrid::List* list = grid_.find(x, y);
         if (list == nullptr) continue;
+        count += static_cast<std::int64_t>(list->size());
+        if (count > most) {
+          found.clear();
+          return false;
+        }
         for (const CellEntry& entry : *list) found.push_back(entry.index);
       }
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
+    return true;
   }
 
  private:

@@ -76,14 +76,16 @@ class Mover {
   using Vec = BasicVec2<Real>;
   struct Result {
     int passes = 0;
-    bool capped = false;  // the passes were used up, and the rest of the motion dropped
-    bool wedged = false;  // between the last two contacts: the rest of the motion leads nowhere
+    bool capped = false;     // the passes were used up, and the rest of the motion dropped
+    bool wedged = false;     // between the last two contacts: the rest of the motion leads nowhere
+    bool cut_short = false;  // the budget was used up: it stopped where nothing is met yet
   };
 
-  // rest: what this body met before, in this terrain and without others; null: nothing is remembered.
+  // rest: what this body met before, in this terrain and without others; null: nothing is remembered. budget:
+  // of all casts together; null: none.
   Mover(const BasicTerrain<Real>& terrain, std::span<const BasicRect<Real>> others, int max_passes,
-        RestMemo<Real>* rest = nullptr)
-      : terrain_(terrain), others_(others), max_passes_(max_passes), rest_(rest) {}
+        RestMemo<Real>* rest = nullptr, CastBudget* budget = nullptr)
+      : terrain_(terrain), others_(others), max_passes_(max_passes), rest_(rest), budget_(budget) {}
 
   // Moves the body by `motion`. respond(contact, motion) is called for each contact, a part of that motion;
   // it may change the body's velocity, and returns the motion to go on with. seen(contact, motion) is told of
@@ -99,7 +101,16 @@ class Mover {
         result.capped = true;
         break;
       }
+      if (budget_ != nullptr && budget_->left <= 0) {
+        result.cut_short = true;
+        break;
+      }
       const Contact<Real>& contact = first_contact({body.box, motion, body.foot}, followed);
+      if (!contact && budget_ != nullptr && budget_->seen < 1) {
+        advance(body, motion * static_cast<Real>(budget_->seen));
+        result.cut_short = true;
+        break;
+      }
       if (!contact) {
         if (followed == nullptr) {
           advance(body, motion);
@@ -144,7 +155,7 @@ class Mover {
     if (may_rest) {
       if (const Contact<Real>* known = rest_->find(cast)) return *known;
     }
-    contact_ = cast_box<Real, Parts>(terrain_, cast, others_, followed);
+    contact_ = cast_box<Real, Parts>(terrain_, cast, others_, followed, budget_);
     if (may_rest) rest_->keep(cast, contact_);
     return contact_;
   }
@@ -196,6 +207,7 @@ class Mover {
   const std::span<const BasicRect<Real>> others_;
   const int max_passes_;
   RestMemo<Real>* const rest_;
+  CastBudget* const budget_;
   Contact<Real> contact_;                 // the last one
   const Piece<Real>* surface_ = nullptr;  // of the last contact
   Vec goal_;                              // where following a curve leads

@@ -62,6 +62,7 @@ class ExactSolver final : public Solver {
       record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
     if (!body.is_clear) leave_ground(moving);
     order_ = 0;
+    budget_ = {work_of_a_body(state.bodies.size())};
 
     if (body.id == state.grabbed) {
       drag(state, index, moving, input);
@@ -141,8 +142,9 @@ class ExactSolver final : public Solver {
 
   // The level ground straight below, within `reach`.
   Contact<Real> floor_under(const State& state, std::size_t index, const Moving<Real>& moving, Real reach) {
-    gather(state, index, moving, {0, reach});
-    Contact<Real> floor = cast_box<Real, Parts>(ground_, {moving.box, {0, reach}, moving.foot}, others_);
+    if (!gather(state, index, moving, {0, reach})) return {};
+    Contact<Real> floor =
+        cast_box<Real, Parts>(ground_, {moving.box, {0, reach}, moving.foot}, others_, nullptr, &budget_);
     if (floor && !is_level(floor, numbers_.steepest)) floor.t = std::numeric_limits<Real>::infinity();
     return floor;
   }
@@ -151,8 +153,8 @@ class ExactSolver final : public Solver {
 
   template <class Respond>
   void move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
-    gather(state, index, moving, motion);
-    Mover<Real, Parts> mover(ground_, others_, max_passes_, Pairs ? nullptr : &rests_[index]);
+    if (!gather(state, index, moving, motion)) return note_cut_short();
+    Mover<Real, Parts> mover(ground_, others_, max_passes_, Pairs ? nullptr : &rests_[index], &budget_);
     const auto answer = [&](const Contact<Real>& contact, Vec way) {
       const Vec after = respond(contact, way);
       if (record_ != nullptr) record_->contacts.back().after = widen(after);
@@ -163,15 +165,21 @@ class ExactSolver final : public Solver {
     });
     if (record_ == nullptr) return;
     if (result.wedged) record_->contacts.back().after = Vec2{};
+    if (result.cut_short) note_cut_short();
     record_->paths.back().capped = record_->paths.back().capped || result.capped;
   }
 
-  // The other bodies that the motion, whichever way it turns, may meet.
-  void gather(const State& state, std::size_t index, const Moving<Real>& moving, Vec motion) {
+  // The other bodies that the motion, whichever way it turns, may meet. False: there are more than the body
+  // may look at.
+  bool gather(const State& state, std::size_t index, const Moving<Real>& moving, Vec motion) {
     if constexpr (Pairs) {
       const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
       const Rect box = widen(moving.box);
-      grid_.near({box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length}, near_);
+      const Rect around{box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length};
+      if (!grid_.near(around, budget_.left, near_)) {
+        budget_.left = 0;
+        return false;
+      }
       others_.clear();
       other_bodies_.clear();
       for (const std::uint32_t i : near_) {
@@ -180,6 +188,7 @@ class ExactSolver final : public Solver {
         other_bodies_.push_back(&state.bodies[i]);
       }
     }
+    return true;
   }
 
   void leave_ground(Moving<Real>& moving) {
@@ -212,6 +221,10 @@ class ExactSolver final : public Solver {
   }
 
   // ---- Records ----
+
+  void note_cut_short() {
+    if (record_ != nullptr) record_->paths.back().cut_short = true;
+  }
 
   void note_goal(const Moving<Real>& moving, Vec motion) {
     if (record_ != nullptr) record_->paths.back().goal = {moving.box.x + motion.x, moving.box.y + motion.y};
@@ -266,7 +279,8 @@ class ExactSolver final : public Solver {
   const BasicTerrain<Real>& ground_;
   const ExactNumbers<Real> numbers_;
   const int max_passes_, substeps_;
-  const Real part_;  // of a step, that a sub-step takes
+  const Real part_;    // of a step, that a sub-step takes
+  CastBudget budget_;  // of the body that moves
   BodyGrid grid_;
   std::vector<std::uint32_t> near_;        // indices of bodies
   std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves

@@ -54,11 +54,12 @@ struct TestedBox {
 // How a body went in this step.
 struct BodyPath {
   int body = 0;
-  Rect from;             // px, its box before the step
-  Vec2 goal;             // px, where it wanted its top-left corner
-  Rect to;               // px, its box after the step
-  bool limited = false;  // its way or speed was cut to kMaxBodySpeed or kMaxBodyDistance
-  bool capped = false;   // it met more than the solver's most contacts; the rest of its motion was dropped
+  Rect from;               // px, its box before the step
+  Vec2 goal;               // px, where it wanted its top-left corner
+  Rect to;                 // px, its box after the step
+  bool limited = false;    // its way or speed was cut to kMaxBodySpeed or kMaxBodyDistance
+  bool capped = false;     // it met more than the solver's most contacts; the rest of its motion was dropped
+  bool cut_short = false;  // all that it may look at in a step was looked at: it stopped there
 };
 
 struct StepRecord {

@@ -11,36 +11,95 @@ namespace {
 // The boxes that one tile makes, relative to its cell.
 struct TileBoxes {
   struct Part {
-    TileRole role;
+    TileRole role = TileRole::solid;
     Rect box;
+    std::optional<GroundLine> line = {};
   };
-  int count = 0;
-  std::array<Part, 2> parts{};
-  void add(TileRole role, const Rect& box) {
-    if (box.h > 0) parts[count++] = {role, box};
+  std::vector<Part> parts;
+  void add(TileRole role, const Rect& box, std::optional<GroundLine> line = {}) {
+    if (box.h > 0) parts.push_back({role, box, line});
   }
 };
 
-// A straight floor is a slope's box on a solid one. Other shapes have no boxes: only solvers that know the
-// outline of the ground see them.
-TileBoxes boxes_of(const TileShape& shape) {
-  TileBoxes boxes;
-  if (shape.one_way || shape.side == TileShape::Side::ceiling) return boxes;
-  if (shape.kind == TileShape::Kind::solid) boxes.add(TileRole::solid, {0, 0, kTileSize, kTileSize});
-  if (shape.kind != TileShape::Kind::slope) return boxes;
-  const auto [low, high] = std::minmax(shape.heights[0], shape.heights[1]);
-  const bool rises = shape.heights[1] > shape.heights[0];
-  const double width = shape.tiles * kTileSize;
-  boxes.add(rises ? TileRole::up_slope : TileRole::down_slope, {0, kTileSize - high, width, high - low});
-  boxes.add(TileRole::solid, {0, kTileSize - low, width, low});
-  return boxes;
+TileRole role_of_line(double h0, double h1) {
+  if (h0 == h1) return TileRole::solid;
+  return h1 > h0 ? TileRole::up_slope : TileRole::down_slope;
+}
+
+// The boxes of a shape, from left to right. The exported companion for bump.lua makes the same, with the same
+// doubles: see add_ground() in assets/runtime/bump_slopes.lua.
+class ShapeBoxes {
+ public:
+  explicit ShapeBoxes(const TileShape& shape) : shape_(shape) {}
+
+  TileBoxes boxes() {
+    static const std::vector<double> kFull = {kTileSize, kTileSize};
+    const bool is_full = shape_.kind == TileShape::Kind::solid;
+    const std::vector<double>& heights = is_full ? kFull : shape_.heights;
+    const double width = (is_full ? 1 : shape_.tiles) * kTileSize;
+    is_ceiling_ = !is_full && shape_.side == TileShape::Side::ceiling;
+    const std::size_t count = heights.size() - 1;
+    const auto across = [&](std::size_t n) {
+      return width * static_cast<double>(n) / static_cast<double>(count);
+    };
+    for (std::size_t from = 0, i = 1; i <= count; ++i) {
+      const bool goes_on = i < count && heights[i + 1] - heights[i] == heights[i] - heights[i - 1];
+      if (goes_on) continue;
+      part({across(from), 0, across(i - from), 0}, heights[from], heights[i], count == 1);
+      from = i;
+    }
+    return std::move(boxes_);
+  }
+
+ private:
+  // A slope of a longer line is one box down to its base, which has no seam that rounding could make a step
+  // of; one alone is a slope on a full box.
+  void part(const Rect& span, double h0, double h1, bool is_alone) {
+    const auto [low, high] = std::minmax(h0, h1);
+    if (shape_.one_way) return line(span, low - 1, h0, h1);  // where it is level, the box needs a height
+    if (!is_alone) return line(span, 0, h0, h1);
+    if (is_ceiling_) {
+      line(span, low, h0, h1);
+    } else {
+      layer(role_of_line(h0, h1), span, low, high);
+    }
+    layer(TileRole::solid, span, 0, low);
+  }
+
+  // The box between a height and the higher one of two.
+  void line(const Rect& span, double from, double h0, double h1) {
+    const auto [low, high] = std::minmax(h0, h1);
+    layer(role_of_line(h0, h1), span, from, high,
+          GroundLine{h1 > h0, low - from, is_ceiling_, shape_.one_way});
+  }
+
+  void layer(TileRole role, const Rect& span, double from, double to, std::optional<GroundLine> line = {}) {
+    boxes_.add(role, {span.x, is_ceiling_ ? from : kTileSize - to, span.w, to - from}, line);
+  }
+
+  const TileShape& shape_;
+  bool is_ceiling_ = false;
+  TileBoxes boxes_;
+};
+
+// A straight floor is a slope's box on a solid one. Of other shapes the article knows nothing.
+TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
+  if (shape.kind == TileShape::Kind::none) return {};
+  const bool is_known = !shape.one_way && shape.kind != TileShape::Kind::profile &&
+                        (shape.kind == TileShape::Kind::solid || shape.side == TileShape::Side::floor);
+  if (solver != SolverKind::bump && !is_known) return {};
+  return ShapeBoxes(shape).boxes();
 }
 
 TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
+  const SolverKind solver = level.tuning.solver;
+  const TileShape shape = shape_of_tile(level, tile);
   const TileRole role = level.tile_shapes[tile].kind != TileShape::Kind::none
                             ? TileRole::none
                             : role_of(level.tile_flags(tile), level.roles);
-  if (role == TileRole::none) return boxes_of(shape_of_tile(level, tile));
+  const bool is_plain = !shape.one_way && shape.side == TileShape::Side::floor;
+  const bool is_turned = solver == SolverKind::bump && !is_plain && role != TileRole::ball;
+  if (role == TileRole::none || (is_turned && !problem_of(shape))) return boxes_of(shape, solver);
   TileBoxes boxes;
   const ArticleTuning& tuning = level.tuning.article;
   const bool is_slope = role == TileRole::up_slope || role == TileRole::down_slope;
@@ -61,14 +120,15 @@ SceneItem item_at(Cell cell, const TileBoxes::Part& part) {
   SceneItem item{.role = part.role, .box = part.box, .cell = cell, .velocity = {}, .spawn = -1};
   item.box.x += static_cast<double>(cell.x) * kTileSize;
   item.box.y += static_cast<double>(cell.y) * kTileSize;
+  item.line = part.line;
   return item;
 }
 
 // The ball alone, for a solver that has the ground in another form.
 TileBoxes body_of(const TileBoxes& tile) {
   TileBoxes body;
-  for (int i = 0; i < tile.count; ++i) {
-    if (tile.parts[i].role == TileRole::ball) body.add(tile.parts[i].role, tile.parts[i].box);
+  for (const TileBoxes::Part& part : tile.parts) {
+    if (part.role == TileRole::ball) body.add(part.role, part.box);
   }
   return body;
 }
@@ -124,7 +184,7 @@ void add_spawns(const Level& level, std::vector<SceneItem>& items) {
 
 Scene make_scene(const Level& level, const std::function<bool(double)>& progress) {
   std::array<TileBoxes, kTileCount> boxes = tile_boxes(level);
-  if (level.tuning.solver == SolverKind::exact) {
+  if (level.tuning.solver == SolverKind::exact || boxes_problem(level)) {
     for (TileBoxes& tile : boxes) tile = body_of(tile);
   }
   const TileMap& map = level.map;
@@ -133,7 +193,7 @@ Scene make_scene(const Level& level, const std::function<bool(double)>& progress
   std::vector<std::size_t> next(static_cast<std::size_t>(map.width()) + 1, 0);
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      next[cell.x + 1] += static_cast<std::size_t>(boxes[map.at(cell)].count);
+      next[cell.x + 1] += boxes[map.at(cell)].parts.size();
     }
   }
   for (std::size_t column = 1; column < next.size(); ++column) next[column] += next[column - 1];
@@ -144,8 +204,8 @@ Scene make_scene(const Level& level, const std::function<bool(double)>& progress
   scene.items.resize(next.back());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      const TileBoxes& tile = boxes[map.at(cell)];
-      for (int i = 0; i < tile.count; ++i) scene.items[next[cell.x]++] = item_at(cell, tile.parts[i]);
+      for (const TileBoxes::Part& part : boxes[map.at(cell)].parts)
+        scene.items[next[cell.x]++] = item_at(cell, part);
     }
   }
 
@@ -190,7 +250,7 @@ Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const C
   std::vector<SceneItem> added;
   for (const Cell cell : cells) {
     const TileBoxes boxes = body_of(boxes_of(edited, edited.map.at(cell)));
-    for (int i = 0; i < boxes.count; ++i) added.push_back(item_at(cell, boxes.parts[i]));
+    for (const TileBoxes::Part& part : boxes.parts) added.push_back(item_at(cell, part));
   }
   const auto middle = next.items.insert(next.items.end(), added.begin(), added.end());
   std::inplace_merge(next.items.begin(), middle, next.items.end(),

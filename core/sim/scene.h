@@ -21,6 +21,16 @@ struct BodyOrigin {
   friend bool operator==(const BodyOrigin&, const BodyOrigin&) = default;
 };
 
+// A straight line of the ground across a box, that reaches its top, or of a ceiling its bottom, at the higher
+// end. What else is in the box is ground, and nothing of it if it is one-way.
+struct GroundLine {
+  bool rises_to_the_right = false;
+  double low = 0;  // px, of the lower end over the box's bottom; of a ceiling below its top
+  bool ceiling = false;
+  bool one_way = false;
+  friend bool operator==(const GroundLine&, const GroundLine&) = default;
+};
+
 // One box of the scene: an obstacle, or the start of a body.
 struct SceneItem {
   TileRole role = TileRole::solid;  // solid, up_slope, down_slope or ball; never none
@@ -30,6 +40,8 @@ struct SceneItem {
   int spawn = -1;                   // as BodyOrigin::spawn
   BodyKind kind = BodyKind::ball;   // of a body
   Foot foot = Foot::box;            // of a body
+  std::optional<GroundLine> line =
+      {};  // of an obstacle that is neither full nor a slope from corner to corner
   BodyOrigin origin() const { return {cell, spawn}; }
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
 };
@@ -57,7 +69,7 @@ struct Scene {
 };
 bool operator==(const Scene& a, const Scene& b);  // grounds are compared by their cells and outlines
 
-// The scene of a level. Tiles outside the map are empty.
+// The scene of a level. Tiles outside the map are empty; so are all of a level with a boxes_problem().
 Scene compile_scene(const Level& level);
 // The same, for a large level: `progress` is called now and then with the part that is done, 0..1. Nothing:
 // it said false, which gives up.

@@ -10,6 +10,10 @@ namespace {
 // px under the floor at which a foot still counts as on it: far more than rounding, far less than a pixel.
 constexpr double kSlack = 1e-6;
 
+double rise_of(const Slope& slope) { return slope.box.h - slope.low; }
+
+Rect mirrored(const Rect& box) { return {box.x, -(box.y + box.h), box.w, box.h}; }
+
 // A box on its way over a slope; `t` is the fraction of the way.
 class Passage {
  public:
@@ -66,7 +70,7 @@ class Passage {
   double line(double x) const {
     const Rect& box = slope_.box;
     const double run = slope_.direction > 0 ? x - box.x : box.right() - x;
-    return box.bottom() - box.h * run / box.w;
+    return box.bottom() - slope_.low - rise_of(slope_) * run / box.w;
   }
   double floor_at(double x) const { return line(foot(x)); }
 
@@ -84,16 +88,28 @@ double slope_direction(TileRole role) {
 }
 
 Vec2 slope_normal(const Slope& slope) {
-  const Rect& box = slope.box;
-  const double length = std::sqrt(box.w * box.w + box.h * box.h);
-  return {-slope.direction * box.h / length, -box.w / length};
+  const double width = slope.box.w, rise = rise_of(slope);
+  const double length = std::sqrt(width * width + rise * rise);
+  return {-slope.direction * rise / length, (slope.ceiling ? width : -width) / length};
 }
 
 SlopeContact meet_slope(const Slope& slope, const Rect& mover, Vec2 goal) {
+  if (slope.ceiling) {
+    Slope floor = slope;
+    floor.box = mirrored(slope.box);
+    floor.ceiling = false;
+    SlopeContact contact = meet_slope(floor, mirrored(mover), {goal.x, -(goal.y + mover.h)});
+    contact.touch.y = -(contact.touch.y + mover.h);
+    contact.goal.y = -(contact.goal.y + mover.h);
+    contact.normal.y = -contact.normal.y;
+    contact.floor_y = -contact.floor_y;
+    return contact;
+  }
   const Passage passage(slope, mover, goal);
   const double enter = passage.enter(), leave = passage.leave();
   if (enter >= leave) return {};
   if (passage.depth(enter) > kSlack) {
+    if (slope.one_way) return {};
     if (enter == 0 && passage.lifts()) return passage.surface(0, passage.on_high_end(0));
     SlopeContact contact;
     contact.kind = SlopeContact::Kind::solid;

@@ -9,6 +9,11 @@
 
 namespace talus {
 
+std::int64_t work_of_a_body(std::size_t bodies) {
+  const auto share = kMostStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
+  return std::clamp(share, kLeastBodyWork, kMostBodyWork);
+}
+
 Vec2 within_limits(Vec2 from, Vec2 goal) {
   const auto limit = [](double at, double to) {
     const double reachable = std::clamp(to, at - kMaxBodySpeed, at + kMaxBodySpeed);

@@ -7,10 +7,35 @@
 #include "mouse.h"
 
 namespace talus {
+namespace {
+
+Slope slope_of(const SceneItem& item) {
+  if (!item.line) return {item.box, slope_direction(item.role)};
+  const GroundLine& line = *item.line;
+  return {item.box, line.rises_to_the_right ? 1.0 : -1.0, line.low, line.ceiling, line.one_way};
+}
+
+// The side of a cell of the world. Only speed depends on it, so that where the level's would cost much
+// memory, since boxes are very large for it, it is doubled until they cover few enough.
+double cell_size_for(const Scene& scene) {
+  double size = scene.tuning.article.cell_size;
+  constexpr double kFree = World::kMaxCellsOfItem, kMost = World::kMaxCells / 2;
+  const auto covered = [&] {
+    double cells = 0;
+    for (const SceneItem& item : scene.items)
+      cells += std::max((item.box.w / size + 2) * (item.box.h / size + 2) - kFree, 0.0);
+    return cells;
+  };
+  while (covered() > kMost) size *= 2;
+  return size;
+}
+
+}  // namespace
 
 WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunction slope_response)
     : scene_(std::move(scene)),
-      world_(tuning().cell_size),
+      cell_size_(cell_size_for(*scene_)),
+      world_(cell_size_),
       slope_response_(std::move(slope_response)),
       moving_{Response::slide, Response::cross, Response::slide},
       balls_block_(tuning().balls_block != 0) {
@@ -20,7 +45,7 @@ WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunc
 // Adds everything in map order, so that ties are the article's: the bodies that the scene starts take their
 // place among the tiles.
 void WorldSolver::rebuild(const State& state) {
-  world_ = World(tuning().cell_size);
+  world_ = World(cell_size_);
   if (slope_response_) moving_[kSlopeGroup] = world_.add_response("slope", slope_response_);
   entries_.assign(1, {});
   placed_.clear();
@@ -35,10 +60,9 @@ void WorldSolver::rebuild(const State& state) {
 
   for (const SceneItem& item : scene_->items) {
     if (item.role != TileRole::ball) {
-      const double direction = slope_direction(item.role);
-      add(item.box, {{item.role, item.cell, 0, item.box},
-                     {item.box, direction},
-                     direction != 0 ? kSlopeGroup : kSolidGroup});
+      const Slope slope = slope_of(item);
+      add(item.box,
+          {{item.role, item.cell, 0, item.box}, slope, slope.direction != 0 ? kSlopeGroup : kSolidGroup});
       continue;
     }
     const auto body =
@@ -75,6 +99,7 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
   record_ = record;
   if (record_ != nullptr) record_->clear();
   synchronise(state);
+  world_.set_most_tests(work_of_a_body(state.bodies.size()));
   take_mouse(state, input, [&] { return body_at(state, input.mouse); });
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     Body& body = state.bodies[i];
@@ -121,6 +146,7 @@ void WorldSolver::move(Body& body, Placed& placed, Vec2 wanted) {
     record_->paths.push_back({.body = body.id, .from = body.box, .goal = goal, .to = {}, .limited = limited});
   }
   const Vec2 at = run(placed, goal);
+  if (record_ != nullptr) record_->paths.back().cut_short = world_.gave_up();
   body.box.x = at.x;
   body.box.y = at.y;
   place(placed, body.box);

@@ -70,6 +70,7 @@ class WorldSolver : public Solver {
   void note_contacts(int body);
 
   std::shared_ptr<const Scene> scene_;
+  double cell_size_;  // px
   World world_;
   World::ResponseFunction slope_response_;
   World::GroupResponses moving_;  // how a moving body reacts to each group

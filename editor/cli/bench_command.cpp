@@ -6,6 +6,7 @@
 #include "bench_balls.h"
 #include "bench_kernel.h"
 #include "command.h"
+#include "level/ground.h"
 #include "progress_line.h"
 #include "sim/solver.h"
 #include "timing.h"
@@ -29,6 +30,8 @@ void bench(CommandContext& context, const BenchOptions& options) {
   if (!level) return;
   level->tuning.article.balls_block = options.pairs ? 1 : 0;
   apply_physics(options.physics, level->tuning);
+  if (const auto problem = boxes_problem(*level))
+    return fail(context, options.file, "", "the level " + *problem);
   if (!spawn_balls(*level, options.bodies, options.seed)) {
     return fail(context, options.file, "",
                 "the map has too few free cells for " + std::to_string(options.bodies) + " bodies");

@@ -12,6 +12,7 @@
 #include "formats/last_catch.h"
 #include "formats/number_text.h"
 #include "input_file.h"
+#include "level/ground.h"
 #include "progress_line.h"
 #include "sim/case_input.h"
 #include "sim/hard_case_run.h"
@@ -60,6 +61,8 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
   apply_physics(options.physics, level->tuning);
+  if (const auto problem = boxes_problem(*level))
+    return fail(context, options.file, "", "the level " + *problem);
   if (options.verify) return verify(context, options, *level);
   std::optional<std::vector<RecordedInput>> inputs = load_input(context, options.input);
   if (!inputs) return;

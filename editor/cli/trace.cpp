@@ -1,6 +1,7 @@
 #include "trace.h"
 
 #include <string_view>
+#include <vector>
 
 #include "formats/number_text.h"
 
@@ -112,6 +113,15 @@ std::string trace_line(const State& state, const StepRecord* record) {
     line += ",\"contacts\":[";
     append_list(line, record->contacts, append_contact);
     line += "]";
+    std::vector<int> cut_short;
+    for (const BodyPath& path : record->paths) {
+      if (path.cut_short) cut_short.push_back(path.body);
+    }
+    if (!cut_short.empty()) {
+      line += ",\"cut_short\":[";
+      append_list(line, cut_short, [](std::string& text, int body) { append_number(text, body); });
+      line += "]";
+    }
   }
   line += "}";
   return line;

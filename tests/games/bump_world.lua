@@ -1,5 +1,6 @@
 -- A stand-in for the parts of bump.lua that the companion and its test use, written from what its public API
--- does: Talus's own World in Lua. Of equal contacts the one with the item that was added first comes first.
+-- does: Talus's own World in Lua. Of equal contacts the one with the item that was added first comes first, or, as the
+-- library leaves that to chance, whichever a test wants: see tie_key.
 local DELTA = 1e-10
 local floor, ceil, abs, min, max = math.floor, math.ceil, math.abs, math.min, math.max
 
@@ -27,7 +28,8 @@ local function clip(left, top, right, bottom, dx, dy, ti1, ti2)
   end
 end
 
-local bump = {rect = {}}
+-- tie_key: of two equal contacts that one comes first whose item, as the nth that was added, gives less.
+local bump = {rect = {}, tie_key = function(n) return n end}
 
 function bump.rect.detectCollision(x1, y1, w1, h1, x2, y2, w2, h2, goal_x, goal_y)
   goal_x, goal_y = goal_x or x1, goal_y or y1
@@ -175,7 +177,7 @@ function World:project(item, x, y, w, h, goal_x, goal_y, filter)
     if a.ti ~= b.ti then return a.ti < b.ti end
     local da, db = square_distance(a.itemRect, a.otherRect), square_distance(b.itemRect, b.otherRect)
     if da ~= db then return da < db end
-    return self.rects[a.other].serial < self.rects[b.other].serial
+    return bump.tie_key(self.rects[a.other].serial) < bump.tie_key(self.rects[b.other].serial)
   end)
   return hits, #hits
 end

@@ -226,4 +226,62 @@ TEST(BumpSolver, EndsWithThePinnedHash) {
   EXPECT_EQ(state_hash(state), 11587194158170007023u);
 }
 
+// A ball that flies straight, in a room whose ground is one tile shape in the cells of row 3.
+Level room(TileShape shape, Vec2 position, Vec2 velocity) {
+  Level level = walking(level_of({"......", "......", "......", "......", "......", "......"}), velocity.x);
+  level.tuning.article.fall_speed = velocity.y;
+  level.tuning.article.fall_blend = 1;
+  for (int x = 0; x < 6; x += shape.tiles) level.map.set({x, 3}, 7);
+  level.tile_shapes[7] = std::move(shape);
+  add_ball(level, position, velocity);
+  return level;
+}
+
+Rect after(const Level& level, int frames) {
+  const auto scene = scene_of(level);
+  BumpSolver solver(scene);
+  State state = initial_state(*scene);
+  for (int i = 0; i < frames; ++i) solver.step(state, {}, nullptr);
+  return state.bodies[0].box;
+}
+
+TEST(BumpSolver, OneWayGroundStopsOnlyWhatComesFromAbove) {
+  const TileShape platform{.kind = TileShape::Kind::solid, .one_way = true};
+  EXPECT_EQ(after(room(platform, {20, 4}, {0, 2}), 60).y, 16);
+  EXPECT_LT(after(room(platform, {20, 40}, {0, -2}), 20).y, 8);
+  const TileShape sloped{.kind = TileShape::Kind::slope, .one_way = true, .tiles = 6, .heights = {0, 6}};
+  const Rect on = after(room(sloped, {16, 4}, {0, 2}), 12);  // it slides down to the left
+  EXPECT_NEAR(on.bottom(), 32 - 6 * (on.x + 8) / 48, 1e-6) << "under its right corner";
+  EXPECT_LT(after(room(sloped, {16, 40}, {0, -2}), 20).y, 8);
+}
+
+TEST(BumpSolver, CeilingsStopWhatRises) {
+  const TileShape ceiling{
+      .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .tiles = 6, .heights = {2, 8}};
+  const Rect box = after(room(ceiling, {16, 40}, {0, -2}), 3);
+  EXPECT_GE(box.y, 24 + 2 + 6.0 * (box.x + 8) / 48 - 1e-9);
+  EXPECT_LT(box.y, 40);
+  EXPECT_GT(after(room(ceiling, {16, 40}, {0, -2}), 30).y, 24);
+}
+
+TEST(BumpSolver, ProfilesCarry) {
+  const TileShape hills{.kind = TileShape::Kind::profile, .tiles = 2, .heights = {4, 6, 8, 6, 4}};
+  const auto scene = scene_of(room(hills, {0, 12}, {0.5, 0.25}));
+  BumpSolver solver(scene);
+  State state = initial_state(*scene);
+  for (int i = 0; i < 200 && state.bodies[0].box.x <= 30; ++i) {
+    solver.step(state, {}, nullptr);
+    ASSERT_LE(state.bodies[0].box.bottom(), 28 + 1e-6) << "frame " << i << ": it fell through";
+  }
+  EXPECT_GT(state.bodies[0].box.x, 30) << "it got stuck";
+}
+
+// The article has no such ground, and stays as it is.
+TEST(BumpSolver, OtherGroundIsNoneToTheArticle) {
+  Level level = room({.kind = TileShape::Kind::solid, .one_way = true}, {20, 4}, {0, 2});
+  EXPECT_EQ(scene_of(level)->items.size(), 7u);
+  level.tuning.solver = SolverKind::article;
+  EXPECT_EQ(scene_of(level)->items.size(), 1u);
+}
+
 }  // namespace talus::bump_solver_test

@@ -77,6 +77,18 @@ TEST_F(CastTiles, ACornerAimedAtExactlyIsAFloorOrACeiling) {
   expect_contact(cast(ground_, {28, 28, 4, 4}, {-8, -8}), 0.5, {24, 24}, {0, 1});
 }
 
+// A box that comes into a corner meets wall and floor at once, each as much against its way: the more level
+// one counts, whichever is looked at first.
+TEST(CastCorners, OfTwoContactsAtOneTimeTheMoreLevelOneCounts) {
+  const Terrain right =
+      TestMap({"....1", "....1", "....1", "11111"}).compile();  // the wall at 32, the floor at 24
+  expect_contact(cast(right, {16, 8, 4, 4}, {16, 16}), 0.75, {28, 20}, {0, -1});
+  const Terrain left = TestMap({"1....", "1....", "1....", "11111"}).compile();
+  expect_contact(cast(left, {20, 8, 4, 4}, {-16, 16}), 0.75, {8, 20}, {0, -1});
+  const Terrain above = TestMap({"11111", "....1", "....1", "....1"}).compile();  // the ceiling at 8
+  expect_contact(cast(above, {16, 20, 4, 4}, {16, -16}), 0.75, {28, 8}, {0, 1});
+}
+
 TEST_F(CastTiles, ABoxLargerThanATile) {
   expect_contact(cast(ground_, {-30, -84, 100, 60}, {0, 80}), 0.5, {-30, -44}, {0, -1});
   expect_contact(cast(ground_, {-88, -30, 64, 100}, {80, 0}), 0.5, {-48, -30}, {-1, 0});

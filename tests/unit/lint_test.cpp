@@ -318,4 +318,33 @@ TEST(Lint, ForeignCartsGetFewProblems) {
   EXPECT_EQ(count("quest"), 3u);  // and its tile 0 has every flag, and no picture
 }
 
+TEST(Lint, GroundThatTheArticleDoesNotKnow) {
+  Level level = level_of({"o..", "###"});
+  level.map.set({1, 0}, 20);
+  level.tile_shapes[20] = {.kind = TileShape::Kind::solid, .one_way = true};
+  level.tile_shapes[21] = {.kind = TileShape::Kind::profile, .heights = {0, 4, 0}};  // not on the map
+  level.sheet(SheetId::tiles).images[20].fill(1);
+  for (const SolverKind solver : {SolverKind::bump, SolverKind::exact}) {
+    level.tuning.solver = solver;
+    EXPECT_THAT(problems(level), IsEmpty());
+  }
+  level.tuning.solver = SolverKind::article;
+  EXPECT_THAT(
+      problems(level),
+      ElementsAre("W ground-not-in-article 20: bodies pass through tile 20: the article knows no one-way "
+                  "ground, ceilings and profiles; the solvers bump and exact do"));
+}
+
+TEST(Lint, ABodyThatIsTooFast) {
+  Level level = level_of({"...", "###"});
+  Spawn spawn;
+  spawn.velocity = {-4096, 4096};
+  level.spawns = {spawn};
+  EXPECT_THAT(problems(level), IsEmpty());
+  level.spawns[0].velocity.y = 1e6;
+  ASSERT_EQ(problems(level).size(), 1u);
+  EXPECT_THAT(problems(level)[0],
+              testing::HasSubstr("1000000 px/frame; after the first step speeds are cut to 4096"));
+}
+
 }  // namespace talus::lint_test

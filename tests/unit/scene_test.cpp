@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "level/ground.h"
 #include "level_text.h"
+#include "sim/solver.h"
 
 namespace talus::scene_test {
 
@@ -83,6 +85,49 @@ TEST(FlagRoles, SolidWinsOverSlopesAndSlopesOverBall) {
   EXPECT_EQ(role_of(0b1010, roles), TileRole::down_slope);
   EXPECT_EQ(role_of(0b0010, roles), TileRole::ball);
   EXPECT_EQ(role_of(0b11110000, roles), TileRole::none);
+}
+
+// 2 GB of boxes, and more, are told of and not made.
+TEST(Scene, OfTooMuchGroundForItsSolverHasNone) {
+  Level level;
+  level.map = TileMap(2048, 1025);
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
+  level.spawns.resize(1);
+  level.tuning.solver = SolverKind::exact;
+  EXPECT_FALSE(boxes_problem(level));
+  for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
+    level.tuning.solver = solver;
+    EXPECT_EQ(boxes_problem(level), "has 2099200 tiles of ground, and the solver " +
+                                        std::string(solver_name(solver)) +
+                                        " can take 2097152: choose the solver exact");
+    EXPECT_EQ(compile_scene(level).items.size(), 1u);
+  }
+  level.map.set({0, 0}, 0);
+  level.map.cells()[0] = 0;
+  std::fill_n(level.map.cells().begin(), 2048, std::uint8_t{0});
+  EXPECT_FALSE(boxes_problem(level));
+}
+
+// Cells far smaller than the boxes would take gigabytes: the solver's own are larger then, and nothing else
+// differs.
+TEST(Scene, LargeBodiesInSmallCellsAreStepped) {
+  Level level = level_of({"....", "####"});
+  Spawn large;
+  large.position = {0, -1100};
+  large.size = {1024, 1024};
+  level.spawns.assign(20, large);
+  level.tuning.article.balls_block = 1;
+  level.tuning.article.cell_size = 1;
+  for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
+    level.tuning.solver = solver;
+    State small = initial_state(compile_scene(level));
+    small = step(compile_scene(level), small, {});
+    Level other = level;
+    other.tuning.article.cell_size = 64;
+    EXPECT_EQ(state_hash(small),
+              state_hash(step(compile_scene(other), initial_state(compile_scene(other)), {})));
+  }
 }
 
 }  // namespace talus::scene_test

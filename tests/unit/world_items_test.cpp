@@ -234,4 +234,19 @@ TEST(WorldNumbers, LongMovesMeetWhatShortOnesMeet) {
   EXPECT_EQ(hits[0].touch.x, 999'999);
 }
 
+// The memory of the grid is bounded for all items together.
+TEST(WorldItems, CoverOnlySoManyCells) {
+  World world(1);
+  const ItemId first = world.add({0, 0, 1000, 1000});
+  EXPECT_THROW(world.add({0, 0, 1000, 1000}), WorldError);
+  EXPECT_EQ(world.item_count(), 1u);
+  const ItemId second = world.add({0, 0, 100, 100});
+  EXPECT_THROW(world.update(second, {0, 0, 1000, 1000}), WorldError);
+  EXPECT_EQ(world.rect(second), (Rect{0, 0, 100, 100}));
+  world.update(first, {0, 0, 10, 10});
+  world.update(second, {0, 0, 1000, 1000});
+  world.remove(second);
+  EXPECT_TRUE(world.add({5, 5, 1000, 1000}));
+}
+
 }  // namespace talus::world_items_test

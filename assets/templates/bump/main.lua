@@ -30,30 +30,38 @@ local function start()
   end
 end
 
+-- Bodies have a kind, the ground has none.
+local function filter(body, other)
+  if other.kind and tuning.balls_block == 0 then return false end
+  return slopes.filter(body, other)
+end
+
 -- All that a body needs of slopes: one move(), and its hits for the velocity.
 local function move(body, bounces)
   local hits, count
-  body.x, body.y, hits, count = world:move(body, body.x + body.vx, body.y + body.vy, slopes.filter)
+  body.x, body.y, hits, count = world:move(body, body.x + body.vx, body.y + body.vy, filter)
   body.vx, body.vy = slopes.bounce(body.vx, body.vy, hits, count, bounces)
 end
 
+local function blend(from, to, share) return (1 - share) * from + share * to end
+
 local function fall(body)
-  body.vx = body.vx * (1 - tuning.drift_blend)
-  body.vy = body.vy + (tuning.fall_speed - body.vy) * tuning.fall_blend
+  body.vx = blend(body.vx, tuning.drift_speed, tuning.drift_blend)
+  body.vy = blend(body.vy, tuning.fall_speed, tuning.fall_blend)
   move(body, tuning)
 end
 
 local function run(body)
   local is_down = love.keyboard.isDown
   local direction = (is_down("right", "d") and 1 or 0) - (is_down("left", "a") and 1 or 0)
-  local jumps = is_down("up", "w", "space") and slopes.grounded(world, body)
-  local walks = not jumps and slopes.grounded(world, body)
+  local jumps = is_down("up", "w", "space") and slopes.grounded(world, body, filter)
+  local walks = not jumps and slopes.grounded(world, body, filter)
   local gain = direction * tuning.run_speed - body.vx
   body.vx = body.vx + math.max(-tuning.run_gain, math.min(gain, tuning.run_gain))
   body.vy = jumps and -tuning.jump_speed or math.min(body.vy + tuning.player_gravity, tuning.fall_limit)
   if walks then body.vy = 0 end  -- it neither hops downhill nor slips off a slope
   move(body, SOFT)
-  local floor = walks and slopes.floor(world, body, SNAP)
+  local floor = walks and slopes.floor(world, body, SNAP, filter)
   if floor then
     body.y = floor
     world:update(body, body.x, body.y)

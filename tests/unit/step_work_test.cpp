@@ -1,0 +1,143 @@
+// A step's work is bounded, whatever the level: what would take minutes stops where it can be, and says so.
+#include <gtest/gtest.h>
+
+#include "cli/trace.h"
+#include "collision/ground_queries.h"
+#include "debug/explain.h"
+#include "debug/metrics.h"
+#include "level_text.h"
+#include "sim/solver.h"
+
+namespace talus::step_work_test {
+
+constexpr std::array kSolvers = {SolverKind::article, SolverKind::bump, SolverKind::exact};
+
+Spawn ball(Vec2 position, Vec2 velocity = {}) {
+  Spawn spawn;
+  spawn.position = position;
+  spawn.velocity = velocity;
+  return spawn;
+}
+
+struct Steps {
+  explicit Steps(const Level& level)
+      : scene(std::make_shared<const Scene>(compile_scene(level))),
+        solver(make_solver(scene)),
+        state(initial_state(*scene)) {}
+  void step() { solver->step(state, {}, &record); }
+  bool cut_short(int body) const { return record.paths[static_cast<std::size_t>(body - 1)].cut_short; }
+
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<Solver> solver;
+  State state;
+  StepRecord record;
+};
+
+// Within the same step without a record, too.
+void expect_same_without_record(const Level& level, const Steps& run) {
+  Steps other(level);
+  while (other.state.frame < run.state.frame) other.solver->step(other.state, {}, nullptr);
+  EXPECT_EQ(state_hash(other.state), state_hash(run.state));
+}
+
+TEST(StepWork, BallsOfAnySpeedTakeNoLongerThanOthers) {
+  for (const SolverKind solver : kSolvers) {
+    for (const double speed : {1e6, 1e8}) {
+      Level level = level_of({"..........", "..........", "##########"});
+      level.tuning.solver = solver;
+      level.tuning.article.cell_size = 1;
+      level.spawns = {ball({8, 4}, {speed, speed / 8}), ball({60, 4}, {-speed, 0})};
+      Steps run(level);
+      for (int i = 0; i < 3; ++i) run.step();
+      for (const Body& body : run.state.bodies)
+        EXPECT_LE(body.box.bottom(), 16.0) << "it is through the floor";
+      expect_same_without_record(level, run);
+    }
+  }
+}
+
+// 3000 balls in one place: each would be tested against all others, and on World once more for each that it
+// meets.
+TEST(StepWork, AHeapOfThousandsIsStepped) {
+  for (const SolverKind solver : kSolvers) {
+    Level level = level_of({"..........", "..........", "##########"});
+    level.tuning.solver = solver;
+    level.spawns.assign(solver == SolverKind::exact ? 20000 : 3000, ball({20.5, 4}));
+    Steps run(level);
+    run.step();
+    EXPECT_TRUE(run.cut_short(1)) << solver_name(solver);
+    EXPECT_EQ(run.state.bodies[0].box, (Rect{20.5, 4, 8, 8})) << solver_name(solver);
+    expect_same_without_record(level, run);
+  }
+}
+
+// A long way along a wall of free lines: no line is passed, though the step does not get to its end.
+TEST(StepWork, WhatUsesUpItsPartStopsBeforeWhatItHasNotLookedAt) {
+  Level level;
+  level.map = TileMap(1 << 18, 4);  // 2^21 px
+  level.tuning.solver = SolverKind::exact;
+  level.tuning.article.balls_block = 0;
+  for (int row = 0; row < 4; ++row) level.map.set({(1 << 18) - 1, row}, 1);
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
+  level.spawns.assign(4000, ball({8, 8}, {1e8, 0}));
+  Steps run(level);
+  run.step();
+  EXPECT_TRUE(run.cut_short(1));
+  EXPECT_FALSE(run.record.paths[0].capped);
+  const double x = run.state.bodies[0].box.x;
+  EXPECT_GT(x, 1e4);
+  EXPECT_LT(x, 1e6);  // 4096 slices of 16 px, and what there is on the way
+  level.spawns.resize(1);
+  Steps alone(level);
+  alone.step();
+  EXPECT_FALSE(alone.cut_short(1));
+  EXPECT_EQ(alone.state.bodies[0].box.right(), ((1 << 18) - 1) * 8.0) << "the wall";
+}
+
+TEST(StepWork, IsTold) {
+  Level level = level_of({"..........", "..........", "##########"});
+  level.tuning.solver = SolverKind::exact;
+  level.spawns.assign(20000, ball({20, 4}));
+  Steps run(level);
+  run.step();
+  Frame frame;
+  frame.scene = run.scene;
+  frame.state = run.state;
+  frame.record = run.record;
+  EXPECT_EQ(measure(Metric::cut_short, frame, run.state.bodies[0]), 1);
+  run.state.bodies.resize(1);
+  StepRecord record;
+  record.paths = {run.record.paths[0]};
+  EXPECT_EQ(trace_line(run.state, &record).substr(trace_line(run.state, &record).find("\"contacts\"")),
+            R"("contacts":[],"cut_short":[1]})");
+  record.paths[0].cut_short = false;
+  EXPECT_EQ(trace_line(run.state, &record).find("cut_short"), std::string::npos);
+}
+
+TEST(StepWork, OfAWorldAloneIsBounded) {
+  World world(1);
+  const ItemId mover = world.add({0, 0, 4, 4});
+  world.add({1e7, 0, 4, 4});
+  std::vector<Collision> hits;
+  EXPECT_EQ(world.move(mover, {1e8, 0}, hits), (Vec2{1e7 - 4, 0}));
+  EXPECT_FALSE(world.gave_up());
+
+  World heap;
+  for (int i = 0; i < 3000; ++i) heap.add({0.001 * i, 0.002 * i, 80, 80});
+  const ItemId deep = heap.add({10, 10, 8, 8});
+  heap.set_most_tests(100'000);
+  World::GroupResponses crosses;
+  crosses.fill(Response::cross);
+  EXPECT_EQ(heap.move(deep, {12, 11}, crosses, hits), (Vec2{10, 10}));
+  EXPECT_TRUE(heap.gave_up());
+  EXPECT_TRUE(hits.empty());
+  const auto cross = [](ItemId, ItemId) { return Response::cross; };
+  EXPECT_EQ(heap.check(deep, {12, 11}, cross, hits), (Vec2{10, 10}));
+  EXPECT_TRUE(heap.gave_up());
+  EXPECT_EQ(heap.check(
+                deep, {12, 11}, [](ItemId, ItemId) { return Response::ignore; }, hits),
+            (Vec2{12, 11}));
+  EXPECT_FALSE(heap.gave_up());
+}
+
+}  // namespace talus::step_work_test
