@@ -1,25 +1,13 @@
 #include "debugger.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace talus {
 namespace {
 
-constexpr double kSeconds = 0.004;       // of real time that a call of advance() takes
-constexpr std::int64_t kFrames = 16;     // between two looks at the clock
-constexpr std::int64_t kCounted = 2000;  // frames whose hits are counted before a step
-
-class Clock {
- public:
-  bool is_up() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-    return passed.count() > kSeconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
+constexpr double kSeconds = 0.004;  // of real time that a call of advance() takes
+constexpr std::int64_t kCountedShare =
+    125;  // as many frames' hits are counted before a step, for each at once
 
 }  // namespace
 
@@ -51,7 +39,7 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
   const BranchFrames& frames = shown_.of(branch);
   if (&timeline.scene() == timeline.level_scene().get())
     frames.know(branch.chapters[branch.chapter_at(timeline.frame())].version, timeline.level_scene());
-  side_.follow(timeline, level, kFrames);
+  side_.follow(timeline, level, frames_.count());
   if (is_other || side_.run() != side_run_) forget_parting();
   if (!is_other && side_.run() != side_run_) stops_.forget_hits();
   side_run_ = side_.run();
@@ -97,7 +85,7 @@ void Debugger::search_parting(double threshold) {
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
-  return stops_.ready(source(), timeline.frame(), kCounted);
+  return stops_.ready(source(), timeline.frame(), kCountedShare * frames_.count());
 }
 
 bool Debugger::stops_at(const Timeline& timeline, const Level& level) {
@@ -115,33 +103,34 @@ void Debugger::compare_with(std::optional<Variant> variant) {
 }
 
 std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Level& level, int chosen_body) {
-  const Clock clock;
+  const Stopwatch clock;
   do {
+    const TimedPiece piece(frames_);
     follow(timeline, level);
     const bool side_behind = side_.variant() != nullptr && !side_.has(timeline.current().run_frame());
     is_busy_ = side_behind;
     if (side_behind) continue;
-    if (stops_.advance_search(source(), kFrames)) {
+    if (stops_.advance_search(source(), frames_.count())) {
       stop_ = stops_.found();
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
     // One after another: frames that are read in order take a step each, others a seek.
-    const bool done = stops_.count(source(), timeline.frame(), kFrames) &&
+    const bool done = stops_.count(source(), timeline.frame(), frames_.count()) &&
                       advance_plots(timeline, chosen_body) && advance_parting();
     is_busy_ = !done || searching();
-  } while (is_busy_ && !clock.is_up());
+  } while (is_busy_ && clock.seconds() < kSeconds);
   return std::nullopt;
 }
 
 // True when they have come to the last frame.
 bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
-  const bool done = watches_.advance(source(), chosen_body, kFrames);
+  const bool done = watches_.advance(source(), chosen_body, frames_.count());
   if (side_.frames() == nullptr) return done;
   if (parting_watch_.all().empty()) parting_watch_.put(0, {"parting", 0});
   const auto& bodies = timeline.state().bodies;
   const int body = chosen_body != 0 || bodies.empty() ? chosen_body : bodies.front().id;
-  return parting_watch_.advance(source(), body, kFrames) && done;
+  return parting_watch_.advance(source(), body, frames_.count()) && done;
 }
 
 // The whole run, and what is played later; forwards from the frames that were searched before. True when it
@@ -154,7 +143,7 @@ bool Debugger::advance_parting() {
     if (!armed) return true;
     parting_search_.emplace(std::vector{std::move(*armed)}, parting_searched_, SearchDirection::forwards);
   }
-  if (!parting_search_->advance(source(), kFrames)) return false;
+  if (!parting_search_->advance(source(), frames_.count())) return false;
   if (parting_search_->found()) parting_frame_ = parting_search_->found()->frame;
   parting_searched_ = source().last();
   parting_search_.reset();

@@ -10,6 +10,7 @@
 #include "side_by_side.h"
 #include "stops.h"
 #include "watches.h"
+#include "work_share.h"
 
 namespace talus {
 
@@ -100,6 +101,7 @@ class Debugger {
   std::optional<Stop> stop_;
   bool search_failed_ = false;
   bool is_busy_ = false;
+  WorkShare frames_{16, 0.002};  // that are run or judged at once
 };
 
 }  // namespace talus

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "sim/case_input.h"
@@ -120,17 +121,20 @@ void Player::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<b
   if (timeline_->behind()) return run_again();
   if (!playback_.running) return;
   due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, Session::kMaxCatchUpSteps);
-  for (; due_ >= 1 && playback_.running && may_step(); due_ -= 1) {
+  const Stopwatch watch;
+  for (; due_ >= 1 && playback_.running && watch.seconds() < kPlaySeconds && may_step(); due_ -= 1) {
     step();
     if (stops()) set_running(false);
   }
+  if (watch.seconds() >= kPlaySeconds) due_ -= std::floor(due_);  // what takes too long plays slower
 }
 
 void Player::run_again() {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const std::chrono::duration<double> most(kRerunSeconds);
-  while (timeline_->behind() && Clock::now() - start < most) timeline_->catch_up(16);
+  const Stopwatch watch;
+  while (timeline_->behind() && watch.seconds() < kRerunSeconds) {
+    const TimedPiece piece(rerun_share_);
+    timeline_->catch_up(rerun_share_.count());
+  }
   show_held();
 }
 

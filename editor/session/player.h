@@ -6,6 +6,7 @@
 #include "collision/function_ref.h"
 #include "session.h"
 #include "step_times.h"
+#include "work_share.h"
 
 namespace talus {
 
@@ -48,7 +49,8 @@ class Player {
   const StepTimes& step_times() const { return step_times_; }
 
  private:
-  static constexpr double kRerunSeconds = 0.008;  // of real time that a call of advance() spends on a re-run
+  // Of real time, that a call of advance() spends on a re-run, and on playing; one step may take longer.
+  static constexpr double kRerunSeconds = 0.008, kPlaySeconds = 0.1;
 
   void start();
   void run_again();
@@ -60,7 +62,8 @@ class Player {
   std::vector<CaseInput> script_;  // by frame
   Input tapped_;                   // keys held at any time since the last step; of a running simulation alone
   StepTimes step_times_;
-  double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
+  double due_ = 0;   // steps that real time asks for and that are not made yet, below 1 after advance()
+  WorkShare rerun_share_{16, 0.002};  // frames
 };
 
 }  // namespace talus

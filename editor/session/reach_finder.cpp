@@ -2,14 +2,8 @@
 #include "reach_finder.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace talus {
-namespace {
-
-constexpr int kStatesAtOnce = 64;  // between looks at the clock
-
-}  // namespace
 
 std::optional<std::string> ReachFinder::start(const Scene& scene, std::optional<BodyOrigin> origin) {
   if (!scene.ground && !scene.single_ground)
@@ -29,10 +23,11 @@ std::optional<std::string> ReachFinder::start(const Scene& scene, std::optional<
 }
 
 void ReachFinder::advance(double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const std::chrono::duration<double> most(seconds);
-  while (running_ && Clock::now() - start < most) running_ = !search_->advance(kStatesAtOnce);
+  const Stopwatch watch;
+  while (running_ && watch.seconds() < seconds) {
+    const TimedPiece piece(share_);
+    running_ = !search_->advance(static_cast<int>(share_.count()));
+  }
 }
 
 void ReachFinder::note_change() {

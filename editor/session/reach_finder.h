@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/reach.h"
+#include "work_share.h"
 
 namespace talus {
 
@@ -30,6 +31,7 @@ class ReachFinder {
   bool running_ = false;
   bool is_stale_ = false;
   int others_ = 0;
+  WorkShare share_{64, 0.002};  // states
 };
 
 }  // namespace talus
