@@ -3,6 +3,7 @@
 #include <string>
 
 #include "commands.h"
+#include "long_list.h"
 
 namespace talus {
 namespace {
@@ -49,12 +50,14 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
                      keys_of(find_command("timeline/previous_branch"), ui) + "  " +
                          keys_of(find_command("timeline/next_branch"), ui));
   if (!open) return;
-  for (const Branch& branch : timeline.branches()) {
+  const auto& branches = timeline.branches();
+  draw_rows(static_cast<int>(branches.size()), [&](int row) {
+    const Branch& branch = branches[static_cast<std::size_t>(row)];
     ImGui::PushID(branch.id);
     const std::string label = branch_name(branch) + "   " + std::to_string(branch.last_frame()) + " frames";
     const bool is_current = branch.id == timeline.current().id;
     const float drop = ui.px(48), width = ui.px(310);
-    if (ImGui::Selectable(label.c_str(), is_current, ImGuiSelectableFlags_None, {width, 0}))
+    if (selectable(label, {}, is_current, ImGuiSelectableFlags_None, {width, 0}))
       actions.push_back(action::SwitchBranch{branch.id});
     ui.item("timeline/branch" + std::to_string(branch.id), "Shows this run.");
     ImGui::SameLine(width + ui.px(8));
@@ -64,14 +67,14 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
     ImGui::SameLine(width + ui.px(8) + drop);
     bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
     ImGui::BeginDisabled(is_current);
-    if (ImGui::SmallButton(compared ? "compared" : "compare"))
+    if (small_button(compared ? "compared" : "compare", "compare"))
       actions.push_back(action::CompareBranch{compared ? 0 : branch.id});
     ImGui::EndDisabled();
     ui.item("timeline/compare" + std::to_string(branch.id),
             "Draws this run's bodies as ghosts beside those of the run that is shown.",
             keys_of(find_command("compare/next"), ui), !is_current);
     ImGui::PopID();
-  }
+  });
   ImGui::EndCombo();
 }
 

@@ -1,14 +1,13 @@
 // Rows of brushes with their pictures, and the ground's tiles where they belong.
 #include "brushes_panel.h"
 
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "commands.h"
 #include "edit/auto_tile.h"
 #include "edit/brushes.h"
+#include "long_list.h"
 #include "tile_number.h"
 
 namespace talus {
@@ -133,11 +132,11 @@ void BrushesPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
         "They are kept with the level.");
     return;
   }
-  for (int i = 0; i < static_cast<int>(brushes.size()); ++i) {
-    ImGui::PushID(i);
-    draw_brush(i, session, actions, ui);
+  draw_rows(static_cast<int>(brushes.size()), [&](int row) {
+    ImGui::PushID(row);
+    draw_brush(row, session, actions, ui);
     ImGui::PopID();
-  }
+  });
 }
 
 void BrushesPanel::draw_brush(int index, const Session& session, Actions& actions, Ui& ui) {
@@ -172,7 +171,7 @@ void BrushesPanel::draw_name(int index, float width, const Session& session, Act
   const Brush& brush = session.level().brushes[static_cast<std::size_t>(index)];
   std::string text = renamed_ == index ? new_name_ : brush.name;
   ImGui::SetNextItemWidth(width);
-  ImGui::InputTextWithHint("##name", "no name", &text);
+  input_text("name", "no name", text);
   ui.item("brushes/" + std::to_string(index) + "/name", "The brush's name.");
   if (ImGui::IsItemActive()) {
     renamed_ = index;

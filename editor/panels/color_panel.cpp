@@ -2,7 +2,6 @@
 #include "color_panel.h"
 
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <array>
 #include <cstdio>
@@ -95,7 +94,7 @@ void draw_clipboard(std::string_view id, const char* label, const Session& sessi
                     Ui& ui) {
   const Command& command = find_command(id);
   ImGui::SameLine();
-  if (ImGui::Button(label, {0, ui.px(kRow)})) command.run(session, actions, ui);
+  if (button(label, {}, {0, ui.px(kRow)})) command.run(session, actions, ui);
   ui.item(id, command.help, keys_of(command, ui));
 }
 
@@ -134,7 +133,7 @@ Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
     typed_ = hex_of(chosen);
   }
   ImGui::SetNextItemWidth(ui.px(kHex));
-  ImGui::InputText("##hex", &typed_, ImGuiInputTextFlags_CharsHexadecimal);
+  input_text("hex", "", typed_, ImGuiInputTextFlags_CharsHexadecimal);
   typing_ = ImGui::IsItemActive();
   ui.item("palette/hex", "The colour as RRGGBB, or RGB for short; Enter or Tab sets it.");
   if (!ImGui::IsItemDeactivatedAfterEdit()) return chosen;

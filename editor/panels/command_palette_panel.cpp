@@ -1,8 +1,6 @@
 // A modal list of the commands that match.
 #include "command_palette_panel.h"
 
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -39,8 +37,7 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##typed", "type a few letters of its name, or what it is about", &typed_))
-    chosen_ = 0;
+  if (input_text("typed", "type a few letters of its name, or what it is about", typed_)) chosen_ = 0;
   ui.item("command_palette/text");
   draw_list(session, actions, ui);
   if (key_pressed(ImGuiKey_Escape)) ui.view.command_palette_open = false;
@@ -63,9 +60,7 @@ void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui
     const Command& command = *found[static_cast<std::size_t>(i)].command;
     const bool enabled = command.is_enabled(session, ui);
     ImGui::BeginDisabled(!enabled);
-    if (ImGui::Selectable((std::string(command.label) + "##" + std::string(command.id)).c_str(),
-                          i == chosen_))
-      run = &command;
+    if (selectable(command.label, command.id, i == chosen_)) run = &command;
     ImGui::EndDisabled();
     if (i == chosen_ && moved) ImGui::SetScrollHereY();
     ui.item("command_palette/" + std::string(command.id), command.help, {}, enabled);

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "compare_choice.h"
 #include "debug/compare.h"
+#include "long_list.h"
 #include "overlay/number_label.h"
 #include "plot.h"
 
@@ -47,7 +48,7 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
                      "What the run that is shown is compared with. The key takes the next one.",
                      keys_of(find_command("compare/next"), ui))) {
     for (const CompareChoice& choice : compare_choices(session)) {
-      if (ImGui::Selectable(choice.label.c_str(), choice == now)) compare_with(choice, actions);
+      if (selectable(choice.label, {}, choice == now)) compare_with(choice, actions);
       ui.item("compare/" + choice.key);
     }
     ImGui::EndCombo();
@@ -82,7 +83,7 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
 
 void ComparePanel::draw_missing(const Session& session, Actions& actions, Ui& ui) {
   ui.begin_row();
-  ImGui::TextUnformatted((missing_side(session) + ".").c_str());
+  draw_text(missing_side(session) + ".");
   ui.item("compare/missing");
   ImGui::SameLine();
   if (session.debugger().comparing_progress(session.timeline()))
@@ -109,12 +110,13 @@ void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui)
       ui.right_aligned(title, theme::tone(theme::kMuted));
     }
   }
-  for (const BodyDifference& body : bodies) {
+  draw_rows(static_cast<int>(bodies.size()), [&](int row) {
+    const BodyDifference& body = bodies[static_cast<std::size_t>(row)];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const int id = body.a != 0 ? body.a : body.b;
-    if (ImGui::Selectable(std::to_string(id).c_str(), id == session.choices().body,
-                          ImGuiSelectableFlags_SpanAllColumns) &&
+    if (selectable(std::to_string(id), {}, id == session.choices().body,
+                   ImGuiSelectableFlags_SpanAllColumns) &&
         body.a != 0)
       actions.push_back(action::SelectBody{body.a});
     ui.item("compare/body" + std::to_string(id), body.a == 0   ? "Only on the other side."
@@ -125,7 +127,7 @@ void ComparePanel::draw_bodies(const Session& session, Actions& actions, Ui& ui)
     draw_cell(body.position.y, ui);
     draw_cell(body.velocity.x, ui);
     draw_cell(body.velocity.y, ui);
-  }
+  });
   ImGui::EndTable();
 }
 

@@ -47,6 +47,9 @@ void CurvePen::handles(const Curve& curve, int lit, Ui& ui) const {
     if (is_polyline && !is_end &&
         view_.to_screen(handles[static_cast<std::size_t>(i + 1)]).x - at.x < kLeastPointGap)
       continue;
+    const ImVec2 outside{std::max(view_.min.x - at.x, at.x - view_.max.x),
+                         std::max(view_.min.y - at.y, at.y - view_.max.y)};
+    if (std::max(outside.x, outside.y) > side + 1) continue;
     const ImU32 color = theme::color(i == lit ? theme::kWarning : theme::kText);
     if (is_end) {
       list_.AddRectFilled({at.x - side - 1, at.y - side - 1}, {at.x + side + 1, at.y + side + 1},
@@ -61,14 +64,14 @@ void CurvePen::handles(const Curve& curve, int lit, Ui& ui) const {
 }
 
 void CurvePen::title(const std::string& text, ImVec2 beside, std::uint32_t color) const {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 size = size_of_text(text);
   const float gap = 4 * width_;
   ImVec2 at{beside.x + gap, beside.y - size.y - gap};
   at.x = std::max(view_.min.x + gap, std::min(at.x, view_.max.x - size.x - gap));
   at.y = std::clamp(at.y, view_.min.y + gap, std::max(view_.min.y + gap, view_.max.y - size.y - gap));
   list_.AddRectFilled({at.x - 4, at.y - 2}, {at.x + size.x + 4, at.y + size.y + 2},
                       theme::color(theme::kDark, 205), 3);
-  list_.AddText(at, theme::color(color), text.c_str());
+  add_text(list_, at, theme::color(color), text);
 }
 
 void CurvePen::snapped(const SnappedPoint& point, const Ui& ui, std::string_view word) const {

@@ -1,8 +1,6 @@
 // Fields of curves, by their kinds.
 #include "curve_inspector.h"
 
-#include <imgui_stdlib.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
@@ -80,7 +78,7 @@ class FormFields {
   void row() { first_ = true; }
   void number(const std::string& part, const std::string& label, double& value, std::string_view help,
               float speed = 1) {
-    const float text = ImGui::CalcTextSize((label + kLongNumber).c_str()).x;
+    const float text = size_of_text(label + kLongNumber).x;
     const float width = (text + 2 * ImGui::GetStyle().FramePadding.x) / ui_.scale;
     if (!first_) ui_.same_line_if_fits(ui_.px(width));
     first_ = false;
@@ -125,7 +123,7 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_numbers(session, actions, ui, curve);
   if (!problem_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
-    ImGui::TextWrapped("%s", problem_.c_str());
+    draw_wrapped_text(problem_);
     ImGui::PopStyleColor();
     ui.item("inspector/curve_problem");
   }
@@ -152,8 +150,7 @@ void CurveInspector::draw_kind(const Session& session, Actions& actions, Ui& ui)
     for (int i = 0; i < kCurveKindCount; ++i) {
       const auto kind = static_cast<CurveKind>(i);
       const std::string label(label_of(kind));
-      if (ImGui::Selectable(label.c_str(), kind == choices.curve_kind))
-        actions.push_back(action::SetCurveKind{kind});
+      if (selectable(label, {}, kind == choices.curve_kind)) actions.push_back(action::SetCurveKind{kind});
       ui.item("inspector/curve_kind_" + label);
     }
     ImGui::EndCombo();
@@ -165,7 +162,7 @@ void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui,
   LevelCurve named = session.level().curves.at(static_cast<std::size_t>(curve));
   if (curve != shown_) name_ = named.name;
   ImGui::SetNextItemWidth(ui.px(220));
-  ImGui::InputTextWithHint("##curve name", "name", &name_);
+  input_text("curve name", "name", name_);
   ui.item("inspector/curve_name", "What you call it; the debugger's sentences call it so, too.");
   if (ImGui::IsItemDeactivatedAfterEdit() && name_ != named.name) {
     named.name = name_;
@@ -186,7 +183,7 @@ void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui
                      "From which side it stops bodies: up is a floor, down a ceiling; of an upright segment, "
                      "up is left.")) {
     for (std::size_t i = 0; i < kFaces.size(); ++i) {
-      if (ImGui::Selectable(std::string(kFaces[i]).c_str(), i == now) && i != now) {
+      if (selectable(kFaces[i], {}, i == now) && i != now) {
         changed.curve.faces = static_cast<Curve::Faces>(i);
         change(session, actions, curve, changed, "Turn a curve's face", 0);
       }

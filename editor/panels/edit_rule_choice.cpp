@@ -24,7 +24,7 @@ void draw_edit_rule_choice(const Session& session, Actions& actions, Ui& ui) {
     return;
   const std::int64_t frame = now.kind == Kind::from_frame ? now.frame : session.state().frame;
   const auto choice = [&](EditRule rule, const std::string& label, const char* name) {
-    if (ImGui::Selectable(label.c_str(), rule.kind == now.kind)) actions.push_back(action::SetEditRule{rule});
+    if (selectable(label, {}, rule.kind == now.kind)) actions.push_back(action::SetEditRule{rule});
     ui.item(std::string("timeline/rule_") + name);
   };
   choice({Kind::go_on, 0}, "Go on from the shown frame", "go_on");

@@ -2,7 +2,6 @@
 #include "export_panel.h"
 
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -67,24 +66,21 @@ std::vector<const Exporter*> matching_targets(const std::string& typed) {
 
 void field_label(const char* label, Ui& ui) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
+  draw_text(label);
   ImGui::SameLine(ui.px(kExportLabels));
 }
 
 // One line of text up to the window's right side, with "..." where it ends early.
 void draw_short(const std::string& text, ImVec2 at, std::uint32_t color) {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + ImGui::GetTextLineHeight()}, right,
-                            right, text.data(), text.data() + text.size(), nullptr);
-  ImGui::PopStyleColor();
+  add_short_text(*ImGui::GetWindowDrawList(), at, right, theme::tone(color), text);
 }
 
 // A field that shows `now` and holds what is typed until it is left. True when that is another text.
 bool text_field(const char* widget, const char* hint, std::string& typed, const std::string& now,
                 const std::string& help, Ui& ui) {
   take_text_focus(widget, ui);
-  ImGui::InputTextWithHint((std::string("##") + widget).c_str(), hint, &typed);
+  input_text(widget, hint, typed);
   const bool changed = ImGui::IsItemDeactivatedAfterEdit() && typed != now;
   const bool active = ImGui::IsItemActive();
   ui.item(widget, help);
@@ -289,15 +285,14 @@ void ExportPanel::draw_target_choice(const Session& session, Actions& actions, U
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##find", "type a few letters", &target_);
+  input_text("find", "type a few letters", target_);
   ui.item("export/find_target");
   const ExportPreset& preset = chosen_preset(session, ui);
   const auto found = matching_targets(target_);
   const Exporter* taken = key_pressed(ImGuiKey_Enter) && !found.empty() ? found.front() : nullptr;
   if (found.empty()) ui.hint("No target has these letters in its name.");
   for (const Exporter* exporter : found) {
-    if (ImGui::Selectable(exporter_title(*exporter).c_str(), preset.exporter == exporter->id))
-      taken = exporter;
+    if (selectable(exporter_title(*exporter), {}, preset.exporter == exporter->id)) taken = exporter;
     ui.item("export/target/" + std::string(exporter->id), exporter->purpose);
   }
   if (taken != nullptr)

@@ -11,6 +11,7 @@ namespace {
 
 using Place = PlannedFile::Place;
 
+constexpr float kMostNoteLines = 3;  // of what is said beside the files, before it is scrolled
 constexpr float kSizeColumn = 84, kPlaceColumn = 210;  // px at scale 1
 
 std::string code_text(std::size_t bytes) {
@@ -36,14 +37,6 @@ std::string sentence(const FormatError& error) {
   return text + ".";
 }
 
-void draw_wrapped(const std::string& text, std::uint32_t color) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-}
-
 void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
   const bool is_foreign = outcome.foreign.contains(file.path);
   const std::string old = size_text(static_cast<std::size_t>(file.old_size));
@@ -54,7 +47,7 @@ void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
                                                          : "replaces " + old;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(file.name.c_str());
+  draw_text(file.name);
   ui.item("export/file/" + file.name, file.path);
   ImGui::TableNextColumn();
   ui.right_aligned(size_text(file.size));
@@ -64,7 +57,7 @@ void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
                               : file.place == Place::empty ? theme::kAccent
                                                            : theme::kMuted;
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-  ImGui::TextUnformatted(place.c_str());
+  draw_text(place);
   ImGui::PopStyleColor();
   if (is_foreign)
     ui.tooltip(
@@ -75,7 +68,7 @@ void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
 void draw_kept_file(const PlannedFile& file, Ui& ui) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(file.name.c_str());
+  draw_text(file.name);
   ui.item("export/file/" + file.name, file.path);
   ImGui::TableNextColumn();
   ui.right_aligned(size_text(static_cast<std::size_t>(file.old_size)));
@@ -130,8 +123,8 @@ void draw_progress_row(const char* widget, const std::string& text, double share
   list.AddRectFilled(at, {at.x + width, at.y + height}, theme::tone(theme::kControl));
   list.AddRectFilled(at, {at.x + done, at.y + height}, theme::tone(theme::kAccent, 110));
   list.PushClipRect(at, {at.x + width, at.y + height}, true);
-  list.AddText({at.x + ui.px(8), at.y + (height - ImGui::GetTextLineHeight()) / 2}, theme::tone(theme::kText),
-               text.c_str());
+  add_text(list, {at.x + ui.px(8), at.y + (height - ImGui::GetTextLineHeight()) / 2},
+           theme::tone(theme::kText), text);
   list.PopClipRect();
   ImGui::Dummy({width, height});
   ui.item(widget, text);
@@ -188,7 +181,10 @@ bool draw_export_problem(ExportProblem::Field field, const Session& session, Ui&
   const ExportOutcome* outcome = shown_outcome(session, ui);
   if (outcome == nullptr || !outcome->problem) outcome = failed_outcome(session, ui);
   if (outcome == nullptr || outcome->problem->field != field) return false;
-  draw_wrapped(sentence(outcome->problem->error), theme::kError);
+  draw_scrolled_text(("problem" + std::to_string(static_cast<int>(field))).c_str(),
+                     sentence(outcome->problem->error),
+                     {ImGui::GetContentRegionAvail().x, kMostNoteLines * ImGui::GetTextLineHeight()},
+                     theme::tone(theme::kError));
   ui.item("export/error");
   return true;
 }
@@ -207,13 +203,15 @@ void draw_export_notes(const Session& session, Ui& ui) {
   const ExportOutcome* outcome = shown_outcome(session, ui);
   if (outcome == nullptr) return;
   if (outcome->code_bytes)
-    draw_wrapped(code_text(*outcome->code_bytes),
-                 *outcome->code_bytes > kMostTicCode ? theme::kWarning : theme::kMuted);
+    draw_wrapped_text(code_text(*outcome->code_bytes),
+                      theme::tone(*outcome->code_bytes > kMostTicCode ? theme::kWarning : theme::kMuted));
   if (outcome->dropped.empty()) return;
   std::string text = "Not held there: ";
   for (const std::string& what : outcome->dropped)
     text += (&what == &outcome->dropped.front() ? "" : ", ") + what;
-  draw_wrapped(text + ".", theme::kWarning);
+  draw_scrolled_text("dropped", text + ".",
+                     {ImGui::GetContentRegionAvail().x, kMostNoteLines * ImGui::GetTextLineHeight()},
+                     theme::tone(theme::kWarning));
   ui.item("export/dropped", text + ".");
 }
 
@@ -227,8 +225,8 @@ void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
   const std::string help = outcome != nullptr && !outcome->foreign.empty()
                                ? "Asks before it replaces what no export wrote."
                                : "Writes this preset's files, all of them or none.";
-  if (ui.text_button("export/export", (preview ? "Export" : export_label(outcome)) + "##export", true, help,
-                     {}, works, ui.px(preview ? 88 : 220)))
+  if (ui.text_button("export/export", (preview ? "Export" : export_label(outcome)), true, help, {}, works,
+                     ui.px(preview ? 88 : 220)))
     actions.push_back(action::RunExports{ui.view.exports.preset});
   draw_preview_progress(preview, session, actions, ui);
 }

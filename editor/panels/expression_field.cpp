@@ -1,7 +1,5 @@
 #include "expression_field.h"
 
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <optional>
 
@@ -53,15 +51,13 @@ int ExpressionField::on_edit(ImGuiInputTextCallbackData* data) {
 
 bool ExpressionField::draw(std::string_view name, std::string& text, bool condition, float width,
                            std::string_view hint, Ui& ui) {
-  const std::string id = "##" + std::string(name);
   way_ = FieldWay::none;
   ImGui::SetNextItemWidth(width);
   take_text_focus(name, ui);
   constexpr ImGuiInputTextFlags kFlags =
       ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackCompletion |
       ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_EnterReturnsTrue;
-  const bool confirmed =
-      ImGui::InputTextWithHint(id.c_str(), std::string(hint).c_str(), &text, kFlags, on_edit, this);
+  const bool confirmed = input_text(name, hint, text, kFlags, on_edit, this);
   const bool left = ImGui::IsItemDeactivatedAfterEdit();
   const float edge = ImGui::GetItemRectMin().x;  // what is said of it is below it
   const bool active = ImGui::IsItemActive();
@@ -78,16 +74,14 @@ bool ExpressionField::draw(std::string_view name, std::string& text, bool condit
 
 void ExpressionField::draw_error(const std::string& text, const ExpressionError& error, Ui& ui) const {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  const auto width_to = [&](std::size_t at) {
-    return ImGui::CalcTextSize(text.data(), text.data() + std::min(at, text.size())).x;
-  };
+  const auto width_to = [&](std::size_t at) { return size_of_text(std::string_view(text).substr(0, at)).x; };
   const float x = min.x + ImGui::GetStyle().FramePadding.x + width_to(error.position);
   const float end = std::max(x + ui.px(6), min.x + ImGui::GetStyle().FramePadding.x + width_to(text.size()));
   ImGui::GetWindowDrawList()->AddRectFilled({x, max.y - ui.px(2)}, {end, max.y}, theme::tone(theme::kError));
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
   ImGui::SetCursorScreenPos({min.x, ImGui::GetCursorScreenPos().y});
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + max.x - min.x);
-  ImGui::TextUnformatted(("at " + std::to_string(error.position + 1) + ": " + error.message).c_str());
+  draw_text("at " + std::to_string(error.position + 1) + ": " + error.message);
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
@@ -99,8 +93,8 @@ void ExpressionField::draw_candidates(std::string_view name, float edge, std::st
   ImGui::SetCursorScreenPos({edge, ImGui::GetCursorScreenPos().y});
   for (std::size_t i = 0; i < count; ++i) {
     const Candidate& candidate = completion.candidates[i];
-    if (i > 0) ui.same_line_if_fits(ImGui::CalcTextSize(candidate.label.c_str()).x + ui.px(8));
-    if (ImGui::SmallButton(candidate.label.c_str())) {
+    if (i > 0) ui.same_line_if_fits(size_of_text(candidate.label).x + ui.px(8));
+    if (small_button(candidate.label)) {
       accept(completion, candidate, text, cursor_);
       ImGui::SetWindowFocus();
     }

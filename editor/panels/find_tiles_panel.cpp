@@ -22,7 +22,7 @@ void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field
                                const Session& session, Ui& ui) const {
   if (field.tile != tile || ImGui::IsWindowAppearing()) field = {tile, tile};  // a command has chosen it
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
+  draw_text(label);
   ImGui::SameLine(ui.px(kLabel));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ui.px(theme::kButton);
@@ -43,8 +43,7 @@ void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field
 void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) const {
   if (find_.is_tile() && replace_.is_tile()) {
     const std::string place = of_selection ? "the selection" : "the map";
-    ImGui::TextUnformatted(
-        (std::to_string(count) + (count == 1 ? " cell" : " cells") + " of " + place).c_str());
+    draw_text(std::to_string(count) + (count == 1 ? " cell" : " cells") + " of " + place);
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));

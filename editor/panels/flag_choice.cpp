@@ -18,7 +18,7 @@ void draw_flag_choice(const std::string& name, const std::string& preview, float
   int number = 0;
   for (const FlagPattern& pattern : flag_patterns(session.level())) {
     const std::string id = std::to_string(number++);
-    if (ImGui::Selectable((pattern_label(session.level(), pattern) + "##" + id).c_str(), now == pattern))
+    if (selectable(pattern_label(session.level(), pattern), id, now == pattern))
       actions.push_back(action::SetFlagOverlay{pattern});
     ui.item(name + id);
   }

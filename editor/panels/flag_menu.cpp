@@ -2,7 +2,6 @@
 #include "flag_menu.h"
 
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -29,12 +28,12 @@ std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
 
 // A field that grows with the name, so that all of it can be read. least: px at scale 1. What InputText
 // returns.
-bool draw_name(const char* label, const char* hint, std::string& name, float least, Ui& ui,
+bool draw_name(const char* id, const char* hint, std::string& name, float least, Ui& ui,
                ImGuiInputTextFlags flags = 0) {
   constexpr float kMost = 480;  // px at scale 1
-  const float text = ImGui::CalcTextSize((name + "W").c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float text = size_of_text(name + "W").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(std::clamp(text, ui.px(least), ui.px(kMost)));
-  const bool result = ImGui::InputTextWithHint(label, hint, &name, flags);
+  const bool result = input_text(id, hint, name, flags);
   // It has scrolled to what was typed before it grew.
   if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID()); state && text < ui.px(kMost))
     state->ScrollX = 0;
@@ -85,7 +84,7 @@ void FlagMenu::draw_flag(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   ui.heading("Flag " + std::to_string(flag_));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
-  const bool named = draw_name("##name", "name", new_name_, 180, ui, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool named = draw_name("name", "name", new_name_, 180, ui, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.item("flags/name", "What you call this flag; Enter sets it.");
   if (named) {
     actions.push_back(action::EditLevel{rename_flag(level, flag_, new_name_)});
@@ -112,7 +111,7 @@ void FlagMenu::draw_role(const Level& level, Actions& actions, Ui& ui) const {
   }
   ui.item("flags/role_none");
   for (const FlagRoleInfo& info : flag_role_infos()) {
-    if (ImGui::RadioButton(std::string(info.label).c_str(), now == &info) && now != &info) {
+    if (radio_button(info.label, {}, now == &info) && now != &info) {
       FlagRoles roles = level.roles;
       if (now != nullptr) roles.*now->flag = FlagRoles::kUnused;
       roles.*info.flag = flag_;
@@ -159,7 +158,7 @@ void FlagMenu::draw_field(const Session& session, Actions& actions, Ui& ui, std:
   ui.heading("Field of flags " + std::to_string(field.first) + " to " + std::to_string(field.last()));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   FlagField changed = field;
-  if (draw_name("##field_name", "name, such as slope kind", changed.name, 200, ui))
+  if (draw_name("field_name", "name, such as slope kind", changed.name, 200, ui))
     actions.push_back(action::EditLevel{set_flag_field(level, index, changed), text_stroke_});
   if (ImGui::IsItemActivated()) text_stroke_ = session.next_stroke();
   ui.item("flags/field_name", "What you call this field.");
@@ -206,7 +205,7 @@ void FlagMenu::draw_values(const Session& session, Actions& actions, Ui& ui, std
     ImGui::SameLine(ui.px(32));
     ImGui::SetNextItemWidth(-1);
     std::string name = at < field.values.size() ? field.values[at] : "";
-    if (ImGui::InputTextWithHint(("##value" + number).c_str(), "name", &name)) {
+    if (input_text("value" + number, "name", name)) {
       FlagField changed = field;
       if (changed.values.size() <= at) changed.values.resize(at + 1);
       changed.values[at] = name;

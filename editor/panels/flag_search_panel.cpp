@@ -80,7 +80,7 @@ void FlagSearchPanel::draw_tiles(const Session& session, Actions& actions, Ui& u
     ImGui::TableSetColumnIndex(0);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string number = std::to_string(tile);
-    if (ImGui::Selectable(("##" + number).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
+    if (selectable("", number, false, ImGuiSelectableFlags_SpanAllColumns))
       show_tile(tile, *counted_, session, actions, ui);
     ui.item("flag_search/tile" + number, "Selects tile " + number + ".", "click again for its next cell");
     constexpr float kPart = 1.0f / kSheetColumns;
@@ -89,7 +89,7 @@ void FlagSearchPanel::draw_tiles(const Session& session, Actions& actions, Ui& u
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddImage(ui.sheet(SheetId::tiles), at, {at.x + side, at.y + side}, from,
                   {from.x + kPart, from.y + kPart});
-    list.AddText({at.x + side + ui.px(8), at.y}, theme::tone(theme::kText), ("#" + number).c_str());
+    add_text(list, {at.x + side + ui.px(8), at.y}, theme::tone(theme::kText), "#" + number);
     ImGui::TableSetColumnIndex(1);
     const std::size_t cells = use_.cells[static_cast<std::size_t>(tile)];
     ui.heading(cells == 0 ? "not on the map" : counted_text(cells, "cell"));

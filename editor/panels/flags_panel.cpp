@@ -2,7 +2,6 @@
 #include "flags_panel.h"
 
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <array>
 #include <charconv>
@@ -34,7 +33,7 @@ void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lam
 std::string lamp_help(const Level& level, FlagLamp lamp, int flag) {
   const FlagRoleInfo* role = role_of_flag(level.roles, flag);
   const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
-  const std::string& name = level.flag_names[static_cast<std::size_t>(flag)];
+  const std::string name = shown_line(level.flag_names[static_cast<std::size_t>(flag)]);
   std::string help = "Flag " + std::to_string(flag) + (name.empty() ? "" : ", \"" + name + "\"") + ", ";
   help += lamp == FlagLamp::all    ? "set"
           : lamp == FlagLamp::some ? "set in some of the selected tiles"
@@ -67,7 +66,7 @@ std::vector<int> single_flags(const Level& level) {
 bool draw_menu_button(const std::string& name, const std::string& help, float width, Ui& ui) {
   const bool wanted = ui.view.wants_text == name;  // by a command
   if (wanted) ui.view.wants_text.clear();
-  const bool pressed = ImGui::Button(("...##" + name).c_str(), {width, ui.px(kFlagRow)});
+  const bool pressed = button("...", name, {width, ui.px(kFlagRow)});
   ui.item(name, help);
   return pressed || wanted;
 }
@@ -118,9 +117,9 @@ void FlagsPanel::draw_byte(const Session& session, Actions& actions, Ui& ui) {
   const auto flags = common_flags(level, area, 0xff);
   if (!byte_active_) byte_ = flags ? hex_byte(*flags) : "";
   const bool entered =
-      ImGui::InputTextWithHint("##byte", "..", &byte_,
-                               ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue |
-                                   ImGuiInputTextFlags_AutoSelectAll);
+      input_text("byte", "..", byte_,
+                 ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue |
+                     ImGuiInputTextFlags_AutoSelectAll);
   byte_active_ = ImGui::IsItemActive();
   ui.item("flags/byte",
           "All eight flags as two hexadecimal digits, flag 0 the lowest bit; empty where the selected tiles "
@@ -145,7 +144,7 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ui.px(kFlagRow), menu = ui.px(kFlagRow);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
-  if (ImGui::Button(("##" + name).c_str(), {width - menu, height}))
+  if (button("", name, {width - menu, height}))
     actions.push_back(action::EditLevel{toggle_flag(level, session.choices().area, flag)});
   bool opens = ImGui::IsItemClicked(1);
   ui.item(name, lamp_help(level, lamp, flag));
@@ -160,10 +159,8 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const std::string label = number + " " + flag_name(level, flag);
   const bool has_physics = role != nullptr || shape.kind != TileShape::Kind::none;
   const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2, right = at.x + width - menu;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(has_physics ? theme::kText : theme::kMuted));
-  ImGui::RenderTextEllipsis(&list, {at.x + ui.px(22), y}, {right, at.y + height}, right, right, label.c_str(),
-                            nullptr, nullptr);
-  ImGui::PopStyleColor();
+  add_short_text(list, {at.x + ui.px(22), y}, right, theme::tone(has_physics ? theme::kText : theme::kMuted),
+                 label);
 }
 
 void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, const FlagField& field) {
@@ -179,14 +176,13 @@ void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, co
                       ImVec2(ui.px(6), (ui.px(kFlagRow) - ImGui::GetFontSize()) / 2));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - menu);
   const ImVec2 at = ImGui::GetCursorScreenPos(), to{at.x + ImGui::CalcItemWidth(), at.y + ui.px(kFlagRow)};
-  const bool open = ImGui::BeginCombo(("##field" + number).c_str(), preview.c_str());
+  const bool open = begin_combo("field" + number, preview);
   const std::string name = "flags/field" + number;
   if (open) {
     ui.place(name, at, to);
     for (int value = 0; value < field.value_count(); ++value) {
-      const std::string id = "##" + std::to_string(value);
       const bool chosen = now && field.value_of(*now) == value;
-      if (ImGui::Selectable((value_name(field, value) + id).c_str(), chosen))
+      if (selectable(value_name(field, value), std::to_string(value), chosen))
         actions.push_back(action::EditLevel{paint_flags(level, area, field.pattern(value), true)});
       ui.item("flags/choice" + std::to_string(value));
     }

@@ -46,10 +46,10 @@ void draw_help_row(std::string_view keys, std::string_view does, std::string_vie
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
-  ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
+  draw_text(keys);
   ImGui::PopStyleColor();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(does.data(), does.data() + does.size());
+  draw_text(does);
   ImGui::TableNextColumn();
   ui.hint(help);
 }
@@ -75,7 +75,7 @@ void draw_mouse(Ui& ui) {
   for (const MouseHelp& row : kMouse) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.what);
+    draw_text(row.what);
     ImGui::TableNextColumn();
     ui.hint(row.how);
   }

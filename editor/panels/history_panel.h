@@ -10,6 +10,9 @@ class HistoryPanel : public Panel {
   std::string_view id() const override { return "history"; }
   std::string_view title() const override { return "History"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  std::size_t followed_ = 0;  // the position in the history that the list was scrolled to last
 };
 
 }  // namespace talus

@@ -82,8 +82,7 @@ void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui
     if (frame % kRulerStep != 0) continue;
     const std::string number = std::to_string(frame);
     const float end = at.x + column * static_cast<float>(view.count);
-    list.AddText({std::min(x, end - ImGui::CalcTextSize(number.c_str()).x), at.y}, theme::tone(theme::kMuted),
-                 number.c_str());
+    add_text(list, {std::min(x, end - size_of_text(number).x), at.y}, theme::tone(theme::kMuted), number);
   }
 }
 
@@ -94,8 +93,7 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   const ImVec2 start = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool has_keys = ui.view.focus == Focus::input && ui.view.input_row == index;
-  list.AddText(start, theme::tone(has_keys ? theme::kAccent : theme::kMuted), label.data(),
-               label.data() + label.size());
+  add_text(list, start, theme::tone(has_keys ? theme::kAccent : theme::kMuted), label);
   ImGui::Dummy({ui.px(kLabels), height});
   ImGui::SameLine();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -130,15 +128,13 @@ void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, 
   if (session.state().frame < 1) return;  // a range may have begun at a later one
   const Vec2 now = session.timeline().current().input(session.state().frame).mouse;
   ui.begin_row();
-  ImGui::TextUnformatted(chosen.first == chosen.last
-                             ? "Mouse in the step to this frame"
-                             : ("Mouse in the steps to frames " + std::to_string(chosen.first) + " to " +
-                                std::to_string(chosen.last))
-                                   .c_str());
+  draw_text(chosen.first == chosen.last ? "Mouse in the step to this frame"
+                                        : ("Mouse in the steps to frames " + std::to_string(chosen.first) +
+                                           " to " + std::to_string(chosen.last)));
   const auto field = [&](const char* axis, double Vec2::*part) {
     const std::string name = std::string("input_roll/mouse_") + axis;
     ImGui::SameLine();
-    ImGui::TextUnformatted(axis);
+    draw_text(axis);
     ImGui::SameLine();
     if (edited_ != part) typed_.*part = now.*part;
     ImGui::SetNextItemWidth(ui.px(kNumber));

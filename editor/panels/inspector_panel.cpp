@@ -4,12 +4,14 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "chosen_curve.h"
 #include "chosen_spawn.h"
 #include "commands.h"
 #include "debug/explain.h"
 #include "edit/spawn_tools.h"
+#include "long_list.h"
 #include "overlay/number_label.h"
 
 namespace talus {
@@ -49,16 +51,16 @@ std::string obstacle_text(const Scene& scene, const Obstacle& other) {
 void draw_number(const char* id, double value, Ui& ui, std::string_view meaning = {}) {
   ImGui::PushID(id);
   const std::string text = two_decimals(value), digits = all_digits(value);
-  const float width = ImGui::CalcTextSize(text.c_str()).x, room = ImGui::GetContentRegionAvail().x;
+  const float width = size_of_text(text).x, room = ImGui::GetContentRegionAvail().x;
   if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
-  ImGui::TextUnformatted(text.c_str());
+  draw_text(text);
   if (ImGui::IsItemClicked()) ImGui::SetClipboardText(digits.c_str());
   ui.tooltip(meaning.empty() ? digits : digits + "\n" + std::string(meaning), "click to copy");
   ImGui::PopID();
 }
 
 void draw_text_cell(std::string_view text, Ui& ui, std::string_view meaning = {}) {
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  draw_text(text);
   ui.tooltip(meaning.empty() ? text : meaning);
 }
 
@@ -173,15 +175,18 @@ void draw_contacts(const Scene& scene, const StepRecord& record, int body, Ui& u
           column.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
           ui.px(column.width));
     draw_contact_header(ui);
-    for (const ContactRecord& contact : record.contacts) {
-      if (contact.body != body) continue;
+    std::vector<const ContactRecord*> contacts;
+    for (const ContactRecord& contact : record.contacts)
+      if (contact.body == body) contacts.push_back(&contact);
+    draw_rows(static_cast<int>(contacts.size()), [&](int row) {
+      const ContactRecord& contact = *contacts[static_cast<std::size_t>(row)];
       ImGui::TableNextRow();
       ImGui::PushID(contact.order);
       if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
       draw_contact_cells(scene, contact, ui);
       if (!contact.handled) ImGui::PopStyleColor();
       ImGui::PopID();
-    }
+    });
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();
@@ -198,15 +203,17 @@ void draw_hard_case(const HardCase& hard, Ui& ui) {
   ImGui::Spacing();
   ImGui::Separator();
   ImGui::Spacing();
+  ImGui::BeginChild("hard case", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   ui.heading("Hard case " + std::to_string(hard.number));
-  ImGui::TextWrapped("%s", hard.title.c_str());
+  draw_wrapped_text(hard.title);
   ImGui::Spacing();
   ui.heading("Set-up");
-  ImGui::TextWrapped("%s", hard.set_up.c_str());
+  draw_wrapped_text(hard.set_up);
   ImGui::Spacing();
   ui.heading("Right answer");
-  ImGui::TextWrapped("%s", hard.right_answer.c_str());
+  draw_wrapped_text(hard.right_answer);
   ui.item("inspector/answer");
+  ImGui::EndChild();
 }
 
 }  // namespace
@@ -232,7 +239,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                                     : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
                                           std::to_string(body->origin.cell.y) + ")";
   if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
-  ImGui::TextUnformatted(name.c_str());
+  draw_text(name);
   draw_body(*body, ui);
   if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
   ImGui::Spacing();

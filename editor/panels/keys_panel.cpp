@@ -1,8 +1,6 @@
 // A modal table of the commands with their keys; Enter or a click on one waits for another.
 #include "keys_panel.h"
 
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -37,8 +35,7 @@ void KeysPanel::draw(const Session&, Actions&, Ui& ui) {
   }
   if (std::exchange(wants_text_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##typed", "type a part of a command's name, or what it is about", &typed_))
-    row_ = 0;
+  if (input_text("typed", "type a part of a command's name, or what it is about", typed_)) row_ = 0;
   ui.item("keys/text");
   listed_.clear();
   for (const Command& command : commands())
@@ -120,7 +117,7 @@ void KeysPanel::draw_row(int row, Ui& ui) {
   if (row == row_) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, theme::tone(theme::kAccent, 60));
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(command.label.data(), command.label.data() + command.label.size());
+  draw_text(command.label);
   ui.tooltip(command.help);
   if (row == row_ && moved_) ImGui::SetScrollHereY();
   ImGui::TableNextColumn();

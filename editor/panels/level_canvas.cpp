@@ -41,20 +41,18 @@ int body_at(const State& state, Vec2 p, double tolerance) {
 
 // A text on a dark plate, so that it can be read over any art. Returns its width.
 float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 size = size_of_text(text);
   const ImVec2 pad{ui.px(6), ui.px(2)};
   list.AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
                      theme::color(theme::kDark, 205), ui.px(3));
-  list.AddText({at.x + pad.x, at.y + pad.y}, color, text.c_str());
+  add_text(list, {at.x + pad.x, at.y + pad.y}, color, text);
   return size.x + 2 * pad.x;
 }
 
 // A text as lines that a plate each has room for.
 std::vector<std::string> plate_lines(const std::string& text, const CanvasView& view, const Ui& ui) {
   const float width = view.max.x - view.min.x - ui.px(4 + 12 + 4);
-  const auto fits = [width](std::string_view line) {
-    return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
-  };
+  const auto fits = [width](std::string_view line) { return size_of_text(line).x <= width; };
   const auto lines = lines_between_words(text, fits);
   return {lines.begin(), lines.end()};
 }
@@ -425,7 +423,7 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
   const float gap = ui.px(4), line = ImGui::GetTextLineHeight() + ui.px(4) + gap;
   ScreenBox box{view.min, view.min};
   for (const Caption& caption : captions(session, view, ui)) {
-    const float width = ImGui::CalcTextSize(caption.text.c_str()).x + 2 * ui.px(6);
+    const float width = size_of_text(caption.text).x + 2 * ui.px(6);
     box.max = {std::max(box.max.x, view.min.x + gap + width), box.max.y + line};
   }
   if (!camera_.shows_whole()) return box;
@@ -466,7 +464,7 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   if (is_play() && session.state().bodies.empty()) {
     const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
                              keys_of(find_command("map/body"), ui) + ")";
-    const float width = ImGui::CalcTextSize(text.c_str()).x + ui.px(12);
+    const float width = size_of_text(text).x + ui.px(12);
     draw_plate(list,
                {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},
                text, theme::color(theme::kText), ui);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dialog.h"
+#include "long_list.h"
 
 namespace talus {
 namespace {
@@ -33,7 +34,7 @@ std::string text_of(const LevelImport& import) {
   return import.plan->dropped.empty() ? text : text + ".";
 }
 
-std::string label_of(const TiledLayerName& layer) {
+std::string layer_label(const TiledLayerName& layer) {
   return (layer.name.empty() ? "without a name" : layer.name) + " (" + std::to_string(layer.cells) +
          (layer.cells == 1 ? " tile)" : " tiles)");
 }
@@ -43,7 +44,8 @@ std::string label_of(const TiledLayerName& layer) {
 void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!begin_dialog("What to open", session.level_import().has_value(), {0, 0}, ui)) return;
   if (const auto& import = session.level_import()) {
-    ui.heading(std::filesystem::path(import->path).filename().string() + " holds more than a level can");
+    ui.heading(shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel) +
+               " holds more than a level can");
     ImportChoices choices = import->choices;
     if (import->layers.size() > 1) draw_layers(*import, choices, ui);
     draw_tiles(choices, ui);
@@ -60,13 +62,12 @@ void LevelImportPanel::draw_layers(const LevelImport& import, ImportChoices& cho
   const float lines = std::min(static_cast<float>(count), kMostLines);
   ImGui::BeginChild("layers", {ui.px(kTextWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,
                     ImGuiWindowFlags_NavFlattened);
-  for (int number = 1; number <= count; ++number) {
-    const std::string label = label_of(import.layers[static_cast<std::size_t>(number - 1)]);
-    ImGui::PushID(number);
-    if (ImGui::RadioButton(label.c_str(), choices.layer_number == number)) choices.layer_number = number;
-    ImGui::PopID();
-    ui.item("choose/layer" + std::to_string(number), "The level's map is this layer.", "Space");
-  }
+  draw_rows(count, [&](int row) {
+    const std::string number = std::to_string(row + 1);
+    const std::string label = layer_label(import.layers[static_cast<std::size_t>(row)]);
+    if (radio_button(label, number, choices.layer_number == row + 1)) choices.layer_number = row + 1;
+    ui.item("choose/layer" + number, "The level's map is this layer.", "Space");
+  });
   ImGui::EndChild();
   ImGui::Spacing();
 }
@@ -87,16 +88,8 @@ void LevelImportPanel::draw_tiles(ImportChoices& choices, Ui& ui) {
 }
 
 void LevelImportPanel::draw_report(const LevelImport& import, Ui& ui) {
-  const std::string text = text_of(import);
-  const float width = ui.px(kTextWidth), wrapped = width - ImGui::GetStyle().ScrollbarSize;
-  const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrapped).y;
-  ImGui::BeginChild("report", {width, std::min(height, kMostLines * ImGui::GetTextLineHeight())});
-  ImGui::PushTextWrapPos(wrapped);
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(import.plan ? theme::kText : theme::kError));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
-  ImGui::EndChild();
+  draw_scrolled_text("report", text_of(import), {ui.px(kTextWidth), kMostLines * ImGui::GetTextLineHeight()},
+                     theme::tone(import.plan ? theme::kText : theme::kError));
   ui.item(import.plan ? "choose/report" : "choose/error");
   ImGui::Spacing();
 }

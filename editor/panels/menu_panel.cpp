@@ -22,8 +22,7 @@ void draw_command(std::string_view id, const Session& session, Actions& actions,
   const Command& command = find_command(id);
   const std::string label(command.label), keys = "    " + keys_from_here(command, ui);  // apart from labels
   const bool enabled = command.is_enabled(session, ui);
-  if (ImGui::MenuItem(label.c_str(), keys.c_str(), command.is_checked(session, ui), enabled))
-    command.run(session, actions, ui);
+  if (menu_item(label, {}, keys, command.is_checked(session, ui), enabled)) command.run(session, actions, ui);
   ui.item("menu/" + std::string(id), command.help, {}, enabled);
 }
 
@@ -218,10 +217,11 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   const std::string title = session.file_names() + (session.modified() ? " *" : "");
   const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
+  const float solver_at = ImGui::GetWindowWidth() - size_of_text(solver).x - ui.px(8);
   ImGui::SameLine(ui.px(370));
-  ImGui::TextUnformatted(title.c_str());
-  ui.tooltip(session.path().empty() ? "Not in a file yet." : session.path());
-  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(solver.c_str()).x - ui.px(8));
+  draw_short_text(title, solver_at - ui.px(370 + 16), theme::tone(theme::kText));
+  ui.item("menu/title", session.path().empty() ? "Not in a file yet." : session.path());
+  ImGui::SameLine(solver_at);
   ui.heading(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
   ImGui::EndMenuBar();
@@ -238,7 +238,7 @@ void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& 
       groups.push_back(group_of(command));
   }
   for (std::string_view group : groups) {
-    const bool group_open = ImGui::BeginMenu(std::string(group).c_str());
+    const bool group_open = begin_menu(group);
     ui.item("menu/all/" + std::string(group));
     if (!group_open) continue;
     for (const Command& command : commands())
@@ -255,8 +255,7 @@ void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name = std::filesystem::path(files[i]).filename().string();
-    if (ImGui::MenuItem((name + "##" + std::to_string(i)).c_str()))
-      actions.push_back(action::OpenFile{files[i]});
+    if (menu_item(name, std::to_string(i))) actions.push_back(action::OpenFile{files[i]});
     ui.item("menu/recent" + std::to_string(i), files[i]);
   }
   ImGui::EndMenu();
@@ -272,7 +271,7 @@ void MenuPanel::draw_hard_cases(Actions& actions, Ui& ui) {
     std::string name = std::filesystem::path(files[i]).filename().string();
     name.erase(std::min(name.find('.'), name.size()));
     std::replace(name.begin(), name.end(), '-', ' ');
-    if (ImGui::MenuItem(name.c_str())) actions.push_back(action::OpenFile{files[i], true});
+    if (menu_item(name, {})) actions.push_back(action::OpenFile{files[i], true});
     ui.item("menu/hard_case" + std::to_string(i), files[i]);
   }
   ImGui::EndMenu();
@@ -286,7 +285,7 @@ void MenuPanel::draw_edit_rule(const Session& session, Actions& actions, Ui& ui)
   const EditRule now = session.edit_rule();
   const std::int64_t frame = session.state().frame;
   const auto choice = [&](Kind kind, const std::string& label, const char* name) {
-    if (ImGui::MenuItem(label.c_str(), nullptr, now.kind == kind))
+    if (menu_item(label, {}, {}, now.kind == kind))
       actions.push_back(action::SetEditRule{{kind, kind == Kind::from_frame ? frame : 0}});
     ui.item(std::string("menu/rule_") + name);
   };
@@ -304,7 +303,7 @@ void MenuPanel::draw_scale_choice(Ui& ui) {
   if (!open) return;
   for (double scale : {0.0, 1.0, 1.25, 1.5, 2.0, 3.0}) {
     const std::string label = scale == 0 ? "automatic" : std::to_string(static_cast<int>(scale * 100)) + " %";
-    if (ImGui::MenuItem(label.c_str(), nullptr, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+    if (menu_item(label, {}, {}, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
   }
   ImGui::EndMenu();
 }

@@ -11,6 +11,7 @@ namespace talus {
 namespace {
 
 constexpr const char* kMessageWindow = "message";
+constexpr float kMostLines = 10;  // of a message before it is scrolled
 
 // Whether a window lies there, other than that of all panels, which never comes to the front.
 bool is_under_window(const ImRect& rect) {
@@ -60,9 +61,12 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::DismissMessage{});
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::PushTextWrapPos(width - ui.px(8));
-  ImGui::TextUnformatted(message.text.c_str());
-  ImGui::PopTextWrapPos();
+  const float least_left = max.y - min.y - ui.px(16);
+  draw_scrolled_text("text", message.text,
+                     {width - ImGui::GetCursorPosX() - ui.px(8),
+                      std::min(kMostLines * ImGui::GetTextLineHeight(), least_left)},
+                     theme::tone(theme::kText));
+  ui.item("message/text");
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);

@@ -9,7 +9,7 @@ namespace {
 void metric_row(const char* name, const char* format, double value, const char* help, Ui& ui) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(name);
+  draw_text(name);
   ui.tooltip(help);
   ImGui::TableNextColumn();
   char text[32];

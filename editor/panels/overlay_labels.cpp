@@ -185,7 +185,7 @@ void LabelPlacer::list(std::span<const OverlayLabel* const> labels, std::vector<
 }
 
 ImVec2 LabelPlacer::size_of(const OverlayLabel& label) const {
-  const ImVec2 text = ImGui::CalcTextSize(label.text.c_str());
+  const ImVec2 text = size_of_text(label.text);
   return {text.x + 2 * padding().x, text.y + 2 * padding().y};
 }
 

@@ -18,7 +18,7 @@ const OverlayInfo& legend_info(OverlayId id) { return overlay_infos()[static_cas
 
 float name_width(OverlayId id) {
   const std::string_view label = legend_info(id).label;
-  return ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+  return size_of_text(label).x;
 }
 
 float name_line(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(2); }
@@ -82,8 +82,7 @@ void OverlayLegend::draw(ImDrawList& list) const {
                          choices_.overlay_palette);
     const std::string_view label = legend_info(shown_[i]).label;
     if (has_names_)
-      list.AddText({at.x + swatch + ui_.px(kLegendText), at.y}, theme::color(theme::kMuted), label.data(),
-                   label.data() + label.size());
+      add_text(list, {at.x + swatch + ui_.px(kLegendText), at.y}, theme::color(theme::kMuted), label);
   }
 }
 

@@ -157,8 +157,8 @@ class Painter {
         list_.AddLine(*placed.point, box.nearest(*placed.point), color_of(id, 120),
                       std::max(1.0f, std::round(scale_)));
       list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
-      list_.AddText({std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(id),
-                    placed.label->text.c_str());
+      add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(id),
+               placed.label->text);
     }
   }
 

@@ -14,9 +14,7 @@ constexpr float kSwatch = 14;                    // px at scale 1
 constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
 constexpr float kFirstGap = 8, kControls = 372;  // px at scale 1: what is left of the switches on their line
 
-float text_width(std::string_view text) {
-  return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-}
+float text_width(std::string_view text) { return size_of_text(text).x; }
 
 void draw_switch(const OverlayInfo& info, bool named, const Session& session, Actions& actions, Ui& ui) {
   const std::string id = "overlay/" + std::string(info.key), label(info.label);
@@ -27,15 +25,15 @@ void draw_switch(const OverlayInfo& info, bool named, const Session& session, Ac
   ui.same_line_if_fits(width, info.id == OverlayId::boxes ? ui.px(kFirstGap) : 0);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(on ? theme::kControlHot : theme::kPanel));
-  if (ImGui::Button(("##" + id).c_str(), {width, height})) command.run(session, actions, ui);
+  if (button("", id, {width, height})) command.run(session, actions, ui);
   ImGui::PopStyleColor();
   ui.item(id, named ? std::string(info.help) : label + ": " + std::string(info.help), keys_of(command, ui));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   paint_overlay_swatch(list, info.id, {at.x + pad, at.y + (height - swatch) / 2}, swatch,
                        session.choices().overlay_palette);
   if (named)
-    list.AddText({at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
-                 theme::tone(on ? theme::kText : theme::kMuted), label.c_str());
+    add_text(list, {at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
+             theme::tone(on ? theme::kText : theme::kMuted), label);
   if (!named && on)
     list.AddRectFilled({at.x, at.y + height - ui.px(2)}, {at.x + width, at.y + height},
                        theme::tone(theme::kAccent));

@@ -98,7 +98,7 @@ void draw_match(const PngImportPlan& plan, Ui& ui) {
   const std::string text =
       "In the nearest colour in place of their own: " + count_of(plan.approximated, "pixel") +
       ". The one at (" + place + ") changes most:";
-  ImGui::TextUnformatted(text.c_str());
+  draw_text(text);
   ui.item("import/match");
   draw_color(plan.farthest_from);
   ImGui::SameLine();
@@ -110,7 +110,7 @@ void draw_match(const PngImportPlan& plan, Ui& ui) {
 // How its colours and its size become the sheet's.
 void draw_choices(PngImportOptions& options, bool enabled, Ui& ui) {
   const auto color_choice = [&](bool takes, const char* name, const char* label, const char* help) {
-    if (ImGui::RadioButton(label, options.take_palette == takes)) options.take_palette = takes;
+    if (radio_button(label, {}, options.take_palette == takes)) options.take_palette = takes;
     ui.item(name, help, {}, enabled);
   };
   color_choice(false, "import/nearest", "in the level's colours, each pixel in the nearest",
@@ -119,7 +119,7 @@ void draw_choices(PngImportOptions& options, bool enabled, Ui& ui) {
                "The other images show these colours, too.");
   const auto fit_choice = [&](PngFit fit, const char* name, const char* label, const char* help) {
     ImGui::SameLine();
-    if (ImGui::RadioButton(label, options.fit == fit)) options.fit = fit;
+    if (radio_button(label, {}, options.fit == fit)) options.fit = fit;
     ui.item(name, help, {}, enabled);
   };
   ImGui::AlignTextToFramePadding();
@@ -214,12 +214,12 @@ void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   // Not at the window's edge, since the window takes its size from the text.
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kBetween));
   if (import.plan) {
-    ImGui::TextUnformatted(text_of_changes(import).c_str());
+    draw_text(text_of_changes(import));
     ui.item("import/report");
     draw_match(*import.plan, ui);
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
-    ImGui::TextUnformatted(import.plan.error().c_str());
+    draw_text(import.plan.error());
     ImGui::PopStyleColor();
     ui.item("import/error");
   }

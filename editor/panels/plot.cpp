@@ -58,10 +58,10 @@ void draw_plot(ImDrawList& list, const Series& series, const FrameAxis& axis, Im
     has_before = is_number;
   }
   const ImU32 muted = theme::tone(theme::kMuted);
-  list.AddText({min.x + ui.px(3), min.y}, muted, small_too(range.greatest).c_str());
+  add_text(list, {min.x + ui.px(3), min.y}, muted, small_too(range.greatest));
   const float text = ImGui::GetTextLineHeight();
   if (max.y - min.y > 2 * text && span > 0)
-    list.AddText({min.x + ui.px(3), max.y - text}, muted, small_too(range.least).c_str());
+    add_text(list, {min.x + ui.px(3), max.y - text}, muted, small_too(range.least));
 }
 
 void draw_timeline_plot(const std::string& name, std::string_view help, const Series* series, ImU32 color,

@@ -27,7 +27,7 @@ std::string looking_text(const Session& session) {
   return "Looking at the level: " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %.";
 }
 
-float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+float width_of(const std::string& text) { return size_of_text(text).x; }
 
 }  // namespace
 
@@ -89,12 +89,12 @@ void ProblemsPanel::draw_kinds(Ui& ui) {
                       std::max(ImGui::GetContentRegionAvail().x - others, ui.px(90)),
                       "Which kind of problem is listed."))
     return;
-  if (ImGui::Selectable(all.c_str(), kind.empty())) kind.clear();
+  if (selectable(all, {}, kind.empty())) kind.clear();
   ui.item("problems/kind_all");
   for (const LintRule& rule : lint_rules()) {
     const std::ptrdiff_t number = count(rule.code);
     if (number == 0) continue;
-    if (ImGui::Selectable(text(rule.label, number).c_str(), kind == rule.code)) kind = std::string(rule.code);
+    if (selectable(text(rule.label, number), {}, kind == rule.code)) kind = std::string(rule.code);
     ui.item("problems/kind_" + std::string(rule.code));
   }
   ImGui::EndCombo();
@@ -150,20 +150,20 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
   const ImU32 color = theme::tone(problem.severity == Severity::error ? theme::kError : theme::kWarning);
   const float top = ImGui::GetCursorPosY();
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  if (is_wide) ImGui::TextUnformatted(place.c_str());
+  if (is_wide) draw_text(place);
   ImGui::PopStyleColor();
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(problem.message.c_str());
+  draw_text(shown_line(problem.message));
   ImGui::PopTextWrapPos();
   const float height = std::max(ImGui::GetCursorPosY() - top - ImGui::GetStyle().ItemSpacing.y, ui.px(20));
   ImGui::TableSetColumnIndex(0);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  if (ImGui::Selectable(is_wide ? "##place" : place.c_str(), is_chosen,
-                        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
-                        {0, height}))
+  if (selectable(is_wide ? "" : place, "place", is_chosen,
+                 ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height}))
     go_to_problem(index, session, actions, ui);
   ImGui::PopStyleColor();
-  ui.item("problems/row" + row, std::string(rule_label(problem.code)), "click to go there");
+  const std::string help(problem.message.size() > kMostLine ? problem.message : rule_label(problem.code));
+  ui.item("problems/row" + row, help, "click to go there");
   if (is_chosen && std::exchange(ui.view.problems.scroll, false)) ImGui::SetScrollHereY(0.5f);
   if (ImGui::IsItemVisible()) {
     const Remedy& remedy = remedy_of(problem, session);
@@ -182,7 +182,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
                               Actions& actions, Ui& ui) {
   if (!ImGui::BeginPopupContextItem("fixes")) return;
   for (std::size_t i = 0; i < remedy.fixes.size(); ++i) {
-    if (ImGui::MenuItem(remedy.fixes[i].c_str())) {
+    if (menu_item(remedy.fixes[i], std::to_string(i))) {
       std::vector<Edit> fixes = fixes_for(session.level(), session.lint_options(), problem);
       if (i < fixes.size()) actions.push_back(action::EditLevel{std::move(fixes[i])});
     }

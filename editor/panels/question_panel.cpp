@@ -9,6 +9,9 @@
 namespace talus {
 namespace {
 
+constexpr float kQuestionWidth = 520;  // px at scale 1, at most
+constexpr float kMostLines = 12;       // of a question before it is scrolled
+
 struct AnswerChoice {
   const char* widget;
   const char* label;
@@ -87,7 +90,10 @@ void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                                        static_cast<std::size_t>(&dialog - kQuestionDialogs.data());
     if (!begin_dialog(dialog.title, asked, {0, 0}, ui)) continue;
     if (asked) {
-      ImGui::TextUnformatted(question->text.c_str());
+      draw_scrolled_text("text", question->text,
+                         {ui.px(kQuestionWidth), kMostLines * ImGui::GetTextLineHeight()},
+                         theme::tone(theme::kText));
+      ui.item("question/text");
       ImGui::Spacing();
       draw_answers(dialog.choices, actions, ui);
     }

@@ -44,7 +44,7 @@ void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::ProgressBar(static_cast<float>(share), {ui.px(180), ui.px(theme::kButton)}, "");
     ui.item("reach/progress", "States that were followed, of those that are known so far.");
   }
-  ImGui::TextUnformatted(found_text(*found).c_str());
+  draw_text(found_text(*found));
   ui.item("reach/found");
   if (reach.is_stale()) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kWarning));

@@ -41,7 +41,7 @@ std::string problem_of(const MapFrame& frame) {
 
 void draw_line(const std::string& text, std::uint32_t color) {
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-  ImGui::TextUnformatted(text.c_str());
+  draw_text(text);
   ImGui::PopStyleColor();
 }
 
@@ -66,7 +66,7 @@ std::string text_of_losses(const ResizedMap& result) {
 
 void number_field(const char* name, const char* label, int& value, const std::string& help, Ui& ui) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
+  draw_text(label);
   ImGui::SameLine(ui.px(kLabel));
   ImGui::SetNextItemWidth(ui.px(kField));
   ImGui::InputInt((std::string("##") + name).c_str(), &value, 0);
@@ -111,11 +111,11 @@ void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
   number_field("resize/width", "Width", typed_.width, "Cells in a row; TIC-80 has 240. " + text_of_limits(),
                ui);
   ImGui::SameLine();
-  ImGui::TextUnformatted(("now " + std::to_string(map.width())).c_str());
+  draw_text("now " + std::to_string(map.width()));
   number_field("resize/height", "Height", typed_.height, "Rows of cells; TIC-80 has 136. " + text_of_limits(),
                ui);
   ImGui::SameLine();
-  ImGui::TextUnformatted(("now " + std::to_string(map.height())).c_str());
+  draw_text("now " + std::to_string(map.height()));
   if (before != Cell{typed_.width, typed_.height}) choose_anchor(map);
 }
 

@@ -1,8 +1,6 @@
 // A floating window of rows: a name at the left, a control at the right.
 #include "settings_panel.h"
 
-#include <imgui_stdlib.h>
-
 #include <array>
 
 #include "commands.h"
@@ -20,7 +18,7 @@ std::string scale_label(double scale) {
 
 void setting_row(std::string_view name, Ui& ui) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name.data(), name.data() + name.size());
+  draw_text(name);
   ImGui::SameLine(ui.px(kSettingNames));
 }
 
@@ -46,7 +44,7 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   if (ui.begin_combo("settings/scale", scale_label(ui.view.ui_scale), ui.px(kSettingWidth),
                      "How large text and controls are, for screens with many pixels.")) {
     for (double scale : kSettingScales) {
-      if (ImGui::Selectable(scale_label(scale).c_str(), ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+      if (selectable(scale_label(scale), {}, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
       ui.item("settings/scale/" + std::to_string(static_cast<int>(scale * 100)));
     }
     ImGui::EndCombo();
@@ -100,7 +98,7 @@ void SettingsPanel::draw_programs(Ui& ui) {
     const std::string widget = "settings/" + std::string(info.key);
     setting_row(info.label, ui);
     ImGui::SetNextItemWidth(ui.px(kCommandLineWidth));
-    ImGui::InputText(("##" + widget).c_str(), &typed_[index]);
+    input_text(widget, "", typed_[index]);
     if (ImGui::IsItemDeactivatedAfterEdit()) preferences.programs[index] = typed_[index];
     if (!ImGui::IsItemActive()) typed_[index] = preferences.programs[index];
     ui.item(widget, info.settings);

@@ -194,12 +194,12 @@ void ShapeCanvas::draw_handles(const Frame& frame, const std::vector<ImVec2>& po
   if (lit < 0 || lit >= count) return;
   const ImVec2 p = points[static_cast<std::size_t>(lit)];
   const std::string text = exact_text(frame.shape.heights[static_cast<std::size_t>(lit)]) + " px";
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 size = size_of_text(text);
   const float right = frame.at.x + frame.width();
   const ImVec2 at{std::clamp(p.x - size.x / 2, frame.at.x, std::max(frame.at.x, right - size.x)),
                   p.y - size.y - 2 * side < frame.at.y ? p.y + 2 * side : p.y - size.y - 2 * side};
   list.AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, theme::color(theme::kDark, 205));
-  list.AddText(at, theme::color(theme::kText), text.c_str());
+  add_text(list, at, theme::color(theme::kText), text);
 }
 
 }  // namespace talus

@@ -120,7 +120,7 @@ class ShapeFields {
   }
 
   void check(std::string_view part, std::string_view label, bool& value, std::string_view help) {
-    if (ImGui::Checkbox((std::string(label) + "##" + named(part)).c_str(), &value)) note_click();
+    if (checkbox(std::string(label), named(part), value)) note_click();
     ui_.item(named(part), help);
   }
 
@@ -151,7 +151,7 @@ std::optional<Kind> choose_shape_kind(std::string_view name, Kind now, const std
   std::optional<Kind> chosen;
   for (const Kind kind : kChoices) {
     const std::string label(label_of(kind));
-    if (ImGui::Selectable(label.c_str(), kind == now) && kind != now) chosen = kind;
+    if (selectable(label, {}, kind == now) && kind != now) chosen = kind;
     ui.item(named_part(name, label));
   }
   ImGui::EndCombo();

@@ -156,7 +156,7 @@ void ShapePanel::draw_turn_choice(Ui& ui) {
     return;
   for (std::size_t i = 0; i < kTurns.size(); ++i) {
     const auto turn = static_cast<ShapeTurn>(i);
-    if (ImGui::Selectable(std::string(kTurns[i]).c_str(), turn == turn_)) turn_ = turn;
+    if (selectable(kTurns[i], {}, turn == turn_)) turn_ = turn;
     ui.item("shape/turn" + std::to_string(i));
   }
   ImGui::EndCombo();

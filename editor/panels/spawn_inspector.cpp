@@ -1,8 +1,6 @@
 // Kind, name and start of a placed body.
 #include "spawn_inspector.h"
 
-#include <imgui_stdlib.h>
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -21,7 +19,7 @@ std::optional<int> draw_choice(std::string_view name, std::array<std::string_vie
   if (!ui.begin_combo(name, std::string(labels[second]), ui.px(76), help)) return chosen;
   for (int i = 0; i < 2; ++i) {
     const std::string label(labels[static_cast<std::size_t>(i)]);
-    if (ImGui::Selectable(label.c_str(), second == (i == 1))) chosen = i;
+    if (selectable(label, {}, second == (i == 1))) chosen = i;
     ui.item(std::string(name) + "_" + label);
   }
   ImGui::EndCombo();
@@ -89,7 +87,7 @@ void SpawnInspector::draw_name(const Session& session, int index, Actions& actio
   if (index != shown_) name_ = spawn.name;
   shown_ = index;
   ImGui::SetNextItemWidth(ui.px(220));
-  ImGui::InputTextWithHint("##spawn name", "name", &name_);
+  input_text("spawn name", "name", name_);
   ui.item("inspector/spawn_name", "What you call this body.");
   if (ImGui::IsItemDeactivatedAfterEdit() && name_ != spawn.name) {
     spawn.name = name_;

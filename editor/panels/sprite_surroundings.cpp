@@ -55,8 +55,8 @@ void draw_slope_line(ImDrawList& list, const TileShape& shape, int x, int y, con
 }
 
 void draw_centred(ImDrawList& list, const char* text, ImVec2 middle) {
-  const ImVec2 size = ImGui::CalcTextSize(text);
-  list.AddText({middle.x - size.x / 2, middle.y - size.y / 2}, theme::color(theme::kMuted), text);
+  const ImVec2 size = size_of_text(text);
+  add_text(list, {middle.x - size.x / 2, middle.y - size.y / 2}, theme::color(theme::kMuted), text);
 }
 
 }  // namespace

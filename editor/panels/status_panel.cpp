@@ -26,7 +26,7 @@ std::string flags_text(std::uint8_t flags) {
 void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, std::string_view help) {
   ImGui::SameLine(ui.px(x));
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-  ImGui::TextUnformatted(text.c_str());
+  draw_text(text);
   ImGui::PopStyleColor();
   ui.tooltip(help);
 }
@@ -63,7 +63,7 @@ void draw_progress(const char* name, const std::string& text, double progress, f
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark));
   list.AddRectFilled(at, {at.x + size.x * static_cast<float>(progress), at.y + size.y},
                      theme::tone(theme::kAccent, 110));
-  list.AddText({at.x + ui.px(4), at.y}, theme::tone(theme::kText), text.c_str());
+  add_text(list, {at.x + ui.px(4), at.y}, theme::tone(theme::kText), text);
   ImGui::Dummy(size);
   ui.item(name, help);
 }
@@ -112,7 +112,7 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string hover = hover_text(session, ui.view.hover);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + ui.px(kStamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
-  ImGui::TextUnformatted(hover.empty() ? "Point at the map, the sheet or the pixels" : hover.c_str());
+  draw_text(hover.empty() ? "Point at the map, the sheet or the pixels" : hover);
   ImGui::PopClipRect();
   ui.item("status/mouse", hover.empty() ? "What the mouse is on." : hover);
   draw_stamp_part(session.choices().stamp, kStamp, ui);
@@ -131,11 +131,13 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
               "Bodies of the simulation.");
   }
   const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
-  draw_part(ui, 670, file, session.modified() ? theme::kWarning : theme::kMuted,
-            session.path().empty() ? "Not in a file yet." : session.path());
+  const std::string problems = problems_text(session, ui);
+  ImGui::SameLine(ui.px(670));
+  draw_short_text(file, ImGui::GetContentRegionAvail().x - size_of_text(problems).x - ui.px(16),
+                  theme::tone(session.modified() ? theme::kWarning : theme::kMuted));
+  ui.item("status/file", session.path().empty() ? "Not in a file yet." : session.path());
   ImGui::SameLine();
-  ui.right_aligned(problems_text(session, ui),
-                   theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
+  ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
   ui.tooltip("See the Problems tab.");
 }
 

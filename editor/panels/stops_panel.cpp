@@ -85,7 +85,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(190), "What to stop at.",
                      keys_of(find_command("stops/kind"), ui))) {
     for (const StopKindInfo& each : stop_kind_infos()) {
-      if (ImGui::Selectable(std::string(each.label).c_str(), each.kind == kind_)) {
+      if (selectable(each.label, {}, each.kind == kind_)) {
         kind_ = each.kind;
         fields_set_ = false;
         if (field_count(each) > 0) ui.view.wants_text = "stops/field0";

@@ -48,9 +48,12 @@ class Track {
     for (const Chapter& chapter : branch_.chapters)
       if (chapter.first > 0) tick(chapter.first, theme::tone(theme::kWarning, 170));
     if (branch_.parent != 0) tick(branch_.fork, theme::tone(theme::kText, 170));
-    for (const Mark& mark : branch_.marks)
-      draw_pin(list_, axis_.x_of(static_cast<double>(mark.frame)), middle(), ui_.px(4),
-               theme::tone(theme::kAccent));
+    float last = axis_.left - ui_.px(8);  // a pin that would lie on the one before is left out
+    for (const Mark& mark : branch_.marks) {
+      const float x = axis_.x_of(static_cast<double>(mark.frame));
+      if (x < last + 1 || x > max_.x + ui_.px(4)) continue;
+      draw_pin(list_, last = x, middle(), ui_.px(4), theme::tone(theme::kAccent));
+    }
     if (const auto parting = session_.debugger().parting_frame(session_.timeline()))
       draw_pin(list_, axis_.x_of(static_cast<double>(*parting)), middle(), ui_.px(5),
                theme::tone(theme::kError));
@@ -79,13 +82,13 @@ class Track {
     if (ui_.view.debugger.frames == FrameZoom{}) return;
     const std::string first = std::to_string(axis_.first), last = std::to_string(axis_.last);
     plate(min_.x + ui_.px(6), first);
-    plate(max_.x - ui_.px(6) - ImGui::CalcTextSize(last.c_str()).x, last);
+    plate(max_.x - ui_.px(6) - size_of_text(last).x, last);
   }
   void plate(float x, const std::string& text) const {
     const float pad = ui_.px(2), y = (min_.y + max_.y - ImGui::GetTextLineHeight()) / 2;
-    list_.AddRectFilled({x - pad, min_.y}, {x + ImGui::CalcTextSize(text.c_str()).x + pad, max_.y},
+    list_.AddRectFilled({x - pad, min_.y}, {x + size_of_text(text).x + pad, max_.y},
                         theme::tone(theme::kControl));
-    list_.AddText({x, y}, theme::tone(theme::kMuted), text.c_str());
+    add_text(list_, {x, y}, theme::tone(theme::kMuted), text);
   }
   void cursor() const {
     const float x = std::round(axis_.x_of(static_cast<double>(session_.state().frame)));

@@ -25,7 +25,7 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
       keys_of(find_command("play/slower"), ui) + "  " + keys_of(find_command("play/faster"), ui));
   if (!open) return;
   for (double speed : {0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
-    if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.playback().speed))
+    if (selectable(speed_text(speed), {}, speed == session.playback().speed))
       actions.push_back(action::SetSpeed{speed});
   ImGui::EndCombo();
 }

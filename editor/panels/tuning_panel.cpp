@@ -39,7 +39,7 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
   if (!open) return;
   for (const SolverKind solver : solver_kinds()) {
     const std::string name(solver_name(solver));
-    if (ImGui::Selectable(name.c_str(), solver == session.level().tuning.solver)) {
+    if (selectable(name, {}, solver == session.level().tuning.solver)) {
       tuning.solver = solver;
       actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
     }
@@ -80,7 +80,7 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(field.label.data(), field.label.data() + field.label.size());
+  draw_text(field.label);
   ui.tooltip(help_of(field));
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
@@ -98,7 +98,7 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   ImGui::TableNextColumn();
   const double standard = field.standard();
   if (field.of(session.level().tuning) == standard) return;
-  if (ImGui::SmallButton(("reset##" + key).c_str())) {
+  if (small_button("reset", key)) {
     value = standard;
     actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
   }

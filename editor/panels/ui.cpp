@@ -11,9 +11,6 @@ namespace {
 
 constexpr double kTooltipDelay = 0.45;  // s
 
-const char* begin(std::string_view text) { return text.data(); }
-const char* end(std::string_view text) { return text.data() + text.size(); }
-
 // A button that is switched on shows it under the mouse, too, where it is a little brighter.
 constexpr int kLitColors = 3;
 void push_lit_button() {
@@ -74,12 +71,8 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   place_tooltip();
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(320));
-  ImGui::TextUnformatted(begin(help), end(help));
-  if (!key.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
-    ImGui::TextUnformatted(begin(key), end(key));
-    ImGui::PopStyleColor();
-  }
+  draw_text(shown_text(help, kMostTooltip));
+  if (!key.empty()) draw_text(key, theme::tone(theme::kAccent));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -97,7 +90,7 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::BeginDisabled(!enabled);
   if (lit) push_lit_button();
-  const bool pressed = ImGui::Button(hidden(name).c_str(), {side, side});
+  const bool pressed = button("", name, {side, side});
   if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
   const float inset = px(4);
@@ -112,8 +105,7 @@ bool Ui::text_button(std::string_view name, std::string_view label, bool lit, st
   ImGui::BeginDisabled(!enabled);
   if (lit) push_lit_button();
   // It stays the same control, with the keys, when its label changes.
-  const bool pressed =
-      ImGui::Button((std::string(label) + "###" + std::string(name)).c_str(), {width, px(theme::kButton)});
+  const bool pressed = button(label, name, {width, px(theme::kButton)});
   if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
   item(name, help, key, enabled);
@@ -131,7 +123,7 @@ bool Ui::begin_combo(std::string_view name, const std::string& shown, float widt
     ImGui::OpenPopupEx(ImHashStr("##ComboPopup", 0, id), ImGuiPopupFlags_None);  // as BeginCombo() does
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), padding));
-  const bool open = ImGui::BeginCombo(hidden(name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = talus::begin_combo(name, shown, ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleVar();
   if (open)  // the last item is the list's now
     place(name, at, {at.x + width, at.y + height});
@@ -152,30 +144,18 @@ void Ui::label(std::string_view text) {
   // Dear ImGui lowers text after a button by the padding of its own, lower, buttons.
   const float lowered = ImGui::GetStyle().FramePadding.y;
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (px(theme::kButton) - ImGui::GetFontSize()) / 2 - lowered);
-  ImGui::TextUnformatted(begin(text), end(text));
+  draw_text(text);
 }
 
-void Ui::heading(std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
-  ImGui::TextUnformatted(begin(text), end(text));
-  ImGui::PopStyleColor();
-}
+void Ui::heading(std::string_view text) { draw_text(text, theme::tone(theme::kMuted)); }
 
-void Ui::hint(std::string_view text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(begin(text), end(text));
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-}
+void Ui::hint(std::string_view text) { draw_wrapped_text(text, theme::tone(theme::kMuted)); }
 
 void Ui::right_aligned(std::string_view text, ImU32 color) {
-  const float width = ImGui::CalcTextSize(begin(text), end(text)).x;
+  const float width = size_of_text(text).x;
   const float room = ImGui::GetContentRegionAvail().x;
   if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(begin(text), end(text));
-  ImGui::PopStyleColor();
+  draw_text(text, color);
 }
 
 void Ui::same_line_if_fits(float width, float gap) {

@@ -12,6 +12,7 @@
 #include "icons.h"
 #include "level/lint.h"
 #include "map_textures.h"
+#include "shown_text.h"
 #include "theme.h"
 #include "view.h"
 #include "widget_registry.h"

@@ -48,7 +48,7 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   if (ui.begin_combo("watch/choose", "plot...", ui.px(110), "Numbers of a body to plot.")) {
     for (const MetricInfo& info : metric_infos()) {
       if (info.metric == Metric::id) continue;
-      if (ImGui::Selectable(std::string(info.name).c_str()))
+      if (selectable(info.name, {}, false))
         actions.push_back(action::SetWatch{next, {std::string(info.name), 0}});
       ui.item("watch/choose_" + std::string(info.name), info.help);
     }
@@ -93,7 +93,7 @@ void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& ac
   if (entry.expression && row.text == entry.watch.text) {
     const double value = Watches::value(entry, session.frame_view(), session.choices().body);
     ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetFrameHeight() + ui.px(1)});
-    ImGui::TextUnformatted(value_text(entry, value).c_str());
+    talus::draw_text(value_text(entry, value));
     ui.item(name + "/value", all_digits(value), "click to copy");
     if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all_digits(value).c_str());
   }

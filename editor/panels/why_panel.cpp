@@ -2,6 +2,7 @@
 #include "why_panel.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <string>
 
 #include "commands.h"
@@ -10,6 +11,8 @@
 
 namespace talus {
 namespace {
+
+constexpr std::size_t kMostStages = 500;  // that are listed; each is wrapped anew in every frame
 
 std::string_view title_of(StageKind kind) {
   switch (kind) {
@@ -31,8 +34,9 @@ std::string_view title_of(StageKind kind) {
   return {};
 }
 
-// Broken into lines of up to `width` px.
-std::string wrapped(const std::string& text, float width) {
+// Cut, and broken into lines of up to `width` px.
+std::string wrapped(const std::string& whole, float width) {
+  const std::string text = shown_line(whole, kMostText);
   const auto fits = [width](std::string_view line) {
     return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
   };
@@ -42,10 +46,16 @@ std::string wrapped(const std::string& text, float width) {
   return lines;
 }
 
-void draw_text(const std::string& text, ImU32 color) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
+// A text that is broken into lines already.
+void draw_lines(const std::string& text, ImU32 color) {
+  ImGui::PushTextWrapPos(FLT_MAX);
+  draw_text(text, color);
+  ImGui::PopTextWrapPos();
+}
+
+float height_of(const std::string& lines) {
+  if (lines.empty()) return 0;
+  return static_cast<float>(1 + std::count(lines.begin(), lines.end(), '\n')) * ImGui::GetTextLineHeight();
 }
 
 }  // namespace
@@ -60,8 +70,8 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint("No step yet: F10 makes one, and what happened in it is told here.");
     return;
   }
-  draw_text(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
-            theme::tone(theme::kText));
+  draw_lines(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
+             theme::tone(theme::kText));
   ImGui::Spacing();
   command_button("why/before", "why/before", Icon::step_back, session, actions, ui);
   ImGui::SameLine();
@@ -77,15 +87,13 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void WhyPanel::draw_stages(const Session& session, Ui& ui) {
   ImGui::BeginChild("stages");
   const float indent = ui.px(64);
-  for (std::size_t i = 0; i < session.stages().size(); ++i) {
+  const std::size_t count = std::min(session.stages().size(), kMostStages);
+  for (std::size_t i = 0; i < count; ++i) {
     const Stage& stage = session.stages()[i];
     const bool chosen = ui.view.stage == static_cast<int>(i);
     ImGui::PushID(static_cast<int>(i));
     const float width = ImGui::GetContentRegionAvail().x - indent;
     const std::string sentence = wrapped(stage.sentence, width), numbers = wrapped(stage.numbers, width);
-    const auto height_of = [](const std::string& text) {
-      return text.empty() ? 0.0f : ImGui::CalcTextSize(text.c_str()).y;
-    };
     const float height = std::max(height_of(sentence) + height_of(numbers), ImGui::GetTextLineHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (chosen && shown_stage_ != ui.view.stage) ImGui::SetScrollHereY();
@@ -96,16 +104,18 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     ImGui::SetCursorScreenPos(at);
     ui.heading(title_of(stage.kind));
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
-    draw_text(sentence, theme::tone(theme::kText));
+    draw_lines(sentence, theme::tone(theme::kText));
     if (!numbers.empty()) {
       ImGui::SetCursorScreenPos({at.x + indent, at.y + height_of(sentence)});
-      draw_text(numbers, theme::tone(theme::kMuted));
+      draw_lines(numbers, theme::tone(theme::kMuted));
     }
     ImGui::SetCursorScreenPos(next);
     ImGui::Dummy({0, 0});
     ImGui::PopID();
   }
   shown_stage_ = ui.view.stage;
+  if (count < session.stages().size())
+    ui.hint("... and " + std::to_string(session.stages().size() - count) + " more.");
   ImGui::EndChild();
 }
 

@@ -39,7 +39,8 @@ constexpr int kFramesOfATextsFocus = 5;
 // s. A long note tells what a file holds that a level does not, which is to be read to its end.
 double note_time(const std::string& note) {
   constexpr double kShort = 100, kReadingTime = 0.2;  // letters; s for each more
-  return kNoteTime + std::max(0.0, static_cast<double>(note.size()) - kShort) * kReadingTime;
+  constexpr double kMost = 60;  // s: what is longer is scrolled, and dismissed by hand or goes
+  return std::min(kMost, kNoteTime + std::max(0.0, static_cast<double>(note.size()) - kShort) * kReadingTime);
 }
 
 double machine_time() {
@@ -454,7 +455,8 @@ void App::note_dialog_result() {
 }
 
 void App::note_changes() {
-  const std::string title = session_->file_names() + (session_->modified() ? " * - Talus" : " - Talus");
+  const std::string title =
+      shown_line(session_->file_names(), kMostLabel) + (session_->modified() ? " * - Talus" : " - Talus");
   if (title != title_) window_->set_title(title_ = title);
   // Only another level comes with a new revision and no history.
   if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&

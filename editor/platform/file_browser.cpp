@@ -1,13 +1,13 @@
 // A list of folders and of the files with an ending that is asked for, and a field for the name.
 #include "file_browser.h"
 
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "panels/dialog.h"
+#include "panels/long_list.h"
 
 namespace talus {
 namespace {
@@ -100,7 +100,7 @@ void FileBrowser::enter(const std::string& folder) {
 void FileBrowser::draw_place(Ui& ui) {
   ui.heading(request_.title);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(folder_.c_str());
+  draw_text(folder_);
   ImGui::PopTextWrapPos();
 }
 
@@ -109,12 +109,13 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) 
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
   ImGui::BeginChild("entries", {0, height}, true, ImGuiWindowFlags_NavFlattened);
   std::string entered;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
+  if (std::exchange(scroll_to_choice_, false)) scroll_to_row(chosen_);
+  draw_rows(static_cast<int>(entries_.size()), [&](int row) {
+    const auto i = static_cast<std::size_t>(row);
     const Entry& entry = entries_[i];
     const std::string label = entry.name + (entry.is_folder ? "/" : "");
     const bool chosen = static_cast<int>(i) == chosen_;
-    if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), chosen,
-                          ImGuiSelectableFlags_AllowDoubleClick)) {
+    if (selectable(label, std::to_string(i), chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
       chosen_ = static_cast<int>(i);
       error_.clear();
       if (entry.is_folder)
@@ -124,9 +125,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) 
       if (!entry.is_folder && ImGui::IsMouseDoubleClicked(0)) answer = confirm();
     }
     ui.item("files/entry/" + entry.name);
-    if (chosen && scroll_to_choice_) ImGui::SetScrollHereY();
-  }
-  scroll_to_choice_ = false;
+  });
   if (entries_.size() <= 1)
     ui.hint(request_.names_folder() ? "No folder here. The one that is named below will be made."
                                     : "No folder and no such file here. Known endings: " + known_endings());
@@ -144,7 +143,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   std::optional<Answer> answer;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_)) overwrite_.clear();
+  if (input_text("name", "name of the file, or a path", name_)) overwrite_.clear();
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
   const bool goes_through_list = ImGui::IsItemActive() || !ImGui::GetIO().NavVisible;
   if (goes_through_list && key_pressed(ImGuiKey_DownArrow)) move_choice(1);
@@ -182,7 +181,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
                                                      : "Endings: " + known_endings();
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(warns ? theme::kWarning : theme::kMuted));
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
+  draw_text(text);
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   return answer;

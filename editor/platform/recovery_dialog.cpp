@@ -9,6 +9,8 @@
 namespace talus {
 namespace {
 
+constexpr std::size_t kMostInView = 4;  // works before the list is scrolled
+
 std::string local_time(std::int64_t seconds) {
   const auto time = static_cast<std::time_t>(seconds);
   std::tm parts{};
@@ -34,10 +36,15 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
     ui.hint(
         "Talus ended without saving these. Recovered changes can be undone, and are saved when you save.");
   if (unsaved) ui.hint("Save the open level and its recording first: a recovered one takes their place.");
+  const float row = 4 * ImGui::GetTextLineHeightWithSpacing() + ui.px(theme::kButton);
+  const std::size_t in_view = std::min(works.size(), kMostInView);
+  if (works.size() > in_view)
+    ImGui::BeginChild("works", {0, static_cast<float>(in_view) * row}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < works.size(); ++i) {
     ImGui::Separator();
     if (const auto chosen = draw_work(i, works[i], unsaved, ui)) answer = chosen;
   }
+  if (works.size() > in_view) ImGui::EndChild();
   ImGui::Separator();
   const bool later_is_first = works.empty() || unsaved;
   const DialogButton later{.widget = "recovery/later",
@@ -57,13 +64,18 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw_work(std::size_t inde
                                                                 bool unsaved, Ui& ui) {
   std::optional<Answer> answer;
   const std::string number = std::to_string(index);
-  ImGui::TextUnformatted(work.name.c_str());
+  const std::string saved = "saved " + local_time(work.time);
+  draw_short_text(work.name, ImGui::GetContentRegionAvail().x - size_of_text(saved).x - ui.px(16),
+                  theme::tone(theme::kText));
   ImGui::SameLine();
-  ui.right_aligned("saved " + local_time(work.time), theme::tone(theme::kMuted));
-  std::string about = work.path.empty() ? "It has no file of its own yet." : work.path;
-  for (const auto& recording : work.recordings)
-    about += "\nWith a recording of " + std::to_string(recording->frames) + " frames that you worked on.";
-  ui.hint(about);
+  ui.right_aligned(saved, theme::tone(theme::kMuted));
+  ui.hint(work.path.empty() ? "It has no file of its own yet." : shown_line(work.path));
+  const std::size_t runs = work.recordings.size();
+  if (runs == 1)
+    ui.hint("With a recording of " + std::to_string(work.recordings.front()->frames) +
+            " frames that you worked on.");
+  else if (runs > 1)
+    ui.hint("With " + std::to_string(runs) + " recordings that you worked on.");
   const bool chosen = chosen_ == index;  // the letters are for this one
   const std::string recover_name = "recovery/recover" + number, discard_name = "recovery/discard" + number;
   const DialogButton recover{.widget = recover_name,

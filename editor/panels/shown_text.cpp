@@ -1,0 +1,223 @@
+// Cuts texts, and hands them to ImGui.
+#include "shown_text.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace talus {
+namespace {
+
+constexpr std::string_view kDot = "\xc2\xb7";  // for what has no picture
+
+struct Letter {
+  std::uint32_t code = 0;
+  std::size_t bytes = 1;  // 1 for what is no UTF-8
+  bool valid = false;
+};
+
+// The letter at the text's begin; the text is not empty.
+Letter first_letter(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x80) return {byte(0), 1, true};
+  const std::size_t bytes = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+  if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < bytes) return {};
+  std::uint32_t code = byte(0) & (0xffu >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0u) != 0x80u) return {};
+    code = code << 6 | (byte(i) & 0x3fu);
+  }
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  return {code, bytes, code >= kLeast[bytes] && code <= 0x10ffff && !surrogate};
+}
+
+// Control characters, letters without a width, and marks of the direction of writing.
+bool has_no_picture(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0xad || code == 0x61c ||
+         (code >= 0x200b && code <= 0x200f) || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2060 && code <= 0x206f) || code == 0xfeff || (code & 0xfffe) == 0xfffe;
+}
+
+std::string cut(std::string_view text, std::size_t most, bool keeps_lines) {
+  std::string shown;
+  shown.reserve(std::min(text.size(), most) + kDot.size());
+  std::size_t at = 0;
+  while (at < text.size() && shown.size() < most) {
+    const Letter letter = first_letter(text.substr(at));
+    if (letter.code == '\n' && keeps_lines)
+      shown += '\n';
+    else if (letter.code == '\n' || letter.code == '\t')
+      shown += ' ';
+    else if (letter.valid && letter.code == '\r' && text.substr(at + 1).starts_with('\n'))
+      ;  // the line's end is told by what follows
+    else if (!letter.valid || has_no_picture(letter.code))
+      shown += kDot;
+    else
+      shown += text.substr(at, letter.bytes);
+    at += letter.bytes;
+  }
+  if (at == text.size()) return shown;
+  return shown + (keeps_lines ? "... and " + std::to_string(text.size() - at) + " bytes more" : "...");
+}
+
+// "text###id". A "##" in the text would hide the rest of it.
+std::string label_of(std::string_view text, std::string_view id) {
+  std::string label = shown_line(text, kMostLabel);
+  for (std::size_t at = label.find("##"); at != std::string::npos; at = label.find("##", at))
+    label.insert(at + 1, " ");
+  return label.append("###").append(id.empty() ? text.substr(0, kMostLabel) : id);
+}
+
+// Cuts what was typed, then asks whom the field asks.
+struct TypedText {
+  ImGuiInputTextFlags flags;
+  ImGuiInputTextCallback callback;
+  void* data;
+
+  static int on_event(ImGuiInputTextCallbackData* event) {
+    const auto& typed = *static_cast<TypedText*>(event->UserData);
+    if (event->EventFlag == ImGuiInputTextFlags_CallbackEdit) {
+      const std::size_t size = static_cast<std::size_t>(event->BufTextLen);
+      if (size > kMostTyped) {
+        std::size_t end = kMostTyped;
+        while (end > 0 && (static_cast<unsigned char>(event->Buf[end]) & 0xc0u) == 0x80u) --end;
+        event->DeleteChars(static_cast<int>(end), static_cast<int>(size - end));
+      }
+    }
+    if (typed.callback == nullptr || (typed.flags & event->EventFlag) == 0) return 0;
+    event->UserData = typed.data;
+    return typed.callback(event);
+  }
+};
+
+}  // namespace
+
+std::string shown_line(std::string_view text, std::size_t most) { return cut(text, most, false); }
+
+std::string shown_text(std::string_view text, std::size_t most) { return cut(text, most, true); }
+
+void draw_text(std::string_view text) {
+  const bool wraps = ImGui::GetCurrentWindow()->DC.TextWrapPos >= 0;
+  const std::string shown = wraps ? shown_text(text) : shown_line(text);
+  ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
+}
+
+void draw_text(std::string_view text, ImU32 color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  draw_text(text);
+  ImGui::PopStyleColor();
+}
+
+void draw_wrapped_text(std::string_view text) {
+  ImGui::PushTextWrapPos(0);
+  draw_text(text);
+  ImGui::PopTextWrapPos();
+}
+
+void draw_wrapped_text(std::string_view text, ImU32 color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  draw_wrapped_text(text);
+  ImGui::PopStyleColor();
+}
+
+void draw_scrolled_text(const char* id, std::string_view text, ImVec2 most, ImU32 color) {
+  const std::string shown = shown_text(text);
+  const char *begin = shown.data(), *end = begin + shown.size();
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImVec2 size = ImGui::CalcTextSize(begin, end, false, most.x);
+  if (size.y <= most.y) {
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + most.x);
+    ImGui::TextUnformatted(begin, end);
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+  } else {
+    ImGui::BeginChild(id, most, false, ImGuiWindowFlags_NoNavInputs);
+    ImGui::PushTextWrapPos(most.x - ImGui::GetStyle().ScrollbarSize);
+    ImGui::TextUnformatted(begin, end);
+    ImGui::PopTextWrapPos();
+    ImGui::EndChild();
+  }
+  ImGui::PopStyleColor();
+}
+
+void add_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text) {
+  const std::string shown = shown_line(text);
+  list.AddText(at, color, shown.data(), shown.data() + shown.size());
+}
+
+void add_short_text(ImDrawList& list, ImVec2 at, float right, ImU32 color, std::string_view text) {
+  const std::string shown = shown_line(text);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::RenderTextEllipsis(&list, at, {right, at.y + ImGui::GetTextLineHeight()}, right, right, shown.data(),
+                            shown.data() + shown.size(), nullptr);
+  ImGui::PopStyleColor();
+}
+
+void draw_short_text(std::string_view text, float most, ImU32 color) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = size_of_text(text);
+  const float lowered = ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
+  const float width = std::max(1.0f, std::min(size.x, most));
+  ImGui::Dummy({width, size.y + lowered});
+  add_short_text(*ImGui::GetWindowDrawList(), {at.x, at.y + lowered}, at.x + width, color, text);
+}
+
+ImVec2 size_of_text(std::string_view text) {
+  const std::string shown = shown_line(text);
+  return ImGui::CalcTextSize(shown.data(), shown.data() + shown.size());
+}
+
+bool selectable(std::string_view text, std::string_view id, bool chosen, ImGuiSelectableFlags flags,
+                ImVec2 size) {
+  return ImGui::Selectable(label_of(text, id).c_str(), chosen, flags, size);
+}
+
+bool menu_item(std::string_view text, std::string_view id, std::string_view keys, bool checked,
+               bool enabled) {
+  const std::string shown = shown_line(keys);
+  return ImGui::MenuItem(label_of(text, id).c_str(), shown.empty() ? nullptr : shown.c_str(), checked,
+                         enabled);
+}
+
+bool begin_menu(std::string_view text, bool enabled) {
+  return ImGui::BeginMenu(label_of(text, {}).c_str(), enabled);
+}
+
+bool button(std::string_view text, std::string_view id, ImVec2 size) {
+  return ImGui::Button(label_of(text, id).c_str(), size);
+}
+
+bool small_button(std::string_view text, std::string_view id) {
+  return ImGui::SmallButton(label_of(text, id).c_str());
+}
+
+bool radio_button(std::string_view text, std::string_view id, bool chosen) {
+  return ImGui::RadioButton(label_of(text, id).c_str(), chosen);
+}
+
+bool checkbox(std::string_view text, std::string_view id, bool& on) {
+  return ImGui::Checkbox(label_of(text, id).c_str(), &on);
+}
+
+bool begin_combo(std::string_view id, std::string_view shown, ImGuiComboFlags flags) {
+  const std::string preview = shown_line(shown, kMostLabel);
+  return ImGui::BeginCombo(("##" + std::string(id)).c_str(), preview.c_str(), flags);
+}
+
+bool input_text(std::string_view id, std::string_view hint, std::string& text, ImGuiInputTextFlags flags,
+                ImGuiInputTextCallback callback, void* data) {
+  const std::string name = "##" + std::string(id), shown_hint(hint);
+  if (text.size() > kMostTyped) {
+    std::string shown = shown_line(text);
+    ImGui::InputText(name.c_str(), &shown, ImGuiInputTextFlags_ReadOnly);
+    return false;
+  }
+  TypedText typed{flags, callback, data};
+  return ImGui::InputTextWithHint(name.c_str(), shown_hint.c_str(), &text,
+                                  flags | ImGuiInputTextFlags_CallbackEdit, TypedText::on_event, &typed);
+}
+
+}  // namespace talus
