@@ -47,9 +47,10 @@ void tint_tiles(ImDrawList& list, const Sheet& sheet, FlagPattern pattern, ImVec
 }
 
 std::string selection_text(const SpriteArea& area) {
-  const std::string first = "#" + std::to_string(number_on_screen(area.sheet, area.tile_at(0, 0)));
-  if (area.tiles.w == 1 && area.tiles.h == 1) return first;
-  return first + "  " + std::to_string(area.tiles.w) + "x" + std::to_string(area.tiles.h);
+  std::string text = std::to_string(number_on_screen(area.sheet, area.tile_at(0, 0)));
+  text.insert(0, 1, '#');
+  if (area.tiles.w == 1 && area.tiles.h == 1) return text;
+  return text + "  " + std::to_string(area.tiles.w) + "x" + std::to_string(area.tiles.h);
 }
 
 }  // namespace
