@@ -90,8 +90,8 @@ std::string GlWindow::start(const WindowOptions& options) {
   // Where SDL finds no screen it falls back to drivers that show nothing: a window there would only seem to
   // hang.
   const std::string driver = SDL_GetCurrentVideoDriver();
-  const bool is_invisible = driver == "offscreen" || driver == "dummy" || driver == "evdev";
-  if (is_invisible && !options.offscreen && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
+  is_invisible_ = driver == "offscreen" || driver == "dummy" || driver == "evdev";
+  if (is_invisible_ && !options.offscreen && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
     return "No screen to open a window on: neither an X server nor a Wayland compositor answers.";
   }
   set_gl_attributes();
@@ -231,8 +231,11 @@ void GlWindow::draw() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+// Where nothing is shown, nothing waits for a frame either: the driver would keep the commands and the
+// textures of all of them.
 void GlWindow::present() {
   if (!offscreen_) SDL_GL_SwapWindow(window_);
+  if (is_invisible_) glFinish();
 }
 
 }  // namespace talus

@@ -67,6 +67,7 @@ class GlWindow {
   SDL_GLContext gl_ = nullptr;
   ImGuiContext* imgui_ = nullptr;
   bool offscreen_ = false;
+  bool is_invisible_ = false;  // SDL's driver has no screen
   bool has_video_ = false;
   bool has_backend_ = false;
   WindowStyle style_{0, 0, ThemeKind::dark};  // that was set last
