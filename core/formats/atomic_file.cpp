@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "file_lock.h"
+
 namespace talus {
 namespace {
 
@@ -20,8 +22,8 @@ tl::unexpected<FormatError> failure(const char* what, int error_number) {
       FormatError{"", std::string(what) + ": " + std::generic_category().message(error_number)});
 }
 
-tl::unexpected<FormatError> too_large_file() {
-  return tl::unexpected(FormatError{"", "is larger than " + std::to_string(kMaxFileBytes >> 20) + " MiB"});
+tl::unexpected<FormatError> too_large_file(std::size_t most) {
+  return tl::unexpected(FormatError{"", "is larger than " + std::to_string(most >> 20) + " MiB"});
 }
 
 // Null: it is a file.
@@ -42,8 +44,9 @@ class File {
   File& operator=(const File&) = delete;
   int get() const { return descriptor_; }
   bool is_open() const { return descriptor_ >= 0; }
+  int release() { return std::exchange(descriptor_, -1); }
   bool close() {
-    const int descriptor = std::exchange(descriptor_, -1);
+    const int descriptor = release();
     return descriptor < 0 || ::close(descriptor) == 0;
   }
 
@@ -73,19 +76,31 @@ fs::path follow_links(fs::path path) {
   return path;
 }
 
-// Creates a file that did not exist, beside `target`; -1 with errno when that fails.
+int create_new(const std::string& name) {
+  return ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+// Creates a file that did not exist, beside `target`, and locks it, so that what killed processes left is
+// told from what is being written, and goes; -1 with errno when that fails.
 int create_temporary(const fs::path& target, std::string& name) {
   constexpr int kAttempts = 100;
   constexpr std::size_t kMaxStem = 200;  // file names end at 255 bytes
-  std::string stem = ".";
-  stem += target.filename().string().substr(0, kMaxStem) + "." + std::to_string(getpid()) + "-";
-  int descriptor = -1;
-  for (int i = 0; i < kAttempts && descriptor < 0; ++i) {
-    name = (target.parent_path() / (stem + std::to_string(i) + ".tmp")).string();
-    descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno != EEXIST) return -1;
+  const std::string stem = "." + target.filename().string().substr(0, kMaxStem) + ".";
+  for (int i = 0; i < kAttempts; ++i) {
+    name = (target.parent_path() / (stem + std::to_string(i) + std::string(kTemporaryEnding))).string();
+    int descriptor = create_new(name);
+    if (descriptor < 0 && errno == EEXIST) {
+      if (!remove_if_unlocked(name)) continue;
+      descriptor = create_new(name);
+    }
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) return -1;
+    // Before it was locked, another process may have taken it for left behind.
+    if (try_lock(descriptor, name) || (errno != EWOULDBLOCK && errno != ENOENT)) return descriptor;
+    ::close(descriptor);
   }
-  return descriptor;
+  errno = EEXIST;
+  return -1;
 }
 
 FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes) {
@@ -110,7 +125,7 @@ void sync_directory(const fs::path& target) {
 
 }  // namespace
 
-FormatResult<std::string> read_file(const std::string& path) {
+FormatResult<std::string> read_file(const std::string& path, std::size_t most) {
   // Looked at before it is opened, as opening a device may do something, and again after that, as it may be
   // another one by then.
   struct stat status = {};
@@ -120,12 +135,12 @@ FormatResult<std::string> read_file(const std::string& path) {
   if (!file.is_open()) return failure("cannot be opened", errno);
   if (::fstat(file.get(), &status) != 0) return failure("cannot be read", errno);
   if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
-  if (status.st_size > static_cast<off_t>(kMaxFileBytes)) return too_large_file();
+  if (static_cast<std::size_t>(status.st_size) > most) return too_large_file(most);
   std::string bytes;
   constexpr std::size_t kStep = 1 << 20;
   for (;;) {
     const std::size_t size = bytes.size();
-    if (size > kMaxFileBytes) return too_large_file();
+    if (size > most) return too_large_file(most);
     bytes.resize(size + kStep);
     const ssize_t count = ::read(file.get(), bytes.data() + size, kStep);
     const int error_number = errno;
@@ -148,16 +163,16 @@ FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_
   if (!exists && errno != ENOENT)
     return failure("cannot be written", errno);  // a loop of links, a forbidden path
   if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", bytes);
+  if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", -1, bytes);
   // rename() would replace a write-protected file: its directory's permissions alone decide.
   if (exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
 
   std::string temporary;
   File file(create_temporary(target, temporary));
   if (!file.is_open()) return failure("cannot be written", errno);
-  StagedFile staged(target.string(), std::move(temporary), bytes);
-  const bool done = (!exists || ::fchmod(file.get(), old.st_mode & 07777) == 0) &&
-                    write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close();
+  StagedFile staged(target.string(), std::move(temporary), file.release(), bytes);
+  const bool done = (!exists || ::fchmod(staged.descriptor_, old.st_mode & 07777) == 0) &&
+                    write_all(staged.descriptor_, bytes) && ::fsync(staged.descriptor_) == 0;
   if (!done) return failure("cannot be written", errno);
   return staged;
 }
@@ -166,6 +181,7 @@ FormatResult<void> StagedFile::put() {
   if (temporary_.empty()) return write_in_place(target_, bytes_);
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failure("cannot be written", errno);
   temporary_.clear();
+  let_go();
   sync_directory(target_);
   return {};
 }
@@ -173,10 +189,17 @@ FormatResult<void> StagedFile::put() {
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
       bytes_(other.bytes_) {}
+
+// What was written is on the disk since fsync, so that closing has nothing left to fail at.
+void StagedFile::let_go() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+}
 
 StagedFile::~StagedFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  let_go();
 }
 
 }  // namespace talus

@@ -10,14 +10,17 @@
 
 namespace talus {
 
-// The file's bytes; an error for unreadable files, files over kMaxFileBytes, and at once for what is no file
-// but a directory, device, pipe or socket: reading one of these could wait for ever.
-FormatResult<std::string> read_file(const std::string& path);
+inline constexpr std::string_view kTemporaryEnding = ".tmp";  // of files that are being written
+
+// The file's bytes; an error for unreadable files, files of more bytes than `most`, and at once for what is no
+// file but a directory, device, pipe or socket: reading one of these could wait for ever.
+FormatResult<std::string> read_file(const std::string& path, std::size_t most = kMaxFileBytes);
 
 // Puts the bytes in place at once: whoever reads the path, even after a kill or power loss at any moment,
 // finds the old file or the new one whole. Symbolic links are followed, the old file's permissions stay, and
 // a device or pipe is written in place. After an error the old file is untouched and no temporary remains;
-// only a process killed between two system calls can leave its temporary, ".NAME.PID-N.tmp", beside the file.
+// only a killed process can leave its temporary, ".NAME.N.tmp" with N from 0, beside the file: the next one
+// that writes the file removes it.
 FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes);
 
 // The same in two steps, for files that belong together: all are written, then all are put in place.
@@ -31,11 +34,16 @@ class StagedFile {
   FormatResult<void> put();  // once
 
  private:
-  StagedFile(std::string target, std::string temporary, std::string_view bytes)
-      : target_(std::move(target)), temporary_(std::move(temporary)), bytes_(bytes) {}
+  StagedFile(std::string target, std::string temporary, int descriptor, std::string_view bytes)
+      : target_(std::move(target)),
+        temporary_(std::move(temporary)),
+        descriptor_(descriptor),
+        bytes_(bytes) {}
+  void let_go();
 
   std::string target_;
   std::string temporary_;  // empty: it is written in place, or has been put
+  int descriptor_;         // of the temporary, which is locked until it is put; -1: none
   std::string_view bytes_;
 };
 

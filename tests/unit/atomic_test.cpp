@@ -112,6 +112,32 @@ TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenTo) {
             "cannot be written: No space left on device");
 }
 
+TEST_F(AtomicFileTest, WhatKilledProcessesLeftIsRemovedAndWhatIsBeingWrittenStays) {
+  put(".x.0.tmp", "left by a killed process");
+  auto first = StagedFile::write(path("x"), "first");
+  ASSERT_TRUE(first);
+  EXPECT_EQ(bytes_of(".x.0.tmp"), "first");
+  {
+    const auto second = StagedFile::write(path("x"), "second");
+    ASSERT_TRUE(second);
+    EXPECT_EQ(bytes_of(".x.0.tmp"), "first");
+    EXPECT_EQ(bytes_of(".x.1.tmp"), "second");
+  }
+  ASSERT_TRUE(first->put());
+  EXPECT_EQ(bytes_of("x"), "first");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, OtherThingsUnderATemporarysNameStay) {
+  put("precious", "bytes");
+  fs::create_symlink("precious", path(".x.0.tmp"));
+  fs::create_directory(path(".x.1.tmp"));
+  ASSERT_TRUE(write_file_atomic(path("x"), "new"));
+  EXPECT_EQ(bytes_of("x"), "new");
+  EXPECT_EQ(bytes_of("precious"), "bytes");
+  EXPECT_TRUE(fs::is_symlink(path(".x.0.tmp")) && fs::is_directory(path(".x.1.tmp")));
+}
+
 TEST_F(AtomicFileTest, LongNamesWork) {
   const std::string name(255, 'n');
   ASSERT_TRUE(write_file_atomic(path(name), "x"));

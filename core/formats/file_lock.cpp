@@ -1,0 +1,30 @@
+// By flock, which belongs to an open file rather than to a process: two threads are told apart, too.
+#include "file_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace talus {
+
+bool try_lock(int descriptor, const std::string& name) {
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return false;
+  struct stat held = {}, named = {};
+  const bool is_named = ::fstat(descriptor, &held) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+                        held.st_dev == named.st_dev && held.st_ino == named.st_ino;
+  if (!is_named) errno = ENOENT;
+  return is_named;
+}
+
+bool remove_if_unlocked(const std::string& name) {
+  const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool removed = try_lock(descriptor, name) && ::unlink(name.c_str()) == 0;
+  ::close(descriptor);
+  return removed;
+}
+
+}  // namespace talus
