@@ -34,6 +34,9 @@ struct ProgramView {
   bool keys_open = false;
   bool metrics_open = false;
   bool recovery_open = false;  // the dialog of what was saved by itself before a crash
+  // Why unsaved work is not saved by itself at present: "the file cannot be written: No space left on
+  // device"; empty: it is.
+  std::string autosave_problem;
   std::optional<KeyCapture> key_capture;
   KeyChord dialog_key;  // that went down in this frame while a dialog was open, not by repetition
   std::optional<ProgramId> wanted_program;  // that is to open the level; taken by the next frame

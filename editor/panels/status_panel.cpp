@@ -13,6 +13,7 @@ namespace talus {
 namespace {
 
 constexpr float kStamp = 360;  // px at scale 1, where the stamp's part begins
+constexpr float kFile = 670;   // px at scale 1, where the file's part begins
 constexpr int kMostShown = 8;  // tiles of the stamp's picture in a row or column: more would be specks
 
 // " flags 0,2"; nothing without any.
@@ -82,6 +83,22 @@ void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
                 "The level is being exported: File > Export shows how far it is, and ends it.", ui);
 }
 
+// The level's file, or why its changes are in none. before: the text at the line's end, which it leaves room
+// for.
+void draw_file(const Session& session, const std::string& before, Ui& ui) {
+  const std::string& problem = ui.view.program.autosave_problem;
+  const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");
+  const std::string text = problem.empty() ? name : "Not saved by itself: " + problem;
+  const bool warns = session.modified() || !problem.empty();
+  ImGui::SameLine(ui.px(kFile));
+  draw_short_text(text, ImGui::GetContentRegionAvail().x - size_of_text(before).x - ui.px(16),
+                  theme::tone(warns ? theme::kWarning : theme::kMuted));
+  if (!problem.empty())
+    ui.item("status/not-saved-by-itself", text + ". It is tried again until it succeeds.");
+  else
+    ui.item("status/file", session.path().empty() ? "Not in a file yet." : session.path());
+}
+
 }  // namespace
 
 std::string hover_text(const Session& session, const Hover& hover) {
@@ -130,12 +147,8 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
     draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
               "Bodies of the simulation.");
   }
-  const std::string file = session.file_name() + (session.modified() ? "  (not saved)" : "");
   const std::string problems = problems_text(session, ui);
-  ImGui::SameLine(ui.px(670));
-  draw_short_text(file, ImGui::GetContentRegionAvail().x - size_of_text(problems).x - ui.px(16),
-                  theme::tone(session.modified() ? theme::kWarning : theme::kMuted));
-  ui.item("status/file", session.path().empty() ? "Not in a file yet." : session.path());
+  draw_file(session, problems, ui);
   ImGui::SameLine();
   ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
   ui.tooltip("See the Problems tab.");

@@ -4,16 +4,21 @@
 #include "autosave.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
 
 #include "formats/atomic_file.h"
+#include "formats/file_lock.h"
 #include "formats/json_text.h"
 #include "formats/last_catch.h"
 #include "formats/recording.h"
@@ -35,23 +40,75 @@ std::int64_t seconds_since_1970() {
 
 std::string lock_file(const std::string& file) { return file + std::string(kLockExtension); }
 
-// The descriptor of the locked file; -1 when another process has the lock.
-int try_lock(const std::string& file, int flags) {
+// The descriptor of the locked file; -1 with errno when there can be none, with EWOULDBLOCK when another
+// process has the lock.
+int locked(const std::string& file, int flags) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | flags, 0600);
-  if (descriptor < 0) return -1;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  if (descriptor < 0 || try_lock(descriptor, file)) return descriptor;
+  const int error = errno;
   ::close(descriptor);
+  errno = error;
   return -1;
 }
 
 // Without a lock file nobody can be running that would have made one.
 bool owner_runs(const std::string& file) {
-  std::error_code error;
-  if (!fs::exists(lock_file(file), error)) return false;
-  const int lock = try_lock(lock_file(file), 0);
-  if (lock < 0) return true;
+  const int lock = locked(lock_file(file), 0);
+  if (lock < 0) return errno == EWOULDBLOCK;
   ::close(lock);
   return false;
+}
+
+// What killed processes left half written, and their locks of nothing.
+void remove_remains(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> remains;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& path = entry.path();
+    const bool is_lock = path.extension() == kLockExtension && path.stem().extension() == kExtension;
+    std::error_code unknown;
+    if (path.extension() == kTemporaryEnding ||
+        (is_lock && !fs::exists(path.parent_path() / path.stem(), unknown) && !unknown))
+      remains.push_back(path.string());
+  }
+  for (const std::string& file : remains) remove_if_unlocked(file);
+}
+
+// Of a file that cannot be read.
+SavedWork unreadable(const std::string& file, std::string problem) {
+  SavedWork work{file, {}, fs::path(file).filename().string(), 0, nullptr};
+  struct stat status = {};
+  if (::stat(file.c_str(), &status) == 0) work.time = status.st_mtime;
+  work.problem = std::move(problem);
+  return work;
+}
+
+std::string to_text(const FormatError& error) {
+  return error.place.empty() ? error.message : error.place + ": " + error.message;
+}
+
+tl::unexpected<std::string> damaged(const std::string& what) { return tl::unexpected("is damaged: " + what); }
+
+// The file's bytes after its first line, which `about` is.
+tl::expected<SavedWork, std::string> read_parts(const std::string& file, const json& about,
+                                                std::string_view rest) {
+  SavedWork work{file, {}, kUnnamed, 0, nullptr};
+  for (const json& size : about.value("recording_bytes", json::array())) {
+    if (!size.is_number_unsigned() || size.get<std::size_t>() > rest.size())
+      return damaged("a recording is missing");
+    auto recording = read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>())); });
+    if (!recording) return damaged("of its recording " + to_text(recording.error()));
+    work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
+    rest.remove_prefix(size.get<std::size_t>());
+  }
+  auto level = read_guarded([&] { return find_format("native")->read(rest, {kNativeExtension}); });
+  if (!level) return damaged("of its level " + to_text(level.error()));
+  work.level = std::make_shared<const Level>(std::move(*level));
+  if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
+  if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
+  if (about.contains("time") && is_whole(about["time"], 0, std::numeric_limits<std::int64_t>::max()))
+    work.time = about["time"];
+  return work;
 }
 
 }  // namespace
@@ -59,13 +116,12 @@ bool owner_runs(const std::string& file) {
 tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
   const Format& native = *find_format("native");
   const auto written = native.write(*work.level, {kNativeExtension});
-  if (!written) return tl::unexpected("The level cannot be saved by itself: " + written.error().message);
+  if (!written) return tl::unexpected("the level " + written.error().message);
   std::string recordings;
   std::vector<std::size_t> sizes;
   for (const auto& each : work.recordings) {
     const auto recording = write_recording(*each);
-    if (!recording)
-      return tl::unexpected("The recording cannot be saved by itself: " + recording.error().message);
+    if (!recording) return tl::unexpected("the recording " + recording.error().message);
     sizes.push_back(recording->size());
     recordings += *recording;
   }
@@ -73,39 +129,23 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
       {"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", sizes}};
   const std::string text =
       about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + recordings + written->bytes;
-  std::error_code error;
-  fs::create_directories(fs::path(work.file).parent_path(), error);
   if (const auto saved = write_file_atomic(work.file, text); !saved)
-    return tl::unexpected("The level cannot be saved by itself: " + to_string(saved.error(), work.file));
+    return tl::unexpected("the file " + saved.error().message);
   return {};
 }
 
-tl::expected<SavedWork, std::string> read_saved_work(const std::string& file) {
-  const auto bytes = read_file(file);
-  if (!bytes) return tl::unexpected(to_string(bytes.error(), file));
+// As large as it was written: its level and its recordings are bounded one by one by their own readers.
+tl::expected<SavedWork, std::string> read_saved_work(const std::string& file) try {
+  constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max() / 2;
+  const auto bytes = read_file(file, kAnySize);
+  if (!bytes) return tl::unexpected(bytes.error().message);
   const std::size_t line = bytes->find('\n');
-  const auto parsed = parse_json(std::string_view(*bytes).substr(0, line));
-  if (line == std::string::npos || !parsed || !parsed->is_object())
-    return tl::unexpected(printable(file) + " is damaged.");
-  const json& about = *parsed;
-  std::string_view rest = std::string_view(*bytes).substr(line + 1);
-  SavedWork work{file, {}, kUnnamed, 0, nullptr};
-  for (const json& size : about.value("recording_bytes", json::array())) {
-    if (!size.is_number_unsigned() || size.get<std::size_t>() > rest.size())
-      return tl::unexpected(printable(file) + " is damaged.");
-    auto recording = read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>())); });
-    if (!recording) return tl::unexpected(to_string(recording.error(), file));
-    work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
-    rest.remove_prefix(size.get<std::size_t>());
-  }
-  auto level = read_guarded([&] { return find_format("native")->read(rest, {kNativeExtension}); });
-  if (!level) return tl::unexpected(to_string(level.error(), file));
-  work.level = std::make_shared<const Level>(std::move(*level));
-  if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
-  if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
-  if (about.contains("time") && is_whole(about["time"], 0, std::numeric_limits<std::int64_t>::max()))
-    work.time = about["time"];
-  return work;
+  if (line == std::string::npos) return damaged("its first line has no end");
+  const auto about = parse_json(std::string_view(*bytes).substr(0, line));
+  if (!about || !about->is_object()) return damaged("its first line does not tell what it holds");
+  return read_parts(file, *about, std::string_view(*bytes).substr(line + 1));
+} catch (...) {
+  return tl::unexpected("cannot be read: " + caught_text());
 }
 
 Autosave::Autosave(std::string folder) : folder_(std::move(folder)) {}
@@ -115,52 +155,61 @@ Autosave::~Autosave() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-std::string Autosave::no_room() const { return "Nothing can be saved by itself in " + folder_ + "."; }
-
 // The first free name: a process may have several sessions, and numbers of processes come again.
-bool Autosave::hold_lock() {
-  if (lock_ >= 0) return true;
+tl::expected<void, std::string> Autosave::hold_lock() {
+  if (lock_ >= 0) return {};
   std::error_code error;
   fs::create_directories(folder_, error);
+  if (error) return tl::unexpected("the folder cannot be made: " + error.message());
+  remove_remains(folder_);
   constexpr int kAttempts = 100;
   for (int i = 0; i < kAttempts && lock_ < 0; ++i) {
     file_ =
         (fs::path(folder_) / (std::to_string(::getpid()) + "-" + std::to_string(i) + std::string(kExtension)))
             .string();
-    if (!fs::exists(file_, error)) lock_ = try_lock(lock_file(file_), O_CREAT);
+    if (!fs::exists(file_, error)) lock_ = locked(lock_file(file_), O_CREAT);
   }
-  return lock_ >= 0;
+  if (lock_ >= 0) return {};
+  return tl::unexpected("no file can be made: " + std::generic_category().message(errno));
 }
 
 std::optional<std::string> Autosave::follow(const Session& session, double now) {
-  if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
-  std::optional<std::string> error = finish_writing();
-  if (!session.modified() && session.unsaved_runs().empty()) {
+  if (is_writing()) return {};
+  const bool had_problem = problem_.has_value();
+  finish_writing();
+  if (!session.modified() && session.unsaved_runs().empty())
     remove();
-    return error;
-  }
-  if (revision_of(session) == written_revision_) return error;
+  else if (revision_of(session) != written_revision_)
+    write_when_due(session, now);
+  return had_problem ? std::nullopt : problem_;
+}
+
+void Autosave::write_when_due(const Session& session, double now) {
   if (!changed_since_) changed_since_ = now;
-  if (now < *changed_since_ + kDelay) return error;
+  if (now < *changed_since_ + kDelay) return;
   changed_since_.reset();
-  written_revision_ = revision_of(session);
-  if (!hold_lock()) return no_room();
+  if (const auto held = hold_lock(); !held) {
+    problem_ = held.error();
+    changed_since_ = now;
+    return;
+  }
+  writing_revision_ = revision_of(session);
   writing_ = std::async(std::launch::async, [work = work_of(session)]() -> tl::expected<void, std::string> {
     try {
       return write_saved_work(work);
     } catch (...) {
-      return tl::unexpected("The level cannot be saved by itself: " + caught_text() + ".");
+      return tl::unexpected("the level cannot be written: " + caught_text());
     }
   });
-  return error;
 }
 
 tl::expected<void, std::string> Autosave::save_now(const Session& session) {
   finish_writing();
   changed_since_.reset();
-  written_revision_ = revision_of(session);
-  if (!hold_lock()) return tl::unexpected(no_room());
-  return write_saved_work(work_of(session));
+  auto saved = hold_lock();
+  if (saved) saved = write_saved_work(work_of(session));
+  note(saved, revision_of(session));
+  return saved;
 }
 
 SavedWork Autosave::work_of(const Session& session) const {
@@ -177,18 +226,26 @@ std::optional<double> Autosave::due() const {
   return *changed_since_ + kDelay;
 }
 
-std::optional<std::string> Autosave::finish_writing() {
-  if (!writing_.valid()) return std::nullopt;
-  const auto written = writing_.get();
-  return written ? std::nullopt : std::optional<std::string>(written.error());
+void Autosave::finish_writing() {
+  if (writing_.valid()) note(writing_.get(), writing_revision_);
 }
 
+// What was not written is still to be written.
+void Autosave::note(const tl::expected<void, std::string>& written, Revision revision) {
+  problem_ = written ? std::nullopt : std::optional(written.error());
+  if (written) written_revision_ = revision;
+}
+
+// Where a file cannot be removed, its lock stays, and the next call tries again.
 void Autosave::remove() {
   changed_since_.reset();
   written_revision_.reset();
+  problem_.reset();
   if (lock_ < 0) return;
   finish_writing();
-  ::unlink(file_.c_str());
+  written_revision_.reset();
+  problem_.reset();
+  if (::unlink(file_.c_str()) != 0 && errno != ENOENT) return;
   ::unlink(lock_file(file_).c_str());
   ::close(lock_);
   lock_ = -1;
@@ -200,17 +257,22 @@ std::vector<SavedWork> Autosave::left_behind() const {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     const std::string file = entry.path().string();
     if (entry.path().extension() != kExtension || (lock_ >= 0 && file == file_) || owner_runs(file)) continue;
-    if (auto work = read_saved_work(file)) found.push_back(std::move(*work));
+    auto work = read_saved_work(file);
+    found.push_back(work ? std::move(*work) : unreadable(file, work.error()));
   }
+  if (error && error != std::errc::no_such_file_or_directory)
+    found.push_back(unreadable(folder_, "cannot be read: " + error.message()));
   std::sort(found.begin(), found.end(), [](const SavedWork& a, const SavedWork& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });
   return found;
 }
 
-void Autosave::discard(const SavedWork& work) {
-  ::unlink(work.file.c_str());
+tl::expected<void, std::string> Autosave::discard(const SavedWork& work) {
+  if (::unlink(work.file.c_str()) != 0 && errno != ENOENT)
+    return tl::unexpected(work.file + " cannot be removed: " + std::generic_category().message(errno) + ".");
   ::unlink(lock_file(work.file).c_str());
+  return {};
 }
 
 }  // namespace talus

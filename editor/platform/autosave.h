@@ -2,6 +2,7 @@
 // a crash costs a few seconds at most, and finds what programs that ended without warning have left.
 #pragma once
 
+#include <chrono>
 #include <future>
 #include <memory>
 #include <optional>
@@ -13,19 +14,21 @@
 
 namespace talus {
 
-// What was saved of a level before the program that edited it ended.
+// What was saved of a level before the program that edited it ended, or a file that should hold such.
 struct SavedWork {
   std::string file;                    // that holds it
   std::string path;                    // the level's own file; empty: none
   std::string name;                    // for titles
   std::int64_t time = 0;               // s since 1970, when it was saved
-  std::shared_ptr<const Level> level;  // never null
+  std::shared_ptr<const Level> level;  // null: the file cannot be read, and `problem` tells why
   // Of the runs with marks or inputs of the user's, none null, the one that was worked on last at the end.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
+  std::string problem = {};  // "is damaged: of its level line 3: ..."; empty: it was read
 };
 
+// The error tells what of it and why: "the file cannot be written: No space left on device".
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);
-// An error in one sentence when the file is damaged.
+// Of any size. The error is that of `problem`.
 tl::expected<SavedWork, std::string> read_saved_work(const std::string& file);
 
 class Autosave {
@@ -39,26 +42,29 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  // To be called often; now: s. Writes on a thread of its own. The error of the last writing, once.
+  // To be called often; now: s. Writes on a thread of its own, and again after a failure until it succeeds.
+  // Returns problem() where there was none before.
   std::optional<std::string> follow(const Session& session, double now);
   // The same at once, waiting for it.
   tl::expected<void, std::string> save_now(const Session& session);
+  // Why the last writing failed, as write_saved_work() tells it; nothing: it did not.
+  const std::optional<std::string>& problem() const { return problem_; }
+  bool is_writing() const {
+    return writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  }
+  const std::string& folder() const { return folder_; }
   // When the next writing is due; nothing while all is written.
   std::optional<double> due() const;
   void remove();  // nothing is worth keeping any more
 
-  // What ended processes have left, the latest first; of a running process nothing. Damaged files are left
-  // alone and not listed.
+  // What ended processes have left, the latest first; of a running process nothing. What cannot be read is
+  // left alone, and listed with its problem.
   std::vector<SavedWork> left_behind() const;
-  // Of what left_behind() gave: it was taken over by this process, or is wanted no more.
-  static void discard(const SavedWork& work);
+  // Of what left_behind() gave: it was taken over by this process, or is wanted no more. The error is one
+  // sentence.
+  static tl::expected<void, std::string> discard(const SavedWork& work);
 
  private:
-  std::string no_room() const;  // the error of a folder that cannot be written
-  bool hold_lock();             // that tells others that this process runs; false when there can be none
-  std::optional<std::string> finish_writing();
-  SavedWork work_of(const Session& session) const;
-
   std::string folder_, file_;  // file_: of this process
   int lock_ = -1;              // descriptor
   struct Revision {
@@ -69,8 +75,17 @@ class Autosave {
     return {session.revision(), session.runs_revision()};
   }
 
-  std::optional<Revision> written_revision_;
-  std::optional<double> changed_since_;  // s
+  // That tells others that this process runs.
+  tl::expected<void, std::string> hold_lock();
+  void write_when_due(const Session& session, double now);
+  void finish_writing();
+  void note(const tl::expected<void, std::string>& written, Revision revision);
+  SavedWork work_of(const Session& session) const;
+
+  std::optional<Revision> written_revision_;  // nothing: none is
+  Revision writing_revision_;                 // of what the thread writes
+  std::optional<double> changed_since_;       // s; or since the last writing failed
+  std::optional<std::string> problem_;
   std::future<tl::expected<void, std::string>> writing_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <ctime>
 #include <string>
+#include <vector>
 
 #include "panels/dialog.h"
 
@@ -17,6 +18,21 @@ std::string local_time(std::int64_t seconds) {
   if (localtime_r(&time, &parts) == nullptr) return {};
   char text[64];
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts)};
+}
+
+std::vector<std::string> about_work(const SavedWork& work) {
+  if (work.level == nullptr)
+    return {"It cannot be recovered, and stays as it is until you discard it:",
+            shown_line(work.file + " " + work.problem + ".")};
+  std::vector<std::string> about = {work.path.empty() ? "It has no file of its own yet."
+                                                      : shown_line(work.path)};
+  const std::size_t runs = work.recordings.size();
+  if (runs == 1)
+    about.push_back("With a recording of " + std::to_string(work.recordings.front()->frames) +
+                    " frames that you worked on.");
+  else if (runs > 1)
+    about.push_back("With " + std::to_string(runs) + " recordings that you worked on.");
+  return about;
 }
 
 }  // namespace
@@ -63,44 +79,43 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
 std::optional<RecoveryDialog::Answer> RecoveryDialog::draw_work(std::size_t index, const SavedWork& work,
                                                                 bool unsaved, Ui& ui) {
   std::optional<Answer> answer;
-  const std::string number = std::to_string(index);
   const std::string saved = "saved " + local_time(work.time);
   draw_short_text(work.name, ImGui::GetContentRegionAvail().x - size_of_text(saved).x - ui.px(16),
                   theme::tone(theme::kText));
   ImGui::SameLine();
   ui.right_aligned(saved, theme::tone(theme::kMuted));
-  ui.hint(work.path.empty() ? "It has no file of its own yet." : shown_line(work.path));
-  const std::size_t runs = work.recordings.size();
-  if (runs == 1)
-    ui.hint("With a recording of " + std::to_string(work.recordings.front()->frames) +
-            " frames that you worked on.");
-  else if (runs > 1)
-    ui.hint("With " + std::to_string(runs) + " recordings that you worked on.");
+  for (const std::string& line : about_work(work)) ui.hint(line);
+  const bool is_readable = work.level != nullptr;
   const bool chosen = chosen_ == index;  // the letters are for this one
-  const std::string recover_name = "recovery/recover" + number, discard_name = "recovery/discard" + number;
+  const std::string recover_name = "recovery/recover" + std::to_string(index);
   const DialogButton recover{.widget = recover_name,
                              .label = "Recover",
                              .help = "Opens it, as a change that can be undone.",
                              .letter = chosen ? 'R' : '\0',
-                             .is_default = chosen,
-                             .enabled = !unsaved,
+                             .is_default = chosen && is_readable,
+                             .enabled = !unsaved && is_readable,
                              .width = ui.px(96),
                              .gets_the_keys = index == 0};
   if (dialog_button(recover, ui)) answer = Answer{index, Choice::recover};
   if (ImGui::IsItemFocused()) chosen_ = index;
   ImGui::SameLine();
+  if (draw_discard(index, ui)) answer = Answer{index, Choice::discard};
+  return answer;
+}
+
+// True when it was pressed for the second time.
+bool RecoveryDialog::draw_discard(std::size_t index, Ui& ui) {
+  const std::string name = "recovery/discard" + std::to_string(index);
   const bool asked = asked_about_ == index;
-  const DialogButton discard{.widget = discard_name,
+  const DialogButton discard{.widget = name,
                              .label = asked ? "Discard for good" : "Discard",
                              .help = "Throws it away; asks once more.",
-                             .letter = chosen ? 'D' : '\0',
+                             .letter = chosen_ == index ? 'D' : '\0',
                              .width = ui.px(128)};
-  if (dialog_button(discard, ui)) {
-    if (asked) answer = Answer{index, Choice::discard};
-    asked_about_ = asked ? std::optional<std::size_t>() : index;
-  }
+  const bool pressed = dialog_button(discard, ui);
+  if (pressed) asked_about_ = asked ? std::optional<std::size_t>() : index;
   if (ImGui::IsItemFocused()) chosen_ = index;
-  return answer;
+  return pressed && asked;
 }
 
 }  // namespace talus

@@ -22,6 +22,7 @@ class RecoveryDialog {
 
  private:
   std::optional<Answer> draw_work(std::size_t index, const SavedWork& work, bool unsaved, Ui& ui);
+  bool draw_discard(std::size_t index, Ui& ui);
   std::size_t chosen_ = 0;                  // the work that had the keys last: the letters are for it
   std::optional<std::size_t> asked_about_;  // the work that a second click throws away
 };

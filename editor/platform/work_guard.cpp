@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -17,12 +18,27 @@ void WorkGuard::start(View& view) {
   view.program.recovery_open = was_open_ = !works_.empty();
 }
 
+// The message tells when it begins and ends; between them, the status bar does.
+bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
+  if (autosave_.follow(session, now)) {
+    told_ = "Unsaved work cannot be saved by itself: " + *autosave_.problem() +
+            ". It is tried again until it succeeds; the folder is " + autosave_.folder() + ".";
+    session.apply(action::ShowMessage{told_, true});
+  }
+  const std::string problem = autosave_.problem().value_or("");
+  const bool changed = std::exchange(view.program.autosave_problem, problem) != problem;
+  if (changed && problem.empty() && session.message() && session.message()->text == told_)
+    session.apply(session.modified()
+                      ? Action(action::ShowMessage{"Unsaved work is saved by itself again.", false})
+                      : Action(action::DismissMessage{}));
+  return changed;
+}
+
 bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
-  const auto error = autosave_.follow(session, now);
-  if (error) session.apply(action::ShowMessage{*error, true});
-  if (now < next_look_) return error.has_value();
+  const bool changed = save_by_itself(session, view, now);
+  if (now < next_look_) return changed;
   next_look_ = now + kFileInterval;
-  if (busy) return error.has_value();
+  if (busy) return changed;
   // A process that was killed just before this one started may have been ending still.
   const bool was_open = view.program.recovery_open;
   if (++looks_ == kSecondOffer && !was_open && works_.empty()) start(view);
@@ -32,7 +48,7 @@ bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
   };
   const auto before = shown();
   session.apply(action::CheckFile{});
-  return error || before != shown() || view.program.recovery_open != was_open;
+  return changed || before != shown() || view.program.recovery_open != was_open;
 }
 
 double WorkGuard::due() const {
@@ -48,7 +64,8 @@ void WorkGuard::draw(Session& session, Ui& ui) {
   if (answer->choice == RecoveryDialog::Choice::recover) {
     recover(answer->index, session, ui.view);
   } else {
-    Autosave::discard(works_[answer->index]);
+    if (const auto gone = Autosave::discard(works_[answer->index]); !gone)
+      session.apply(action::ShowMessage{gone.error(), true});
     drop(answer->index);
     if (works_.empty()) ui.view.program.recovery_open = false;
   }
@@ -60,10 +77,13 @@ void WorkGuard::recover(std::size_t index, Session& session, View& view) {
   session.apply(action::RecoverLevel{work.level, work.path, work.name, work.recordings});
   drop(index);
   view.program.recovery_open = false;
-  if (const auto saved = autosave_.save_now(session))
-    Autosave::discard(work);
-  else
-    session.apply(action::ShowMessage{saved.error(), true});
+  const auto saved = autosave_.save_now(session);
+  view.program.autosave_problem = autosave_.problem().value_or("");
+  if (!saved)
+    session.apply(action::ShowMessage{
+        "Recovered, but not saved by itself again: " + saved.error() + ". " + work.file + " stays.", true});
+  else if (const auto gone = Autosave::discard(work); !gone)
+    session.apply(action::ShowMessage{gone.error(), true});
 }
 
 void WorkGuard::keep(const Session& session) {

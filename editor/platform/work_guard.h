@@ -27,12 +27,14 @@ class WorkGuard {
   void keep(const Session& session);  // it ends by an error: saves what is to be recovered
 
  private:
+  bool save_by_itself(Session& session, View& view, double now);
   void recover(std::size_t index, Session& session, View& view);
   void drop(std::size_t index) { works_.erase(works_.begin() + static_cast<std::ptrdiff_t>(index)); }
 
   Autosave autosave_;
   RecoveryDialog dialog_;
   std::vector<SavedWork> works_;  // offered
+  std::string told_;              // about the autosave's problem
   bool was_open_ = false;         // the dialog, when last looked at
   double next_look_ = 0;          // s, at the file
   int looks_ = 0;                 // at it so far

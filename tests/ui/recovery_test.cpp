@@ -106,6 +106,57 @@ TEST_F(UiRecovery, RecoveredWorkSurvivesTheNextCrash) {
   EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
+TEST_F(UiRecovery, WhatCannotBeReadIsNamedAndStaysUntilItIsDiscarded) {
+  stop();
+  std::filesystem::create_directories(path("state/autosave"));
+  const std::string damaged = path("state/autosave/1-0.talus-autosave");
+  std::ofstream(damaged) << "half a";
+  start(level_file());
+  frames(2);
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  EXPECT_FALSE(find("recovery/recover0")->enabled);
+  key(kKeyEnter);
+  key(kEscapeKey);
+  frames(3);
+  EXPECT_TRUE(std::filesystem::exists(damaged));
+  crash_and_start(level_file());
+  for (int i = 0; i < 2; ++i) {
+    click("recovery/discard0");
+    frames(3);
+  }
+  EXPECT_EQ(find("recovery/discard0"), nullptr);
+  EXPECT_FALSE(std::filesystem::exists(damaged));
+}
+
+TEST_F(UiRecovery, WhatCannotBeSavedByItselfIsSaidUntilItIs) {
+  std::ofstream(path("state/autosave")) << "in the folder's place";
+  for (int x = 3; x < 6; ++x) {
+    paint({x, 9});
+    frames(kFiveSeconds);
+    EXPECT_NE(find("status/not-saved-by-itself"), nullptr);
+  }
+  ASSERT_TRUE(session().message());
+  EXPECT_TRUE(session().message()->is_error);
+  std::filesystem::remove(path("state/autosave"));
+  frames(kFiveSeconds);
+  EXPECT_EQ(find("status/not-saved-by-itself"), nullptr);
+  EXPECT_TRUE(!session().message() || !session().message()->is_error);
+  crash_and_start(level_file());
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(2);
+  for (int x = 3; x < 6; ++x) EXPECT_EQ(tile_at({x, 9}), 1);
+}
+
+TEST_F(UiRecovery, SettingsThatCannotBeSavedAreSaid) {
+  std::filesystem::remove_all(path("config"));
+  std::ofstream(path("config")) << "in the folder's place";
+  app().ui().view.preferences.font_size = kMaxFontSize;
+  frames(2);
+  ASSERT_TRUE(session().message());
+  EXPECT_NE(session().message()->text.find("The settings cannot be saved"), std::string::npos);
+}
+
 TEST_F(UiRecovery, DiscardingAsksOnceMore) {
   paint({12, 9});
   frames(kFiveSeconds);

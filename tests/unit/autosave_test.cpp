@@ -100,7 +100,7 @@ TEST_F(AutosaveTest, WhatAKilledProcessLeftIsFoundWhole) {
       std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
           .count();
   EXPECT_NEAR(static_cast<double>(works[0].time), static_cast<double>(now), 60);
-  Autosave::discard(works[0]);
+  EXPECT_TRUE(Autosave::discard(works[0]));
   EXPECT_TRUE(later.left_behind().empty());
   EXPECT_EQ(files(), 0);
 }
@@ -162,9 +162,71 @@ TEST_F(AutosaveTest, DamagedFilesAreLeftAlone) {
        {"", "{}", "{}\n", "[]\n{\"talus\":1}", "\xff\n{\"talus\":1}", "{}\n{\"talus\":"}) {
     std::ofstream(file, std::ios::binary) << bytes;
     EXPECT_FALSE(read_saved_work(file)) << bytes;
-    EXPECT_TRUE(Autosave(folder()).left_behind().empty()) << bytes;
+    const std::vector<SavedWork> works = Autosave(folder()).left_behind();
+    ASSERT_EQ(works.size(), 1u) << bytes;
+    EXPECT_EQ(works[0].level, nullptr);
+    EXPECT_EQ(works[0].name, "1-0.talus-autosave");
+    EXPECT_TRUE(works[0].problem.starts_with("is damaged: ")) << works[0].problem;
   }
   EXPECT_EQ(files(), 1);
+  ASSERT_TRUE(Autosave::discard(Autosave(folder()).left_behind()[0]));
+  EXPECT_EQ(files(), 0);
+}
+
+TEST_F(AutosaveTest, AFolderThatCannotBeReadIsSaid) {
+  put("state", "a file in the folder's place");
+  const std::vector<SavedWork> works = Autosave(folder()).left_behind();
+  ASSERT_EQ(works.size(), 1u);
+  EXPECT_EQ(works[0].problem, "cannot be read: Not a directory");
+}
+
+TEST_F(AutosaveTest, WhatIsLargerThanAnyLevelsFileIsOffered) {
+  fs::create_directories(folder());
+  SavedWork work{path("state/1-0.talus-autosave"), "", "", 5, std::make_shared<const Level>()};
+  work.name = std::string(kMaxFileBytes, 'n');
+  ASSERT_TRUE(write_saved_work(work));
+  ASSERT_GT(fs::file_size(work.file), kMaxFileBytes);
+  const std::vector<SavedWork> works = Autosave(folder()).left_behind();
+  ASSERT_EQ(works.size(), 1u);
+  EXPECT_EQ(works[0].problem, "");
+  EXPECT_EQ(works[0].name, work.name);
+}
+
+TEST_F(AutosaveTest, AFailedWritingIsTriedAgainUntilItSucceeds) {
+  put("state", "a file in the folder's place");
+  Session session;
+  {
+    Autosave autosave(folder());
+    paint(session, 5);
+    for (int second = 0; second < 20; ++second) autosave.follow(session, second);
+    ASSERT_TRUE(autosave.problem());
+    EXPECT_EQ(autosave.problem()->substr(0, 26), "the folder cannot be made:");
+    EXPECT_TRUE(autosave.due());
+    fs::remove(folder());
+    for (int second = 20; autosave.problem() && second < 60; ++second) {
+      autosave.follow(session, second);
+      while (autosave.is_writing()) ::usleep(100);
+    }
+    EXPECT_FALSE(autosave.problem());
+  }
+  const std::vector<SavedWork> works = Autosave(folder()).left_behind();
+  ASSERT_EQ(works.size(), 1u);
+  EXPECT_EQ(works[0].level->map.at({1, 1}), 5);
+}
+
+TEST_F(AutosaveTest, WhatKilledProcessesLeftHalfWrittenGoes) {
+  fs::create_directories(folder());
+  put("state/.1-0.talus-autosave.0.tmp", "half");
+  put("state/1-0.talus-autosave.lock", "");
+  put("state/2-0.talus-autosave.lock", "");
+  put("state/2-0.talus-autosave", "of the lock");
+  Session session;
+  Autosave autosave(folder());
+  paint(session, 5);
+  ASSERT_TRUE(autosave.save_now(session));
+  EXPECT_FALSE(exists("state/.1-0.talus-autosave.0.tmp"));
+  EXPECT_FALSE(exists("state/1-0.talus-autosave.lock"));
+  EXPECT_TRUE(exists("state/2-0.talus-autosave.lock"));
 }
 
 TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
@@ -174,7 +236,7 @@ TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
   paint(session, 5);
   EXPECT_FALSE(autosave.follow(session, 0));
   EXPECT_TRUE(autosave.follow(session, 10));
-  EXPECT_FALSE(autosave.follow(session, 20));
+  for (int second = 20; second < 60; ++second) EXPECT_FALSE(autosave.follow(session, second));
 }
 
 class Recovery : public FolderTest {};
