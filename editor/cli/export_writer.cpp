@@ -133,7 +133,8 @@ void carry_out(CommandContext& context, const ExportOrder& order) {
   if (!written) return fail_with(context, order, written.error());
   for (std::size_t i = 0; i < plan->files.size(); ++i)
     record.note(plan->files[i].path, content_hash(plan->content.files[i].bytes));
-  record.save();
+  if (const auto kept_record = record.save(); !kept_record)
+    context.err << order.output << ": warning: " << kept_record.error() << '\n';
   const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
   if (order.tells) {
     say(context.out, summary_of(*plan) + ", " + std::to_string(time.count()) + " ms");

@@ -61,11 +61,12 @@ FrameCost cost_of_frame(double interface_seconds, double opengl_seconds) {
   return cost;
 }
 
-// Renames a file that the program is about to replace; says so.
-std::string kept_aside(const std::string& path) {
+// Renames a file that the program would replace, and tells so; nothing when that fails.
+std::optional<std::string> kept_aside(const std::string& path) {
   std::error_code error;
   std::filesystem::rename(path, path + ".damaged", error);
-  return error ? "" : " It is kept as " + path + ".damaged.";
+  if (error) return std::nullopt;
+  return " It is kept as " + path + ".damaged.";
 }
 
 // Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
@@ -104,7 +105,7 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
     if (auto loaded = load_settings(settings_path()))
       settings = std::move(*loaded);
     else
-      problem = loaded.error() + kept_aside(settings_path());
+      problem = app->keep_settings_aside(loaded.error());
   }
   const std::string error = app->open_window(settings);
   if (!error.empty()) return tl::unexpected(error);
@@ -118,6 +119,14 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
   app->note_changes();
   return app;
+}
+
+// What cannot be read is not replaced: it is kept aside, or stays, and then nothing new is remembered. The
+// text for the user.
+std::string App::keep_settings_aside(const std::string& problem) {
+  const auto kept = kept_aside(settings_path());
+  remembers_settings_ = kept.has_value();
+  return problem + kept.value_or(" It stays as it is: settings are not remembered until the next start.");
 }
 
 std::string App::open_window(Settings& settings) {
@@ -199,15 +208,24 @@ Settings App::current_settings() const {
   return settings;
 }
 
-void App::remember() const {
-  if (!options_.remember) return;
-  if (const auto saved = save_settings(current_settings(), settings_path()); !saved)
-    std::cerr << printable_line("talus: warning: " + saved.error()) << '\n';
+std::string App::remember() const {
+  if (!options_.remember || !remembers_settings_) return "";
+  const auto saved = save_settings(current_settings(), settings_path());
+  return saved ? "" : saved.error();
+}
+
+// Tells once what keeps going wrong, below what has just been told.
+void App::remember_changes() {
+  const std::string problem = remember();
+  if (problem == std::exchange(remember_problem_, problem) || problem.empty()) return;
+  const std::string told = session_->message() ? session_->message()->text + "\n" : "";
+  session_->apply(action::ShowMessage{told + problem, true});
 }
 
 App::~App() {
   if (!session_) return;
-  remember();
+  if (const std::string problem = remember(); !problem.empty())
+    std::cerr << printable_line("talus: warning: " + problem) << '\n';
   if (guard_) guard_->end(*session_);
 }
 
@@ -470,7 +488,7 @@ void App::note_changes() {
   }
   if (ui_.view.preferences != noted_preferences_) {
     noted_preferences_ = ui_.view.preferences;
-    remember();
+    remember_changes();
   }
   if (session_->path() == noted_path_) return;
   noted_path_ = session_->path();
@@ -480,7 +498,7 @@ void App::note_changes() {
   std::erase(recent, path);
   recent.insert(recent.begin(), path);
   if (recent.size() > kMaxRecentFiles) recent.resize(kMaxRecentFiles);
-  remember();
+  remember_changes();
 }
 
 // Good news goes by itself; errors stay.

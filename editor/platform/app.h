@@ -54,7 +54,9 @@ class App {
   std::string open_window(Settings& settings);  // the error, or nothing
   void take_settings(const Settings& settings);
   Settings current_settings() const;
-  void remember() const;
+  std::string keep_settings_aside(const std::string& problem);
+  std::string remember() const;  // what went wrong, or nothing
+  void remember_changes();
   void open_first_level();
 
   void hold_presses_while_dialogs_change();
@@ -103,6 +105,8 @@ class App {
   double note_since_ = 0;                  // s
   bool note_waits_ = false;                // for the user, who was elsewhere: its time has not begun
   Preferences noted_preferences_;          // that were remembered last
+  std::string remember_problem_;           // told last
+  bool remembers_settings_ = true;         // false: the file holds some that could not be read
   int drawn_frames_ = 0;
 };
 

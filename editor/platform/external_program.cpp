@@ -80,6 +80,7 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, Op
   FileToOpen file{copy->path, "Wrote a copy of the level, which is written again with every saving. "};
   if (!copy->kept.empty())
     file.note += "What another program had saved there is kept as " + copy->kept + ". ";
+  if (!copy->record_problem.empty()) file.note += copy->record_problem + " ";
   for (const std::string& what : copy->dropped) file.note += "Not in it: " + what + ". ";
   return file;
 }

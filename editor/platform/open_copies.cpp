@@ -50,13 +50,15 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
   auto kept = make_room(files);
   if (!kept) return tl::unexpected(kept.error());
   if (const auto written = write_copy(*copy, exporter, path); !written)
-    return tl::unexpected(written.error());
-  note(files);
+    return tl::unexpected(written.error() +
+                          (kept->empty() ? "" : ". What another program had saved there is " + *kept));
+  const std::string record_problem = note(files);
   if (level_file_ != session.path()) forget();
   level_file_ = session.path();
   saves_ = session.saves();
   std::erase_if(copies_, [&](const Copy& old) { return old.program == program.id; });
-  copies_.push_back({program.id, {path, std::move(copy->dropped), *std::move(kept)}, stamp_of_file(path)});
+  copies_.push_back(
+      {program.id, {path, std::move(copy->dropped), *std::move(kept), record_problem}, stamp_of_file(path)});
   return copies_.back().written;
 }
 
@@ -64,8 +66,10 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
 tl::expected<std::string, std::string> OpenCopies::make_room(const std::vector<std::string>& files) const {
   std::string all;
   for (const std::string& file : files) {
+    std::error_code error;
+    if (fs::status(file, error).type() == fs::file_type::not_found) continue;
     const auto bytes = read_file(file);
-    if (!bytes || record().has(file, content_hash(*bytes))) continue;
+    if (bytes && record().has(file, content_hash(*bytes))) continue;
     const auto kept = keep_aside(file);
     if (!kept)
       return tl::unexpected(file + " holds what another program has saved, and " + kept.error().message);
@@ -74,12 +78,13 @@ tl::expected<std::string, std::string> OpenCopies::make_room(const std::vector<s
   return all;
 }
 
-void OpenCopies::note(const std::vector<std::string>& files) const {
+std::string OpenCopies::note(const std::vector<std::string>& files) const {
   ExportRecord written = record();
   for (const std::string& file : files) {
     if (const auto bytes = read_file(file)) written.note(file, content_hash(*bytes));
   }
-  written.save();
+  const auto kept = written.save();
+  return kept ? "" : kept.error();
 }
 
 void OpenCopies::follow(Session& session) {
@@ -92,6 +97,7 @@ void OpenCopies::follow(Session& session) {
   };
   std::erase_if(copies_, [&](Copy& copy) {
     const std::string problem = write_again(session, copy);
+    if (problem.empty()) add(problems, copy.written.record_problem);
     add(problem.empty() ? told : problems,
         problem.empty() ? "Wrote the copy for " + std::string(info_of(copy.program).label) + " again."
                         : problem);
@@ -116,7 +122,7 @@ std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
   const auto written = made ? write_copy(*made, exporter, copy.written.path) : tl::unexpected(made.error());
   if (!written)
     return "The copy for " + std::string(info.label) + " cannot be written again: " + written.error() + ".";
-  note(paths_of(exporter, *made, copy.written.path));
+  copy.written.record_problem = note(paths_of(exporter, *made, copy.written.path));
   copy.stamp = stamp_of_file(copy.written.path);
   return "";
 }

@@ -18,7 +18,8 @@ class OpenCopies {
   struct Written {
     std::string path;
     std::vector<std::string> dropped;  // as Exported has it
-    std::string kept;  // where what another program had saved there is now; empty: nothing had
+    std::string kept;                 // where what another program had saved there is now; empty: nothing had
+    std::string record_problem = {};  // of ExportRecord::save(); empty: none
   };
 
   // folder: of the copies; made when it is needed.
@@ -42,7 +43,7 @@ class OpenCopies {
   // What this program has written there, in earlier starts, too. Read when it is needed, not at the start.
   ExportRecord record() const { return ExportRecord(folder_ + "/written"); }
   tl::expected<std::string, std::string> make_room(const std::vector<std::string>& files) const;
-  void note(const std::vector<std::string>& files) const;
+  std::string note(const std::vector<std::string>& files) const;  // the problem of the record
   std::string write_again(const Session& session, Copy& copy) const;
 
   std::string folder_;

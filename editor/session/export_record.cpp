@@ -46,9 +46,11 @@ std::string whole_record_path(const std::string& path) {
 
 ExportRecord::ExportRecord(std::string file) : file_(std::move(file)) { refresh(); }
 
-void ExportRecord::refresh() {
+bool ExportRecord::refresh() {
   const auto text = file_.empty() ? FormatResult<std::string>() : read_file(file_);
-  if (file_.empty() || !text) return;
+  std::error_code ignored;
+  if (!text) return fs::status(file_, ignored).type() == fs::file_type::not_found;
+  if (file_.empty()) return true;
   contents_.clear();
   std::istringstream lines(*text);
   std::string line;
@@ -59,6 +61,7 @@ void ExportRecord::refresh() {
     if (error == std::errc() && at + 1 < line.size()) contents_[line.substr(at + 1)] = content;
   }
   for (const auto& [path, content] : noted_) contents_[path] = content;
+  return true;
 }
 
 bool ExportRecord::has(const std::string& path, std::uint64_t content) const {
@@ -75,12 +78,17 @@ void ExportRecord::note(const std::string& path, std::uint64_t content) {
   contents_[whole] = noted_[whole] = content;
 }
 
-void ExportRecord::save() {
-  if (file_.empty()) return;
+tl::expected<void, std::string> ExportRecord::save() {
+  if (file_.empty() || noted_.empty()) return {};
+  const auto failure = [&](const std::string& why) {
+    return tl::unexpected(
+        "Which files were exported cannot be remembered, so that they are asked about again: " + file_ + " " +
+        why + ".");
+  };
   std::error_code ignored;
   fs::create_directories(fs::path(file_).parent_path(), ignored);
   const RecordLock lock(file_);
-  refresh();
+  if (!refresh()) return failure("cannot be read");
   if (contents_.size() > kMostFiles)
     std::erase_if(contents_, [&](const auto& entry) { return !fs::exists(entry.first, ignored); });
   std::ostringstream text;
@@ -88,7 +96,10 @@ void ExportRecord::save() {
     // A path with a line break would be read as another one.
     if (path.find('\n') == std::string::npos) text << std::hex << content << ' ' << path << '\n';
   }
-  if (write_file_atomic(file_, text.str())) noted_.clear();
+  if (const auto written = write_file_atomic(file_, text.str()); !written)
+    return failure(written.error().message);
+  noted_.clear();
+  return {};
 }
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 
 namespace talus {
 
@@ -15,13 +16,13 @@ class ExportRecord {
 
   // file: where it is kept between starts; empty: nowhere. One that cannot be read counts as empty.
   explicit ExportRecord(std::string file = {});
-  void refresh();  // takes what the file holds by now
+  bool refresh();  // takes what the file holds by now; false: it is there, and cannot be read
   // Whether an export wrote what the file holds now. path: of any form.
   bool has(const std::string& path, std::uint64_t content) const;
   bool knows(const std::string& path) const;                  // whether an export wrote anything there
   void note(const std::string& path, std::uint64_t content);  // content_hash
-  // Adds what was noted to the file. What cannot be kept is asked about again, which is no loss.
-  void save();
+  // Adds what was noted to the file. The error is one sentence; what could not be kept is asked about again.
+  tl::expected<void, std::string> save();
 
  private:
   std::string file_;

@@ -97,8 +97,8 @@ std::optional<FinishedRun> Exporting::advance() {
                                                           [](const ExportOutcome& o) { return o.written; });
       last_run_ = job->outcomes;
       if (!job->asks) preview_.reset();  // what is at the places is something else now
-      finished =
-          FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled, job->asks && !cancelled};
+      finished = FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled,
+                             job->asks && !cancelled, std::move(job->record_problem)};
     } else if (job->wanted) {
       preview_ = ExportPreview{job->run.revision, std::move(job->outcomes.front())};
       made_ = std::move(job->made);
@@ -270,7 +270,7 @@ void Exporting::write(Job& job, const std::vector<ExportPlan>& plans) {
     for (std::size_t f = 0; f < plan.files.size(); ++f)
       job.record.note(plan.files[f].path, content_hash(plan.content.files[f].bytes));
   }
-  job.record.save();
+  if (const auto kept = job.record.save(); !kept) job.record_problem = kept.error();
 }
 
 }  // namespace talus

@@ -64,7 +64,8 @@ struct FinishedRun {
   ExportRun run;
   std::vector<ExportOutcome> outcomes;  // of its tasks, as far as it came
   bool cancelled = false;
-  bool asks = false;  // nothing was written: files are foreign that it may not replace
+  bool asks = false;                // nothing was written: files are foreign that it may not replace
+  std::string record_problem = {};  // of ExportRecord::save(); empty: none
 };
 
 // Of a run, which makes the files of all its tasks and then writes them, or of a preview.
@@ -140,6 +141,7 @@ class Exporting {
     // Written before `done`.
     std::vector<ExportOutcome> outcomes;
     bool asks = false;
+    std::string record_problem;
   };
   void start_next();
   static ExportProgress progress_of(const Job& job);

@@ -18,8 +18,8 @@ std::optional<FileStamp> outer_stamp(const std::string& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-  return FileStamp{status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size,
-                   status.st_ino, 0};
+  return FileStamp{
+      status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size, status.st_ino, {}};
 }
 
 // What may be read without waiting for ever.
@@ -33,9 +33,7 @@ bool is_plain_file(const std::string& path) {
 std::optional<FileStamp> stamp_of_file(const std::string& path) {
   std::optional<FileStamp> stamp = outer_stamp(path);  // before the bytes: what comes between shows later
   if (!stamp) return std::nullopt;
-  const auto bytes = read_file(path);
-  if (!bytes) return std::nullopt;
-  stamp->content = std::hash<std::string_view>()(*bytes);
+  if (const auto bytes = read_file(path)) stamp->content = std::hash<std::string_view>()(*bytes);
   return stamp;
 }
 
@@ -46,7 +44,7 @@ FileChange file_change(const std::string& path, FileStamp& known) {
       outer->modified == known.modified && outer->size == known.size && outer->number == known.number;
   if (same) return FileChange::none;
   const auto now = stamp_of_file(path);
-  if (!now || now->content != known.content) return FileChange::content;
+  if (!now || !now->content || now->content != known.content) return FileChange::content;
   known = *now;
   return FileChange::none;
 }

@@ -11,14 +11,15 @@ struct FileStamp {
   std::int64_t modified = 0;  // ns since 1970, as the file system says
   std::int64_t size = 0;      // bytes
   std::uint64_t number = 0;   // of the file in its file system: another one was renamed to its name
-  std::uint64_t content = 0;  // hash of the bytes
+  std::optional<std::uint64_t> content;  // hash of the bytes; nothing: they could not be read, and any other
+                                         // time, size or number counts as other ones
 
   // It is known that the file went away: if it comes back, its content counts.
   bool is_gone() const { return size < 0; }
   void set_gone() { modified = size = -1; }
 };
 
-// Of the file as it is; nothing when it cannot be read.
+// Of the file as it is; nothing when there is none.
 std::optional<FileStamp> stamp_of_file(const std::string& path);
 
 enum class FileChange { none, content, gone };

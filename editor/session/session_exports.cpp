@@ -104,7 +104,9 @@ void Session::Impl::take_exports() {
     return;
   }
   const std::string written = written_text(finished->outcomes);
-  const std::string problems = problems_text(finished->outcomes);
+  std::string problems = problems_text(finished->outcomes);
+  if (!finished->record_problem.empty())
+    problems += (problems.empty() ? "" : "\n") + finished->record_problem;
   std::string text = problems + (problems.empty() || written.empty() ? "" : "\n") + written;
   // What saving said is still news.
   if (finished->run.on_save && message && !message->is_error) text = message->text + "\n" + text;

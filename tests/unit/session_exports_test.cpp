@@ -327,7 +327,7 @@ TEST_F(SessionExports, WhatAnotherProgramExportedIsNotAskedAbout) {
   EXPECT_EQ(preview(0).foreign.size(), 1u);
   ExportRecord record(path("state/exports"));
   record.note(path("out/../out/a.tic"), content_hash("of the command line"));
-  record.save();
+  EXPECT_TRUE(record.save());
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
   EXPECT_TRUE(preview(0).foreign.empty());
 }
@@ -338,9 +338,9 @@ TEST(ExportRecords, OfSeveralProgramsAreJoined) {
   one.note("/a", 1);
   two.note("/b", 2);
   two.note("/a", 3);
-  one.save();
+  EXPECT_TRUE(one.save());
   EXPECT_FALSE(two.has("/a", 1)) << "its own is later";
-  two.save();
+  EXPECT_TRUE(two.save());
   EXPECT_FALSE(one.knows("/b"));
   one.refresh();
   EXPECT_TRUE(one.has("/b", 2));
