@@ -1,0 +1,362 @@
+// Every call of the system that a file is written by fails in turn, once and for good: what was there before
+// is never lost, nothing is left lying about, and the user is told.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "faults/failing_calls.h"
+#include "formats/recording.h"
+#include "platform/autosave.h"
+#include "platform/open_copies.h"
+#include "platform/settings.h"
+#include "unit/folder_test.h"
+
+namespace talus::write_faults_test {
+
+namespace fs = std::filesystem;
+
+class WriteFaults : public FolderTest {
+ protected:
+  void empty_folder() const {
+    for (const auto& entry : fs::directory_iterator(folder_)) fs::remove_all(entry.path());
+  }
+  // Content of all files by their paths, without locks.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+      if (entry.is_regular_file() && entry.path().extension() != ".lock")
+        found[entry.path().string()] = read_file(entry.path().string()).value_or("");
+    }
+    return found;
+  }
+  int temporaries() const {
+    const auto all = files();
+    return static_cast<int>(
+        std::count_if(all.begin(), all.end(), [](const auto& file) { return file.first.ends_with(".tmp"); }));
+  }
+  // prepare() puts older files there. work() writes over them while a call fails, and tells whether all went
+  // well as far as the user knows. is_kept(went_well) tells whether nothing is lost. again() is done when the
+  // disk is whole again, and tells whether all is as wanted.
+  struct Steps {
+    std::function<void()> prepare;
+    std::function<bool()> work;
+    std::function<bool(bool)> is_kept;
+    std::function<bool()> again;
+  };
+  void fail_each_call(const Steps& steps) {
+    for (int number = 0; run_with_fault(steps, number, number % 2 == 0 ? EIO : EACCES, false); ++number)
+      ASSERT_LT(number, 1000);
+    for (int number = 0; run_with_fault(steps, number, ENOSPC, true); ++number) ASSERT_LT(number, 1000);
+  }
+
+ private:
+  // False: there is no call of this number.
+  bool run_with_fault(const Steps& steps, int number, int error, bool for_good) {
+    FailingCalls calls(folder_.string());
+    empty_folder();
+    steps.prepare();
+    calls.fail_from(calls.count() + number, error, for_good);
+    const bool well = steps.work();
+    const std::string failed = calls.failed();
+    calls.heal();
+    SCOPED_TRACE(::testing::Message() << "call " << number << ", " << failed << ", fails with " << error
+                                      << (for_good ? " for good" : " once"));
+    EXPECT_TRUE(steps.is_kept(well));
+    const bool can_remove = !for_good && !failed.starts_with("unlink");
+    EXPECT_TRUE(!can_remove || temporaries() == 0);
+    EXPECT_TRUE(steps.again());
+    EXPECT_EQ(temporaries(), 0);
+    return !failed.empty() && !HasFailure();
+  }
+};
+
+Level painted(std::uint8_t tile) {
+  Level level;
+  level.map.set({1, 1}, tile);
+  return level;
+}
+
+void paint(Session& session, std::uint8_t tile) {
+  session.apply(action::EditLevel{Edit{"Paint", {CellChange{{1, 1}, session.level().map.at({1, 1}), tile}}}});
+}
+
+std::uint8_t tile_in(const Level& level) { return level.map.at({1, 1}); }
+
+bool tells_error(const Session& session) { return session.message() && session.message()->is_error; }
+
+TEST_F(WriteFaults, OfSavingALevel) {
+  std::unique_ptr<Session> session;
+  const auto saved_tile = [&] {
+    const auto level = load_level(path("a.talus.json"));
+    return level ? tile_in(level->level) : -1;
+  };
+  const auto save = [&] {
+    session->apply(action::SaveFile{});
+    return !session->modified();
+  };
+  fail_each_call(
+      {.prepare =
+           [&] {
+             ASSERT_TRUE(save_level(painted(1), *find_format("native"), path("a.talus.json")));
+             session = std::make_unique<Session>();
+             session->apply(action::OpenFile{path("a.talus.json")});
+             paint(*session, 2);
+           },
+       .work = save,
+       .is_kept =
+           [&](bool well) { return well ? saved_tile() == 2 : saved_tile() == 1 && tells_error(*session); },
+       .again = [&] { return save() && saved_tile() == 2; }});
+}
+
+TEST_F(WriteFaults, OfSavingByItself) {
+  std::unique_ptr<Session> session;
+  std::unique_ptr<Autosave> autosave;
+  double now = 0;
+  const auto follow = [&] {
+    for (int i = 0; i < 12; ++i, now += 1) {
+      autosave->follow(*session, now);
+      ::usleep(200);
+    }
+    while (autosave->is_writing()) ::usleep(50);
+    autosave->follow(*session, 0);  // takes what was written, and begins nothing
+    return !autosave->problem();
+  };
+  const auto saved_tile = [&] {
+    for (const auto& [file, bytes] : files()) {
+      const auto work = read_saved_work(file);
+      if (work && !file.ends_with(".tmp")) return static_cast<int>(tile_in(*work->level));
+    }
+    return -1;
+  };
+  fail_each_call({.prepare =
+                      [&] {
+                        autosave.reset();
+                        session = std::make_unique<Session>();
+                        autosave = std::make_unique<Autosave>(path("autosave"));
+                        paint(*session, 1);
+                        ASSERT_TRUE(autosave->save_now(*session));
+                        paint(*session, 2);
+                      },
+                  .work = follow,
+                  .is_kept = [&](bool well) { return saved_tile() == (well ? 2 : 1); },
+                  .again = [&] { return follow() && saved_tile() == 2; }});
+}
+
+TEST_F(WriteFaults, OfTheFirstSavingByItself) {
+  std::unique_ptr<Session> session;
+  std::unique_ptr<Autosave> autosave;
+  const auto save = [&] { return autosave->save_now(*session).has_value(); };
+  const auto saved = [&] {
+    const auto works = Autosave(path("autosave")).left_behind();  // the lock is this process's
+    return works.empty() && exists("autosave") && !files().empty();
+  };
+  fail_each_call({.prepare =
+                      [&] {
+                        autosave.reset();
+                        empty_folder();
+                        session = std::make_unique<Session>();
+                        autosave = std::make_unique<Autosave>(path("autosave"));
+                        paint(*session, 1);
+                      },
+                  .work = save,
+                  .is_kept = [&](bool well) { return well ? saved() : autosave->problem().has_value(); },
+                  .again = [&] { return save() && saved(); }});
+}
+
+TEST_F(WriteFaults, OfWritingSettings) {
+  const std::string file = path("config/settings.json");
+  const auto with_scale = [](double scale) {
+    Settings settings = default_settings();
+    settings.ui_scale = scale;
+    return settings;
+  };
+  const auto save = [&] { return save_settings(with_scale(2), file).has_value(); };
+  const auto scale = [&] {
+    const auto settings = load_settings(file);
+    return settings ? settings->ui_scale : -1;
+  };
+  fail_each_call({.prepare = [&] { ASSERT_TRUE(save_settings(with_scale(3), file)); },
+                  .work = save,
+                  .is_kept = [&](bool well) { return scale() == (well ? 2 : 3); },
+                  .again = [&] { return save() && scale() == 2; }});
+}
+
+TEST_F(WriteFaults, OfTheFirstSettings) {
+  const std::string file = path("config/settings.json");
+  const auto save = [&] { return save_settings(default_settings(), file).has_value(); };
+  fail_each_call({.prepare = [] {},
+                  .work = save,
+                  .is_kept = [&](bool well) { return exists("config/settings.json") == well; },
+                  .again = [&] { return save() && load_settings(file).has_value(); }});
+}
+
+class ExportFaults : public WriteFaults {
+ protected:
+  void open(std::uint8_t tile) {
+    Level level = painted(tile);
+    level.exports = {{.name = "map", .exporter = "tmj", .path = "out/map.tmj", .extra = {}}};
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("a.talus.json")));
+    session_ = std::make_unique<Session>(Level(), "", kUnnamed, ExportTools{{}, path("state/exports")});
+    session_->apply(action::OpenFile{path("a.talus.json")});
+  }
+  // True when all was written and nothing else had to be told. What it asks is answered, twice at most.
+  bool run() {
+    if (session_->question()) session_->apply(action::AnswerQuestion{action::Answer::cancel});
+    session_->apply(action::RunExports{});
+    wait();
+    for (int i = 0; i < 2 && session_->question(); ++i) {
+      session_->apply(action::AnswerQuestion{action::Answer::replace});
+      wait();
+    }
+    return !session_->question() && session_->message() && !session_->message()->is_error;
+  }
+  void wait() {
+    for (int i = 0; i < 20'000 && session_->exporting().is_busy(); ++i) {
+      ::usleep(100);
+      session_->advance(0);
+    }
+    ASSERT_FALSE(session_->exporting().is_busy());
+  }
+  std::map<std::string, std::string> exported() const {
+    auto all = files();
+    std::erase_if(all, [&](const auto& file) { return !file.first.starts_with(path("out/")); });
+    return all;
+  }
+  bool is_told() const { return tells_error(*session_) || session_->question(); }
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(ExportFaults, OfExporting) {
+  open(2);
+  ASSERT_TRUE(run()) << session_->message()->text;
+  const auto as_new = exported();
+  ASSERT_EQ(as_new.size(), 2u);
+  std::map<std::string, std::string> before;
+  const auto knows_all = [&] {
+    const ExportRecord record(path("state/exports"));
+    return std::all_of(as_new.begin(), as_new.end(),
+                       [&](const auto& file) { return record.knows(file.first); }) &&
+           record.knows("/of/another/level");
+  };
+  fail_each_call({.prepare =
+                      [&] {
+                        open(1);
+                        ASSERT_TRUE(run());
+                        ExportRecord record(path("state/exports"));
+                        record.note("/of/another/level", 5);
+                        ASSERT_TRUE(record.save());
+                        before = exported();
+                        open(2);
+                      },
+                  .work = [&] { return run(); },
+                  .is_kept =
+                      [&](bool well) {
+                        auto now = exported();
+                        std::erase_if(now, [](const auto& file) { return file.first.ends_with(".tmp"); });
+                        const bool is_whole = std::all_of(now.begin(), now.end(), [&](const auto& file) {
+                          return file.second == before[file.first] || file.second == as_new.at(file.first);
+                        });
+                        return is_whole && now.size() == before.size() && knows_all() &&
+                               (well ? now == as_new : is_told());
+                      },
+                  .again = [&] { return run() && exported() == as_new && knows_all(); }});
+}
+
+TEST_F(WriteFaults, OfCopiesForOtherPrograms) {
+  const ProgramInfo& tic80 = *std::find_if(program_infos().begin(), program_infos().end(),
+                                           [](const ProgramInfo& info) { return info.format == "tic"; });
+  const Session session(painted(2), "", "cave");
+  std::unique_ptr<OpenCopies> copies;
+  const auto write = [&] { return copies->write(session, tic80).has_value(); };
+  const auto is_copy = [&] {
+    const auto level = load_level(path("copies/cave.tic"));
+    return level && tile_in(level->level) == 2;
+  };
+  const auto has_what_the_other_program_saved = [&] {
+    const auto all = files();
+    return std::any_of(all.begin(), all.end(),
+                       [](const auto& file) { return file.second == "by the other"; });
+  };
+  fail_each_call(
+      {.prepare =
+           [&] {
+             copies = std::make_unique<OpenCopies>(path("copies"));
+             ASSERT_TRUE(copies->write(Session(painted(1), "", "cave"), tic80));
+             put("copies/cave.tic", "by the other");
+             copies = std::make_unique<OpenCopies>(path("copies"));  // the program starts again
+           },
+       .work = write,
+       .is_kept = [&](bool well) { return has_what_the_other_program_saved() && (!well || is_copy()); },
+       .again = [&] { return write() && is_copy() && has_what_the_other_program_saved(); }});
+}
+
+TEST_F(WriteFaults, OfRecordingsAndPictures) {
+  std::unique_ptr<Session> session;
+  std::string old_recording, old_picture;
+  const auto save = [&] {
+    session->apply(action::SaveRecording{path("a.talusrec")});
+    const bool saved = !tells_error(*session);
+    session->apply(action::ExportPng{PngPart::tiles, path("a.png")});
+    return saved && !tells_error(*session);
+  };
+  const auto is_new = [&] {
+    const auto recording = load_recording(path("a.talusrec"));
+    return recording && recording->frames == 3 && bytes_of("a.png").substr(1, 3) == "PNG";
+  };
+  fail_each_call({.prepare =
+                      [&] {
+                        old_recording = put("a.talusrec", "old recording");
+                        old_picture = put("a.png", "old picture");
+                        session = std::make_unique<Session>(painted(2), "", "a");
+                        for (int i = 0; i < 3; ++i) session->apply(action::StepFrame{});
+                      },
+                  .work = save,
+                  .is_kept =
+                      [&](bool well) {
+                        const bool whole_recording = bytes_of("a.talusrec") == "old recording" ||
+                                                     load_recording(path("a.talusrec")).has_value();
+                        const bool whole_picture =
+                            bytes_of("a.png") == "old picture" || bytes_of("a.png").size() > 100;
+                        return whole_recording && whole_picture && (!well || is_new());
+                      },
+                  .again = [&] { return save() && is_new(); }});
+}
+
+TEST_F(WriteFaults, AFileIsOnTheDiskBeforeItTakesTheOldOnesPlace) {
+  put("a", "old");
+  FailingCalls calls(folder_.string());
+  ASSERT_TRUE(write_file_atomic(path("a"), "new"));
+  const std::vector<std::string> log = calls.log();
+  const auto at = [&](const std::string& call) {
+    const auto found = std::find(log.begin(), log.end(), call);
+    EXPECT_NE(found, log.end()) << call;
+    return found - log.begin();
+  };
+  EXPECT_LT(at("write .a.0.tmp"), at("fsync .a.0.tmp"));
+  EXPECT_LT(at("fsync .a.0.tmp"), at("rename .a.0.tmp a"));
+  EXPECT_LT(at("rename .a.0.tmp a"), at("fsync " + folder_.filename().string()));
+}
+
+TEST_F(WriteFaults, AChangeByAnotherProgramIsSeenAlsoWhereTheFileCouldNotBeReadBefore) {
+  Session session(painted(1), "", "a");
+  FailingCalls calls(folder_.string());
+  session.apply(action::SaveFileAs{path("a.talus.json")});
+  const int all = calls.count();
+  paint(session, 2);
+  calls.fail_from(all + all - 2, EIO, false);  // a reading of what was saved
+  session.apply(action::SaveFile{});
+  ASSERT_NE(calls.failed().find("read"), std::string::npos) << calls.failed();
+  ASSERT_FALSE(session.modified());
+  put("a.talus.json", "by another program");
+  paint(session, 3);
+  session.apply(action::SaveFile{});
+  EXPECT_TRUE(session.question());
+  EXPECT_EQ(bytes_of("a.talus.json"), "by another program");
+}
+
+}  // namespace talus::write_faults_test

@@ -1,0 +1,75 @@
+// Everything that has a thread of its own at the same time, while the level is painted on. It is for
+// ThreadSanitizer; elsewhere it shows that each gets a level as it was at one moment.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "edit/export_presets.h"
+#include "platform/autosave.h"
+#include "session/session.h"
+#include "unit/folder_test.h"
+
+namespace talus::threads_test {
+
+constexpr int kSide = 384;  // cells, of a map that is compiled on a thread
+
+class Threads : public FolderTest {
+ protected:
+  std::unique_ptr<Session> start() const {
+    Level level;
+    level.sheet(SheetId::tiles).flags[1] = 1;
+    level.map = TileMap(kSide, kSide);
+    level.spawns.push_back({"", {16, 8}, {}, ""});
+    level.exports = {{.name = "map", .exporter = "tmj", .path = "a.tmj", .extra = {}},
+                     {.name = "lua", .exporter = "lua", .path = "a.lua", .extra = {}}};
+    auto session =
+        std::make_unique<Session>(std::move(level), "", kUnnamed, ExportTools{{}, path("exports")});
+    session->apply(action::SaveFileAs{path("a.talus.json")});
+    return session;
+  }
+  // Tile 1 in the cell, and its flag on and off, so that the whole ground is compiled anew.
+  static void paint(Session& session, int number) {
+    const Cell cell{number % kSide, 3};
+    Edit edit{"Paint", {CellChange{cell, session.level().map.at(cell), 1}}};
+    const std::uint8_t flags = session.level().tile_flags(1);
+    edit.changes.push_back(FlagsChange{SheetId::tiles, 1, flags, static_cast<std::uint8_t>(flags ^ 1)});
+    session.apply(action::EditLevel{std::move(edit)});
+  }
+};
+
+TEST_F(Threads, CompileExportAndSaveByThemselvesWhileTheLevelIsPaintedOn) {
+  const auto session = start();
+  Autosave autosave(path("autosave"));
+  double now = 0;
+  for (int i = 0; i < 60; ++i, now += 1) {
+    paint(*session, i);
+    if (i % 7 == 0) session->apply(action::RunExports{});
+    if (i % 7 == 3) session->apply(action::PreviewExport{0});
+    if (i % 14 == 5) session->apply(action::CancelExport{});
+    if (i % 20 == 19) session->apply(action::SaveFile{});
+    if (i % 5 == 0) session->apply(action::StepFrame{});
+    autosave.follow(*session, now);
+    session->advance(1.0 / 60);
+    ::usleep(500);
+  }
+  paint(*session, 100);
+  ASSERT_TRUE(autosave.save_now(*session));
+  while (session->exporting().is_busy() || session->compile_progress()) {
+    ::usleep(500);
+    session->advance(0);
+  }
+  EXPECT_TRUE(session->scene() == compile_scene(session->level()));
+}
+
+TEST_F(Threads, EndWithWhatTheyWorkFor) {
+  for (int round = 0; round < 10; ++round) {
+    const auto session = start();
+    Autosave autosave(path("autosave"));
+    paint(*session, round);
+    session->apply(action::RunExports{});
+    autosave.follow(*session, 0);
+    autosave.follow(*session, 100);
+    session->advance(0);
+  }
+}
+
+}  // namespace talus::threads_test
