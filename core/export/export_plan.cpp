@@ -10,6 +10,7 @@
 
 #include "../formats/atomic_file.h"
 #include "../formats/companion.h"
+#include "../formats/real_path.h"
 
 namespace talus {
 namespace {
@@ -66,7 +67,7 @@ std::string with_commas(std::size_t number) {
 tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view id,
                                                     const std::string& output, const ReadAsset& read_asset,
                                                     std::string_view parts, const Progress& progress,
-                                                    const Exported* made) {
+                                                    const Exported* made, const ExportBounds& bounds) {
   const Exporter* exporter = find_exporter(id);
   if (exporter == nullptr)
     return problem_at(Field::target, id.empty() ? "no target is chosen"
@@ -78,15 +79,16 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
           ? FormatResult<Exported>(*made)
           : exporter->make({level, fs::path(output).filename().string(), read_asset, parts, progress});
   if (!exported) return problem_at(Field::level, exported.error().message, exported.error().place);
-  ExportPlan plan{exporter, output, *std::move(exported), {}};
+  ExportPlan plan{exporter, output, *std::move(exported), {}, bounds};
   leave_out_unneeded(*exporter, plan.content, output);
   const auto paths = output.empty() ? std::vector<std::string>(plan.content.files.size())
                                     : paths_of(*exporter, plan.content, output);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (const std::string problem =
-            plan.content.files[i].name.empty() ? companion_place_problem(paths[i]) : "";
-        !problem.empty())
+    const bool is_named = plan.content.files[i].name.empty();
+    if (const std::string problem = is_named ? companion_place_problem(paths[i]) : ""; !problem.empty())
       return problem_at(Field::path, fs::path(paths[i]).filename().string() + " " + problem);
+    if (const auto place = place_within(bounds, paths[i], is_named); !place && !paths[i].empty())
+      return tl::unexpected(ExportProblem{Field::path, {"", place.error()}, true});
     if (const std::string problem = paths[i].empty() ? "" : place_problem(paths[i]); !problem.empty())
       return problem_at(Field::path, problem);
     plan.files.push_back(plan_file(paths[i], plan.content.files[i]));
@@ -112,12 +114,21 @@ void leave_out(ExportPlan& plan, const std::vector<std::size_t>& which) {
   }
 }
 
+const PlannedFile* own_file_in(const ExportPlan& plan, const std::string& level_file) {
+  const auto own = std::find_if(plan.files.begin(), plan.files.end(), [&](const PlannedFile& file) {
+    return !file.path.empty() && is_same_file(file.path, level_file);
+  });
+  return own == plan.files.end() ? nullptr : &*own;
+}
+
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress) {
   std::error_code failure;
-  const fs::path folder = fs::path(plan.output).parent_path();
+  const auto output = place_within(plan.bounds, plan.output, !plan.exporter->is_folder());
+  if (!output) return problem_at(Field::path, output.error());
+  const fs::path folder = fs::path(*output).parent_path();
   if (!folder.empty()) fs::create_directories(folder, failure);
   if (failure) return problem_at(Field::path, folder.string() + " cannot be made: " + failure.message());
-  const auto written = write_exported(*plan.exporter, plan.content, plan.output, progress);
+  const auto written = write_exported(*plan.exporter, plan.content, plan.output, progress, plan.bounds);
   if (!written) return tl::unexpected(ExportProblem{Field::path, written.error()});
   return {};
 }

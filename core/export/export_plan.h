@@ -24,6 +24,7 @@ struct ExportPlan {
   std::string output;
   Exported content;
   std::vector<PlannedFile> files;  // in the order of content.files
+  ExportBounds bounds = {};
 };
 
 struct ExportProblem {
@@ -31,22 +32,27 @@ struct ExportProblem {
   enum class Field { target, path, level };
   Field field = Field::level;
   FormatError error;
+  bool is_outside = false;  // the path, or a file there, is not within the bounds
 };
 
 // Makes the files of an export, and looks at what is at their places. `output`: a file or folder; empty: not
 // known yet, and all places are taken for empty. `parts`, `progress`: as in ExportRequest. `made`: the
 // content, where an earlier plan of the same level, exporter and output has it already; null: it is made.
+// What is outside of the bounds is an error, and is not even looked at.
 tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view exporter,
                                                     const std::string& output, const ReadAsset& read_asset,
                                                     std::string_view parts = {},
                                                     const Progress& progress = {},
-                                                    const Exported* made = nullptr);
+                                                    const Exported* made = nullptr,
+                                                    const ExportBounds& bounds = {});
 // The starters in whose places others are, which are the user's own code by now, but for those that
 // `is_exported` takes for what an export wrote: indices of the plan's files, rising.
 std::vector<std::size_t> own_starters(const ExportPlan& plan,
                                       const std::function<bool(const PlannedFile&)>& is_exported);
 // Takes files out of the plan. which: indices, rising.
 void leave_out(ExportPlan& plan, const std::vector<std::size_t>& which);
+// The first of the files that is the level's own one, by a link or another name of it, too; null: none is.
+const PlannedFile* own_file_in(const ExportPlan& plan, const std::string& level_file);
 // Writes what was planned, as write_exported does.
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress = nullptr);
 
@@ -56,7 +62,8 @@ std::string summary_of(const ExportPlan& plan);
 // it fits, or is for no cart alone.
 std::string code_problem(const Exporter& exporter, std::optional<std::size_t> code_bytes);
 
-// Where a preset's path leads, for a level's file; empty: it has none. The error is of the path.
+// Where a preset's path leads, for a level's file; empty: it has none. The error is of the path. A path that
+// leads out of the folder of the file is none: see ExportBounds.
 tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset, const std::string& level_file);
 // The path of a preset that leads there: relative when the level has a file and is on the same branch.
 std::string path_for(const std::string& output, const std::string& level_file);

@@ -217,8 +217,14 @@ std::vector<std::string> paths_of(const Exporter& exporter, const Exported& expo
 }
 
 FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
-                                  const std::string& output, const WriteProgress& progress) {
-  const std::vector<std::string> paths = paths_of(exporter, exported, output);
+                                  const std::string& output, const WriteProgress& progress,
+                                  const ExportBounds& bounds) {
+  std::vector<std::string> paths = paths_of(exporter, exported, output);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    auto place = place_within(bounds, paths[i], exported.files[i].name.empty());
+    if (!place) return tl::unexpected(FormatError{"", place.error()});
+    paths[i] = *std::move(place);
+  }
   std::vector<StagedFile> staged;
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {

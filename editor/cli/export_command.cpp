@@ -81,6 +81,7 @@ void export_presets(CommandContext& context, const ExportOptions& options, Level
                         .output = *output,
                         .parts = preset.parts,
                         .preset = preset.name,
+                        .is_of_level = true,
                         .rules = options.rules,
                         .tells = true});
   }
@@ -116,7 +117,7 @@ void watch_and_export(CommandContext& context, ExportOptions options) {
         context.status = kExitGood;
         export_file(context, options);
         // It was said of what was there at first: what is changed while this goes on is kept.
-        if (context.status == kExitGood) options.rules = {};
+        if (context.status == kExitGood) options.rules = {.allow_outside = options.rules.allow_outside};
         return context.out.good();
       },
       [&] {
@@ -170,8 +171,14 @@ void add_export_command(CLI::App& program, CommandContext& context) {
   command->add_flag(
       "--fresh", options->rules.fresh,
       "Write files that are yours to change, such as main.lua, anew; otherwise changed ones stay");
-  command->add_flag("--force", options->rules.force,
-                    "Replace files beside the named one, or in the folder, that no export wrote as they are");
+  command->add_flag(
+      "--force", options->rules.force,
+      "Replace files beside the named one, in the folder, or of a preset, that no export wrote as "
+      "they are");
+  command->add_flag(
+      "--allow-outside", options->rules.allow_outside,
+      "Let presets write outside of the folder of FILE, and exports through links that lead out "
+      "of their folder");
   command->callback([&context, options] {
     check_options(*options);
     options->input = level_path(options->input);

@@ -7,6 +7,9 @@
 #include <ostream>
 
 #include "formats/atomic_file.h"
+#include "formats/companion.h"
+#include "formats/real_path.h"
+#include "output_file.h"
 #include "platform/asset_path.h"
 #include "platform/user_folder.h"
 #include "progress_line.h"
@@ -32,6 +35,7 @@ void warn_of_losses(CommandContext& context, const Exporter& exporter, const Exp
 
 void fail_with(CommandContext& context, const ExportOrder& order, const ExportProblem& problem) {
   FormatError error = problem.error;
+  if (problem.is_outside) error.message += ": --allow-outside means it";
   if (error.message.starts_with(order.output + " ")) error.message.erase(0, order.output.size() + 1);
   if (problem.field == ExportProblem::Field::target)
     fail(context, order.input, "preset \"" + order.preset + "\"", error.message);
@@ -51,40 +55,66 @@ void print_export(CommandContext& context, const Exporter& exporter, const Expor
   warn_of_losses(context, exporter, *exported, order.output);
 }
 
+// Whether a file is what such an export begins with, and says so. What Talus reads could be the user's own
+// work.
+bool begins_as_an_export(const ExportPlan& plan, std::string_view bytes) {
+  const auto first_line = [](std::string_view text) { return text.substr(0, text.find('\n')); };
+  const std::string_view line = first_line(bytes);
+  return find_format(plan.exporter->id) == nullptr && line.find("Talus") != line.npos &&
+         line == first_line(plan.content.files.front().bytes);
+}
+
 // Whether the files are those of an export that the record knows nothing about: all of them are there, and
-// what a file's further ones belong to is Talus's own.
-bool is_earlier_export(const ExportPlan& plan, const ExportRecord& record) {
+// what a file's further ones belong to is Talus's own. Of a place that the level names, links are never.
+bool is_earlier_export(const ExportOrder& order, const ExportPlan& plan, const ExportRecord& record) {
+  std::error_code ignored;
   for (const PlannedFile& file : plan.files) {
     if (file.place == Place::empty || record.knows(file.path)) return false;
+    if (order.is_of_level && fs::is_symlink(file.path, ignored)) return false;
   }
   if (plan.exporter->is_folder()) return true;
   const auto named = read_file(plan.output);
+  if (named && order.is_of_level) return begins_as_an_export(plan, *named);
   return named && (named->find("talus") != std::string::npos || named->find("Talus") != std::string::npos);
+}
+
+// Why a file must not be written, one sentence without its full stop; empty: it may.
+std::string problem_of_file(const ExportOrder& order, const ExportPlan& plan, std::size_t index,
+                            const ExportRecord& record, bool may_replace) {
+  const PlannedFile& file = plan.files[index];
+  const ExportedFile& content = plan.content.files[index];
+  const bool was_typed = content.name.empty() && !order.is_of_level;
+  if (was_typed)
+    return output_problem(
+        {file.path, content.bytes, {order.input, companion_path(order.input)}, /*may_be_unknown=*/true});
+  if (is_same_file(file.path, order.input))
+    return "is the level itself, and the export has a file of this name: name another place";
+  if (file.place != Place::other || content.is_starter || may_replace ||
+      (file.old && record.has(file.path, *file.old)))
+    return "";
+  return record.knows(file.path) ? "was changed since it was exported: move it away, or replace it by --force"
+                                 : "is there, and no export wrote it: move it away, or replace it by --force";
 }
 
 // Says which files are in the way; true: there are some.
 bool finds_foreign_files(CommandContext& context, const ExportOrder& order, const ExportPlan& plan,
                          const ExportRecord& record) {
-  const bool may_replace = order.rules.force || is_earlier_export(plan, record);
+  const bool may_replace = order.rules.force || is_earlier_export(order, plan, record);
   bool found = false;
   for (std::size_t i = 0; i < plan.files.size(); ++i) {
-    const PlannedFile& file = plan.files[i];
-    const ExportedFile& content = plan.content.files[i];
-    std::error_code ignored;
-    if (content.name.empty()) continue;  // it was named
-    std::string problem;
-    if (fs::equivalent(file.path, order.input, ignored))
-      problem = "is the level itself, and the export has a file of this name: name another place";
-    else if (file.place == Place::other && !content.is_starter && !may_replace &&
-             !(file.old && record.has(file.path, *file.old)))
-      problem = record.knows(file.path)
-                    ? "was changed since it was exported: move it away, or replace it by --force"
-                    : "is there, and no export wrote it: move it away, or replace it by --force";
+    const std::string problem = problem_of_file(order, plan, i, record, may_replace);
     if (problem.empty()) continue;
-    fail(context, file.path, "", problem);
+    fail(context, plan.files[i].path, "", problem);
     found = true;
   }
   return found;
+}
+
+ExportBounds bounds_of(const ExportOrder& order) {
+  const Exporter* exporter = find_exporter(order.exporter);
+  if (order.rules.allow_outside || exporter == nullptr) return {};
+  return order.is_of_level ? bounds_of_level(order.input)
+                           : bounds_of_output(order.output, exporter->is_folder());
 }
 
 // Leaves out the user's own starters; their paths.
@@ -103,7 +133,7 @@ tl::expected<void, ExportProblem> write_files(const ExportPlan& plan, bool makes
   for (const PlannedFile& file : plan.files) all += file.size;
   const auto tell = [&](std::size_t, std::size_t bytes) { return progress.at(bytes, all); };
   if (makes_folder) return write_plan(plan, tell);
-  const auto written = write_exported(*plan.exporter, plan.content, plan.output, tell);
+  const auto written = write_exported(*plan.exporter, plan.content, plan.output, tell, plan.bounds);
   if (!written) return tl::unexpected(ExportProblem{ExportProblem::Field::path, written.error()});
   return {};
 }
@@ -121,7 +151,7 @@ void carry_out(CommandContext& context, const ExportOrder& order) {
     if (order.output == "-") return print_export(context, *exporter, order, line);
   }
   auto plan = plan_export(order.level, order.exporter, order.output, read_asset, order.parts,
-                          progress.part(0, kMakingShare));
+                          progress.part(0, kMakingShare), nullptr, bounds_of(order));
   line.wipe();
   if (!plan) return fail_with(context, order, plan.error());
   ExportRecord record(state_folder() + "/exports");

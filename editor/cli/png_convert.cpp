@@ -6,21 +6,24 @@
 
 #include "formats/atomic_file.h"
 #include "formats/number_text.h"
+#include "output_file.h"
 
 namespace talus {
 namespace {
 
 void write_level(CommandContext& context, const Level& level, const CompanionFile& known,
-                 const std::string& output) {
+                 const std::string& output, const std::string& picture) {
   const Format* format = output == "-" ? find_format("native") : format_for_file(output);
   if (format == nullptr)
     return fail(context, output, "", "has the name of no format that a level can be written in");
+  const auto written = format->write(level, context_for_file(output));
+  if (!written) return fail(context, output, written.error().place, written.error().message);
   if (output == "-") {
-    const auto written = format->write(level, {});
-    if (!written) return fail(context, output, written.error().place, written.error().message);
     context.out << written->bytes;
     return;
   }
+  if (const std::string problem = output_problem({output, written->bytes, {picture}, true}); !problem.empty())
+    return fail(context, output, "", problem);
   const auto saved = save_level(level, *format, output, known);
   if (!saved) return fail(context, output, saved.error().place, saved.error().message);
   for (const std::string& what : saved->dropped)
@@ -60,7 +63,7 @@ void import_png(CommandContext& context, const PngIntoLevel& import) {
   const auto plan = plan_png_import(level, *picture, options);
   if (!plan) return fail(context, import.picture, "", as_clause(plan.error()));
   apply_edit(level, plan->edit);
-  write_level(context, level, loaded->companion, import.output);
+  write_level(context, level, loaded->companion, import.output, import.picture);
   if (context.status == kExitGood && import.output != "-")
     say(context.out, import.output + ": " + changes_text(*plan));
 }

@@ -8,6 +8,7 @@
 #include "cli/report/table.h"
 #include "command.h"
 #include "formats/atomic_file.h"
+#include "output_file.h"
 
 namespace talus {
 namespace {
@@ -24,8 +25,16 @@ Effort effort_of(const ReportOptions& options) {
   return effort;
 }
 
+// Fails where something else than a file of a report is; text: that will be written, or its beginning.
+bool may_write(CommandContext& context, const std::string& path, const std::string& text) {
+  const std::string problem = output_problem({path, text, {}});
+  if (!problem.empty()) fail(context, path, "", problem);
+  return problem.empty();
+}
+
 // Writes a file of the report; false after having failed.
 bool write(CommandContext& context, const std::string& path, const std::string& text) {
+  if (!may_write(context, path, text)) return false;
   const FormatResult<void> written = write_file_atomic(path, text);
   if (!written) fail(context, path, written.error().place, written.error().message);
   return written.has_value();
@@ -37,9 +46,14 @@ void report(CommandContext& context, const ReportOptions& options) {
   if (problem) return fail(context, options.folder, "", "cannot be made a folder");
   const std::string folder = options.folder + '/';
 
+  const BuildFacts facts = build_facts();
+  // Before it takes its time.
+  if (!may_write(context, folder + "report.csv", csv_of({}, facts)) ||
+      !may_write(context, folder + "report.md", page_of({}, facts, {})))
+    return;
+
   std::vector<Row> rows;
   for (const Setup& setup : report_setups()) rows.push_back(measure(setup, effort_of(options)));
-  const BuildFacts facts = build_facts();
   if (!write(context, folder + "report.csv", csv_of(rows, facts))) return;
 
   std::vector<PagePicture> pictures;

@@ -2,7 +2,7 @@
 // With --window also [--panel a,b] [--break CONDITION]... [--back] [--compare SOLVER [--two-views]] [--stage
 // N].
 
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <charconv>
 #include <filesystem>
@@ -12,6 +12,7 @@
 
 #include "command.h"
 #include "formats/atomic_file.h"
+#include "output_file.h"
 #include "platform/shot.h"
 #include "progress_line.h"
 
@@ -99,12 +100,21 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
 
 // Draws into a file of its own and copies that to standard output, since pictures are written atomically.
 void shoot_to_output(CommandContext& context, ShotCommandOptions& options) {
-  options.output =
-      (std::filesystem::temp_directory_path() / ("talus-shot-" + std::to_string(::getpid()) + ".png"))
-          .string();
+  std::string folder = (std::filesystem::temp_directory_path() / "talus-shot-XXXXXX").string();
+  if (::mkdtemp(folder.data()) == nullptr) return fail(context, folder, "", "cannot be made a folder");
+  options.output = folder + "/shot.png";
   shoot(context, options);
   if (context.status == kExitGood) context.out << read_file(options.output).value_or("");
-  std::filesystem::remove(options.output);
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+}
+
+// Draws into the file that was named, if that may be written.
+void shoot_to_file(CommandContext& context, ShotCommandOptions& options) {
+  std::string problem = ending_problem(options.output, "png", "PNG picture");
+  if (problem.empty()) problem = output_problem({options.output, kPngBeginning, {options.file}});
+  if (!problem.empty()) return fail(context, options.output, "", problem);
+  shoot(context, options);
 }
 
 std::vector<std::string> overlay_keys() {
@@ -158,7 +168,7 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
   command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {
     if (options->output == "-") return shoot_to_output(context, *options);
-    shoot(context, *options);
+    shoot_to_file(context, *options);
   });
 }
 

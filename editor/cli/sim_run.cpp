@@ -7,6 +7,7 @@
 #include "debug/branch_frames.h"
 #include "formats/atomic_file.h"
 #include "formats/recording.h"
+#include "output_file.h"
 #include "progress_line.h"
 #include "sim/timeline.h"
 #include "trace.h"
@@ -51,6 +52,13 @@ bool catch_up(CommandContext& context, const SimOptions& options, Timeline& time
   return true;
 }
 
+// Why the trace must not be written where it is asked for; empty: it may.
+std::string trace_problem(const SimOptions& options) {
+  if (has_name_of_level(options.trace))
+    return "has the name of a level or a recording, and a trace would be written: name another file";
+  return output_problem({options.trace, kTraceBeginning, {options.file, options.input}});
+}
+
 // "passed 3600 frames", or "failed frame 61: hash .., recorded ..".
 void verify(CommandContext& context, const SimOptions& options, Timeline& timeline) {
   const Branch& branch = timeline.current();
@@ -83,6 +91,11 @@ TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
   if (options.trace.empty()) return;
   if (options.trace == "-") {
     out_ = &context.out;
+    return;
+  }
+  if (const std::string problem = trace_problem(options); !problem.empty()) {
+    good_ = false;
+    fail(context, options.trace, "", problem);
     return;
   }
   file_.open(options.trace, std::ios::binary);

@@ -141,7 +141,7 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   ImGui::End();
   if (view.preset >= count) return;  // it was added in this frame
-  const ExportTask task = export_task(session.level(), view.preset, session.path());
+  const ExportTask task = session.export_task(view.preset);
   if (!session.exporting().previews(session.revision(), task) && session.exporting().takes_preview(task))
     actions.push_back(action::PreviewExport{view.preset});
 }
@@ -218,6 +218,11 @@ void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) 
   if (ImGui::Checkbox("Export it whenever the level is saved", &preset.on_save))
     push_export_edit(set_export(session.level(), ui.view.exports.preset, preset, "Export on save"), actions);
   ui.item("export/on_save", "Ctrl+S writes this preset, too.");
+  if (!session.allows_export(ui.view.exports.preset)) {
+    ImGui::SetCursorPosX(ui.px(kExportLabels));
+    ui.hint("It came with the file, and writes nothing until you allow it. Export asks.");
+    ui.item("export/not_allowed");
+  }
   ui.end_row();
   ImGui::Spacing();
   const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -310,10 +315,7 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetNextItemWidth(-ui.px(kBrowse) - ImGui::GetStyle().ItemSpacing.x);
   if (text_field("export/path", "a file or folder, from the folder of the level", path_, preset.path,
                  "Where it is written, counted from the folder of the level's file.", ui)) {
-    ExportPreset moved = preset;
-    moved.path = path_;
-    push_export_edit(
-        set_export(session.level(), ui.view.exports.preset, std::move(moved), "Change export path"), actions);
+    actions.push_back(action::SetExportPath{ui.view.exports.preset, path_});
   }
   ImGui::SameLine();
   if (ui.text_button("export/browse", "Browse...", false, "Chooses the file or folder.", {},
@@ -323,6 +325,10 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
   ImGui::BeginGroup();
   const ExportOutcome* outcome = shown_outcome(session, ui);
   if (draw_export_problem(ExportProblem::Field::path, session, ui)) {
+    if (outcome != nullptr && outcome->problem && outcome->problem->is_outside && !session.path().empty() &&
+        ui.text_button("export/allow_place", "Allow this place", false,
+                       "Lets this preset write there, although it is outside of the folder of the level."))
+      actions.push_back(action::SetExportPath{ui.view.exports.preset, preset.path});
     if (session.path().empty() &&
         ui.text_button("export/save", "Save the level...", false, "Gives the level a file.",
                        keys_of(find_command("file/save"), ui)))

@@ -23,7 +23,7 @@ std::string code_text(std::size_t bytes) {
 
 // What went wrong with the shown preset in the last run, if it is as it was then.
 const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
-  const ExportTask task = export_task(session.level(), ui.view.exports.preset, session.path());
+  const ExportTask task = session.export_task(ui.view.exports.preset);
   for (const ExportOutcome& outcome : session.exporting().last_run()) {
     if (outcome.problem && outcome.task == task) return &outcome;
   }
@@ -173,7 +173,7 @@ std::string size_text(std::size_t bytes) {
 
 const ExportOutcome* shown_outcome(const Session& session, const Ui& ui) {
   const auto& preview = session.exporting().preview();
-  const ExportTask task = export_task(session.level(), ui.view.exports.preset, session.path());
+  const ExportTask task = session.export_task(ui.view.exports.preset);
   return preview && preview->outcome.task == task ? &preview->outcome : nullptr;
 }
 

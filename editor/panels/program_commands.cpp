@@ -108,7 +108,10 @@ std::vector<Command> file_guard_commands() {
           "it whenever it is saved. TIC-80 reads either again then.",
           open_program<ProgramId::tic80>),
       command("program/love", ctrl_shift('l'), "Run in LÖVE",
-              "Saves the level and runs the game in its folder in LÖVE.", open_program<ProgramId::love>),
+              "Saves the level, exports its first preset of a game for LÖVE and runs that; without such a "
+              "preset, "
+              "what is in the folder of the level.",
+              open_program<ProgramId::love>),
       command("program/tiled", ctrl_shift('i'), "Open in Tiled",
               "Writes a copy of the level as a map of Tiled, and again whenever it is saved, and opens it "
               "there. What Tiled saves in it stays. Opened here, the copy is a level again.",

@@ -1,9 +1,11 @@
 // A modal with its answers.
 #include "question_panel.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
+#include "asked_exports.h"
 #include "dialog.h"
 
 namespace talus {
@@ -49,20 +51,33 @@ constexpr std::array<AnswerChoice, 3> kUnstoredAnswers = {
       'G'},
      {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, 'C'}}};
 
+constexpr std::array<AnswerChoice, 2> kAllowAnswers = {
+    {{"question/not_now", "Not now", "Writes nothing of them. The level is saved all the same.",
+      action::Answer::cancel, 'N'},
+     {"question/allow", "Allow", "Writes them, now and later, as long as nobody else changes the presets.",
+      action::Answer::allow, 'A'}}};
+
 // By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
 struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 6> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
+constexpr std::array<QuestionDialog, 7> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
                                                              {"Changed by another program", kChangedAnswers},
                                                              {"Drop a run", kDropAnswers},
                                                              {"Replace files", kReplaceAnswers},
                                                              {"Keep the recording", kRunAnswers},
-                                                             {"Not all is saved", kUnstoredAnswers}}};
+                                                             {"Not all is saved", kUnstoredAnswers},
+                                                             {"Exports of this file", kAllowAnswers}}};
 
 bool leaves_all_as_it_is(action::Answer answer) {
   return answer == action::Answer::cancel || answer == action::Answer::keep;
+}
+
+// Of a question with a list, which scrolls.
+ImVec2 size_of_list(const Ui& ui) {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  return {std::min(ui.px(680), window.x - ui.px(32)), std::min(ui.px(380), window.y - ui.px(64))};
 }
 
 void draw_answers(std::span<const AnswerChoice> choices, Actions& actions, Ui& ui) {
@@ -88,13 +103,16 @@ void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   for (const QuestionDialog& dialog : kQuestionDialogs) {
     const bool asked = question && static_cast<std::size_t>(question->kind) ==
                                        static_cast<std::size_t>(&dialog - kQuestionDialogs.data());
-    if (!begin_dialog(dialog.title, asked, {0, 0}, ui)) continue;
+    const bool has_list = asked && question->kind == Question::Kind::allow_exports;
+    if (!begin_dialog(dialog.title, asked, has_list ? size_of_list(ui) : ImVec2{0, 0}, ui)) continue;
     if (asked) {
       draw_scrolled_text("text", question->text,
                          {ui.px(kQuestionWidth), kMostLines * ImGui::GetTextLineHeight()},
                          theme::tone(theme::kText));
       ui.item("question/text");
       ImGui::Spacing();
+      if (has_list && session.asked_exports() != nullptr)
+        draw_asked_exports(*session.asked_exports(), ui.px(theme::kButton) + ui.px(12), ui);
       draw_answers(dialog.choices, actions, ui);
     }
     ImGui::EndPopup();

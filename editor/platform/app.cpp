@@ -146,8 +146,11 @@ std::string App::open_window(Settings& settings) {
 }
 
 void App::open_first_level() {
-  const ExportTools tools{[](const std::string& name) { return read_file(asset_path(name)); },
-                          options_.remember ? state_folder() + "/exports" : ""};
+  ExportTools tools{.read_asset = [](const std::string& name) { return read_file(asset_path(name)); }};
+  if (options_.remember) {
+    tools.record = state_folder() + "/exports";
+    tools.permissions = state_folder() + "/allowed_exports";
+  }
   if (!options_.file.empty()) {
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
     session_->apply(action::OpenFile{absolute_path(options_.file)});
@@ -404,9 +407,11 @@ bool App::capture_key(KeyChord chord, bool repeated) {
 }
 
 void App::open_wanted_program() {
+  const ProgramCommands& commands = ui_.view.preferences.programs;
+  game_start_.follow(*session_, commands, copies_);
   const auto wanted = std::exchange(ui_.view.program.wanted_program, std::nullopt);
-  if (!wanted) return;
-  open_in_program(*session_, *wanted, ui_.view.preferences.programs, copies_);
+  if (!wanted || (*wanted == ProgramId::love && game_start_.begin(*session_, commands))) return;
+  open_in_program(*session_, *wanted, commands, copies_);
 }
 
 // Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the

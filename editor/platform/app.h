@@ -9,6 +9,7 @@
 
 #include "event_queue.h"
 #include "file_browser.h"
+#include "game_start.h"
 #include "gl_window.h"
 #include "map_texture_cache.h"
 #include "open_copies.h"
@@ -87,6 +88,7 @@ class App {
   FileBrowser browser_;
   std::optional<WorkGuard> guard_;  // none where nothing is remembered
   OpenCopies copies_{state_folder() + "/copies"};
+  GameStart game_start_;
   EventQueue events_;
   HeldPlayKeys play_keys_;
   Ui ui_;

@@ -11,13 +11,17 @@
 #include <optional>
 #include <system_error>
 
+#include "export/export_plan.h"
+#include "game_start.h"
+
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
 
 // What stands for the words in braces; an error for one that nobody knows.
-tl::expected<std::string, std::string> filled_in(const std::string& word, const std::string& file) {
+tl::expected<std::string, std::string> filled_in(const std::string& word, const std::string& file,
+                                                 const std::string& folder) {
   std::string text;
   for (std::size_t at = 0; at < word.size();) {
     const std::size_t open = word.find('{', at), close = word.find('}', open);
@@ -28,7 +32,7 @@ tl::expected<std::string, std::string> filled_in(const std::string& word, const 
     if (name == "{file}")
       text += file;
     else if (name == "{folder}")
-      text += fs::path(file).parent_path().string();
+      text += folder;
     else
       return tl::unexpected(name + " stands for nothing: write {file} or {folder}.");
     at = close + 1;
@@ -85,10 +89,30 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, Op
   return file;
 }
 
+std::string whole_path_of(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);
+  return error ? path : whole.string();
+}
+
+// Where the level's game is exported to, if the user has allowed that; empty: nowhere.
+std::string game_folder(const Session& session) {
+  const auto preset = game_preset(session.level());
+  if (!preset || !session.allows_export(*preset)) return "";
+  const auto output = output_of(session.level().exports[*preset], session.path());
+  return output ? whole_path_of(*output) : "";
+}
+
+void tell_of_command(Session& session, ProgramId program, const std::string& error) {
+  const std::string label(program_infos()[static_cast<std::size_t>(program)].label);
+  session.apply(action::ShowMessage{label + ": " + error + " Its command is in Edit > Settings.", true});
+}
+
 }  // namespace
 
 tl::expected<std::vector<std::string>, std::string> split_command(std::string_view line,
-                                                                  const std::string& file) {
+                                                                  const std::string& file,
+                                                                  const std::string& folder) {
   std::vector<std::string> words;
   char quote = 0;        // that is open
   bool in_word = false;  // also in an empty one, ""
@@ -110,7 +134,7 @@ tl::expected<std::vector<std::string>, std::string> split_command(std::string_vi
   if (quote != 0) return tl::unexpected(std::string("A ") + quote + " is missing at the end of the command.");
   if (words.empty()) return tl::unexpected(std::string("The command is empty."));
   for (std::string& word : words) {
-    auto filled = filled_in(word, file);
+    auto filled = filled_in(word, file, folder.empty() ? fs::path(file).parent_path().string() : folder);
     if (!filled) return tl::unexpected(filled.error());
     word = std::move(*filled);
   }
@@ -140,20 +164,26 @@ tl::expected<void, std::string> start_detached(const std::vector<std::string>& a
   return {};
 }
 
+bool can_open(Session& session, ProgramId program, const ProgramCommands& commands) {
+  const auto tried = split_command(commands[static_cast<std::size_t>(program)], "file");
+  if (!tried) tell_of_command(session, program, tried.error());
+  return tried.has_value();
+}
+
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
                      OpenCopies& copies) {
+  if (!can_open(session, program, commands)) return;
   const auto index = static_cast<std::size_t>(program);
   const ProgramInfo& info = program_infos()[index];
-  const std::string label(info.label);
-  const auto tell = [&](const std::string& error) {
-    session.apply(action::ShowMessage{label + ": " + error + " Its command is in Edit > Settings.", true});
-  };
-  if (const auto tried = split_command(commands[index], "file"); !tried) return tell(tried.error());
   const auto file = file_for(session, info, copies);
   if (!file) return;
-  const auto arguments = split_command(commands[index], file->path);
-  if (const auto started = start_detached(*arguments); !started) return tell(started.error());
-  session.apply(action::ShowMessage{file->note + "Opened " + file->path + " in " + label + ".", false});
+  const std::string folder = program == ProgramId::love ? game_folder(session) : "";
+  const auto arguments = split_command(commands[index], whole_path_of(file->path), folder);
+  if (const auto started = start_detached(*arguments); !started)
+    return tell_of_command(session, program, started.error());
+  session.apply(action::ShowMessage{file->note + "Opened " + (folder.empty() ? file->path : folder) + " in " +
+                                        std::string(info.label) + ".",
+                                    false});
 }
 
 }  // namespace talus

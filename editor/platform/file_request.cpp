@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include "edit/export_presets.h"
 #include "formats/format.h"
 #include "formats/recording.h"
 
@@ -117,12 +116,8 @@ Action answer_to(FileDialog dialog, const std::string& path, const Session& sess
       return action::ExportPng{PngPart::sprites, path};
     case FileDialog::export_palette:
       return action::ExportPng{PngPart::palette, path};
-    case FileDialog::export_path: {
-      ExportPreset preset = session.level().exports.at(view.exports.preset);
-      preset.path = path_for(path, session.path());
-      return action::EditLevel{
-          set_export(session.level(), view.exports.preset, std::move(preset), "Change export path")};
-    }
+    case FileDialog::export_path:
+      return action::SetExportPath{view.exports.preset, path_for(path, session.path())};
     default:
       return action::OpenFile{path};
   }

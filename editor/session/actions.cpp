@@ -29,6 +29,7 @@ template void Actions::push_back(action::SaveRecording);
 template void Actions::push_back(action::SaveFile);
 template void Actions::push_back(action::SaveFileAs);
 template void Actions::push_back(action::ExportPng);
+template void Actions::push_back(action::SetExportPath);
 template void Actions::push_back(action::PreviewExport);
 template void Actions::push_back(action::RunExports);
 template void Actions::push_back(action::CancelExport);

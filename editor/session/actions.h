@@ -88,12 +88,19 @@ struct ExportPng {
   PngPart part = PngPart::tiles;
   std::string path;
 };
+// The path of a preset, as the user has typed or chosen it: it may leave the folder of the level. Of no such
+// preset: nothing happens.
+struct SetExportPath {
+  std::size_t preset = 0;  // index
+  std::string path;        // as ExportPreset::path; the one that it has already is chosen by that
+};
 // Looks at what a preset of the level would write: see Session::exporting(). Of none: nothing happens.
 struct PreviewExport {
   std::size_t preset = 0;  // index
 };
 // Exports presets of the level as it is now, in the background; a message tells what came of it. While that
-// goes on, nothing happens. Files that no export wrote are asked about first: see Session::question().
+// goes on, nothing happens. Presets that the user has not allowed, and files that no export wrote, are asked
+// about first: see Session::question().
 struct RunExports {
   std::optional<std::size_t> preset = {};  // index; nothing: all
 };
@@ -113,9 +120,10 @@ struct ApplyLevelImport {};  // while it cannot be read so, nothing happens
 struct CancelLevelImport {};
 struct Quit {};
 // To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep. To "drop this
-// run": discard or cancel. To "replace these files": replace or cancel. To "keep
-// the recording", and to "the file cannot hold all of this level": save (as), discard or cancel.
-enum class Answer { save, discard, cancel, reload, keep, replace };
+// run": discard or cancel. To "replace these files": replace or cancel. To "keep the recording", and to "the
+// file cannot hold all of this level": save (as), discard or cancel. To "these exports came with the file":
+// allow or cancel.
+enum class Answer { save, discard, cancel, reload, keep, replace, allow };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;
 };
@@ -322,8 +330,8 @@ struct SetScreenBorders {
 
 using Action = std::variant<
     action::EditLevel, action::Undo, action::Redo, action::NewLevel, action::OpenFile, action::SaveRecording,
-    action::SaveFile, action::SaveFileAs, action::ExportPng, action::PreviewExport, action::RunExports,
-    action::CancelExport, action::OpenPng, action::SetPngImport, action::ApplyPngImport,
+    action::SaveFile, action::SaveFileAs, action::ExportPng, action::SetExportPath, action::PreviewExport,
+    action::RunExports, action::CancelExport, action::OpenPng, action::SetPngImport, action::ApplyPngImport,
     action::CancelPngImport, action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
     action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel, action::CheckFile,
     action::ShowMessage, action::DismissMessage, action::Play, action::Pause, action::TogglePlay,

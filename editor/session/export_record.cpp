@@ -1,15 +1,12 @@
 // A line a file: its content as 16 hexadecimal digits, a blank, its path.
 #include "export_record.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <charconv>
 #include <filesystem>
 #include <sstream>
 #include <utility>
 
+#include "file_lock.h"
 #include "formats/atomic_file.h"
 
 namespace talus {
@@ -18,23 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kHex = 16;
-
-// While it lives, no other one of the same file does; where there can be no lock, it does not wait.
-class RecordLock {
- public:
-  explicit RecordLock(const std::string& file)
-      : file_(::open((file + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (file_ >= 0) (void)::flock(file_, LOCK_EX);
-  }
-  ~RecordLock() {
-    if (file_ >= 0) ::close(file_);
-  }
-  RecordLock(const RecordLock&) = delete;
-  RecordLock& operator=(const RecordLock&) = delete;
-
- private:
-  int file_;
-};
 
 std::string whole_record_path(const std::string& path) {
   std::error_code error;
@@ -87,7 +67,7 @@ tl::expected<void, std::string> ExportRecord::save() {
   };
   std::error_code ignored;
   fs::create_directories(fs::path(file_).parent_path(), ignored);
-  const RecordLock lock(file_);
+  const FileLock lock(file_);
   if (!refresh()) return failure("cannot be read");
   if (contents_.size() > kMostFiles)
     std::erase_if(contents_, [&](const auto& entry) { return !fs::exists(entry.first, ignored); });

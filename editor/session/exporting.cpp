@@ -34,8 +34,11 @@ ExportOutcome outcome_of(const ExportTask& task, const std::string& output, cons
 
 }  // namespace
 
-ExportTask export_task(const Level& level, std::size_t preset, const std::string& level_file) {
-  return {level.exports[preset], level_file, clash_problem(level.exports, preset, level_file)};
+ExportTask task_of_preset(const Level& level, std::size_t preset, const std::string& level_file,
+                          const ExportPermissions& permissions) {
+  const ExportPreset& exported = level.exports[preset];
+  return {exported, level_file, clash_problem(level.exports, preset, level_file),
+          permissions.bounds_of(exported)};
 }
 
 Exporting::Exporting(ExportTools tools) : tools_(std::move(tools)), record_(tools_.record) {
@@ -74,7 +77,7 @@ void Exporting::run(ExportRun run) {
 
 void Exporting::cancel() {
   if (next_run_) {
-    cancelled_ = FinishedRun{*std::exchange(next_run_, std::nullopt), {}, true, false};
+    cancelled_ = FinishedRun{*std::exchange(next_run_, std::nullopt), {}, true};
   } else if (running()) {
     job_->wanted = false;
   } else if (next_preview_) {
@@ -96,9 +99,10 @@ std::optional<FinishedRun> Exporting::advance() {
       const bool cancelled = !job->wanted && std::none_of(job->outcomes.begin(), job->outcomes.end(),
                                                           [](const ExportOutcome& o) { return o.written; });
       last_run_ = job->outcomes;
-      if (!job->asks) preview_.reset();  // what is at the places is something else now
-      finished = FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled,
-                             job->asks && !cancelled, std::move(job->record_problem)};
+      const auto asks = cancelled ? FinishedRun::Asks::nothing : job->asks;
+      if (job->asks == FinishedRun::Asks::nothing) preview_.reset();  // what is there is something else now
+      finished = FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled, asks,
+                             std::move(job->record_problem)};
     } else if (job->wanted) {
       preview_ = ExportPreview{job->run.revision, std::move(job->outcomes.front())};
       made_ = std::move(job->made);
@@ -178,11 +182,8 @@ void Exporting::carry_out(Job& job) {
   job.record.refresh();
   std::vector<ExportPlan> plans;
   if (!make(job, plans) || !job.is_run) return;
-  for (const ExportOutcome& outcome : job.outcomes) {
-    job.asks = job.asks || !std::includes(job.run.may_replace.begin(), job.run.may_replace.end(),
-                                          outcome.foreign.begin(), outcome.foreign.end());
-  }
-  if (job.asks) return;
+  job.asks = question_of(job);
+  if (job.asks != FinishedRun::Asks::nothing) return;
   job.task = 0;
   job.writing = true;
   if (job.wanted) write(job, plans);
@@ -198,6 +199,20 @@ void Exporting::fail(Job& job, const std::string& problem) {
   }
 }
 
+// Nothing is asked about what will not be written.
+FinishedRun::Asks Exporting::question_of(const Job& job) {
+  auto asks = FinishedRun::Asks::nothing;
+  for (std::size_t i = 0; i < job.outcomes.size(); ++i) {
+    const ExportOutcome& outcome = job.outcomes[i];
+    if (outcome.problem) continue;
+    if (job.run.to_allow.contains(i)) return FinishedRun::Asks::to_allow;
+    if (!std::includes(job.run.may_replace.begin(), job.run.may_replace.end(), outcome.foreign.begin(),
+                       outcome.foreign.end()))
+      asks = FinishedRun::Asks::to_replace;
+  }
+  return asks;
+}
+
 // Makes the files, if no preview did.
 tl::expected<ExportPlan, ExportProblem> Exporting::plan_of(Job& job, const ExportTask& task,
                                                            const std::string& output) {
@@ -207,7 +222,7 @@ tl::expected<ExportPlan, ExportProblem> Exporting::plan_of(Job& job, const Expor
   };
   const bool is_made = job.made.content && job.made.revision == job.run.revision && job.made.task == task;
   return plan_export(*job.run.level, task.preset.exporter, output, job.read_asset, task.preset.parts,
-                     Progress(listener), is_made ? job.made.content.get() : nullptr);
+                     Progress(listener), is_made ? job.made.content.get() : nullptr, task.bounds);
 }
 
 // Keeps what a preview made for the run that may follow, unless it is very large.
@@ -240,6 +255,9 @@ bool Exporting::make(Job& job, std::vector<ExportPlan>& plans) {
       job.outcomes.back().problem = output.error();
     else if (!task.clash.empty())
       job.outcomes.back().problem = {ExportProblem::Field::path, {"", task.clash}};
+    else if (const PlannedFile* own = own_file_in(*plan, task.level_file))
+      job.outcomes.back().problem = {ExportProblem::Field::path,
+                                     {"", own->path + " is the level's own file: give another path"}};
     else if (job.is_run)
       plans.push_back(*std::move(plan));
     else

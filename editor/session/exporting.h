@@ -13,25 +13,29 @@
 #include <vector>
 
 #include "export/export_plan.h"
+#include "export_permissions.h"
 #include "export_record.h"
 
 namespace talus {
 
 // What the program lends to exports.
 struct ExportTools {
-  ReadAsset read_asset;  // called from another thread; none: exports that need a text end with an error
-  std::string record;    // file of the ExportRecord; empty: it lasts as long as the session
+  ReadAsset read_asset;     // called from another thread; none: exports that need a text end with an error
+  std::string record = {};  // file of the ExportRecord; empty: it lasts as long as the session
+  std::string permissions = {};  // file of the ExportPermissions; empty: the same
 };
 
 struct ExportTask {
   ExportPreset preset;
   std::string level_file;  // that its path is counted from; empty: none
   std::string clash = {};  // see clash_problem(); then it is not written
+  ExportBounds bounds = {};
   friend bool operator==(const ExportTask&, const ExportTask&) = default;
 };
 
 // Of one of the level's presets.
-ExportTask export_task(const Level& level, std::size_t preset, const std::string& level_file);
+ExportTask task_of_preset(const Level& level, std::size_t preset, const std::string& level_file,
+                          const ExportPermissions& permissions);
 
 // What an export gave, or would give.
 struct ExportOutcome {
@@ -54,17 +58,21 @@ struct ExportPreview {
 
 struct ExportRun {
   std::vector<ExportTask> tasks;
-  std::shared_ptr<const Level> level;  // never null
-  std::set<std::string> may_replace;   // paths of foreign files that the user gave up
-  bool on_save = false;                // it came by itself, with saving the level
-  std::uint64_t revision = 0;          // of the level
+  std::shared_ptr<const Level> level;   // never null
+  std::set<std::string> may_replace;    // paths of foreign files that the user gave up
+  std::set<std::size_t> to_allow = {};  // of the tasks, those of presets that the user has not allowed yet
+  bool on_save = false;                 // it came by itself, with saving the level
+  std::uint64_t revision = 0;           // of the level
 };
 
 struct FinishedRun {
   ExportRun run;
   std::vector<ExportOutcome> outcomes;  // of its tasks, as far as it came
   bool cancelled = false;
-  bool asks = false;                // nothing was written: files are foreign that it may not replace
+  // What has to be asked before anything is written: whether presets are allowed, or whether foreign files
+  // may be replaced.
+  enum class Asks { nothing, to_allow, to_replace };
+  Asks asks = Asks::nothing;
   std::string record_problem = {};  // of ExportRecord::save(); empty: none
 };
 
@@ -140,7 +148,7 @@ class Exporting {
     Made made;  // by an earlier preview; when it is done, what this one made
     // Written before `done`.
     std::vector<ExportOutcome> outcomes;
-    bool asks = false;
+    FinishedRun::Asks asks = FinishedRun::Asks::nothing;
     std::string record_problem;
   };
   void start_next();
@@ -150,6 +158,7 @@ class Exporting {
   static tl::expected<ExportPlan, ExportProblem> plan_of(Job& job, const ExportTask& task,
                                                          const std::string& output);
   static void keep_made(Job& job, ExportPlan plan);
+  static FinishedRun::Asks question_of(const Job& job);
   static bool make(Job& job, std::vector<ExportPlan>& plans);
   static void write(Job& job, const std::vector<ExportPlan>& plans);
 

@@ -50,15 +50,25 @@ Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_n
       path(std::move(opened_path)),
       format(path.empty() ? nullptr : format_for_file(path)),
       player(level),
+      permissions(tools.permissions),
       exporting(std::move(tools)) {
+  permissions.open(path);
   note_file();
   read_hard_case();
 }
 
 void Session::Impl::carry_out(const action::EditLevel& a) {
-  if (a.stroke == 0 || a.stroke > last_stroke) player.timeline().begin_series();
-  last_stroke = std::max(last_stroke, a.stroke);
-  Edit edit = a.edit;
+  for (const Change& change : a.edit.changes) {
+    if (const auto* presets = std::get_if<ExportsChange>(&change))
+      permissions.note_edit(presets->before, presets->after);
+  }
+  edit_level(a.edit, a.stroke);
+}
+
+void Session::Impl::edit_level(const Edit& wanted, int stroke) {
+  if (stroke == 0 || stroke > last_stroke) player.timeline().begin_series();
+  last_stroke = std::max(last_stroke, stroke);
+  Edit edit = wanted;
   rebase_edit(level, edit);
   if (const auto problem = problem_after(level, edit)) {
     message = Message{edit.label + ": not done, as the level then " + *problem + ".", true};
@@ -67,7 +77,7 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
   if (edit.selection) choices.selection = edit.selection->after;
   if (edit.empty()) return;
   note_change(edit);
-  history.push(level, std::move(edit), a.stroke);
+  history.push(level, std::move(edit), stroke);
   cut_selection();
 }
 
@@ -263,6 +273,13 @@ const StepTimes& Session::step_times() const { return impl_->player.step_times()
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }
 const Exporting& Session::exporting() const { return impl_->exporting; }
+ExportTask Session::export_task(std::size_t preset) const {
+  return task_of_preset(level(), preset, path(), impl_->permissions);
+}
+bool Session::allows_export(std::size_t preset) const {
+  return impl_->permissions.allows(level().exports[preset]);
+}
+const FinishedRun* Session::asked_exports() const { return impl_->asked_run ? &*impl_->asked_run : nullptr; }
 std::optional<double> Session::compile_progress() const {
   return impl_->compiler.is_busy() ? std::optional(impl_->compiler.progress()) : std::nullopt;
 }

@@ -69,7 +69,15 @@ struct Message {
 
 // Something that would lose unsaved changes waits for an answer.
 struct Question {
-  enum class Kind { unsaved_changes, changed_outside, drop_branch, replace_files, unsaved_run, unstored };
+  enum class Kind {
+    unsaved_changes,
+    changed_outside,
+    drop_branch,
+    replace_files,
+    unsaved_run,
+    unstored,
+    allow_exports
+  };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;
 };
@@ -152,8 +160,12 @@ class Session {
   // As trail(), of a body of the other side.
   const std::vector<TrailPoint>& other_trail(int body, std::int64_t first, std::int64_t last) const;
   const StepTimes& step_times() const;
-  const ReachFinder& reach() const;    // where a player of the level gets to
-  const Exporting& exporting() const;  // what exports do, and the last preview of one
+  const ReachFinder& reach() const;                  // where a player of the level gets to
+  const Exporting& exporting() const;                // what exports do, and the last preview of one
+  ExportTask export_task(std::size_t preset) const;  // index of one of the level's presets
+  // Whether it may be written without a question: see ExportPermissions.
+  bool allows_export(std::size_t preset) const;
+  const FinishedRun* asked_exports() const;  // what question() is about, where it is about exports; or null
   // How far a large level is compiled that was edited or opened, 0..1; until it is, the simulation goes on as
   // it was before. Nothing: it sees the level as it is.
   std::optional<double> compile_progress() const;

@@ -1,7 +1,9 @@
 // Session: exports of the level's presets, and what is said about them.
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "edit/export_presets.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -9,9 +11,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 4;  // files that a question names
 
-std::string label_of(const ExportTask& task) {
-  return task.preset.name.empty() ? task.preset.path : task.preset.name;
-}
+std::string label_of(const ExportPreset& preset) { return preset.name.empty() ? preset.path : preset.name; }
 
 // " Kept main.lua and conf.lua, which are yours by now."
 std::string kept_text(const std::vector<ExportOutcome>& outcomes) {
@@ -28,18 +28,22 @@ std::string kept_text(const std::vector<ExportOutcome>& outcomes) {
          (names.empty() ? ", which is yours by now." : ", which are yours by now.");
 }
 
+std::string not_allowed_text(const std::string& names) {
+  return "Not exported, as you have not allowed it: " + names + ". File > Export shows what it would write.";
+}
+
 // "Exported game: 3 files to export/love, map: 1 file to export/cave.tmj."; empty without any.
 std::string written_text(const std::vector<ExportOutcome>& outcomes) {
   std::string text, dropped, too_large;
   for (const ExportOutcome& outcome : outcomes) {
     if (!outcome.written) continue;
     const std::size_t count = outcome.files.size();
-    text += (text.empty() ? "Exported " : ", ") + label_of(outcome.task) + ": " + std::to_string(count) +
-            (count == 1 ? " file to " : " files to ") + outcome.task.preset.path;
+    text += (text.empty() ? "Exported " : ", ") + label_of(outcome.task.preset) + ": " +
+            std::to_string(count) + (count == 1 ? " file to " : " files to ") + outcome.task.preset.path;
     for (const std::string& what : outcome.dropped) dropped += (dropped.empty() ? "" : ", ") + what;
     const std::string problem =
         code_problem(*find_exporter(outcome.task.preset.exporter), outcome.code_bytes);
-    if (!problem.empty()) too_large += " Too large, " + label_of(outcome.task) + ": " + problem + ".";
+    if (!problem.empty()) too_large += " Too large, " + label_of(outcome.task.preset) + ": " + problem + ".";
   }
   if (text.empty()) return text;
   return text + "." + kept_text(outcomes) + (dropped.empty() ? "" : " Not held there: " + dropped + ".") +
@@ -51,7 +55,7 @@ std::string problems_text(const std::vector<ExportOutcome>& outcomes) {
   for (const ExportOutcome& outcome : outcomes) {
     if (!outcome.problem) continue;
     const FormatError& error = outcome.problem->error;
-    text += (text.empty() ? "" : "\n") + std::string("Export of ") + label_of(outcome.task) + ": " +
+    text += (text.empty() ? "" : "\n") + std::string("Export of ") + label_of(outcome.task.preset) + ": " +
             (error.place.empty() ? "" : error.place + ": ") + error.message + ".";
   }
   return text;
@@ -70,35 +74,54 @@ std::string names_of(const std::vector<ExportOutcome>& outcomes) {
 
 }  // namespace
 
+void Session::Impl::carry_out(const action::SetExportPath& a) {
+  if (a.preset >= level.exports.size()) return;
+  ExportPreset moved = level.exports[a.preset];
+  moved.path = a.path;
+  if (moved != level.exports[a.preset])
+    carry_out(action::EditLevel{set_export(level, a.preset, std::move(moved), "Change export path")});
+  permissions.allow_place(level.exports[a.preset]);
+}
+
 void Session::Impl::carry_out(const action::PreviewExport& a) {
-  if (a.preset < level.exports.size()) exporting.preview(level, revision, export_task(level, a.preset, path));
+  if (a.preset < level.exports.size())
+    exporting.preview(level, revision, task_of_preset(level, a.preset, path, permissions));
 }
 
 void Session::Impl::carry_out(const action::RunExports& a) {
-  ExportRun run{.tasks = {}, .level = Exporting::snapshot(level), .may_replace = {}, .revision = revision};
-  for (std::size_t i = 0; i < level.exports.size(); ++i) {
-    if (a.preset.value_or(i) == i) run.tasks.push_back(export_task(level, i, path));
-  }
-  exporting.run(std::move(run));
+  export_presets([&](std::size_t i) { return a.preset.value_or(i) == i; }, false);
 }
 
 void Session::Impl::export_on_save() {
-  std::vector<ExportTask> tasks;
+  std::string not_allowed;
+  const auto is_wanted = [&](std::size_t i) {
+    const ExportPreset& preset = level.exports[i];
+    const bool was_declined = std::find(declined.begin(), declined.end(), preset) != declined.end();
+    const bool is_declined = was_declined && !permissions.allows(preset);
+    if (preset.on_save && is_declined) not_allowed += (not_allowed.empty() ? "" : ", ") + label_of(preset);
+    return preset.on_save && !is_declined;
+  };
+  export_presets(is_wanted, true);
+  if (!not_allowed.empty() && message) message->text += " " + not_allowed_text(not_allowed);
+}
+
+void Session::Impl::export_presets(FunctionRef<bool(std::size_t)> is_wanted, bool on_save) {
+  ExportRun run{.tasks = {}, .level = nullptr, .may_replace = {}, .on_save = on_save, .revision = revision};
   for (std::size_t i = 0; i < level.exports.size(); ++i) {
-    if (level.exports[i].on_save) tasks.push_back(export_task(level, i, path));
+    if (!is_wanted(i)) continue;
+    if (!permissions.allows(level.exports[i])) run.to_allow.insert(run.tasks.size());
+    run.tasks.push_back(task_of_preset(level, i, path, permissions));
   }
-  if (!tasks.empty())
-    exporting.run({.tasks = std::move(tasks),
-                   .level = Exporting::snapshot(level),
-                   .may_replace = {},
-                   .on_save = true,
-                   .revision = revision});
+  if (run.tasks.empty()) return;
+  run.level = Exporting::snapshot(level);
+  exporting.run(std::move(run));
 }
 
 void Session::Impl::take_exports() {
   auto finished = exporting.advance();
   if (!finished) return;
-  if (finished->asks) return ask_to_replace(*std::move(finished));
+  if (finished->asks == FinishedRun::Asks::to_allow) return ask_to_allow(*std::move(finished));
+  if (finished->asks == FinishedRun::Asks::to_replace) return ask_to_replace(*std::move(finished));
   if (finished->cancelled) {
     message = Message{"The export was cancelled: nothing was written.", false};
     return;
@@ -113,13 +136,54 @@ void Session::Impl::take_exports() {
   message = Message{std::move(text), !problems.empty()};
 }
 
+// Of a level that has been left meanwhile, nothing is written.
+void Session::Impl::ask_to_allow(FinishedRun finished) {
+  if (finished.run.tasks.front().level_file != path) return;
+  asked_run = std::move(finished);
+  question =
+      Question{"These exports came with the level's file. Nothing of them is written until you allow it.",
+               Question::Kind::allow_exports};
+}
+
+// What was shown is allowed, and no more; without, the run goes on with the presets that are allowed already.
+void Session::Impl::answer_to_allow(bool allowed) {
+  auto asked = std::exchange(asked_run, std::nullopt);
+  if (!asked) return;
+  ExportRun& run = asked->run;
+  std::vector<ExportPreset> shown;
+  std::string names;
+  for (auto at = run.to_allow.begin(); at != run.to_allow.end();) {
+    const bool was_shown = !asked->outcomes[*at].problem;
+    if (was_shown) {
+      shown.push_back(run.tasks[*at].preset);
+      names += (names.empty() ? "" : ", ") + label_of(shown.back());
+    }
+    at = was_shown && allowed ? run.to_allow.erase(at) : std::next(at);
+  }
+  if (allowed) {
+    permissions.allow(shown);
+  } else {
+    message = Message{not_allowed_text(names), false};
+    declined.insert(declined.end(), shown.begin(), shown.end());
+    for (auto at = run.to_allow.rbegin(); at != run.to_allow.rend(); ++at)
+      run.tasks.erase(run.tasks.begin() + static_cast<std::ptrdiff_t>(*at));
+    run.to_allow.clear();
+  }
+  exporting.run(std::move(run));
+}
+
+void Session::Impl::forget_asked_exports() {
+  if (asked_run) question.reset();
+  asked_run.reset();
+}
+
 void Session::Impl::ask_to_replace(FinishedRun finished) {
-  run_to_confirm = std::move(finished.run);
-  for (const ExportOutcome& outcome : finished.outcomes)
-    run_to_confirm->may_replace.insert(outcome.foreign.begin(), outcome.foreign.end());
   question = Question{"These files are not as an export wrote them. Replace them?" +
                           names_of(finished.outcomes) + "\nReplaced, they are gone.",
                       Question::Kind::replace_files};
+  for (const ExportOutcome& outcome : finished.outcomes)
+    finished.run.may_replace.insert(outcome.foreign.begin(), outcome.foreign.end());
+  asked_run = std::move(finished);
 }
 
 }  // namespace talus

@@ -81,9 +81,10 @@ void Session::Impl::carry_out(const action::AnswerQuestion& a) {
     if (a.answer == action::Answer::reload) reload();
     return;
   }
+  if (kind == Question::Kind::allow_exports) return answer_to_allow(a.answer == action::Answer::allow);
   if (kind == Question::Kind::replace_files) {
-    if (run_to_confirm && a.answer == action::Answer::replace) exporting.run(*std::move(run_to_confirm));
-    run_to_confirm.reset();
+    auto asked = std::exchange(asked_run, std::nullopt);
+    if (asked && a.answer == action::Answer::replace) exporting.run(std::move(asked->run));
     return;
   }
   if (kind == Question::Kind::drop_branch) {
@@ -238,7 +239,7 @@ void Session::Impl::recover(const action::RecoverLevel& saved) {
   else
     replace_level(Level(), saved.path, saved.path.empty() ? nullptr : format_for_file(saved.path));
   name = saved.name;
-  carry_out(action::EditLevel{replace_by(level, saved.level, "Recover what was not saved")});
+  edit_level(replace_by(level, saved.level, "Recover what was not saved"), 0);
   read_hard_case();
   history.forget_saved();
   if (!saved.recordings.empty()) recover_runs(saved.recordings);
@@ -294,8 +295,8 @@ void Session::Impl::reload() {
         true};
     return;
   }
-  carry_out(action::EditLevel{
-      replace_by(level, std::make_shared<const Level>(loaded->level), "Read " + file_name() + " again")});
+  edit_level(
+      replace_by(level, std::make_shared<const Level>(loaded->level), "Read " + file_name() + " again"), 0);
   read_hard_case();
   history.mark_saved();
   companion = loaded->companion;
@@ -334,6 +335,9 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
     format = nullptr;
   }
   note_file();
+  permissions.open(path);
+  declined.clear();
+  forget_asked_exports();
   choices.overlays.set(OverlayId::answer, false);
   read_hard_case();
   history.clear();
@@ -382,6 +386,7 @@ bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_f
   companion = std::move(saved->companion);
   unstored = std::move(saved->dropped);
   note_file();
+  permissions.save(path, level.exports);
   history.mark_saved();
   ++saves;
   std::string text = "Saved " + file_names() + ".";

@@ -52,6 +52,7 @@ struct Session::Impl {
   void carry_out(const action::SaveFile&) { save(); }
   void carry_out(const action::SaveFileAs& a);
   void carry_out(const action::ExportPng& a);
+  void carry_out(const action::SetExportPath& a);
   void carry_out(const action::PreviewExport& a);
   void carry_out(const action::RunExports& a);
   void carry_out(const action::CancelExport&) { exporting.cancel(); }
@@ -144,7 +145,8 @@ struct Session::Impl {
   void debug();               // goes on with what the debugger has to do
   void note_stop();           // it has stopped at debugger.stop()
 
-  void note_change(const Edit& edit);  // to be called for each edit done, undone or redone
+  void edit_level(const Edit& wanted, int stroke);  // by whomever
+  void note_change(const Edit& edit);               // to be called for each edit done, undone or redone
   // Brings the simulation up to the level, if it is behind; where a large level is compiled for that, later.
   void cut_selection();  // at the edges of a map that may have become smaller
   void refresh_scene();
@@ -180,7 +182,11 @@ struct Session::Impl {
   void continue_pending();
 
   void export_on_save();
+  void export_presets(FunctionRef<bool(std::size_t)> is_wanted, bool on_save);
   void take_exports();  // what the thread has done
+  void ask_to_allow(FinishedRun finished);
+  void forget_asked_exports();  // of another level
+  void answer_to_allow(bool allowed);
   void ask_to_replace(FinishedRun finished);
 
   Level level;
@@ -223,8 +229,10 @@ struct Session::Impl {
   void lint_some();   // spends a few ms on what of the level has not been looked at
   void find_reach();  // the same on the search for where a player gets to
 
+  ExportPermissions permissions;
+  std::vector<ExportPreset> declined;    // not allowed when a save asked, which does not ask again
+  std::optional<FinishedRun> asked_run;  // waits for the question's answer
   Exporting exporting;
-  std::optional<ExportRun> run_to_confirm;  // waits for the question's answer
   LintCache lint_cache;
   LintOptions lint_options;
   ReachFinder reach;

@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "edit/export_presets.h"
 #include "edit/level_settings.h"
 #include "folder_test.h"
+#include "platform/game_start.h"
 
 namespace talus::external_program_test {
 
@@ -207,6 +209,68 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
   session.apply(action::SaveFileAs{path("level.talus.json")});
   open_in_program(session, ProgramId::love, commands(), copies_);
   EXPECT_EQ(told(), folder_.string() + "\n");
+}
+
+TEST_F(ExternalProgramTest, AGameRunsInTheFolderThatItIsExportedTo) {
+  Session session(Level(), "", kUnnamed, ExportTools{[](const std::string& name) {
+                    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+                  }});
+  GameStart game;
+  EXPECT_FALSE(game.begin(session, commands())) << "no preset makes one";
+  session.apply(action::EditLevel{
+      add_export(session.level(), {.name = "map", .exporter = "tmj", .path = "map.tmj", .extra = ""})});
+  session.apply(action::EditLevel{
+      add_export(session.level(), {.name = "game", .exporter = "love", .path = "my game", .extra = ""})});
+  session.apply(action::SaveFileAs{path("level.talus.json")});
+  paint(session, 4);
+  ASSERT_TRUE(game.begin(session, commands()));
+  EXPECT_FALSE(session.modified()) << "it is saved";
+  for (int i = 0; i < 5000 && !exists("told"); ++i) {
+    ::usleep(1000);
+    session.advance(0);
+    game.follow(session, commands(), copies_);
+  }
+  EXPECT_EQ(told(), path("my game") + "\n");
+  EXPECT_TRUE(exists("my game/main.lua")) << "and exported before";
+  EXPECT_FALSE(exists("map.tmj"));
+  EXPECT_EQ(session.message()->text, "Opened " + path("my game") + " in LÖVE.");
+}
+
+TEST_F(ExternalProgramTest, AGameOfAForeignPresetIsAskedAboutAndNotRun) {
+  Level level;
+  level.exports = {{.name = "game", .exporter = "love", .path = "game", .extra = ""}};
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
+  Session session(Level(), "", kUnnamed, ExportTools{[](const std::string& name) {
+                    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+                  }});
+  session.apply(action::OpenFile{path("level.talus.json")});
+  GameStart game;
+  ASSERT_TRUE(game.begin(session, commands()));
+  const auto follow = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      ::usleep(1000);
+      session.advance(0);
+      game.follow(session, commands(), copies_);
+    }
+  };
+  for (int i = 0; i < 5000 && !session.question(); ++i) follow(1);
+  ASSERT_TRUE(session.question());
+  EXPECT_EQ(session.question()->kind, Question::Kind::allow_exports);
+  session.apply(action::AnswerQuestion{action::Answer::cancel});
+  follow(100);
+  EXPECT_FALSE(exists("told"));
+  EXPECT_FALSE(exists("game"));
+}
+
+// A name that begins with a dash is no option of the program's.
+TEST_F(ExternalProgramTest, FilesAreGivenByWholePaths) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  Session session;
+  session.apply(action::SaveFileAs{"-x.tic"});
+  open_in_program(session, ProgramId::tic80, commands(), copies_);
+  fs::current_path(before);
+  EXPECT_EQ(told(), path("-x.tic") + "\n");
 }
 
 TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {

@@ -202,7 +202,7 @@ TEST_F(SessionExports, APreviewIsCancelledAndStaysSo) {
   start_gated();
   add("game", "love", "out/game");
   session().apply(act::PreviewExport{0});
-  const ExportTask task = export_task(session().level(), 0, session().path());
+  const ExportTask task = session().export_task(0);
   ASSERT_TRUE(exporting().preview_progress());
   EXPECT_EQ(exporting().preview_progress()->name, "game");
   session().apply(act::CancelExport{});

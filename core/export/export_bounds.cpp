@@ -1,0 +1,51 @@
+// Asked when an export is planned, to tell the user, and once more when it is written, to hold.
+#include "export_bounds.h"
+
+#include <filesystem>
+
+#include "../formats/real_path.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// No place is in it: of a level without a file, or of links in a circle.
+constexpr const char* kNowhere = "/dev/null";
+
+ExportBounds bounds_at(const FormatResult<std::string>& folder, bool holds_named_file) {
+  return {folder.value_or(kNowhere), holds_named_file};
+}
+
+}  // namespace
+
+ExportBounds bounds_of_level(const std::string& level_file) {
+  if (level_file.empty()) return {kNowhere, true};
+  return bounds_at(real_folder_of(level_file), true);
+}
+
+ExportBounds bounds_of_output(const std::string& output, bool is_folder) {
+  return bounds_at(is_folder ? real_path(output) : real_folder_of(output), false);
+}
+
+tl::expected<std::string, std::string> place_within(const ExportBounds& bounds, const std::string& path,
+                                                    bool is_named) {
+  if (bounds.folder.empty() || (is_named && !bounds.holds_named_file)) return path;
+  const auto place = real_path(path);
+  if (!place) return tl::unexpected(path + " " + place.error().message);
+  if (!is_within(*place, bounds.folder)) {
+    if (bounds.folder == kNowhere)
+      return tl::unexpected(path + " is not in the folder of the level, which has no file yet");
+    const bool by_link = *place != fs::path(path).lexically_normal();
+    return tl::unexpected(path + (by_link ? " leads to " + *place + ", which" : "") + " is outside of " +
+                          bounds.folder);
+  }
+  std::error_code error;
+  const auto kind = fs::symlink_status(*place, error).type();
+  if (kind != fs::file_type::not_found && kind != fs::file_type::regular &&
+      kind != fs::file_type::directory && kind != fs::file_type::none)
+    return tl::unexpected(path + " is a device or a pipe, where a file is to be written");
+  return *place;
+}
+
+}  // namespace talus

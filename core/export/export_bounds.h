@@ -1,0 +1,31 @@
+// Where the files of an export may go. A level is not the user: what it asks for stays in a folder, whatever
+// links lie there.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace talus {
+
+struct ExportBounds {
+  // As real_path() gives it: all files stay in it after every link is followed, and replace regular files
+  // alone. Empty: they go where their paths lead.
+  std::string folder = {};
+  bool holds_named_file = true;  // false: the file that is named, which the user has typed, may be elsewhere
+  friend bool operator==(const ExportBounds&, const ExportBounds&) = default;
+};
+
+// What the paths of a level's presets get: the folder of the level's file. Empty: it has none, and nothing is
+// within the bounds.
+ExportBounds bounds_of_level(const std::string& level_file);
+// What an output gets that the user has typed: it may be anywhere, what belongs to it is beside it or in it.
+ExportBounds bounds_of_output(const std::string& output, bool is_folder);
+
+// The place that is written for a path, which has no link in it any more where there are bounds; or one
+// sentence without its full stop on why it may not be. is_named: it is the file that the output names.
+tl::expected<std::string, std::string> place_within(const ExportBounds& bounds, const std::string& path,
+                                                    bool is_named);
+
+}  // namespace talus

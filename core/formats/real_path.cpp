@@ -1,0 +1,59 @@
+// Part by part, as the system does it, but past the first part that is not there, too.
+#include "real_path.h"
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <system_error>
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // as the kernel's own limit; a longer chain is a circle
+
+}  // namespace
+
+FormatResult<std::string> real_path(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path.empty() ? "." : path, error);
+  if (error) return tl::unexpected(FormatError{"", "cannot be found: " + error.message()});
+  fs::path real = "/";
+  std::deque<fs::path> rest(whole.begin(), whole.end());
+  for (int links = 0; !rest.empty();) {
+    const fs::path part = rest.front();
+    rest.pop_front();
+    if (part.empty() || part == "." || part.is_absolute()) continue;
+    if (part == "..") {
+      real = real.parent_path();
+      continue;
+    }
+    const fs::path target = fs::read_symlink(real / part, error);
+    if (error) {  // no link
+      real /= part;
+      continue;
+    }
+    if (++links > kMostLinks) return tl::unexpected(FormatError{"", "leads through links in a circle"});
+    if (target.is_absolute()) real = "/";
+    rest.insert(rest.begin(), target.begin(), target.end());
+  }
+  return real.string();
+}
+
+FormatResult<std::string> real_folder_of(const std::string& file) {
+  return real_path(fs::path(file).parent_path().string());
+}
+
+bool is_within(const std::string& place, const std::string& folder) {
+  const fs::path inner(place), outer(folder);
+  const auto [end, unused] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return end == outer.end();
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+}  // namespace talus

@@ -1,0 +1,117 @@
+// talus export --all: where the presets of a level may write, without anybody to ask.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include "cli_answer.h"
+#include "folder_test.h"
+#include "formats/format.h"
+
+namespace talus::cli_export_safety_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CliPresets : public FolderTest {
+ protected:
+  void SetUp() override { fs::create_directories(path("level")); }
+  void save(const std::string& exporter, const std::string& to, std::uint8_t tile = 0) const {
+    Level level;
+    level.map.set({1, 1}, tile);
+    level.exports = {{.name = "game", .exporter = exporter, .path = to, .extra = ""}};
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
+  }
+  int all(const char* option = nullptr) {
+    std::vector<std::string> words = {"export", path("level/cave.talus.json"), "--all"};
+    if (option != nullptr) words.emplace_back(option);
+    answer_ = cli_answer(words);
+    return answer_.status;
+  }
+
+  CliAnswer answer_;
+};
+
+TEST_F(CliPresets, WriteInTheFolderOfTheLevelWithoutAQuestion) {
+  save("lua-runtime", "build/game");
+  EXPECT_EQ(all(), 0) << answer_.err;
+  EXPECT_TRUE(exists("level/build/game/level.lua"));
+  fs::remove_all(path(".state"));
+  EXPECT_EQ(all(), 0) << "as on another machine, which has the files and no record: " << answer_.err;
+}
+
+TEST_F(CliPresets, StayThereUnlessToldOtherwise) {
+  fs::create_directories(path("home"));
+  fs::create_symlink(path("home"), path("level/link"));
+  for (const std::string& to :
+       {std::string("../home/a.lua"), path("home/a.lua"), std::string("link/a.lua")}) {
+    save("lua", to);
+    EXPECT_EQ(all(), 1) << to;
+    EXPECT_THAT(answer_.err, HasSubstr("outside of " + fs::canonical(path("level")).string() +
+                                       ": --allow-outside means it\n"));
+    EXPECT_EQ(all("--force"), 1) << "that is about other things";
+    EXPECT_FALSE(exists("home/a.lua"));
+    EXPECT_EQ(all("--allow-outside"), 0) << answer_.err;
+    EXPECT_TRUE(exists("home/a.lua"));
+    fs::remove(path("home/a.lua"));
+  }
+}
+
+TEST_F(CliPresets, AreNotLedOutByLinksInTheirFolder) {
+  fs::create_directories(path("level/export"));
+  fs::create_symlink("../../init.lua", path("level/export/level.lua"));
+  save("lua-runtime", "export");
+  for (const char* option : {static_cast<const char*>(nullptr), "--force", "--fresh"}) {
+    EXPECT_EQ(all(option), 1);
+    EXPECT_THAT(answer_.err, HasSubstr("level.lua leads to "));
+    EXPECT_FALSE(exists("init.lua"));
+    EXPECT_FALSE(exists("level/export/talus.lua")) << "nothing of it is written";
+  }
+  // Nor is a folder that was typed.
+  const CliAnswer typed = cli_answer({"export", path("level/cave.talus.json"), "--to", "lua-runtime", "-o",
+                                      path("level/export"), "--force"});
+  EXPECT_EQ(typed.status, 1);
+  EXPECT_FALSE(exists("init.lua"));
+}
+
+TEST_F(CliPresets, ReplaceNothingThatNoExportWrote) {
+  save("lua", "main.lua");
+  put("level/main.lua", "local talus = require \"talus\"\n");
+  EXPECT_EQ(all(), 1);
+  EXPECT_EQ(answer_.err,
+            path("level/main.lua") +
+                ": error: is there, and no export wrote it: move it away, or replace it by --force\n");
+  EXPECT_THAT(bytes_of("level/main.lua"), HasSubstr("require"));
+  EXPECT_EQ(all("--force"), 0) << answer_.err;
+  EXPECT_EQ(all(), 0) << "by now it is an export";
+  fs::remove_all(path(".state"));
+  EXPECT_EQ(all(), 0) << "and is known as one without a record: " << answer_.err;
+  // Another level is no export, though it is as one.
+  save("native", "other.talus.json", 4);
+  ASSERT_TRUE(save_level(Level(), *find_format("native"), path("level/other.talus.json")));
+  EXPECT_EQ(all(), 1);
+  // Neither is what a link in the folder leads to.
+  save("lua", "linked.lua", 5);
+  fs::create_symlink("main.lua", path("level/linked.lua"));
+  fs::remove_all(path(".state"));
+  EXPECT_EQ(all(), 1) << answer_.out;
+}
+
+TEST_F(CliPresets, NeverWaitForAPipe) {
+  ASSERT_EQ(::mkfifo(path("level/data.lua").c_str(), 0600), 0);
+  save("lua", "data.lua");
+  EXPECT_EQ(all("--force"), 1);
+  EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe"));
+}
+
+TEST_F(CliPresets, OfAMapOfTiledFollowTheSameRules) {
+  Level level;
+  level.exports = {{.name = "game", .exporter = "lua", .path = "../a.lua", .extra = ""}};
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
+  ASSERT_EQ(
+      cli_answer({"export", path("level/cave.talus.json"), "--to", "tmx", "-o", path("level/m.tmx")}).status,
+      0);
+  const CliAnswer answer = cli_answer({"export", path("level/m.tmx"), "--all"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_FALSE(exists("a.lua"));
+}
+
+}  // namespace talus::cli_export_safety_test

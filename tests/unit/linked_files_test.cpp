@@ -1,0 +1,79 @@
+// The files that a map of Tiled names: what of them is read, and what is told of them.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <regex>
+
+#include "folder_test.h"
+#include "formats/format.h"
+
+namespace talus::linked_files_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class LinkedFiles : public FolderTest {
+ protected:
+  void SetUp() override { fs::create_directories(path("maps")); }
+  // What is wrong with a map of this picture, or of this tileset.
+  std::string error_with_picture(const std::string& name) const {
+    return error_with(
+        R"(<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1">)"
+        R"(<image source=")" +
+        name + R"(" width="8" height="8"/></tileset>)");
+  }
+  std::string error_with_tileset(const std::string& name) const {
+    return error_with(R"(<tileset firstgid="1" source=")" + name + R"("/>)");
+  }
+  std::string error_with(const std::string& tileset) const {
+    put("maps/map.tmx",
+        R"(<map version="1.10" orientation="orthogonal" width="1" height="1" tilewidth="8" tileheight="8">)" +
+            tileset +
+            R"(<layer id="1" name="l" width="1" height="1"><data encoding="csv">1</data></layer></map>)");
+    const auto loaded = load_level(path("maps/map.tmx"));
+    return loaded ? "" : to_string(loaded.error(), "map");
+  }
+};
+
+TEST_F(LinkedFiles, OfAMapAreReadOnlyIfTheyArePlainFiles) {
+  ASSERT_EQ(::mkfifo(path("maps/pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", path("maps/link"));
+  fs::create_symlink("/dev/zero", path("maps/endless"));
+  for (const char* name :
+       {"pipe", "link", "endless", "/dev/zero", "/etc/passwd", "file:///etc/passwd", "C:\\x"}) {
+    EXPECT_NE(error_with_picture(name), "") << name;
+    EXPECT_NE(error_with_tileset(name), "") << name;
+  }
+}
+
+TEST_F(LinkedFiles, OfAnotherKindLeaveNothingInTheError) {
+  put("secret", "hunter2:x:0:0\n");
+  put("secret.json", R"({"hunter2": "hunter2", "type": "hunter2"})");
+  put("secret.bad", R"({"tilewidth": hunter2})");
+  put("secret.xml", "<hunter2>hunter2</hunter2><map hunter2=>");
+  fs::create_symlink("../secret", path("maps/link"));
+  for (const char* name : {"link", "../secret", "../secret.json", "../secret.bad", "../secret.xml"}) {
+    EXPECT_THAT(error_with_picture(name), testing::AllOf(HasSubstr("error"), Not(HasSubstr("hunter2"))))
+        << name;
+    EXPECT_THAT(error_with_tileset(name), testing::AllOf(HasSubstr("error"), Not(HasSubstr("hunter2"))))
+        << name;
+  }
+}
+
+// Every test that docs/security.md names is one.
+TEST(SecurityPage, NamesTestsThatThereAre) {
+  const std::string root = TALUS_SOURCE_DIR "/";
+  const std::string page = read_file(root + "docs/security.md").value();
+  std::string tests;
+  for (const auto& entry : fs::recursive_directory_iterator(root + "tests"))
+    if (entry.path().extension() == ".cpp") tests += read_file(entry.path().string()).value();
+  const std::regex name("`([A-Z][A-Za-z]+)\\.([A-Z][A-Za-z0-9]+)`");
+  int count = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), name), end; at != end; ++at, ++count)
+    EXPECT_NE(tests.find("(" + at->str(1) + ", " + at->str(2) + ")"), std::string::npos) << at->str();
+  EXPECT_GT(count, 20);
+}
+
+}  // namespace talus::linked_files_test
