@@ -9,7 +9,7 @@ namespace {
 class BoxMaker {
  public:
   BoxMaker(const TileShape& shape, Cell cell)
-      : is_ceiling_(shape.side == TileShape::Side::ceiling),
+      : is_ceiling_(shape.kind != TileShape::Kind::solid && shape.side == TileShape::Side::ceiling),
         one_way_(shape.one_way),
         base_((is_ceiling_ ? cell.y : cell.y + 1.0) * kTileSize) {}
 

@@ -9,7 +9,7 @@ end
 local function shape()
   local kind, tiles = pick {"solid", "slope", "profile"}, math.random(3)
   local text = ('"kind": "%s", "one_way": %s'):format(kind, tostring(math.random(4) == 1))
-  if kind == "solid" then return "{" .. text .. "}" end
+  if kind == "solid" then return ('{%s, "side": "%s"}'):format(text, pick {"floor", "ceiling"}) end
   local count = kind == "slope" and 2 or math.random(3, 9)
   return ('{%s, "side": "%s", "tiles": %d, "heights": [%s]}'):format(
     text, pick {"floor", "floor", "ceiling"}, tiles, heights(count, pick {8, 8, 20}))
