@@ -469,6 +469,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   for (const TiledLayer& objects : map_.layers) take_objects(objects);
   if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
+  if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
   return std::move(level_);
 }
 

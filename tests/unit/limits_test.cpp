@@ -293,6 +293,15 @@ TEST(TiledLimits, ObjectsAreCountedBeforeTheyAreRead) {
       "map:key layers[0].objects[262144]: error: is an object too many: a map that is read has up to 262144");
 }
 
+TEST(TiledLimits, WhatALevelCannotBeSavedWithIsNotRead) {
+  const std::string layers =
+      R"({"type":"tilelayer","data":[0]},{"type":"objectgroup","objects":[{"type":"ball","name":")" +
+      std::string(kMaxNameBytes + 1, 'n') + "\"}]}";
+  const auto read = read_level(tiled_map(1, "", layers), {"tmj"});
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "has 4194305 bytes of names, and a level holds up to 4194304");
+}
+
 class TiledFilesLimits : public FolderTest {
  protected:
   // A map of so many tilesets; the picture of each has the name that `picture` gives.
