@@ -70,9 +70,10 @@ class StrictBuilder {
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const Json* const next = i + 1 < open_.size() ? open_[i + 1] : nullptr;
       if (open_[i]->is_array()) {
-        path += "[" + std::to_string(open_[i]->size() - (next != nullptr ? 1 : 0)) + "]";
+        const std::size_t index = open_[i]->size() - (next != nullptr ? 1 : 0);
+        path.append("[").append(std::to_string(index)).append("]");
       } else {
-        path += (path.empty() ? "" : ".") + key_of(*open_[i], next);
+        path.append(path.empty() ? "" : ".").append(key_of(*open_[i], next));
       }
     }
     return path;
