@@ -1,6 +1,7 @@
 // Sentences about what happened in a step.
 #include "debug/explain.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "debug/number_text.h"
@@ -297,6 +298,17 @@ TEST_F(Steps, OfLimitsAndTheMouse) {
             "than a "
             "step handles, and the rest of its motion is lost. Its way or its speed was cut to the largest "
             "allowed.");
+}
+
+TEST_F(Steps, OfMoreOnTheWayThanAStepMayLookAt) {
+  MadeFrames made({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 4, 0)})});
+  made.frames[1].record.paths = {
+      {.body = 1, .from = {0, 0, 8, 8}, .goal = {9, 0}, .to = {4, 0, 8, 8}, .cut_short = true}};
+  FrameHistory history(1);
+  history.go_to(made, 1);
+  EXPECT_THAT(explain_step(history.view(), 1),
+              testing::HasSubstr(
+                  "There was more on its way than a step may look at, and it stopped where that ended."));
 }
 
 }  // namespace talus::debug_explain_test
