@@ -82,6 +82,9 @@ bool overlaps_shape(const TileOutline& shape, Cell cell, const BasicRect<Real>& 
   return false;
 }
 
+// A box that is deep in ground of many lines has more ways than anybody would wait for.
+constexpr std::size_t kMostExits = 1024;
+
 template <class Real>
 struct Exit {
   Real distance;
@@ -191,6 +194,11 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   std::stable_sort(exits.begin(), exits.end(), [](const Exit<Real>& a, const Exit<Real>& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.motion.x == 0 && b.motion.x != 0;
   });
+  // Many pieces lead out by the same motion, which is tried once.
+  exits.erase(std::unique(exits.begin(), exits.end(),
+                          [](const Exit<Real>& a, const Exit<Real>& b) { return a.motion == b.motion; }),
+              exits.end());
+  if (exits.size() > kMostExits) exits.resize(kMostExits);
   for (const Exit<Real>& exit : exits) {
     const BasicRect<Real> there{box.x + exit.motion.x, box.y + exit.motion.y, box.w, box.h};
     if (!overlaps_ground(ground, there, foot)) return exit.motion;

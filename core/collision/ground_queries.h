@@ -33,7 +33,7 @@ template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot = Foot::box);
 
 // The shortest straight way out of the ground, along x or y and past one piece of the outline; none: the box
-// is not in the ground, or no such way frees it.
+// is not in the ground, or none of the shortest 1024 ways frees it.
 template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
                                        Foot foot = Foot::box);

@@ -60,9 +60,9 @@ class ExactSolver final : public Solver {
     Moving<Real> moving{narrow(body.box), narrow(body.velocity), body.foot};
     if (record_ != nullptr)
       record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
+    budget_ = {work_of_a_body(state.bodies.size())};
     if (!body.is_clear) leave_ground(moving);
     order_ = 0;
-    budget_ = {work_of_a_body(state.bodies.size())};
 
     if (body.id == state.grabbed) {
       drag(state, index, moving, input);
@@ -191,7 +191,10 @@ class ExactSolver final : public Solver {
     return true;
   }
 
+  // Where looking at all of its cells is more than it may, it stays inside.
   void leave_ground(Moving<Real>& moving) {
+    const double columns = moving.box.w / kTileSide + 2, rows = moving.box.h / kTileSide + 2;
+    if (columns * rows > static_cast<double>(budget_.left)) return note_cut_short();
     const auto out = way_out(ground_, moving.box, moving.foot);
     if (!out) return;
     moving.box.x += out->x;

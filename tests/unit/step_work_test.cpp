@@ -94,6 +94,26 @@ TEST(StepWork, WhatUsesUpItsPartStopsBeforeWhatItHasNotLookedAt) {
   EXPECT_EQ(alone.state.bodies[0].box.right(), ((1 << 18) - 1) * 8.0) << "the wall";
 }
 
+// Large bodies deep in ground of many lines, from which there are many ways out.
+TEST(StepWork, LargeBodiesInsideOfTheGroundAreStepped) {
+  Level level;
+  level.map = TileMap(200, 200);
+  level.tuning.solver = SolverKind::exact;
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .heights = {0, 8, 1, 7, 2, 6, 3, 5, 0}};
+  Spawn large = ball({300, 300});
+  large.size = {512, 512};
+  level.spawns = {large};
+  Steps alone(level);
+  alone.step();
+  EXPECT_FALSE(alone.cut_short(1));
+  level.spawns.assign(8000, large);
+  level.tuning.article.balls_block = 0;
+  Steps many(level);
+  many.step();
+  EXPECT_TRUE(many.cut_short(1));
+}
+
 TEST(StepWork, IsTold) {
   Level level = level_of({"..........", "..........", "##########"});
   level.tuning.solver = SolverKind::exact;
