@@ -113,6 +113,44 @@ TEST_F(WriteFaults, OfSavingALevel) {
        .again = [&] { return save() && saved_tile() == 2; }});
 }
 
+// The cart and its companion are two files: where every call fails, what was begun cannot be taken back, and
+// what the companion gained may be there already.
+TEST_F(WriteFaults, OfSavingACartAndWhatItCannotHold) {
+  std::unique_ptr<Session> session;
+  const auto with_bodies = [](std::uint8_t tile, std::size_t count) {
+    Level level = painted(tile);
+    for (std::size_t i = 0; i < count; ++i)
+      level.spawns.push_back({"", {16.0 * static_cast<double>(i), 8}, {}, ""});
+    return level;
+  };
+  const auto save = [&] {
+    session->apply(action::SaveFile{});
+    if (session->question()) session->apply(action::AnswerQuestion{action::Answer::cancel});
+    return !session->modified();
+  };
+  const auto saved = [&]() -> std::pair<int, std::size_t> {
+    const auto level = load_level(path("a.tic"));
+    return level ? std::pair<int, std::size_t>(tile_in(level->level), level->level.spawns.size())
+                 : std::pair<int, std::size_t>(-1, 0);
+  };
+  fail_each_call({.prepare =
+                      [&] {
+                        ASSERT_TRUE(save_level(with_bodies(1, 1), *find_format("tic"), path("a.tic")));
+                        session = std::make_unique<Session>();
+                        session->apply(action::OpenFile{path("a.tic")});
+                        const auto changed = std::make_shared<const Level>(with_bodies(2, 2));
+                        session->apply(action::EditLevel{replace_by(session->level(), changed, "Change")});
+                      },
+                  .work = save,
+                  .is_kept =
+                      [&](bool well) {
+                        const auto [tile, bodies] = saved();
+                        if (well) return tile == 2 && bodies == 2;
+                        return tile == 1 && bodies >= 1 && tells_error(*session);
+                      },
+                  .again = [&] { return save() && saved() == std::pair<int, std::size_t>(2, 2); }});
+}
+
 TEST_F(WriteFaults, OfSavingByItself) {
   std::unique_ptr<Session> session;
   std::unique_ptr<Autosave> autosave;
