@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "formats/atomic_file.h"
-#include "formats/companion.h"
 #include "formats/real_path.h"
 #include "output_file.h"
 #include "platform/asset_path.h"
@@ -84,9 +83,7 @@ std::string problem_of_file(const ExportOrder& order, const ExportPlan& plan, st
   const PlannedFile& file = plan.files[index];
   const ExportedFile& content = plan.content.files[index];
   const bool was_typed = content.name.empty() && !order.is_of_level;
-  if (was_typed)
-    return output_problem(
-        {file.path, content.bytes, {order.input, companion_path(order.input)}, /*may_be_unknown=*/true});
+  if (was_typed) return output_problem({file.path, content.bytes, {order.input}, /*may_be_unknown=*/true});
   if (is_same_file(file.path, order.input))
     return "is the level itself, and the export has a file of this name: name another place";
   if (file.place != Place::other || content.is_starter || may_replace ||

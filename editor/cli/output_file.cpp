@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "formats/atomic_file.h"
+#include "formats/companion.h"
 #include "formats/png_picture.h"
 #include "formats/real_path.h"
 #include "formats/recording.h"
@@ -16,6 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string_view first_line(std::string_view bytes) { return bytes.substr(0, bytes.find('\n')); }
+
+// With the companion of a cart, and the cart of a companion.
+bool reads(const std::string& input, const std::string& output) {
+  return !input.empty() && (is_same_file(output, input) || is_same_file(output, companion_path(input)) ||
+                            is_same_file(output, level_path(input)));
+}
 
 bool is_of_kind(std::string_view old_bytes, std::string_view new_bytes) {
   const std::string_view kind = content_kind(new_bytes);
@@ -42,7 +49,7 @@ std::string_view content_kind(std::string_view bytes) {
 std::string output_problem(const OutputFile& output) {
   if (output.path == "-") return "";
   for (const std::string& input : output.inputs) {
-    if (!input.empty() && is_same_file(output.path, input))
+    if (reads(input, output.path))
       return "is what this command reads, and would be written over: name another file";
   }
   std::error_code ignored;

@@ -121,6 +121,16 @@ TEST_F(CliCompanions, AreNotWrittenOver) {
     EXPECT_EQ(answer.status, 1);
     EXPECT_THAT(answer.err, HasSubstr("is the place of what game.tic beside it cannot hold"));
   }
+  // Nor by what reads them, under whichever name.
+  const std::string cart = bytes_of("game.tic");
+  for (const char* input : {"game.tic", "game.tic.talus.json"}) {
+    for (const char* output : {"game.tic", "game.tic.talus.json"}) {
+      const CliAnswer answer = run("sim", input, {"--frames", "1", "--trace", path(output)});
+      EXPECT_EQ(answer.status, 1);
+      EXPECT_THAT(answer.err, HasSubstr("is what this command reads"));
+    }
+  }
+  EXPECT_EQ(bytes_of("game.tic"), cart);
   EXPECT_EQ(bytes_of("game.tic.talus.json"), before);
 }
 
