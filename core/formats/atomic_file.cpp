@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "file_lock.h"
+#include "held_file.h"
 
 namespace talus {
 namespace {

@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "formats/atomic_file.h"
-#include "formats/file_lock.h"
+#include "formats/held_file.h"
 #include "formats/json_text.h"
 #include "formats/last_catch.h"
 #include "formats/recording.h"

@@ -36,7 +36,7 @@ class Kills : public FolderTest {
 
   // What the editor does, quickly; until it is killed.
   [[noreturn]] void work(int says) const {
-    Session session(Level(), "", kUnnamed, ExportTools{{}, path("state/exports")});
+    Session session(Level(), "", kUnnamed, ExportTools{.read_asset = {}, .record = path("state/exports")});
     Autosave autosave(path("autosave"));
     session.apply(action::OpenFile{level_file()});
     double now = 0;
@@ -49,6 +49,7 @@ class Kills : public FolderTest {
       if (i % 8 == 2) session.apply(action::RunExports{});
       if (i % 8 == 4 && !save_settings(default_settings(), path("config/settings.json"))) ::_exit(5);
       session.advance(1.0 / 60);
+      if (session.question()) session.apply(action::AnswerQuestion{action::Answer::allow});
     }
   }
   // Starts the editor and kills it so many µs after its first stroke is saved by itself.

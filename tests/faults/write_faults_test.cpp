@@ -239,16 +239,21 @@ class ExportFaults : public WriteFaults {
     Level level = painted(tile);
     level.exports = {{.name = "map", .exporter = "tmj", .path = "out/map.tmj", .extra = {}}};
     ASSERT_TRUE(save_level(level, *find_format("native"), path("a.talus.json")));
-    session_ = std::make_unique<Session>(Level(), "", kUnnamed, ExportTools{{}, path("state/exports")});
+    const ExportTools tools{
+        .read_asset = {}, .record = path("state/exports"), .permissions = path("state/permissions")};
+    session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
     session_->apply(action::OpenFile{path("a.talus.json")});
   }
-  // True when all was written and nothing else had to be told. What it asks is answered, twice at most.
+  // True when all was written and nothing else had to be told. What it asks is answered, at most
+  // three times.
   bool run() {
     if (session_->question()) session_->apply(action::AnswerQuestion{action::Answer::cancel});
     session_->apply(action::RunExports{});
     wait();
-    for (int i = 0; i < 2 && session_->question(); ++i) {
-      session_->apply(action::AnswerQuestion{action::Answer::replace});
+    for (int i = 0; i < 3 && session_->question(); ++i) {
+      const bool asks_to_allow = session_->question()->kind == Question::Kind::allow_exports;
+      session_->apply(
+          action::AnswerQuestion{asks_to_allow ? action::Answer::allow : action::Answer::replace});
       wait();
     }
     return !session_->question() && session_->message() && !session_->message()->is_error;

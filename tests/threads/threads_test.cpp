@@ -21,8 +21,8 @@ class Threads : public FolderTest {
     level.spawns.push_back({"", {16, 8}, {}, ""});
     level.exports = {{.name = "map", .exporter = "tmj", .path = "a.tmj", .extra = {}},
                      {.name = "lua", .exporter = "lua", .path = "a.lua", .extra = {}}};
-    auto session =
-        std::make_unique<Session>(std::move(level), "", kUnnamed, ExportTools{{}, path("exports")});
+    auto session = std::make_unique<Session>(std::move(level), "", kUnnamed,
+                                             ExportTools{.read_asset = {}, .record = path("exports")});
     session->apply(action::SaveFileAs{path("a.talus.json")});
     return session;
   }
@@ -49,6 +49,7 @@ TEST_F(Threads, CompileExportAndSaveByThemselvesWhileTheLevelIsPaintedOn) {
     if (i % 5 == 0) session->apply(action::StepFrame{});
     autosave.follow(*session, now);
     session->advance(1.0 / 60);
+    if (session->question()) session->apply(action::AnswerQuestion{action::Answer::allow});
     ::usleep(500);
   }
   paint(*session, 100);
@@ -56,7 +57,9 @@ TEST_F(Threads, CompileExportAndSaveByThemselvesWhileTheLevelIsPaintedOn) {
   while (session->exporting().is_busy() || session->compile_progress()) {
     ::usleep(500);
     session->advance(0);
+    if (session->question()) session->apply(action::AnswerQuestion{action::Answer::allow});
   }
+  EXPECT_TRUE(exists("a.tmj"));
   EXPECT_TRUE(session->scene() == compile_scene(session->level()));
 }
 

@@ -1,5 +1,5 @@
 // By flock, which belongs to an open file rather than to a process: two threads are told apart, too.
-#include "file_lock.h"
+#include "held_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
