@@ -143,7 +143,8 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   std::optional<Answer> answer;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (input_text("name", "name of the file, or a path", name_)) overwrite_.clear();
+  if (input_text("name", "name of the file, or a path", name_, ImGuiInputTextFlags_AutoSelectAll))
+    overwrite_.clear();
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
   const bool goes_through_list = ImGui::IsItemActive() || !ImGui::GetIO().NavVisible;
   if (goes_through_list && key_pressed(ImGuiKey_DownArrow)) move_choice(1);

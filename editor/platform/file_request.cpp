@@ -21,6 +21,16 @@ std::vector<std::string> level_endings(bool to_save) {
   return endings;
 }
 
+// The ending of a level's file as a format knows it: a name without one stays in the format.
+std::string ending_of(const std::string& path) {
+  const Format* format = path.empty() ? nullptr : format_for_file(path);
+  if (format != nullptr && format->write != nullptr) {
+    for (const std::string_view ending : format->extensions)
+      if (path.ends_with("." + std::string(ending))) return std::string(ending);
+  }
+  return "talus.json";
+}
+
 // "demo.talus.json" gives "demo" + `ending`, in the same folder.
 std::string named_like(const Session& session, const std::string& ending) {
   const fs::path path(session.path().empty() ? session.file_name() : session.path());
@@ -62,9 +72,9 @@ FileRequest open_level(const Session& session, const View& view) {
 // What came from a cart that cannot be written, such as a PNG, is proposed as one that can.
 FileRequest save_level_as(const Session& session) {
   const bool is_cart = session.path().empty() && session.level().cart != nullptr;
-  return {FileDialog::save_as, Purpose::saves,
-          "Save the level as", is_cart ? named_like(session, ".tic") : session.path(),
-          level_endings(true), ".talus.json"};
+  const std::string near = is_cart ? named_like(session, ".tic") : session.path();
+  return {FileDialog::save_as, Purpose::saves,       "Save the level as", near,
+          level_endings(true), "." + ending_of(near)};
 }
 
 }  // namespace

@@ -281,4 +281,24 @@ TEST_F(UiFile, DamagedSettingsAreIgnoredWithAMessage) {
   EXPECT_EQ(tile_at({5, 10}), 2) << "the level is open all the same";
 }
 
+TEST_F(UiFile, WhatIsTypedReplacesTheNameThatSaveAsProposes) {
+  change_the_level();
+  key(ctrl_shift('s'));
+  push_typing("first");
+  key(kEnter);
+  frames(3);
+  EXPECT_EQ(session().file_name(), "first.talus.json");
+  EXPECT_EQ(read(path("first.talus.json")).map.at({12, 9}), 1);
+}
+
+TEST_F(UiFile, ANameWithoutAnEndingStaysInTheFormatOfTheLevel) {
+  start(save_test_level("game.tic"));
+  change_the_level();
+  key(ctrl_shift('s'));
+  push_typing("other");
+  key(kEnter);
+  frames(3);
+  EXPECT_EQ(session().file_name(), "other.tic");
+}
+
 }  // namespace talus::file_test
