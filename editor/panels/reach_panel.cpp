@@ -67,10 +67,17 @@ void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void ReachPanel::draw_way(const Session& session, Actions& actions, Ui& ui) {
   const ReachSearch& found = *session.reach().found();
-  const auto& pointed = ui.view.hover.cell;
-  if (pointed && found.reached(*pointed)) cell_ = pointed;
+  // On the mouse's way here the last cell would be one at the canvas's edge: what was clicked stays.
+  const auto& pointed = ui.view.hover_before.cell;
+  const auto& clicked = ui.view.debugger.clicked_cell;
+  if (clicked != clicked_ && clicked && found.reached(*clicked)) chosen_ = clicked;
+  clicked_ = clicked;
+  if (pointed && found.reached(*pointed))
+    cell_ = pointed;
+  else if (chosen_ && !pointed)
+    cell_ = chosen_;
   if (!cell_ || !found.reached(*cell_)) {
-    ui.hint("Point at a marked cell to see how long the way to it is.");
+    ui.hint("Point at a marked cell to see how long the way to it is; a click chooses it.");
     return;
   }
   const std::size_t frames = found.way_to(*cell_).size();

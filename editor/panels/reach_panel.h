@@ -14,7 +14,9 @@ class ReachPanel : public Panel {
  private:
   void draw_way(const Session& session, Actions& actions, Ui& ui);
 
-  std::optional<Cell> cell_;  // the reached one that the mouse was on last
+  std::optional<Cell> cell_;     // the reached one that is told about
+  std::optional<Cell> chosen_;   // the one that was clicked last
+  std::optional<Cell> clicked_;  // on the canvas, when last looked at, reached or not
 };
 
 }  // namespace talus

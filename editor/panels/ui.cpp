@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -61,13 +62,9 @@ void Ui::tooltip(std::string_view help, std::string_view key) {
 void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
   if (ImGui::GetTopMostPopupModal() != nullptr) return;  // a dialog says what it needs to
-  if (rested_on_ != id) {
-    rested_on_ = id;
-    rested_since_ = time;
-  }
-  seen_ = true;
-  tooltip_pending_ = time - rested_since_ < kTooltipDelay;
-  if (tooltip_pending_) return;
+  rests_on_ = id;
+  if (rested_on_ != id) return;  // a control that lies on this one may come
+  if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(320));
@@ -166,13 +163,16 @@ void Ui::same_line_if_fits(float width, float gap) {
 
 UiFrame::UiFrame(Ui& ui) : ui_(ui) {
   ui_.widgets.begin_frame();
-  ui_.seen_ = false;
-  ui_.tooltip_pending_ = false;
-  ui_.view.hover = {};
+  ui_.rests_on_ = 0;
+  ui_.view.hover_before = std::exchange(ui_.view.hover, {});
 }
 
 UiFrame::~UiFrame() {
-  if (!ui_.seen_) ui_.rested_on_ = 0;
+  if (ui_.rested_on_ != ui_.rests_on_) {
+    ui_.rested_on_ = ui_.rests_on_;
+    ui_.rested_since_ = ui_.time;
+  }
+  ui_.tooltip_pending_ = ui_.rested_on_ != 0 && ui_.time - ui_.rested_since_ < kTooltipDelay;
 }
 
 }  // namespace talus

@@ -80,11 +80,11 @@ class Ui {
   void take_focus(std::string_view name, bool enabled);  // for ImGui's last item, if it is wanted there
   void show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key);
   void place_tooltip() const;
-  ImGuiID rested_on_ = 0;
-  double rested_since_ = 0;
+  ImGuiID rested_on_ = 0;    // what the mouse was on at the end of the last frame, if it has help
+  double rested_since_ = 0;  // s
+  ImGuiID rests_on_ = 0;     // the same in this frame: of what overlaps, what was drawn last
   bool tooltip_pending_ = false;
   bool focuses_next_ = false;
-  bool seen_ = false;  // the mouse rests on something with help in this frame
 
   friend class UiFrame;
 };

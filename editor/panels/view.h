@@ -113,7 +113,8 @@ struct View {
   bool fit_map = false;           // show the whole map, or go back
   bool fit_first_screen = false;  // as when the level was opened
   int level_number = 0;           // grows when another file is opened: the canvases start afresh
-  Hover hover;                    // of this frame
+  Hover hover;                    // of this frame, as far as it is drawn
+  Hover hover_before;             // of the whole frame before: for panels that are drawn before the canvas
 
   // Where a search on the map goes on from.
   std::optional<Cell> search_start() const { return marked_cell ? marked_cell : hover.cell; }

@@ -1,5 +1,7 @@
 // The panel of problems: going from one to the next, filtering, and repairing a broken level by its buttons
 // alone. And where a player gets to.
+#include <imgui_internal.h>
+
 #include "harness.h"
 #include "level/lint.h"
 #include "panels/problem_list.h"
@@ -196,6 +198,45 @@ TEST_F(UiProblems, WhereThePlayerGetsTo) {
   frames(2);
   EXPECT_TRUE(session().reach().is_stale());
   EXPECT_NE(find("reach/stale"), nullptr);
+}
+
+TEST_F(UiProblems, FixSaysWhatItWillDo) {
+  start_broken();
+  frames(8);
+  const std::string fix = "problems/fix" + row_of("spawn-in-solid");
+  move(centre("problems/row" + row_of("spawn-in-solid")));
+  frames(60);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  ASSERT_TRUE(tooltip != nullptr && tooltip->Active);
+  const float of_row = tooltip->Size.x;
+  move(centre(fix));
+  frames(60);
+  ASSERT_TRUE(tooltip->Active);
+  EXPECT_GT(tooltip->Size.x, of_row) << "Move spawn ... is longer than the name of the rule";
+  EXPECT_TRUE(session().history().edits().empty());
+}
+
+TEST_F(UiProblems, TheWayToAMarkedCellIsPlayedFromThePanel) {
+  start_broken();
+  key(kKeyF8);
+  click("problems/fix" + row_of("spawn-in-solid"));
+  key(kKeyF12);
+  for (int i = 0; i < 2000 && session().reach().running(); ++i) frames();
+  app().ui().view.dock_open = true;
+  frames(2);
+  click("tabs/reach");
+  frames(2);
+  EXPECT_EQ(find("reach/play_way"), nullptr);
+  move(on_canvas("play", {20 * 8 + 4, 14 * 8 + 4}));
+  frames(2);
+  const std::size_t way = session().reach().found()->way_to({20, 14}).size();
+  ASSERT_GT(way, 0u);
+  ASSERT_NE(find("reach/play_way"), nullptr);
+  click(on_canvas("play",
+                  {20 * 8 + 4, 14 * 8 + 4}));  // so that the way of the mouse to the panel is no other cell
+  move(on_canvas("play", {10 * 8 + 4, 14 * 8 + 4}));
+  click("reach/play_way");
+  EXPECT_EQ(session().state().frame, static_cast<std::int64_t>(way));
 }
 
 }  // namespace talus::problems_test
