@@ -61,10 +61,13 @@ bool ExpressionField::draw(std::string_view name, std::string& text, bool condit
   const bool left = ImGui::IsItemDeactivatedAfterEdit();
   const float edge = ImGui::GetItemRectMin().x;  // what is said of it is below it
   const bool active = ImGui::IsItemActive();
-  ui.item(name,
-          "An expression such as \"vy > 3 && grounded\". Tab completes a name, and goes on where "
-          "there is none; Up and Down go to the other rows.");
+  by_enter_ = confirmed;
   const auto error = text.empty() ? std::nullopt : error_of(text, condition);
+  // What is said of the text is below it, where help would cover it.
+  constexpr std::string_view kHelp =
+      "An expression such as \"vy > 3 && grounded\". Tab completes a name, and goes on where "
+      "there is none; Up and Down go to the other rows.";
+  ui.item(name, error || active ? std::string_view() : kHelp);
   if (error) draw_error(text, *error, ui);
   if (active || open_) draw_candidates(name, edge, text, ui);
   if (error && confirmed) ui.view.wants_text = name;  // so that it can be mended

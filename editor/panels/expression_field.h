@@ -22,6 +22,7 @@ class ExpressionField {
   // Of the last draw():
   FieldWay way() const { return way_; }
   bool is_open() const { return open_; }  // it has the keys, and its candidates are shown
+  bool by_enter() const { return by_enter_; }
 
  private:
   static int on_edit(ImGuiInputTextCallbackData* data);
@@ -30,6 +31,7 @@ class ExpressionField {
 
   std::size_t cursor_ = 0;
   FieldWay way_ = FieldWay::none;
+  bool by_enter_ = false;
   bool open_ = false;  // the field had the keys in the last frame: the candidates are shown
 };
 

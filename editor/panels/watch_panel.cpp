@@ -62,6 +62,7 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
       !new_text_.empty()) {
     actions.push_back(action::SetWatch{next, {new_text_, 0}});
     new_text_.clear();
+    if (new_field_.by_enter()) ui.view.wants_text = "watch/new";  // for the next one
   }
   if (new_field_.way() == FieldWay::down && next > 0) ui.view.wants_text = text_name(0);
   ui.end_row();
@@ -108,6 +109,8 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
   if (row.shown != entry.watch.text) row.text = row.shown = entry.watch.text;
   const bool entered =
       row.field.draw(text_name(index), row.text, false, ui.px(kTextWidth - 34), "Enter removes it", ui);
+  if (row.field.by_enter() && ui.view.wants_text.empty())  // what is typed next is no command
+    ui.view.wants_text = row.text.empty() ? "watch/new" : text_name(index);
   if (entered && row.text.empty()) {
     actions.push_back(action::RemoveWatch{index});
   } else if (entered && row.text != entry.watch.text) {

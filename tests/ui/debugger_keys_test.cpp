@@ -1,4 +1,6 @@
 // The debugger without a mouse: branches, the input roll, breakpoints, watches and comparison by keys alone.
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "debugger_harness.h"
@@ -237,6 +239,36 @@ TEST_F(UiDebuggerKeys, ACaseTellsThatItsOwnInputPlays) {
   EXPECT_EQ(case_note(session()), "The case holds Right; your keys are added");
   session().apply(action::HoldKeys{.left = true, .right = false, .jump = false});
   EXPECT_EQ(case_note(session()), "The case holds Right, you the opposite: together they go nowhere");
+}
+
+TEST_F(UiDebuggerKeys, AfterEnterAFieldOfPlotsKeepsTheKeys) {
+  key(ctrl(kKeyF8));
+  frames(3);
+  const MapTool tool = session().choices().map_tool;
+  const std::size_t edits = session().history().edits().size();
+  push_typing("vx");
+  push_stroke(kEnter);
+  push_typing("vy");
+  push_stroke(kEnter);
+  frames(20);
+  ASSERT_EQ(watches().size(), 2u);
+  EXPECT_EQ(watches()[1].watch.text, "vy");
+  push_typing("ghc90");  // of which each would be a command
+  frames(10);
+  EXPECT_EQ(session().choices().map_tool, tool);
+  EXPECT_EQ(session().history().edits().size(), edits);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+}
+
+TEST_F(UiDebuggerKeys, NoHelpCoversTheErrorOfAnExpression) {
+  key(ctrl(kKeyF8));
+  frames(3);
+  push_typing("vx +");
+  frames(4);
+  move(centre("watch/new"));
+  frames(90);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active);
 }
 
 }  // namespace talus::debugger_keys_test
