@@ -2,6 +2,7 @@
 #include "command_palette_panel.h"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "command_search.h"
@@ -13,17 +14,22 @@ namespace {
 struct PaletteMatch {
   const Command* command;
   int score;
+  bool enabled;
 };
 
-// Every command that fits, the best first; without letters in the order of the table.
-std::vector<PaletteMatch> palette_matches(std::string_view typed) {
+// Every command that fits, the best first, and those that can be run before others that fit in the same way;
+// without letters in the order of the table.
+std::vector<PaletteMatch> palette_matches(std::string_view typed, const Session& session, const Ui& ui) {
   std::vector<PaletteMatch> found;
   for (const Command& command : commands()) {
-    if (const auto score = command_score(command, typed)) found.push_back({&command, *score});
+    if (const auto score = command_score(command, typed))
+      found.push_back({&command, typed.empty() ? 0 : *score, command.is_enabled(session, ui)});
   }
-  if (!typed.empty())
-    std::stable_sort(found.begin(), found.end(),
-                     [](const PaletteMatch& a, const PaletteMatch& b) { return a.score > b.score; });
+  // What fits in another way does not come before what fits well, so that Enter runs nothing unexpected.
+  std::stable_sort(found.begin(), found.end(), [](const PaletteMatch& a, const PaletteMatch& b) {
+    const int rank_a = rank_of_score(a.score), rank_b = rank_of_score(b.score);
+    return std::tuple(-rank_a, !a.enabled, -a.score) < std::tuple(-rank_b, !b.enabled, -b.score);
+  });
   return found;
 }
 
@@ -45,7 +51,7 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
 }
 
 void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
-  const std::vector<PaletteMatch> found = palette_matches(typed_);
+  const std::vector<PaletteMatch> found = palette_matches(typed_, session, ui);
   const int last = static_cast<int>(found.size()) - 1, before = chosen_;
   if (key_pressed(ImGuiKey_DownArrow)) ++chosen_;
   if (key_pressed(ImGuiKey_UpArrow)) --chosen_;

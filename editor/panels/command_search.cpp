@@ -42,6 +42,10 @@ bool has_words(std::string_view text, std::string_view typed) {
 
 }  // namespace
 
+int rank_of_score(int score) {
+  return score >= kLabelWordScore ? 2 : score > kWordScore ? 1 : score > kHelpScore ? 0 : -1;
+}
+
 std::optional<int> command_score(const Command& command, std::string_view typed) {
   if (const auto score = fuzzy_score(command.label, typed))
     return *score + (has_words(command.label, typed) ? kLabelWordScore : 0);

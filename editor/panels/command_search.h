@@ -12,4 +12,7 @@ namespace talus {
 // words, or, as the worst, of its help. The larger the better. Nothing when it does not fit.
 std::optional<int> command_score(const Command& command, std::string_view typed);
 
+// In which of these ways a command fits, by its score; the larger the better.
+int rank_of_score(int score);
+
 }  // namespace talus

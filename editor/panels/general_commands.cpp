@@ -108,6 +108,7 @@ std::vector<Command> view_commands() {
               "Puts every panel back to its first size, and shows map and play view.",
               [](S, A, U ui) {
                 ui.view.layout = Layout{};
+                ui.view.pixels.enlarged = false;
                 ui.view.canvas = CanvasMode::both;
               }),
       command("help/commands", ctrl('p'), "Find a command...", "Lists every command; type to find one.",

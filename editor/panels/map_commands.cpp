@@ -222,7 +222,7 @@ std::vector<Command> whole_map_commands() {
           command("map/find_previous", shift('n'), "Previous such tile",
                   "Shows the cell before with the tile that is looked for, or else with the chosen one.",
                   find_next_tile<FindDirection::previous>)),
-      also_called("dimensions width height crop extend shift",
+      also_called("resize map dimensions width height crop extend shift larger smaller",
                   command("map/resize", ctrl('e'), "Size of the map...",
                           "Makes the map larger or smaller, or shifts everything on it.",
                           [](S, A, U ui) { ui.view.resize_open = true; })),

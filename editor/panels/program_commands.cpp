@@ -1,4 +1,8 @@
 // The commands about the program itself: settings, layouts, other programs.
+#include <algorithm>
+#include <array>
+#include <optional>
+
 #include "command_table.h"
 
 namespace talus {
@@ -53,6 +57,29 @@ bool has_window(S, const Ui& ui) {
   return ui.view.program.*window;
 }
 
+// From the size that is shown, which may be the automatic one.
+constexpr std::array<double, 5> kTextSizes = {1, 1.25, 1.5, 2, 3};
+enum class TextStep { smaller, larger };
+
+template <TextStep step>
+std::optional<double> next_text_size(const Ui& ui) {
+  const double now = ui.scale;
+  if (step == TextStep::larger) {
+    const auto next = std::upper_bound(kTextSizes.begin(), kTextSizes.end(), now);
+    return next == kTextSizes.end() ? std::nullopt : std::optional(*next);
+  }
+  const auto next = std::lower_bound(kTextSizes.begin(), kTextSizes.end(), now);
+  return next == kTextSizes.begin() ? std::nullopt : std::optional(*(next - 1));
+}
+template <TextStep step>
+void step_text(S, A, U ui) {
+  if (const auto size = next_text_size<step>(ui)) ui.view.ui_scale = *size;
+}
+template <TextStep step>
+bool can_step_text(S, const Ui& ui) {
+  return next_text_size<step>(ui).has_value();
+}
+
 std::vector<Command> settings_commands() {
   return {
       also_called(
@@ -62,6 +89,12 @@ std::vector<Command> settings_commands() {
       also_called("shortcuts bindings rebind hotkeys keyboard",
                   command("edit/keys", ctrl_shift('k'), "Change keys...", "Gives commands other keys.",
                           [](S, A, U ui) { ui.view.program.keys_open = true; })),
+      also_called("size of text scale zoom font bigger interface controls",
+                  command("view/larger_text", {}, "Larger text", "Makes text and controls larger.",
+                          step_text<TextStep::larger>, can_step_text<TextStep::larger>)),
+      also_called("size of text scale zoom font interface controls",
+                  command("view/smaller_text", {}, "Smaller text", "Makes text and controls smaller.",
+                          step_text<TextStep::smaller>, can_step_text<TextStep::smaller>)),
       toggle(
           "view/light_theme", ctrl_shift('h'), "Light theme",
           "Dark text on light panels; art stays on dark ground.",

@@ -1,6 +1,7 @@
 // A row for every tuning field, by group.
 #include "tuning_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -56,7 +57,9 @@ void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!ImGui::BeginTable("tuning", 4, kFlags, ImGui::GetContentRegionAvail())) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(92));
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ui.px(60));
+  float unit = 0;
+  for (const TuningField& field : tuning_fields()) unit = std::max(unit, size_of_text(field.unit).x);
+  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, unit);
   ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ui.px(48));
   const TuningField* before = nullptr;
   for (const TuningField& field : tuning_fields()) {
@@ -95,6 +98,7 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
   ImGui::TableNextColumn();
   ui.heading(field.unit);
+  if (!field.unit.empty()) ui.item("tuning/unit_" + key);
   ImGui::TableNextColumn();
   const double standard = field.standard();
   if (field.of(session.level().tuning) == standard) return;

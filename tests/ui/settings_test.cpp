@@ -315,4 +315,60 @@ TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
   EXPECT_LT(app().ui().view.program.metrics.median_ms(), 40);
 }
 
+TEST_F(UiSettings, TheSizeOfTextIsFoundByItsWords) {
+  for (const char* typed : {"size of text", "larger text", "zoom text"}) {
+    key(ctrl('p'));
+    frames(3);
+    type(typed);
+    EXPECT_NE(find("command_palette/view/larger_text"), nullptr) << typed;
+    key(kEscKey);
+    frames(3);
+  }
+  key(ctrl('p'));
+  frames(3);
+  type("resize map");
+  EXPECT_NE(find("command_palette/map/resize"), nullptr);
+  key(kEscKey);
+  frames(3);
+  const float before = app().ui().scale;
+  key(ctrl('p'));
+  frames(3);
+  type("larger text");
+  key(kEnterKey);
+  frames(4);
+  EXPECT_GT(app().ui().view.ui_scale, before);
+}
+
+TEST_F(UiSettings, WhatCannotBeDoneNowComesAfterWhatCan) {
+  key(ctrl('p'));
+  frames(3);
+  type("map");
+  std::vector<const Widget*> rows;
+  for (const Widget& widget : app().ui().widgets.all())
+    if (widget.name.starts_with("command_palette/") && widget.name != "command_palette/text")
+      rows.push_back(&widget);
+  ASSERT_GT(rows.size(), 3u);
+  EXPECT_TRUE(rows.front()->enabled);
+}
+
+TEST_F(UiSettings, ResettingTheLayoutPutsThePixelsBack) {
+  app().ui().view.pixels.enlarged = true;
+  frames(2);
+  key(ctrl('0'));
+  frames(2);
+  EXPECT_FALSE(app().ui().view.pixels.enlarged);
+}
+
+TEST_F(UiSettings, UnitsOfTheTuningAreNotCut) {
+  click("tabs/tuning");
+  frames(3);
+  int units = 0;
+  for (const Widget& widget : app().ui().widgets.all()) {
+    if (!widget.name.starts_with("tuning/unit_")) continue;
+    ++units;
+    EXPECT_LE(widget.max.x, widget.clip_max.x + 1) << widget.name;
+  }
+  EXPECT_GT(units, 3);
+}
+
 }  // namespace talus::settings_test
