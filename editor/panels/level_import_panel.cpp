@@ -8,6 +8,7 @@
 
 #include "dialog.h"
 #include "long_list.h"
+#include "reading_panel.h"
 
 namespace talus {
 namespace {
@@ -42,7 +43,7 @@ std::string layer_label(const TiledLayerName& layer) {
 }  // namespace
 
 void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!begin_dialog("What to open", session.level_import().has_value(), {0, 0}, ui)) return;
+  if (!begin_dialog("What to open", session.level_import() && !shows_reading(session), {0, 0}, ui)) return;
   if (const auto& import = session.level_import()) {
     ui.heading(shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel) +
                " holds more than a level can");

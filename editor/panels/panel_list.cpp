@@ -25,6 +25,7 @@
 #include "problems_panel.h"
 #include "question_panel.h"
 #include "reach_panel.h"
+#include "reading_panel.h"
 #include "resize_panel.h"
 #include "settings_panel.h"
 #include "shape_panel.h"
@@ -82,6 +83,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<CommandPalettePanel>(Region::floating));
   panels.push_back(place<PictureImportPanel>(Region::floating));
   panels.push_back(place<LevelImportPanel>(Region::floating));
+  panels.push_back(place<ReadingPanel>(Region::floating));
   panels.push_back(place<QuestionPanel>(Region::floating));
   panels.push_back(place<MessagePanel>(Region::floating));
   return panels;

@@ -18,6 +18,7 @@
 #include "formats/utf8_text.h"
 #include "panels/commands.h"
 #include "panels/dialog.h"
+#include "panels/reading_panel.h"
 #include "picture.h"
 #include "sdl_keys.h"
 #include "user_folder.h"
@@ -258,8 +259,8 @@ bool App::wait() {
   const bool busy = session_->playback().running || session_->timeline().behind() ||
                     session_->debugger().is_busy() || session_->compile_progress().has_value() ||
                     session_->is_linting() || session_->reach().running() ||
-                    session_->exporting().is_busy() || ui_.wants_frames() || has_waiting_events() ||
-                    last_time_ - last_event_ < kLivelyAfterEvent;
+                    session_->exporting().is_busy() || session_->reading() || ui_.wants_frames() ||
+                    has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent;
   const double now = options_.clock();
   if (busy) {
     const double spent = (now - last_time_) * 1000;
@@ -319,12 +320,17 @@ void App::draw(Actions& actions) {
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
 void App::hold_presses_while_dialogs_change() {
-  const std::array<bool, 10> wanted = {
-      ui_.view.dialog != FileDialog::none,  session_->wants_save_as(),
-      session_->wants_save_recording(),     session_->question().has_value(),
-      ui_.view.command_palette_open,        ui_.view.program.keys_open,
-      ui_.view.program.recovery_open,       session_->png_import().has_value(),
-      session_->level_import().has_value(), ui_.view.resize_open};
+  const std::array<bool, 11> wanted = {ui_.view.dialog != FileDialog::none,
+                                       session_->wants_save_as(),
+                                       session_->wants_save_recording(),
+                                       session_->question().has_value(),
+                                       ui_.view.command_palette_open,
+                                       ui_.view.program.keys_open,
+                                       ui_.view.program.recovery_open,
+                                       session_->png_import().has_value(),
+                                       session_->level_import().has_value(),
+                                       ui_.view.resize_open,
+                                       shows_reading(*session_)};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kFramesOfADialogsChange;
   else if (frames_to_hold_ > 0)
@@ -344,7 +350,9 @@ void App::hold_presses_until_a_field_has_the_keys() {
 }
 
 void App::handle_events() {
-  events_.begin_frame(frames_to_hold_ > 0);
+  // What is pressed while a file is read waits for it, or for the dialog that tells how far it is.
+  const bool waits_for_file = session_->reading() && !shows_reading(*session_);
+  events_.begin_frame(frames_to_hold_ > 0 || waits_for_file);
   SDL_Event event;
   while (events_.next(event)) {
     Actions actions;

@@ -99,7 +99,7 @@ class App {
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::array<bool, 10> wanted_dialogs_{};  // one for each dialog, when last looked at
+  std::array<bool, 11> wanted_dialogs_{};  // one for each dialog, when last looked at
   std::string wanted_field_;               // that was to get the keys when last looked at
   int frames_of_wanted_field_ = 0;         // in which it may still come
   int frames_to_hold_ = 0;                 // in which presses wait

@@ -97,6 +97,7 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   auto app = App::start(std::move(start));
   if (!app) return tl::unexpected(app.error());
   Session& session = (*app)->session();
+  session.finish_reading();
   session.apply(action::Pause{});
   for (const OverlayInfo& info : overlay_infos())
     session.apply(action::SetOverlay{info.id, options.overlays.has(info.id)});

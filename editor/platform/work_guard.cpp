@@ -35,6 +35,7 @@ bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
 }
 
 bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
+  if (recovering_ && !session.reading()) finish_recovery(session, view);
   const bool changed = save_by_itself(session, view, now);
   if (now < next_look_) return changed;
   next_look_ = now + kFileInterval;
@@ -71,12 +72,20 @@ void WorkGuard::draw(Session& session, Ui& ui) {
   }
 }
 
-// The old file goes once the level is in this process's own.
 void WorkGuard::recover(std::size_t index, Session& session, View& view) {
-  const SavedWork work = works_[index];
-  session.apply(action::RecoverLevel{work.level, work.path, work.name, work.recordings});
+  recovering_ = works_[index];
+  recoveries_ = session.recoveries();
   drop(index);
   view.program.recovery_open = false;
+  session.apply(action::RecoverLevel{recovering_->level, recovering_->path, recovering_->name,
+                                     recovering_->recordings});
+  if (!session.reading()) finish_recovery(session, view);
+}
+
+// The old file goes once the level is in this process's own; where reading was cancelled, it stays.
+void WorkGuard::finish_recovery(Session& session, View& view) {
+  const SavedWork work = *std::exchange(recovering_, std::nullopt);
+  if (session.recoveries() == recoveries_) return;
   const auto saved = autosave_.save_now(session);
   view.program.autosave_problem = autosave_.problem().value_or("");
   if (!saved)

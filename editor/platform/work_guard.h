@@ -2,6 +2,8 @@
 // whether other programs change the level's file.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "autosave.h"
@@ -29,15 +31,18 @@ class WorkGuard {
  private:
   bool save_by_itself(Session& session, View& view, double now);
   void recover(std::size_t index, Session& session, View& view);
+  void finish_recovery(Session& session, View& view);
   void drop(std::size_t index) { works_.erase(works_.begin() + static_cast<std::ptrdiff_t>(index)); }
 
   Autosave autosave_;
   RecoveryDialog dialog_;
-  std::vector<SavedWork> works_;  // offered
-  std::string told_;              // about the autosave's problem
-  bool was_open_ = false;         // the dialog, when last looked at
-  double next_look_ = 0;          // s, at the file
-  int looks_ = 0;                 // at it so far
+  std::vector<SavedWork> works_;         // offered
+  std::optional<SavedWork> recovering_;  // while its level's file is read
+  int recoveries_ = 0;                   // of the session, before that
+  std::string told_;                     // about the autosave's problem
+  bool was_open_ = false;                // the dialog, when last looked at
+  double next_look_ = 0;                 // s, at the file
+  int looks_ = 0;                        // at it so far
 };
 
 }  // namespace talus

@@ -27,6 +27,7 @@ template void Actions::push_back(action::NewLevel);
 template void Actions::push_back(action::OpenFile);
 template void Actions::push_back(action::SaveRecording);
 template void Actions::push_back(action::SaveFile);
+template void Actions::push_back(action::CancelReading);
 template void Actions::push_back(action::SaveFileAs);
 template void Actions::push_back(action::ExportPng);
 template void Actions::push_back(action::SetExportPath);

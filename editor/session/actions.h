@@ -72,7 +72,8 @@ struct Redo {};
 // --- files. What would lose unsaved changes is asked about first: see Session::question().
 struct NewLevel {};
 // A level, or a recording with its level; a PNG without a cart in it as OpenPng. Where there is something to
-// choose of it first: see Session::level_import().
+// choose of it first: see Session::level_import(). What takes long is read beside the editor: see
+// Session::reading().
 struct OpenFile {
   std::string path;
   bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
@@ -144,6 +145,7 @@ struct ShowMessage {  // for what panels and the platform find out
   bool is_error = false;
 };
 struct DismissMessage {};
+struct CancelReading {};  // of what Session::reading() tells; the level stays as it is
 
 // --- play
 struct Play {};
@@ -334,12 +336,12 @@ using Action = std::variant<
     action::RunExports, action::CancelExport, action::OpenPng, action::SetPngImport, action::ApplyPngImport,
     action::CancelPngImport, action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
     action::Quit, action::AnswerQuestion, action::CancelSaveAs, action::RecoverLevel, action::CheckFile,
-    action::ShowMessage, action::DismissMessage, action::Play, action::Pause, action::TogglePlay,
-    action::StepFrame, action::ResetPlay, action::SetSpeed, action::HoldMouse, action::HoldKeys,
-    action::StepBack, action::SeekStart, action::SeekEnd, action::SeekFrame, action::SetMark,
-    action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch, action::DropBranch,
-    action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule, action::Rerun,
-    action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
+    action::ShowMessage, action::DismissMessage, action::CancelReading, action::Play, action::Pause,
+    action::TogglePlay, action::StepFrame, action::ResetPlay, action::SetSpeed, action::HoldMouse,
+    action::HoldKeys, action::StepBack, action::SeekStart, action::SeekEnd, action::SeekFrame,
+    action::SetMark, action::RemoveMark, action::JumpToMark, action::TakeOver, action::SwitchBranch,
+    action::DropBranch, action::CompareBranch, action::SetInput, action::SetMouse, action::SetEditRule,
+    action::Rerun, action::CancelRerun, action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
     action::FindParting, action::SetParting, action::CancelSearch, action::SetWatch, action::RemoveWatch,
     action::CompareVariant, action::SelectBody, action::SelectSpawn, action::SelectCurve,
     action::SetCurveKind, action::SelectTiles, action::SetStamp, action::SetRandomStamp, action::SelectCells,

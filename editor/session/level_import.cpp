@@ -5,7 +5,7 @@
 
 namespace talus {
 
-LevelImport first_level_import(const std::string& path) {
+LevelImport first_level_import(const std::string& path, const Progress& progress) {
   LevelImport import{path, tiled_layers_of_file(path), {}, tl::unexpected(FormatError{})};
   if (import.layers.size() > 1) {
     const auto fullest =
@@ -13,10 +13,10 @@ LevelImport first_level_import(const std::string& path) {
                          [](const TiledLayerName& a, const TiledLayerName& b) { return a.cells < b.cells; });
     import.choices.layer_number = static_cast<int>(fullest - import.layers.begin()) + 1;
   }
-  import.plan = load_level(path, import.choices);
+  import.plan = load_level(path, import.choices, progress.part(0, 0.5));
   if (!import.plan && !import.plan.error().remedy.empty()) {
     import.choices.used_tiles = true;
-    import.plan = load_level(path, import.choices);
+    import.plan = load_level(path, import.choices, progress.part(0.5, 1));
   }
   return import;
 }

@@ -18,6 +18,6 @@ struct LevelImport {
 
 // Of a file that cannot be read without choices. Of several layers the one with the most tiles is chosen, and
 // only the tiles that are used where it cannot be read otherwise, so that it can be opened at once.
-LevelImport first_level_import(const std::string& path);
+LevelImport first_level_import(const std::string& path, const Progress& progress = {});
 
 }  // namespace talus

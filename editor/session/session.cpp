@@ -58,6 +58,7 @@ Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_n
 }
 
 void Session::Impl::carry_out(const action::EditLevel& a) {
+  if (reader.is_busy()) return;
   for (const Change& change : a.edit.changes) {
     if (const auto* presets = std::get_if<ExportsChange>(&change))
       permissions.note_edit(presets->before, presets->after);
@@ -82,7 +83,7 @@ void Session::Impl::edit_level(const Edit& wanted, int stroke) {
 }
 
 void Session::Impl::carry_out(const action::Undo&) {
-  if (!history.can_undo()) return;
+  if (!history.can_undo() || reader.is_busy()) return;
   player.timeline().begin_series();
   history.undo(level);
   const Edit& edit = history.edits()[history.position()];
@@ -93,7 +94,7 @@ void Session::Impl::carry_out(const action::Undo&) {
 }
 
 void Session::Impl::carry_out(const action::Redo&) {
-  if (!history.can_redo()) return;
+  if (!history.can_redo() || reader.is_busy()) return;
   player.timeline().begin_series();
   history.redo(level);
   const Edit& edit = history.edits()[history.position() - 1];
@@ -280,6 +281,9 @@ bool Session::allows_export(std::size_t preset) const {
   return impl_->permissions.allows(level().exports[preset]);
 }
 const FinishedRun* Session::asked_exports() const { return impl_->asked_run ? &*impl_->asked_run : nullptr; }
+std::optional<ReadingProgress> Session::reading() const { return impl_->reader.progress(); }
+void Session::finish_reading() { impl_->reader.wait(); }
+int Session::recoveries() const { return impl_->recoveries; }
 std::optional<double> Session::compile_progress() const {
   return impl_->compiler.is_busy() ? std::optional(impl_->compiler.progress()) : std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "debugger.h"
 #include "edit/undo_stack.h"
 #include "exporting.h"
+#include "file_reader.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
 #include "level/lint.h"
@@ -169,6 +170,12 @@ class Session {
   // How far a large level is compiled that was edited or opened, 0..1; until it is, the simulation goes on as
   // it was before. Nothing: it sees the level as it is.
   std::optional<double> compile_progress() const;
+
+  // A file that is to be opened, recovered or read again, while that takes longer than an instant. Until it
+  // is there, in advance(), the level is as it was, and edits and saving do nothing.
+  std::optional<ReadingProgress> reading() const;
+  void finish_reading();   // waits for it, for those without a window to keep going
+  int recoveries() const;  // how many RecoverLevel have been carried out to their ends
 
   const std::optional<Message>& message() const;       // stays until dismissed or replaced
   const std::optional<Question>& question() const;     // waits for AnswerQuestion

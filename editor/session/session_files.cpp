@@ -1,5 +1,7 @@
 // Session: opening and saving, and the questions that they lead to.
+#include <chrono>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "formats/atomic_file.h"
@@ -52,12 +54,30 @@ std::string known_extensions() {
   return joined(all, ".");
 }
 
+// Pictures that can be taken in have up to 1024x1024 px, and so no more than a few MB.
+bool may_be_picture(const std::string& path) {
+  constexpr std::uintmax_t kMostBytes = 16 << 20;
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return error || size <= kMostBytes;
+}
+
+// How long to wait for a file: what is small is there at once, and of what is large the window goes on.
+std::chrono::milliseconds patience_for(const std::string& path) {
+  constexpr std::uintmax_t kSmall = 256 << 10;  // bytes
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return std::chrono::milliseconds(error || size <= kSmall ? 2000 : 100);
+}
+
 }  // namespace
 
 // A picture is taken into the level that is open, and loses nothing.
 void Session::Impl::carry_out(const action::OpenFile& a) {
-  const auto bytes = read_file(a.path);
-  if (bytes && is_png(*bytes) && !has_tic_cart(*bytes)) return carry_out(action::OpenPng{a.path});
+  if (may_be_picture(a.path)) {
+    const auto bytes = read_file(a.path);
+    if (bytes && is_png(*bytes) && !has_tic_cart(*bytes)) return carry_out(action::OpenPng{a.path});
+  }
   ask_or_go_on(a);
 }
 
@@ -124,6 +144,7 @@ std::string Session::Impl::file_names() const {
 }
 
 void Session::Impl::ask_or_go_on(Losing losing) {
+  cancel_reading();
   question.reset();
   pending.reset();
   wants_save_as = wants_save_recording = false;
@@ -174,26 +195,47 @@ void Session::Impl::go_on(const Losing& losing) {
   }
 }
 
+void Session::Impl::read_beside(const std::string& file, FileReader::Work work) {
+  reader.start(name_of(file), std::move(work), patience_for(file));
+}
+
+// Of a file that another program changed, what is here stays as it is, and differs from the file.
+void Session::Impl::cancel_reading() {
+  reader.cancel();
+  if (!std::exchange(is_reloading, false)) return;
+  stamp = changed_from;
+  history.forget_saved();
+}
+
 void Session::Impl::open(const action::OpenFile& file) {
-  const FormatContext context = context_for_file(file.path);
-  if (const auto bytes = read_file(file.path); bytes && is_recording(*bytes, context))
-    return open_recording(file.path);
-  const auto before = stamp_of_level(file.path);  // what is written while it is read shows later
-  FormatResult<LoadedLevel> loaded = load_level(file.path);
-  if (!loaded && !loaded.error().remedy.empty() && !file.as_copy) {
-    level_import = first_level_import(file.path);
-  } else if (!loaded) {
-    message = Message{to_string(loaded.error(), file.path), true};
-  } else if (file.as_copy) {
-    replace_level(std::move(loaded->level), {}, nullptr);
-    const std::string file_name = std::filesystem::path(file.path).filename().string();
+  read_beside(file.path, [this, file](const Progress& progress) -> FileReader::Finish {
+    auto opened = std::make_shared<OpenedFile>(read_for_opening(file.path, !file.as_copy, progress));
+    return [this, file, opened] { take_opened(file, std::move(*opened)); };
+  });
+}
+
+void Session::Impl::take_opened(const action::OpenFile& file, OpenedFile opened) {
+  if (const auto* error = std::get_if<FormatError>(&opened.content)) {
+    message = Message{to_string(*error, file.path), true};
+    return;
+  }
+  if (auto* import = std::get_if<LevelImport>(&opened.content)) {
+    level_import = std::move(*import);
+    return;
+  }
+  if (const auto* recording = std::get_if<Recording>(&opened.content))
+    return open_recording(file.path, *recording);
+  LoadedLevel& loaded = std::get<LoadedLevel>(opened.content);
+  if (file.as_copy) {
+    replace_level(std::move(loaded.level), {}, nullptr);
+    const std::string file_name = name_of(file.path);
     name = file_name.substr(0, file_name.find('.')) + " (copy)";
-  } else if (loaded->format->write == nullptr) {
-    open_imported(file.path, *std::move(loaded));
+  } else if (loaded.format->write == nullptr) {
+    open_imported(file.path, std::move(loaded));
   } else {
-    replace_level(std::move(loaded->level), loaded->path, loaded->format, std::move(loaded->companion));
-    if (stamp && loaded->path == file.path) stamp = before;
-    if (!loaded->note.empty()) message = Message{with_note("", loaded->note), false};
+    replace_level(std::move(loaded.level), loaded.path, loaded.format, std::move(loaded.companion));
+    if (stamp && loaded.path == file.path) stamp = opened.stamp;
+    if (!loaded.note.empty()) message = Message{with_note("", loaded.note), false};
   }
 }
 
@@ -206,34 +248,41 @@ void Session::Impl::open_imported(const std::string& file, LoadedLevel loaded) {
 void Session::Impl::carry_out(const action::SetLevelImport& a) {
   if (!level_import) return;
   level_import->choices = a.choices;
-  level_import->plan = load_level(level_import->path, a.choices);
+  read_beside(level_import->path, [this, a, path = level_import->path](const Progress& progress) {
+    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_level(path, a.choices, progress));
+    return FileReader::Finish([this, plan] {
+      if (level_import) level_import->plan = std::move(*plan);
+    });
+  });
 }
 
 void Session::Impl::carry_out(const action::ApplyLevelImport&) {
-  if (!level_import || !level_import->plan) return;
+  if (!level_import || !level_import->plan || reader.is_busy()) return;
   LevelImport import = *std::exchange(level_import, std::nullopt);
   open_imported(import.path, *std::move(import.plan));
 }
 
 // The level becomes what it was at the recording's end, so that playing goes on from there as it was played.
-void Session::Impl::open_recording(const std::string& file) {
-  const FormatResult<Recording> recording = load_recording(file);
-  if (!recording) {
-    message = Message{to_string(recording.error(), file), true};
-    return;
-  }
-  Level last = recording->level;
-  if (!recording->edits.empty()) put_version(*recording->edits.back().version, last);
+void Session::Impl::open_recording(const std::string& file, const Recording& recording) {
+  Level last = recording.level;
+  if (!recording.edits.empty()) put_version(*recording.edits.back().version, last);
   replace_level(std::move(last), {}, nullptr);
   name = name_of(file);
   compiler.cancel();
   is_opening = false;
-  player.load(*recording);
+  player.load(recording);
 }
 
 void Session::Impl::recover(const action::RecoverLevel& saved) {
-  FormatResult<LoadedLevel> file = tl::unexpected(FormatError{});
-  if (!saved.path.empty()) file = load_level(saved.path);
+  if (saved.path.empty()) return take_recovered(saved, tl::unexpected(FormatError{}));
+  read_beside(saved.path, [this, saved](const Progress& progress) {
+    auto file = std::make_shared<FormatResult<LoadedLevel>>(load_level(saved.path, {}, progress));
+    return FileReader::Finish([this, saved, file] { take_recovered(saved, std::move(*file)); });
+  });
+}
+
+void Session::Impl::take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file) {
+  ++recoveries;
   if (file)
     replace_level(std::move(file->level), saved.path, file->format, std::move(file->companion));
   else
@@ -260,7 +309,8 @@ void Session::Impl::recover_runs(const std::vector<std::shared_ptr<const Recordi
 }
 
 void Session::Impl::carry_out(const action::CheckFile&) {
-  if (stamp && !question && !wants_save_as && !level_import) take_file_change(level_change(path, *stamp));
+  if (stamp && !question && !wants_save_as && !level_import && !reader.is_busy())
+    take_file_change(level_change(path, *stamp));
 }
 
 void Session::Impl::note_file() { stamp = path.empty() ? std::nullopt : stamp_of_level(path); }
@@ -276,6 +326,7 @@ void Session::Impl::take_file_change(FilesChange found) {
     message = Message{changed + " was removed or renamed by another program. Saving writes it anew.", true};
     return;
   }
+  changed_from = stamp;
   note_file();
   if (is_stored()) return reload();
   question = Question{changed +
@@ -286,8 +337,16 @@ void Session::Impl::take_file_change(FilesChange found) {
 
 // As an edit, so that nothing is lost whichever was right.
 void Session::Impl::reload() {
+  is_reloading = true;
   note_file();  // first: what is written from now on is another change
-  const FormatResult<LoadedLevel> loaded = load_level(path);
+  read_beside(path, [this, file = path](const Progress& progress) {
+    auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, {}, progress));
+    return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
+  });
+}
+
+void Session::Impl::take_reloaded(const FormatResult<LoadedLevel>& loaded) {
+  is_reloading = false;
   if (!loaded) {
     history.forget_saved();
     message = Message{
@@ -363,6 +422,7 @@ void Session::Impl::read_hard_case() {
 }
 
 bool Session::Impl::save() {
+  if (reader.is_busy()) return false;  // another level, or another state of this one, is on its way
   if (path.empty() || format == nullptr) {
     wants_save_as = true;
     return false;

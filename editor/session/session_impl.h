@@ -6,9 +6,11 @@
 
 #include "collision/function_ref.h"
 #include "debugger.h"
+#include "file_reader.h"
 #include "file_stamp.h"
 #include "handmade_runs.h"
 #include "level/lint_cache.h"
+#include "opened_file.h"
 #include "player.h"
 #include "scene_compiler.h"
 #include "session.h"
@@ -67,6 +69,7 @@ struct Session::Impl {
   void carry_out(const action::AnswerQuestion& a);
   void carry_out(const action::CancelSaveAs&);
   void carry_out(const action::RecoverLevel& a) { ask_or_go_on(a); }
+  void carry_out(const action::CancelReading&) { cancel_reading(); }
   void carry_out(const action::CheckFile&);
   void carry_out(const action::ShowMessage& a) { message = Message{a.text, a.is_error}; }
   void carry_out(const action::DismissMessage&) { message.reset(); }
@@ -165,18 +168,25 @@ struct Session::Impl {
   void ask_about_run(Losing losing);            // the same of a run with the user's marks or inputs
   void note_input(FunctionRef<void()> change);  // of the current run, by hand
   void go_on(const Losing& losing);
+  // Reads beside the window what is not read at once. The level stays as it is until `work`'s answer is
+  // called.
+  void read_beside(const std::string& file, FileReader::Work work);
+  void cancel_reading();
   void open(const action::OpenFile& file);
+  void take_opened(const action::OpenFile& file, OpenedFile opened);
   void open_imported(const std::string& file, LoadedLevel loaded);
-  void open_recording(const std::string& file);
+  void open_recording(const std::string& file, const Recording& recording);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format,
                      CompanionFile opened_companion = {});
   void recover(const action::RecoverLevel& saved);
+  void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file);
   void recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings);
   // Notes what the level's file holds now, as what this session knows of it.
   void note_file();
   void take_file_change(FilesChange change);  // by another program; asks or tells what becomes of the level
   void reload();
+  void take_reloaded(const FormatResult<LoadedLevel>& loaded);
   bool save();  // false when it failed or a name is needed first
   bool save_to(const std::string& saved_path, const Format& saved_format);
   void continue_pending();
@@ -236,6 +246,11 @@ struct Session::Impl {
   LintCache lint_cache;
   LintOptions lint_options;
   ReachFinder reach;
+
+  int recoveries = 0;
+  std::optional<LevelStamp> changed_from;  // `stamp` as it was before another program changed the file
+  bool is_reloading = false;               // what is being read is that file
+  FileReader reader;                       // last, as what it finishes is told to all of the above
 };
 
 }  // namespace talus

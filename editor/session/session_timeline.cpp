@@ -103,6 +103,7 @@ void Session::Impl::carry_out(const action::Rerun& a) {
 // A recording that was read must come out as it was recorded, or its user should know where it does not.
 void Session::Impl::advance(double seconds) {
   const bool was_behind = player.timeline().behind();
+  reader.finish();
   take_compiled();
   if (!is_opening) play(seconds);
   debug();

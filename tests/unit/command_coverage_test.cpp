@@ -102,6 +102,7 @@ const std::map<std::string, std::string> kWithoutCommand = {
     {"CancelSaveAs", "an answer of a dialog"},
     {"CheckFile", "done by itself every second"},
     {"ShowMessage", "what the program says"},
+    {"CancelReading", "an answer of a dialog"},
     {"HoldMouse", "moves of the mouse; the keyboard's cursor makes them, too"},
     {"HoldKeys", "keys of the players, as they are held"},
 };

@@ -1,0 +1,36 @@
+// Tells recordings from levels, and levels from what has to be chosen from.
+#include "opened_file.h"
+
+#include <utility>
+
+#include "formats/atomic_file.h"
+
+namespace talus {
+namespace {
+
+template <class Content>
+void put(FormatResult<Content> read, OpenedFile& opened) {
+  if (read)
+    opened.content = *std::move(read);
+  else
+    opened.content = std::move(read.error());
+}
+
+}  // namespace
+
+OpenedFile read_for_opening(const std::string& path, bool has_choice, const Progress& progress) {
+  OpenedFile opened{stamp_of_level(path),
+                    FormatError{}};  // first: what is written while it is read shows later
+  if (const auto bytes = read_file(path); bytes && is_recording(*bytes, context_for_file(path))) {
+    put(read_recording(*bytes, progress), opened);
+    return opened;
+  }
+  FormatResult<LoadedLevel> loaded = load_level(path, {}, progress.part(0, 0.7));
+  if (!loaded && !loaded.error().remedy.empty() && has_choice)
+    opened.content = first_level_import(path, progress.part(0.7, 1));
+  else
+    put(std::move(loaded), opened);
+  return opened;
+}
+
+}  // namespace talus

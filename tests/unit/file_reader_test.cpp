@@ -1,0 +1,72 @@
+// Files read beside the editor: finished at once or later, cancelled, and replaced by another.
+#include "session/file_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+namespace talus::file_reader_test {
+
+using namespace std::chrono_literals;
+
+class FileReaderTest : public ::testing::Test {
+ protected:
+  // Reads until it is cancelled, or the test lets it end.
+  FileReader::Work slow(int result) {
+    return [this, result](const Progress& progress) {
+      while (progress.at(shares_ += 0.00001) && !may_end_) std::this_thread::sleep_for(1ms);
+      return FileReader::Finish([this, result] { finished_.push_back(result); });
+    };
+  }
+  FileReader::Work quick(int result) {
+    return [this, result](const Progress&) {
+      return FileReader::Finish([this, result] { finished_.push_back(result); });
+    };
+  }
+
+  std::atomic<bool> may_end_ = false;
+  double shares_ = 0;
+  std::vector<int> finished_;
+  FileReader reader_;  // last: it waits for what uses the others
+};
+
+TEST_F(FileReaderTest, WhatIsQuickIsThereAtOnce) {
+  reader_.start("a", quick(1), 10s);
+  EXPECT_FALSE(reader_.is_busy());
+  EXPECT_EQ(finished_, std::vector{1});
+  EXPECT_FALSE(reader_.finish());
+}
+
+TEST_F(FileReaderTest, WhatIsSlowIsFinishedLaterAndOnce) {
+  reader_.start("big.talus.json", slow(1), 5ms);
+  ASSERT_TRUE(reader_.is_busy());
+  EXPECT_EQ(reader_.progress()->name, "big.talus.json");
+  EXPECT_GE(reader_.progress()->seconds, 0.005);
+  EXPECT_FALSE(reader_.finish());
+  EXPECT_TRUE(finished_.empty());
+  may_end_ = true;
+  reader_.wait();
+  EXPECT_EQ(finished_, std::vector{1});
+  EXPECT_FALSE(reader_.progress());
+}
+
+TEST_F(FileReaderTest, WhatIsCancelledIsNeverFinished) {
+  reader_.start("a", slow(1), 1ms);
+  reader_.cancel();
+  EXPECT_FALSE(reader_.is_busy());
+  may_end_ = true;
+  std::this_thread::sleep_for(5ms);
+  EXPECT_FALSE(reader_.finish());
+  reader_.start("b", quick(2), 10s);
+  EXPECT_EQ(finished_, std::vector{2});
+}
+
+TEST_F(FileReaderTest, EndingCancels) {
+  {
+    FileReader reader;
+    reader.start("a", slow(1), 1ms);
+  }
+  EXPECT_TRUE(finished_.empty());
+}
+
+}  // namespace talus::file_reader_test
