@@ -223,6 +223,7 @@ TEST_F(UiProblems, TheWayToAMarkedCellIsPlayedFromThePanel) {
   key(kKeyF12);
   for (int i = 0; i < 2000 && session().reach().running(); ++i) frames();
   app().ui().view.dock_open = true;
+  app().ui().view.canvas = CanvasMode::play;
   frames(2);
   click("tabs/reach");
   frames(2);
