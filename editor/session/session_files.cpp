@@ -247,11 +247,12 @@ void Session::Impl::open_imported(const std::string& file, LoadedLevel loaded) {
 
 void Session::Impl::carry_out(const action::SetLevelImport& a) {
   if (!level_import) return;
-  level_import->choices = a.choices;
   read_beside(level_import->path, [this, a, path = level_import->path](const Progress& progress) {
     auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_level(path, a.choices, progress));
-    return FileReader::Finish([this, plan] {
-      if (level_import) level_import->plan = std::move(*plan);
+    return FileReader::Finish([this, a, plan] {
+      if (!level_import) return;
+      level_import->choices = a.choices;
+      level_import->plan = std::move(*plan);
     });
   });
 }
