@@ -31,15 +31,12 @@ std::string without_middle(const std::string& text, std::size_t bytes) {
   return text.substr(0, head) + " ... " + text.substr(tail);
 }
 
-// A text of the file's in one line, without what could be taken for something else, and without its middle
-// where it does not fit into the width, px.
-std::string shown_text(std::string text, float width) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 32) c = '?';
-  }
-  std::string shown = without_middle(text, kMostShown);
-  for (std::size_t bytes = kMostShown; bytes > 16 && ImGui::CalcTextSize(shown.c_str()).x > width; bytes -= 4)
-    shown = without_middle(text, bytes);
+// A text of the file's in one line, without its middle where it does not fit into the width, px.
+std::string fitted(const std::string& text, float width) {
+  const std::string line = shown_line(text, kMostText);
+  std::string shown = without_middle(line, kMostShown);
+  for (std::size_t bytes = kMostShown; bytes > 16 && size_of_text(shown).x > width; bytes -= 4)
+    shown = without_middle(line, bytes);
   return shown;
 }
 
@@ -54,15 +51,13 @@ std::vector<AskedRow> rows_of(const FinishedRun& asked) {
   return rows;
 }
 
-void draw_asked_preset(const ExportTask& task) {
+void draw_asked_preset(const ExportTask& task, Ui& ui) {
   const Exporter* exporter = find_exporter(task.preset.exporter);
   const std::string name = task.preset.name.empty() ? task.preset.path : task.preset.name;
-  ImGui::TextUnformatted(shown_text(name, ImGui::GetContentRegionAvail().x / 3).c_str());
+  draw_text(fitted(name, ImGui::GetContentRegionAvail().x / 3));
   ImGui::SameLine();
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
   const std::string label = exporter != nullptr ? std::string(exporter->label) : "";
-  ImGui::TextUnformatted((label + (task.preset.on_save ? ", whenever the level is saved" : "")).c_str());
-  ImGui::PopStyleColor();
+  ui.heading(label + (task.preset.on_save ? ", whenever the level is saved" : ""));
 }
 
 void draw_asked_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
@@ -70,24 +65,25 @@ void draw_asked_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& 
   const std::filesystem::path relative = std::filesystem::path(file.path).lexically_relative(folder);
   const std::string path = relative.empty() ? file.path : relative.string();
   ImGui::Indent(ui.px(12));
-  ImGui::TextUnformatted(shown_text(path, ImGui::GetContentRegionAvail().x).c_str());
-  ui.item("question/file/" + path, shown_text(file.path, ui.px(600)));
+  draw_text(fitted(path, ImGui::GetContentRegionAvail().x));
+  ui.item("question/file/" + path, fitted(file.path, ui.px(600)));
   ImGui::Unindent(ui.px(12));
   ImGui::TableNextColumn();
   ui.right_aligned(size_text(file.size));
   ImGui::TableNextColumn();
   const bool is_foreign = outcome.foreign.contains(file.path);
   const bool is_new = file.place == PlannedFile::Place::empty;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(is_foreign ? theme::kWarning : theme::kMuted));
-  ImGui::TextUnformatted(is_new ? "new" : is_foreign ? "replaces another file" : "replaces an export");
-  ImGui::PopStyleColor();
+  draw_text(is_new       ? "new"
+            : is_foreign ? "replaces another file"
+                         : "replaces an export",
+            theme::tone(is_foreign ? theme::kWarning : theme::kMuted));
 }
 
 void draw_asked_row(const AskedRow& row, Ui& ui) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   if (row.preset != nullptr)
-    draw_asked_preset(*row.preset);
+    draw_asked_preset(*row.preset, ui);
   else
     draw_asked_file(*row.file, *row.outcome, ui);
 }
