@@ -64,7 +64,7 @@ constexpr std::array<const char*, 18> kXmlValues = {"",
 constexpr std::array<const char*, 8> kJsonNamesOfElements = {"layers",     "tilesets",    "tiles", "objects",
                                                              "properties", "objectgroup", "data",  "chunks"};
 
-std::string nested(Choices& choices, const std::string& value) {
+std::string nested(RandomBytes& choices, const std::string& value) {
   constexpr std::array<std::size_t, 4> kDepths = {2, 30, 70, 20'000};
   const std::size_t depth = kDepths[choices.below(kDepths.size())];
   std::string text;
@@ -76,7 +76,8 @@ std::string nested(Choices& choices, const std::string& value) {
 
 class JsonWriter {
  public:
-  JsonWriter(const std::vector<std::string>& names, const std::vector<std::string>& values, Choices& choices)
+  JsonWriter(const std::vector<std::string>& names, const std::vector<std::string>& values,
+             RandomBytes& choices)
       : names_(names), values_(values), choices_(choices), rarity_(8U << choices.below(5)) {}
 
   std::string take() { return std::move(text_); }
@@ -144,7 +145,7 @@ class JsonWriter {
 
   const std::vector<std::string>& names_;
   const std::vector<std::string>& values_;
-  Choices& choices_;
+  RandomBytes& choices_;
   unsigned rarity_;
   std::string text_;
 };
@@ -162,7 +163,8 @@ std::string xml_escaped(std::string_view text) {
 
 class XmlWriter {
  public:
-  XmlWriter(const std::vector<std::string>& names, const std::vector<std::string>& values, Choices& choices)
+  XmlWriter(const std::vector<std::string>& names, const std::vector<std::string>& values,
+            RandomBytes& choices)
       : names_(names), values_(values), choices_(choices), rarity_(8U << choices.below(5)) {}
 
   std::string take() { return std::move(text_); }
@@ -217,7 +219,7 @@ class XmlWriter {
 
   const std::vector<std::string>& names_;
   const std::vector<std::string>& values_;
-  Choices& choices_;
+  RandomBytes& choices_;
   unsigned rarity_;
   std::string text_;
 };
@@ -253,14 +255,14 @@ pugi::xml_document xml_of(const std::string& text) {
 
 }  // namespace
 
-unsigned Choices::below(unsigned count) {
+unsigned RandomBytes::below(unsigned count) {
   if (bytes_.empty()) return 0;
   const auto byte = static_cast<std::uint8_t>(bytes_.front());
   bytes_.remove_prefix(1);
   return byte % count;
 }
 
-std::size_t Choices::index(std::size_t count) {
+std::size_t RandomBytes::index(std::size_t count) {
   const std::size_t high = below(255);
   return (high * 255 + below(255)) % count;
 }
@@ -277,7 +279,7 @@ Grammar::Grammar(std::string good) : good_(std::move(good)) {
   values_.assign(values.begin(), values.end());
 }
 
-std::string Grammar::document(Choices& choices) const {
+std::string Grammar::document(RandomBytes& choices) const {
   std::string text;
   if (is_xml(good_)) {
     XmlWriter writer(names_, values_, choices);
@@ -304,7 +306,7 @@ std::string Grammar::document(Choices& choices) const {
   return text;
 }
 
-std::string Grammar::lines(Choices& choices) const {
+std::string Grammar::lines(RandomBytes& choices) const {
   std::string text;
   for (unsigned i = choices.below(6) + 1; i > 0; --i) text += document(choices) + "\n";
   return text;

@@ -10,9 +10,9 @@
 namespace talus {
 
 // What the bytes of a fuzzer, or of a random generator, choose.
-class Choices {
+class RandomBytes {
  public:
-  explicit Choices(std::string_view bytes) : bytes_(bytes) {}
+  explicit RandomBytes(std::string_view bytes) : bytes_(bytes) {}
   // 0..count-1; 0, which always means that nothing is changed, when the bytes are used up. count: 1 to 255.
   unsigned below(unsigned count);
   std::size_t index(std::size_t count);  // the same for more
@@ -29,9 +29,9 @@ class Grammar {
   // Members, attributes and elements may be left out, given twice, or have another's name or value, the wrong
   // type, a number that nobody expects, or something nested deep in their place; a document may end early or
   // go on.
-  std::string document(Choices& choices) const;
+  std::string document(RandomBytes& choices) const;
   // Some documents, a line each.
-  std::string lines(Choices& choices) const;
+  std::string lines(RandomBytes& choices) const;
 
  private:
   std::string good_;                 // XML without its declaration

@@ -5,7 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const talus::Grammar grammar = talus::grammar_of_seed("moves.scenario.json");
-  talus::Choices choices({reinterpret_cast<const char*>(data), size});
+  talus::RandomBytes choices({reinterpret_cast<const char*>(data), size});
   talus::require(talus::check_scenario(grammar.document(choices)));
   return 0;
 }

@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const talus::Grammar grammar = talus::grammar_of_seed("settings.json");
-  talus::Choices choices({reinterpret_cast<const char*>(data), size});
+  talus::RandomBytes choices({reinterpret_cast<const char*>(data), size});
   const auto settings = talus::settings_of_text(grammar.document(choices));
   if (!settings) talus::require(talus::checked_error(settings.error()));
   return 0;

@@ -26,7 +26,7 @@ void expect_promises(const std::string& seed, int count, const Check& check, boo
   int read = 0;
   for (int i = 0; i < count; ++i) {
     const std::string bytes = random_bytes(random);
-    Choices choices(bytes);
+    RandomBytes choices(bytes);
     const std::string document = by_lines ? grammar.lines(choices) : grammar.document(choices);
     Checked checked;
     try {
@@ -42,7 +42,7 @@ void expect_promises(const std::string& seed, int count, const Check& check, boo
 }
 
 TEST(Documents, TheSeedsAreGood) {
-  Choices none("");
+  RandomBytes none("");
   EXPECT_TRUE(check_native(grammar_of_seed("all.talus.json").document(none)).is_read);
   EXPECT_TRUE(check_recording(grammar_of_seed("small.talusrec").document(none)).is_read);
   EXPECT_TRUE(check_scenario(grammar_of_seed("moves.scenario.json").document(none)).is_read);
