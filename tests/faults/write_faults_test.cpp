@@ -125,7 +125,10 @@ TEST_F(WriteFaults, OfSavingACartAndWhatItCannotHold) {
   };
   const auto save = [&] {
     session->apply(action::SaveFile{});
-    if (session->question()) session->apply(action::AnswerQuestion{action::Answer::cancel});
+    if (session->question()) {  // what could not be taken back is asked about
+      session->apply(action::AnswerQuestion{action::Answer::keep});
+      session->apply(action::SaveFile{});
+    }
     return !session->modified();
   };
   const auto saved = [&]() -> std::pair<int, std::size_t> {
