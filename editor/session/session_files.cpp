@@ -355,6 +355,16 @@ void Session::Impl::take_reloaded(const FormatResult<LoadedLevel>& loaded) {
         true};
     return;
   }
+  const bool is_companion_broken =
+      !companion.path.empty() && loaded->companion.path.empty() && !loaded->note.empty();
+  if (is_companion_broken) {
+    history.forget_saved();
+    message = Message{with_note("Another program changed what goes with " + file_name() +
+                                    ", so the level stays as it is here.",
+                                loaded->note),
+                      true};
+    return;
+  }
   edit_level(
       replace_by(level, std::make_shared<const Level>(loaded->level), "Read " + file_name() + " again"), 0);
   read_hard_case();

@@ -371,6 +371,24 @@ TEST_F(SessionCompanions, ThatAreRemovedAreWrittenAnew) {
   EXPECT_TRUE(exists("a.tic.talus.json"));
 }
 
+TEST_F(SessionCompanions, ThatAnotherProgramBreaksTakeNothingAway) {
+  paint(5);
+  place(1);
+  session_.apply(act::SaveFileAs{path("a.tic")});
+  put("a.tic.talus.json", "{");
+  session_.apply(act::CheckFile{});
+  EXPECT_EQ(placed(), 1u);
+  EXPECT_TRUE(session_.modified());
+  EXPECT_TRUE(session_.message()->is_error);
+  EXPECT_TRUE(
+      message().starts_with("Another program changed what goes with a.tic, so the level stays as it is "
+                            "here. a.tic.talus.json is left as it is, and not read: "))
+      << message();
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(bytes_of("a.tic.talus-kept1.json"), "{");
+  EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 1u);
+}
+
 TEST_F(SessionCompanions, OfACartThatTic80SavedAreKept) {
   paint(5);
   place(2);
