@@ -39,6 +39,7 @@ class Kills : public FolderTest {
     Session session(Level(), "", kUnnamed, ExportTools{.read_asset = {}, .record = path("state/exports")});
     Autosave autosave(path("autosave"));
     session.apply(action::OpenFile{level_file()});
+    session.finish_reading();
     double now = 0;
     for (int i = 1;; ++i, now += 3) {
       session.apply(action::EditLevel{stroke(session.level(), static_cast<std::uint8_t>(i % 250 + 1))});

@@ -105,6 +105,7 @@ TEST_F(WriteFaults, OfSavingALevel) {
              ASSERT_TRUE(save_level(painted(1), *find_format("native"), path("a.talus.json")));
              session = std::make_unique<Session>();
              session->apply(action::OpenFile{path("a.talus.json")});
+             session->finish_reading();
              paint(*session, 2);
            },
        .work = save,
@@ -141,6 +142,7 @@ TEST_F(WriteFaults, OfSavingACartAndWhatItCannotHold) {
                         ASSERT_TRUE(save_level(with_bodies(1, 1), *find_format("tic"), path("a.tic")));
                         session = std::make_unique<Session>();
                         session->apply(action::OpenFile{path("a.tic")});
+                        session->finish_reading();
                         const auto changed = std::make_shared<const Level>(with_bodies(2, 2));
                         session->apply(action::EditLevel{replace_by(session->level(), changed, "Change")});
                       },
@@ -246,6 +248,7 @@ class ExportFaults : public WriteFaults {
         .read_asset = {}, .record = path("state/exports"), .permissions = path("state/permissions")};
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
     session_->apply(action::OpenFile{path("a.talus.json")});
+    session_->finish_reading();
   }
   // True when all was written and nothing else had to be told. What it asks is answered, at most
   // three times.
