@@ -12,8 +12,8 @@ namespace talus {
 
 inline constexpr std::string_view kTemporaryEnding = ".tmp";  // of files that are being written
 
-// The file's bytes; an error for unreadable files, files of more bytes than `most`, and at once for what is no
-// file but a directory, device, pipe or socket: reading one of these could wait for ever.
+// The file's bytes; an error for unreadable files, files of more bytes than `most`, and at once for what is
+// no file but a directory, device, pipe or socket: reading one of these could wait for ever.
 FormatResult<std::string> read_file(const std::string& path, std::size_t most = kMaxFileBytes);
 
 // Puts the bytes in place at once: whoever reads the path, even after a kill or power loss at any moment,
