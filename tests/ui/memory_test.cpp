@@ -45,9 +45,9 @@ TEST(UiMemory, StaysFlatWhereSdlHasNoScreen) {
       (*app)->frame();
     }
   };
-  frames(20);
+  frames(10);
   const std::size_t before = memory_in_use();
-  frames(60);
+  frames(40);
   EXPECT_LT(memory_in_use(), before + 16 * kMiB);
 }
 

@@ -129,6 +129,7 @@ TEST_F(UiRecovery, WhatCannotBeReadIsNamedAndStaysUntilItIsDiscarded) {
 }
 
 TEST_F(UiRecovery, WhatCannotBeSavedByItselfIsSaidUntilItIs) {
+  std::filesystem::create_directories(path("state"));
   std::ofstream(path("state/autosave")) << "in the folder's place";
   for (int x = 3; x < 6; ++x) {
     paint({x, 9});
