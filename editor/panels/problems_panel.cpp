@@ -19,7 +19,8 @@ constexpr float kFix = 32,
 
 std::string place_of(const Problem& problem) {
   if (problem.cell)
-    return "(" + std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y) + ")";
+    return std::string("(").append(std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y) +
+                                   ")");
   return problem.tile >= 0 ? "#" + std::to_string(problem.tile) : "level";
 }
 

@@ -67,7 +67,7 @@ std::string cut(std::string_view text, std::size_t most, bool keeps_lines) {
 std::string label_of(std::string_view text, std::string_view id) {
   std::string label = shown_line(text, kMostLabel);
   for (std::size_t at = label.find("##"); at != std::string::npos; at = label.find("##", at))
-    label.insert(at + 1, " ");
+    label.insert(at + 1, 1, ' ');
   return label.append("###").append(id.empty() ? text.substr(0, kMostLabel) : id);
 }
 
