@@ -47,7 +47,7 @@ TEST(ExportC, TilesOfOneShapeShareItsRows) {
   EXPECT_THAT(text, HasSubstr("cave_shape_of[256] = {0,0,0,1,0,0,0,1,0,"));
   EXPECT_THAT(text, HasSubstr("cave_shapes[2] = {\n{0,0,0,0,0,0,0,0,0},\n{1,0,0,1,1,0,1,0,0},\n};\n"));
   EXPECT_THAT(text, HasSubstr("cave_floors[2][8] = {\n"));
-  EXPECT_LT(text.size(), 8000u) << "it was 16 KB, mostly rows of tiles without floors";
+  EXPECT_LT(text.size(), 9000u) << "it was 16 KB, mostly rows of tiles without floors";
 }
 
 TEST(ExportC, WithoutShapesThereIsNoFloor) {
@@ -90,7 +90,9 @@ class ExportCFloors : public FolderTest {
     const Terrain ground{ground_of(level)};
     std::istringstream printed(run(level, points));
     std::string line;
-    for (int head = 0; head < 2; ++head) std::getline(printed, line);
+    const std::string last_head(solver_name(level.tuning.solver));
+    while (std::getline(printed, line) && !line.starts_with(last_head)) {
+    }
     int floors = 0;
     for (const Vec2 p : points) {
       std::getline(printed, line);
@@ -121,9 +123,9 @@ TEST_F(ExportCFloors, TablesBodiesAndTuningAreRead) {
   spawn.name = "a\"?\?/b";
   spawn.position = {1.5, 0};
   spawn.kind = BodyKind::player;
-  level.sheet(SheetId::tiles).flags[9] = 2;  // a ball
-  level.map.set({1, 0}, 9);
-  EXPECT_EQ(run(level, {}), "7 129 3 0\n 0 9 0 2048 0\na\"?\?/b 1 -1 1 384 0\n 0 -1 0 0 0\n" + tuning);
+  level.sheet(SheetId::tiles).flags[60] = 2;  // a ball
+  level.map.set({1, 0}, 60);
+  EXPECT_EQ(run(level, {}), "7 129 3 0\n 0 60 0 2048 0\na\"?\?/b 1 -1 1 384 0\n 0 -1 0 0 0\n" + tuning);
 }
 
 TEST_F(ExportCFloors, AreExactInTheDemo) {

@@ -271,7 +271,7 @@ TEST(ExportCsv, HoldsPolygonsLinesAndBodies) {
 
 TEST(ExportCsv, HoldsRolesAndTuning) {
   EXPECT_EQ(exported_file("csv", cave(), "roles.csv"),
-            "role,flag\nsolid,0\nball,1\nup_slope,2\ndown_slope,3\n");
+            "role,flag\nsolid,0\nup_slope,2\ndown_slope,3\nball,1\n");
   const std::string text = exported_file("csv", cave(), "tuning.csv");
   EXPECT_THAT(text, StartsWith("name,value,unit\nsolver,exact,\ncell_size,24,px\nfall_speed,5,px/frame\n"));
   EXPECT_THAT(text, HasSubstr("\nexact.gravity,0,px/frame^2\n"));

@@ -63,7 +63,7 @@ TEST(ExportSti, AWideSlopeIsOneBox) {
   EXPECT_THAT(slopes_of(lua), ElementsAre("x = 8, y = 2, width = 16, height = 4, "
                                           "{, [\"slope\"] = \"floor\", [\"h0\"] = 0, [\"h1\"] = 4}},",
                                           "x = 8, y = 6, width = 16, height = 2, {}}"));
-  EXPECT_EQ(properties_of(lua, 2), "{}") << "the tile itself stops nothing";
+  EXPECT_EQ(properties_of(lua, 2), "{},") << "the tile itself stops nothing";
 }
 
 TEST(ExportSti, AProfileIsABoxForEachStraightPart) {
@@ -99,7 +99,7 @@ TEST(ExportSti, ALongLayerIsInParts) {
   const std::string lua = sti_of(level);
   EXPECT_TRUE(lua.starts_with("local function join(parts)"));
   EXPECT_EQ(slopes_of(lua).size(), 10'000U);
-  EXPECT_THAT(lua, HasSubstr("objects = join{\n   function() return {\n"));
+  EXPECT_NE(lua.find("objects = join{\n    function() return {\n"), std::string::npos);
 }
 
 TEST(ExportSti, MoreThanAMillionBoxesAreRefused) {

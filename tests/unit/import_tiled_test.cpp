@@ -146,8 +146,8 @@ TEST(ImportTiled, WhatCannotBeKeptIsTold) {
           "the property \"hp\" of a body",
           "the body \"far\", as a number of it must be a number from -100000000 to 100000000",
           "\"image\" of the layer \"sky\"", "the layer \"sky\", which is a picture",
-          "the curve \"c\", which has its last end off the map", "\"backgroundcolor\" of the map",
-          "the property \"m\" of the map"));
+          "the curve \"c\", which has its last end off the map",
+          "\"backgroundcolor\" of the map, which is not colour 0", "the property \"m\" of the map"));
   ASSERT_EQ(loaded.level.spawns.size(), 1u);
   EXPECT_EQ(loaded.level.spawns[0].size, (Vec2{8, 8}));
 }
