@@ -128,7 +128,7 @@ TEST(NativeShapes, CurveErrorsSayWhere) {
     expect_error(R"("curves": [{"kind": "segment", "from": [0, 0], "to": [1, 1]}, )" + curve + "]",
                  "key curves[1]" + place, message);
   };
-  expect_error(R"("curves": {})", "key curves", "must be a list");
+  expect_error(R"("curves": {})", "key curves", "must be a list of up to 16384 curves");
   expect("7", "", "must be an object");
   expect("{}", ".kind", R"(must be "segment", "arc", "parabola", "cubic", "sine" or "polyline")");
   expect(R"({"kind": "arc", "center": [1, 2, 3]})", ".center", "must be a point [x, y]");
