@@ -11,7 +11,7 @@ namespace talus::cli_export_safety_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class CliPresets : public FolderTest {
+class CliPresetPaths : public FolderTest {
  protected:
   void SetUp() override { fs::create_directories(path("level")); }
   void save(const std::string& exporter, const std::string& to, std::uint8_t tile = 0) const {
@@ -30,7 +30,7 @@ class CliPresets : public FolderTest {
   CliAnswer answer_;
 };
 
-TEST_F(CliPresets, WriteInTheFolderOfTheLevelWithoutAQuestion) {
+TEST_F(CliPresetPaths, WriteInTheFolderOfTheLevelWithoutAQuestion) {
   save("lua-runtime", "build/game");
   EXPECT_EQ(all(), 0) << answer_.err;
   EXPECT_TRUE(exists("level/build/game/level.lua"));
@@ -38,7 +38,7 @@ TEST_F(CliPresets, WriteInTheFolderOfTheLevelWithoutAQuestion) {
   EXPECT_EQ(all(), 0) << "as on another machine, which has the files and no record: " << answer_.err;
 }
 
-TEST_F(CliPresets, StayThereUnlessToldOtherwise) {
+TEST_F(CliPresetPaths, StayThereUnlessToldOtherwise) {
   fs::create_directories(path("home"));
   fs::create_symlink(path("home"), path("level/link"));
   for (const std::string& to :
@@ -55,7 +55,7 @@ TEST_F(CliPresets, StayThereUnlessToldOtherwise) {
   }
 }
 
-TEST_F(CliPresets, AreNotLedOutByLinksInTheirFolder) {
+TEST_F(CliPresetPaths, AreNotLedOutByLinksInTheirFolder) {
   fs::create_directories(path("level/export"));
   fs::create_symlink("../../init.lua", path("level/export/level.lua"));
   save("lua-runtime", "export");
@@ -72,7 +72,7 @@ TEST_F(CliPresets, AreNotLedOutByLinksInTheirFolder) {
   EXPECT_FALSE(exists("init.lua"));
 }
 
-TEST_F(CliPresets, ReplaceNothingThatNoExportWrote) {
+TEST_F(CliPresetPaths, ReplaceNothingThatNoExportWrote) {
   save("lua", "main.lua");
   put("level/main.lua", "local talus = require \"talus\"\n");
   EXPECT_EQ(all(), 1);
@@ -95,14 +95,14 @@ TEST_F(CliPresets, ReplaceNothingThatNoExportWrote) {
   EXPECT_EQ(all(), 1) << answer_.out;
 }
 
-TEST_F(CliPresets, NeverWaitForAPipe) {
+TEST_F(CliPresetPaths, NeverWaitForAPipe) {
   ASSERT_EQ(::mkfifo(path("level/data.lua").c_str(), 0600), 0);
   save("lua", "data.lua");
   EXPECT_EQ(all("--force"), 1);
   EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe"));
 }
 
-TEST_F(CliPresets, OfAMapOfTiledFollowTheSameRules) {
+TEST_F(CliPresetPaths, OfAMapOfTiledFollowTheSameRules) {
   Level level;
   level.exports = {{.name = "game", .exporter = "lua", .path = "../a.lua", .extra = ""}};
   ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
