@@ -13,9 +13,10 @@ namespace {
 constexpr auto kPoll =
     std::chrono::milliseconds(200);  // between looks at the file, and how long it must be at rest
 
+// What cannot be read, such as a pipe, is no file that is there.
 LevelStamp stamp_or_gone(const std::string& path) {
   const auto stamp = stamp_of_level(path);
-  if (stamp) return *stamp;
+  if (stamp && stamp->file.content) return *stamp;
   LevelStamp gone;
   gone.file.set_gone();
   return gone;
