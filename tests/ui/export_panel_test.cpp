@@ -68,7 +68,7 @@ TEST_F(UiExport, APresetIsMadeShownAndWritten) {
   fill("export/path", "out/game.tic");
   EXPECT_EQ(preset(0).path, "out/game.tic");
 
-  ASSERT_EQ(shown().files.size(), 1u);
+  ASSERT_EQ(shown().files.size(), 2u) << "the cart, and what it cannot hold";
   const std::size_t size = shown().files[0].size;
   EXPECT_EQ(shown().files[0].place, PlannedFile::Place::empty);
   ASSERT_NE(find("export/file/game.tic"), nullptr);
@@ -76,7 +76,7 @@ TEST_F(UiExport, APresetIsMadeShownAndWritten) {
   click("export/export");
   settle();
   EXPECT_EQ(std::filesystem::file_size(path("out/game.tic")), size);
-  EXPECT_EQ(message().substr(0, 38), "Exported cart: 1 file to out/game.tic.");
+  EXPECT_EQ(message().substr(0, 39), "Exported cart: 2 files to out/game.tic.");
   EXPECT_EQ(shown().files[0].place, PlannedFile::Place::same);
 }
 

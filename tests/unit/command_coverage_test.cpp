@@ -92,6 +92,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
 
 // Those without one, and why.
 const std::map<std::string, std::string> kWithoutCommand = {
+    {"SetExportPath", "a field of the export window, which a command opens"},
     {"SetPngImport", "a choice in a dialog, which has keys of its own"},
     {"ApplyPngImport", "an answer of that dialog"},
     {"CancelPngImport", "an answer of that dialog"},
