@@ -2,12 +2,14 @@
 #include "command.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "export/lua_parts.h"
 #include "export/preset_clash.h"
 #include "export_writer.h"
 #include "file_watch.h"
+#include "formats/atomic_file.h"
 
 namespace talus {
 namespace {
@@ -98,6 +100,14 @@ void export_file(CommandContext& context, const ExportOptions& options) {
                       .tells = options.watch});
 }
 
+// What is to be said of a file that is not read.
+std::string waiting_text(const std::string& file) {
+  std::error_code ignored;
+  const auto bytes = read_file(file);
+  if (bytes || !std::filesystem::exists(file, ignored)) return "is not there; waiting for it";
+  return bytes.error().message + "; waiting for a file";
+}
+
 // Errors are said, and what comes next may be better: they are no reason to end, nor for another status.
 // Where nobody hears them any more, it ends.
 void watch_and_export(CommandContext& context, ExportOptions options) {
@@ -111,7 +121,7 @@ void watch_and_export(CommandContext& context, ExportOptions options) {
         return context.out.good();
       },
       [&] {
-        fail(context, options.input, "", "is not there; waiting for it");
+        fail(context, options.input, "", waiting_text(options.input));
         return context.out.good();
       });
   context.status = kExitGood;
