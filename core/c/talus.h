@@ -77,9 +77,9 @@ uint64_t talus_hash(const talus_game* game);
 
 /* The floor that a box would stand on, straight below it and at most `reach` px away: 1, and *floor_y is its
    height, px. 0 where there is none, where the box is inside of the ground, and for a null game, numbers that
-   are infinite or none or over 1e12, a box without a size or larger than 1024 px, a negative reach or a lack of memory:
-   then *floor_y is as it was. `floor_y` may be null. The first call for a level of another solver than
-   `exact` compiles the ground. */
+   are infinite or none or over 1e12, a box without a size or larger than 1024 px, a negative reach or a lack
+   of memory: then *floor_y is as it was. `floor_y` may be null. The first call for a level of another solver
+   than `exact` compiles the ground. */
 int talus_floor(talus_game* game, double x, double y, double w, double h, double reach, double* floor_y);
 
 #ifdef __cplusplus

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../collision/terrain.h"
-#include "../level/tileset.h"
 #include "../level/progress.h"
+#include "../level/tileset.h"
 
 namespace talus {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "../level/level.h"
-#include "plain_data.h"
 #include "../level/progress.h"
+#include "plain_data.h"
 
 namespace talus {
 

@@ -41,7 +41,8 @@ FormatResult<std::vector<TicChunk>> parse_tic(std::string_view bytes);
 void append_tic_chunk(std::string& out, const TicChunk& chunk);
 
 FormatResult<CartContent> tic_content(std::string_view bytes);
-// A cartridge with this content, as TIC-80 writes it: without `lang` and `rest`. Code: at most kCodeLimit bytes.
+// A cartridge with this content, as TIC-80 writes it: without `lang` and `rest`. Code: at most kCodeLimit
+// bytes.
 std::string tic_bytes(const CartContent& cart);
 // The cart with the level's sections in it, as said above; a map that does not fit leaves the cart's.
 FormatResult<std::string> edited_tic(std::string_view bytes, const Level& level);

@@ -62,7 +62,7 @@ class Player {
   std::vector<CaseInput> script_;  // by frame
   Input tapped_;                   // keys held at any time since the last step; of a running simulation alone
   StepTimes step_times_;
-  double due_ = 0;   // steps that real time asks for and that are not made yet, below 1 after advance()
+  double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
   WorkShare rerun_share_{16, 0.002};  // frames
 };
 

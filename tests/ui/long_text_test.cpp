@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <fstream>
+#include <ostream>
 
 #include "harness.h"
 #include "panels/commands.h"
@@ -16,6 +17,8 @@ constexpr int kEntries = 10'000;
 struct HostileText {
   const char* name;
   std::string text;
+  // For the test's name, which would hold addresses else.
+  friend void PrintTo(const HostileText& text, std::ostream* out) { *out << text.name; }
 };
 
 std::string repeated(std::string_view part) {
@@ -37,6 +40,7 @@ std::vector<HostileText> hostile_texts() {
 
 struct WindowSize {
   int width, height;
+  friend void PrintTo(const WindowSize& size, std::ostream* out) { *out << size.width << "x" << size.height; }
 };
 
 class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tuple<HostileText, WindowSize>> {
