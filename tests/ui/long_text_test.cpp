@@ -18,7 +18,7 @@ struct HostileText {
   const char* name;
   std::string text;
   // For the test's name, which would hold addresses else.
-  friend void PrintTo(const HostileText& text, std::ostream* out) { *out << text.name; }
+  friend void PrintTo(const HostileText& hostile, std::ostream* out) { *out << hostile.name; }
 };
 
 std::string repeated(std::string_view part) {
