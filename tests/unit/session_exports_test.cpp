@@ -230,6 +230,7 @@ TEST_F(SessionExports, ALongRunTellsItsShareAndStopsInAMoment) {
     large.map.cells()[i] = static_cast<std::uint8_t>(i * 7 % 3 % 2);
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
   session().apply(act::OpenFile{path("large.talus.json")});
+  session().finish_reading();
   add("data", "csv", "out");
   session().apply(act::RunExports{0});
   double share = 0;
