@@ -314,6 +314,7 @@ TEST_F(SessionExports, ACartWithTooMuchCodeIsSaid) {
         {"", {Segment{{i % 200 + 0.125, i / 10.0}, {i % 200 + 3.25, 100.125}}, Curve::Faces::up}, ""});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
   session().apply(act::OpenFile{path("large.talus.json")});
+  session().finish_reading();
   add("cart", "tic-playable", "out/a.tic");
   run();
   EXPECT_NE(message().find(" Too large, cart: the code takes "), std::string::npos) << message();
