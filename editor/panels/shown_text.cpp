@@ -7,32 +7,12 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "formats/utf8_text.h"
+
 namespace talus {
 namespace {
 
 constexpr std::string_view kDot = "\xc2\xb7";  // for what has no picture
-
-struct Letter {
-  std::uint32_t code = 0;
-  std::size_t bytes = 1;  // 1 for what is no UTF-8
-  bool valid = false;
-};
-
-// The letter at the text's begin; the text is not empty.
-Letter first_letter(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  if (byte(0) < 0x80) return {byte(0), 1, true};
-  const std::size_t bytes = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
-  if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < bytes) return {};
-  std::uint32_t code = byte(0) & (0xffu >> (bytes + 1));
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((byte(i) & 0xc0u) != 0x80u) return {};
-    code = code << 6 | (byte(i) & 0x3fu);
-  }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  return {code, bytes, code >= kLeast[bytes] && code <= 0x10ffff && !surrogate};
-}
 
 // Control characters, letters without a width, and marks of the direction of writing.
 bool has_no_picture(std::uint32_t code) {
@@ -46,18 +26,18 @@ std::string cut(std::string_view text, std::size_t most, bool keeps_lines) {
   shown.reserve(std::min(text.size(), most) + kDot.size());
   std::size_t at = 0;
   while (at < text.size() && shown.size() < most) {
-    const Letter letter = first_letter(text.substr(at));
-    if (letter.code == '\n' && keeps_lines)
+    const CodePoint letter = first_code_point(text.substr(at));
+    if (letter.value == '\n' && keeps_lines)
       shown += '\n';
-    else if (letter.code == '\n' || letter.code == '\t')
+    else if (letter.value == '\n' || letter.value == '\t')
       shown += ' ';
-    else if (letter.valid && letter.code == '\r' && text.substr(at + 1).starts_with('\n'))
+    else if (letter.value == '\r' && text.substr(at + 1).starts_with('\n'))
       ;  // the line's end is told by what follows
-    else if (!letter.valid || has_no_picture(letter.code))
+    else if (letter.bytes == 0 || has_no_picture(letter.value))
       shown += kDot;
     else
       shown += text.substr(at, letter.bytes);
-    at += letter.bytes;
+    at += std::max<std::size_t>(letter.bytes, 1);
   }
   if (at == text.size()) return shown;
   return shown + (keeps_lines ? "... and " + std::to_string(text.size() - at) + " bytes more" : "...");
