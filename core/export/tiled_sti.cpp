@@ -2,7 +2,7 @@
 // objects: full tiles are the one, and slopes, with the box that the solver `bump` has for them, the other.
 #include "../formats/png_sheet.h"
 #include "../level/ground.h"
-#include "bump_boxes.h"
+#include "../level/bump_boxes.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "../level/level.h"
+#include "level.h"
 
 namespace talus {
 
