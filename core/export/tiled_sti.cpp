@@ -1,8 +1,8 @@
 // Maps for Simple Tiled Implementation. Its plugin for bump.lua knows full tiles, and boxes in a layer of
 // objects: full tiles are the one, and slopes, with the box that the solver `bump` has for them, the other.
 #include "../formats/png_sheet.h"
-#include "../level/ground.h"
 #include "../level/bump_boxes.h"
+#include "../level/ground.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 
@@ -30,10 +30,10 @@ void describe_tiles(const Level& level, const TerrainSource& ground, TiledTilese
   }
 }
 
-TiledObject slope_object(const BumpBox& box) {
+TiledObject slope_object(const BumpBox& box, Cell cell) {
   TiledObject object;
   object.type = box.line ? "slope" : "";
-  object.position = {box.box.x, box.box.y};
+  object.position = {box.box.x + cell.x * kTileSize, box.box.y + cell.y * kTileSize};
   object.size = {box.box.w, box.box.h};
   put(object.properties, "collidable", true);
   if (!box.line) return object;
@@ -56,7 +56,7 @@ TiledLayer slope_layer(const TerrainSource& ground, const Progress& progress) {
                       static_cast<std::size_t>(c.x);
       const TileShape& shape = ground.shapes[ground.cells[at]];
       if (is_full_tile(shape)) continue;
-      for (const BumpBox& box : bump_boxes(shape, c)) layer.objects.push_back(slope_object(box));
+      for (const BumpBox& box : bump_boxes(shape)) layer.objects.push_back(slope_object(box, c));
     }
   }
   return layer;

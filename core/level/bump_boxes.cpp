@@ -1,3 +1,4 @@
+// Splits the line of a shape into its straight parts, each a box or two.
 #include "bump_boxes.h"
 
 #include <algorithm>
@@ -5,13 +6,12 @@
 namespace talus {
 namespace {
 
-// Puts boxes between two heights over or under a base. The sums are in the order of bump_slopes.lua.
+// Puts boxes between two heights over the cell's bottom, or, of a ceiling, under its top.
 class BoxMaker {
  public:
-  BoxMaker(const TileShape& shape, Cell cell)
+  explicit BoxMaker(const TileShape& shape)
       : is_ceiling_(shape.kind != TileShape::Kind::solid && shape.side == TileShape::Side::ceiling),
-        one_way_(shape.one_way),
-        base_((is_ceiling_ ? cell.y : cell.y + 1.0) * kTileSize) {}
+        one_way_(shape.one_way) {}
 
   // The straight part of the ground's line over x .. x + w. Of a longer line it is one box down to the base,
   // which has no seam that rounding could make a step of; one alone is a slope on a full box.
@@ -28,33 +28,31 @@ class BoxMaker {
     double h0, h1;
   };
   void add(double x, double w, double from, double to, std::optional<Heights> line) {
-    const double y = is_ceiling_ ? base_ + from : (kTileSize - to) + (base_ - kTileSize);
-    BumpBox made{{x, y, w, to - from}, {}};
+    BumpBox made{{x, is_ceiling_ ? from : kTileSize - to, w, to - from}, {}};
     if (line) made.line = {line->h0 - from, line->h1 - from, is_ceiling_, one_way_};
     if (made.box.w > 0 && made.box.h > 0) boxes_.push_back(made);
   }
 
   bool is_ceiling_, one_way_;
-  double base_;  // px, y of height 0
   std::vector<BumpBox> boxes_;
 };
 
 }  // namespace
 
-std::vector<BumpBox> bump_boxes(const TileShape& shape, Cell cell) {
+std::vector<BumpBox> bump_boxes(const TileShape& shape) {
   if (shape.kind == TileShape::Kind::none) return {};
   const bool is_solid = shape.kind == TileShape::Kind::solid;
   const std::vector<double> heights = is_solid ? std::vector<double>{kTileSize, kTileSize} : shape.heights;
-  const double left = cell.x * kTileSize, width = shape.tiles * kTileSize;
+  const double width = shape.tiles * kTileSize;
   const std::size_t last = heights.size() - 1;
   const auto count = static_cast<double>(last);
-  BoxMaker boxes(shape, cell);
+  BoxMaker boxes(shape);
   std::size_t from = 0;
   for (std::size_t i = 1; i <= last; ++i) {
     const bool goes_on = i < last && heights[i + 1] - heights[i] == heights[i] - heights[i - 1];
     if (goes_on) continue;
-    boxes.add_part(left + width * static_cast<double>(from) / count,
-                   width * static_cast<double>(i - from) / count, heights[from], heights[i], last == 1);
+    boxes.add_part(width * static_cast<double>(from) / count, width * static_cast<double>(i - from) / count,
+                   heights[from], heights[i], last == 1);
     from = i;
   }
   return boxes.take();

@@ -1,4 +1,5 @@
-// The ground as bump.lua can have it: boxes, each full or with one straight line across it.
+// A shape as the solvers article and bump, and bump.lua, have it: boxes, each full or with one straight line
+// across it.
 #pragma once
 
 #include <optional>
@@ -23,8 +24,9 @@ struct BumpBox {
   friend bool operator==(const BumpBox&, const BumpBox&) = default;
 };
 
-// The boxes of a shape, a usable one (see problem_of), in a cell: those that add_ground() of
-// assets/runtime/bump_slopes.lua adds, in its order and to the last bit. None of a shape without height.
-std::vector<BumpBox> bump_boxes(const TileShape& shape, Cell cell);
+// The boxes of a shape, a usable one (see problem_of), from left to right, relative to its cell. With the
+// cell's corner added to x and y they are those of add_ground() in assets/runtime/bump_slopes.lua, in its
+// order and to the last bit. None of a shape without height.
+std::vector<BumpBox> bump_boxes(const TileShape& shape);
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "../level/bump_boxes.h"
 #include "../level/ground.h"
 
 namespace talus {
@@ -26,61 +27,10 @@ TileRole role_of_line(double h0, double h1) {
   return h1 > h0 ? TileRole::up_slope : TileRole::down_slope;
 }
 
-// The boxes of a shape, from left to right. The exported companion for bump.lua makes the same, with the same
-// doubles: see add_ground() in assets/runtime/bump_slopes.lua.
-class ShapeBoxes {
- public:
-  explicit ShapeBoxes(const TileShape& shape) : shape_(shape) {}
-
-  TileBoxes boxes() {
-    static const std::vector<double> kFull = {kTileSize, kTileSize};
-    const bool is_full = shape_.kind == TileShape::Kind::solid;
-    const std::vector<double>& heights = is_full ? kFull : shape_.heights;
-    const double width = (is_full ? 1 : shape_.tiles) * kTileSize;
-    is_ceiling_ = !is_full && shape_.side == TileShape::Side::ceiling;
-    const std::size_t count = heights.size() - 1;
-    const auto across = [&](std::size_t n) {
-      return width * static_cast<double>(n) / static_cast<double>(count);
-    };
-    for (std::size_t from = 0, i = 1; i <= count; ++i) {
-      const bool goes_on = i < count && heights[i + 1] - heights[i] == heights[i] - heights[i - 1];
-      if (goes_on) continue;
-      part({across(from), 0, across(i - from), 0}, heights[from], heights[i], count == 1);
-      from = i;
-    }
-    return std::move(boxes_);
-  }
-
- private:
-  // A slope of a longer line is one box down to its base, which has no seam that rounding could make a step
-  // of; one alone is a slope on a full box.
-  void part(const Rect& span, double h0, double h1, bool is_alone) {
-    const auto [low, high] = std::minmax(h0, h1);
-    if (shape_.one_way) return line(span, low - 1, h0, h1);  // where it is level, the box needs a height
-    if (!is_alone) return line(span, 0, h0, h1);
-    if (is_ceiling_) {
-      line(span, low, h0, h1);
-    } else {
-      layer(role_of_line(h0, h1), span, low, high);
-    }
-    layer(TileRole::solid, span, 0, low);
-  }
-
-  // The box between a height and the higher one of two.
-  void line(const Rect& span, double from, double h0, double h1) {
-    const auto [low, high] = std::minmax(h0, h1);
-    layer(role_of_line(h0, h1), span, from, high,
-          GroundLine{h1 > h0, low - from, is_ceiling_, shape_.one_way});
-  }
-
-  void layer(TileRole role, const Rect& span, double from, double to, std::optional<GroundLine> line = {}) {
-    boxes_.add(role, {span.x, is_ceiling_ ? from : kTileSize - to, span.w, to - from}, line);
-  }
-
-  const TileShape& shape_;
-  bool is_ceiling_ = false;
-  TileBoxes boxes_;
-};
+std::optional<GroundLine> ground_line(const std::optional<BumpLine>& line) {
+  if (!line) return {};
+  return GroundLine{line->h1 > line->h0, std::min(line->h0, line->h1), line->is_ceiling, line->one_way};
+}
 
 // A straight floor is a slope's box on a solid one. Of other shapes the article knows nothing.
 TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
@@ -88,7 +38,14 @@ TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
   const bool is_known = !shape.one_way && shape.kind != TileShape::Kind::profile &&
                         (shape.kind == TileShape::Kind::solid || shape.side == TileShape::Side::floor);
   if (solver != SolverKind::bump && !is_known) return {};
-  return ShapeBoxes(shape).boxes();
+  const bool is_straight_floor =
+      shape.heights.size() == 2 && shape.side == TileShape::Side::floor && !shape.one_way;
+  TileBoxes boxes;
+  for (const BumpBox& box : bump_boxes(shape)) {
+    const TileRole role = box.line ? role_of_line(box.line->h0, box.line->h1) : TileRole::solid;
+    boxes.add(role, box.box, is_straight_floor ? std::nullopt : ground_line(box.line));
+  }
+  return boxes;
 }
 
 TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
