@@ -34,7 +34,7 @@ Problem problem_of_width(double x0, double x1) {
   return weld(x0) < weld(x1) ? Problem() : kWeldedAway;
 }
 
-Problem first_of(Problem a, Problem b) { return a ? a : b; }
+Problem first_of(const Problem& a, const Problem& b) { return a ? a : b; }
 
 Problem problem_of_form(const Segment& s) {
   if (const Problem bad = problem_of_numbers(s.from, s.to)) return bad;

@@ -161,30 +161,30 @@ ItemId World::add(Rect rect, int group) {
   return w.id_of(slot);
 }
 
-void World::remove(ItemId id) {
+void World::remove(ItemId item) {
   Impl& w = *impl_;
   assert(w.depth == 0 && "a filter or response must not change the world");
-  const std::uint32_t slot = w.checked_slot(id);
-  Impl::Item& item = w.items[slot];
+  const std::uint32_t slot = w.checked_slot(item);
+  Impl::Item& removed = w.items[slot];
   w.free_slots.push_back(slot);
-  w.grid.remove(id, item.cells);
-  w.covered -= item.cells.count();
-  const std::uint32_t generation = item.generation == kMaxGeneration ? 1 : item.generation + 1;
-  item = {};
-  item.generation = generation;
+  w.grid.remove(item, removed.cells);
+  w.covered -= removed.cells.count();
+  const std::uint32_t generation = removed.generation == kMaxGeneration ? 1 : removed.generation + 1;
+  removed = {};
+  removed.generation = generation;
   w.rects[slot] = {};
   --w.live;
 }
 
-void World::update(ItemId id, Rect rect) {
-  const std::uint32_t slot = impl_->checked_slot(id);
+void World::update(ItemId item, Rect rect) {
+  const std::uint32_t slot = impl_->checked_slot(item);
   impl_->check_rect(rect);
   impl_->place(slot, rect);
 }
 
-void World::update(ItemId id, Vec2 position) {
-  const Rect& old = impl_->rects[impl_->checked_slot(id)];
-  update(id, {position.x, position.y, old.w, old.h});
+void World::update(ItemId item, Vec2 position) {
+  const Rect& old = impl_->rects[impl_->checked_slot(item)];
+  update(item, {position.x, position.y, old.w, old.h});
 }
 
 void World::project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vector<Collision>& hits) const {

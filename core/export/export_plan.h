@@ -35,11 +35,11 @@ struct ExportProblem {
   bool is_outside = false;  // the path, or a file there, is not within the bounds
 };
 
-// Makes the files of an export, and looks at what is at their places. `output`: a file or folder; empty: not
-// known yet, and all places are taken for empty. `parts`, `progress`: as in ExportRequest. `made`: the
-// content, where an earlier plan of the same level, exporter and output has it already; null: it is made.
-// What is outside of the bounds is an error, and is not even looked at.
-tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view exporter,
+// Makes the files of an export by the exporter with this id, and looks at what is at their places. `output`:
+// a file or folder; empty: not known yet, and all places are taken for empty. `parts`, `progress`: as in
+// ExportRequest. `made`: the content, where an earlier plan of the same level, exporter and output has it
+// already; null: it is made. What is outside of the bounds is an error, and is not even looked at.
+tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::string_view id,
                                                     const std::string& output, const ReadAsset& read_asset,
                                                     std::string_view parts = {},
                                                     const Progress& progress = {},

@@ -45,8 +45,8 @@ struct JoinedLevel {
   std::string note = {};  // what is to be told, a sentence without its full stop; empty: they fit
   bool is_whole = true;   // nothing of the companion was left out
 };
-// A companion together with what its file holds. The cart stays that of `held`.
-FormatResult<JoinedLevel> join_companion(std::string_view companion, const Level& held, const Format& format,
+// A companion, read from its bytes, together with what its file holds. The cart stays that of `held`.
+FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& held, const Format& format,
                                          const std::string& file);
 
 }  // namespace talus

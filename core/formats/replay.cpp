@@ -265,7 +265,7 @@ class Replay {
     return it == reactions_.end() ? default_reaction_ : it->second;
   }
 
-  std::string names_line(std::vector<Name> names) const {
+  std::string names_line(const std::vector<Name>& names) const {
     std::string line = "{\"items\":[";
     for (const Name name : names) {
       append_number(line, name);
@@ -278,7 +278,7 @@ class Replay {
     std::vector<Name> names;
     for (const ItemId item : found_) names.push_back(name_of(item));
     std::sort(names.begin(), names.end());
-    return names_line(std::move(names));
+    return names_line(names);
   }
 
   std::string query_rect(const Json& op) {
@@ -293,7 +293,7 @@ class Replay {
     world_.query_segment(point_field(op, "from"), point_field(op, "to"), segment_hits_);
     std::vector<Name> names;
     for (const SegmentHit& hit : segment_hits_) names.push_back(name_of(hit.item));
-    return names_line(std::move(names));
+    return names_line(names);
   }
   std::string query_segment_with_coords(const Json& op) {
     world_.query_segment(point_field(op, "from"), point_field(op, "to"), segment_hits_);

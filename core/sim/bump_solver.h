@@ -19,7 +19,7 @@ class BumpSolver final : public WorldSolver {
   void drag(Body& body, Placed& placed, const Input& input) override;
   Vec2 respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
                std::vector<Collision>& next) const;
-  void note_surface(std::size_t hit);
+  void note_surface(std::size_t i);  // of the hit of this number
 };
 
 }  // namespace talus

@@ -4,7 +4,7 @@
 
 namespace talus {
 
-HitLog::HitLog(std::vector<ArmedBreakpoint> breakpoints)
+HitLog::HitLog(const std::vector<ArmedBreakpoint>& breakpoints)
     : counter_(breakpoints), history_(counter_.frames_before()) {
   for (const ArmedBreakpoint& armed : breakpoints)
     if (armed.breakpoint().enabled) hits_.push_back({armed.breakpoint().id, {}});

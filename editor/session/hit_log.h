@@ -11,7 +11,8 @@ namespace talus {
 
 class HitLog {
  public:
-  explicit HitLog(std::vector<ArmedBreakpoint> breakpoints);  // those that are not enabled are left out
+  // Those that are not enabled are left out.
+  explicit HitLog(const std::vector<ArmedBreakpoint>& breakpoints);
 
   // Judges up to so many frames more; true when this frame and all before it are judged. The source must be
   // the same in every call, but may have grown.

@@ -184,7 +184,7 @@ struct Session::Impl {
   void recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings);
   // Notes what the level's file holds now, as what this session knows of it.
   void note_file();
-  void take_file_change(FilesChange change);  // by another program; asks or tells what becomes of the level
+  void take_file_change(FilesChange found);  // by another program; asks or tells what becomes of the level
   void reload();
   void take_reloaded(const FormatResult<LoadedLevel>& loaded);
   bool save();  // false when it failed or a name is needed first
