@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <fstream>
-#include <regex>
 
 #include "folder_test.h"
 #include "formats/format.h"
@@ -60,20 +59,6 @@ TEST_F(LinkedFiles, OfAnotherKindLeaveNothingInTheError) {
     EXPECT_THAT(error_with_tileset(name), testing::AllOf(HasSubstr("error"), Not(HasSubstr("hunter2"))))
         << name;
   }
-}
-
-// Every test that docs/security.md names is one.
-TEST(SecurityPage, NamesTestsThatThereAre) {
-  const std::string root = TALUS_SOURCE_DIR "/";
-  const std::string page = read_file(root + "docs/security.md").value();
-  std::string tests;
-  for (const auto& entry : fs::recursive_directory_iterator(root + "tests"))
-    if (entry.path().extension() == ".cpp") tests += read_file(entry.path().string()).value();
-  const std::regex name("`([A-Z][A-Za-z]+)\\.([A-Z][A-Za-z0-9]+)`");
-  int count = 0;
-  for (std::sregex_iterator at(page.begin(), page.end(), name), end; at != end; ++at, ++count)
-    EXPECT_NE(tests.find("(" + at->str(1) + ", " + at->str(2) + ")"), std::string::npos) << at->str();
-  EXPECT_GT(count, 20);
 }
 
 }  // namespace talus::linked_files_test
