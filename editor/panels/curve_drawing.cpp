@@ -26,6 +26,7 @@ void CurvePen::stroke(const Curve& curve, ImU32 color) const {
   const Rect visible = view_.visible();
   const std::vector<Vec2> points = points_of(curve, visible.x, visible.right(), kMostPoints);
   std::vector<ImVec2> drawn;
+  drawn.reserve(points.size());
   for (const Vec2 point : points) drawn.push_back(view_.to_screen(point));
   const int count = static_cast<int>(drawn.size());
   list_.AddPolyline(drawn.data(), count, theme::color(theme::kDark, 200), ImDrawFlags_None, width_ + 2);

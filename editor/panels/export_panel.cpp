@@ -60,6 +60,7 @@ std::vector<const Exporter*> matching_targets(const std::string& typed) {
   std::stable_sort(scored.begin(), scored.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const Exporter*> found;
+  found.reserve(scored.size());
   for (const auto& entry : scored) found.push_back(entry.second);
   return found;
 }

@@ -11,8 +11,8 @@ namespace talus {
 
 class SpawnInspector {
  public:
-  // spawn: an index into the level's spawns.
-  void draw(const Session& session, int spawn, Actions& actions, Ui& ui);
+  // index: into the level's spawns.
+  void draw(const Session& session, int index, Actions& actions, Ui& ui);
 
  private:
   void draw_kind(const Session& session, int index, Actions& actions, Ui& ui);

@@ -143,6 +143,7 @@ tl::expected<std::vector<std::string>, std::string> split_command(std::string_vi
 
 tl::expected<void, std::string> start_detached(const std::vector<std::string>& arguments) {
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   const auto failure = [&](int error) {
