@@ -24,13 +24,15 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
 }
 
 // Log: is told what is looked at; see NoLog.
-template <class Real, unsigned Parts, class Log = NoLog>
+template <class Real, class Log = NoLog>
 class Caster {
  public:
-  // budget: null: none.
+  // budget: null: none. with_curves: false: of curves, their ends alone stop the box.
   Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
-         CastBudget* budget = nullptr, Log log = {})
+         CastBudget* budget, bool with_curves, Log log = {})
       : terrain_(terrain),
+        has_pieces_(terrain.has_pieces()),
+        with_curves_(with_curves),
         ignored_(ignored),
         box_(cast.box),
         dx_(moves_sideways(cast) ? cast.motion.x : 0),
@@ -232,7 +234,7 @@ class Caster {
       const auto here = words.row(row);
       const std::uint64_t cells = wanted(row);
       log_.looks_at(column, row, cells);
-      if constexpr (Parts != kTiles) {
+      if (has_pieces_) {
         std::uint64_t pieces = here.faced(floor);
         if constexpr (!kVertical) pieces |= here.faced(up ? Facing::down : Facing::up) | here.faced(side);
         for (pieces &= cells; pieces != 0; pieces &= pieces - 1) {
@@ -367,8 +369,8 @@ class Caster {
                          centre ? piece.far1 : piece.is_open1()};
     if (piece.stretch == 0) {
       sloped(reach, up, piece);
-    } else {
-      if constexpr ((Parts & kCurves) != 0) curved(reach, up, piece, offset, lift);
+    } else if (with_curves_) {
+      curved(reach, up, piece, offset, lift);
     }
     ends(up, piece, lift);
   }
@@ -500,17 +502,19 @@ class Caster {
     return {sign * along.y, -sign * along.x};
   }
 
-  void offer(Hit hit) {
+  [[gnu::always_inline]] void offer(Hit hit) {
     log_.meets(hit.t);
     if (!(hit.t <= best_.t)) return;
-    if (hit.t == best_.t && hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
     hit.origin = origin_;
     hit.is_other = is_other_;
-    if (hit.t < best_.t) {
-      log_.is_first();
-      best_ = hit;
-      return;
-    }
+    if (hit.t == best_.t) return offer_at_the_same_time(hit);
+    log_.is_first();
+    best_ = hit;
+  }
+
+  // Seldom, and so kept out of what is inlined.
+  [[gnu::noinline]] void offer_at_the_same_time(const Hit& hit) {
+    if (hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
     const BasicVec2<Real> ours = normal(hit), theirs = normal(best_), d{dx_, dy_};
     const Real a = dot(ours, d), b = dot(theirs, d);
     if (a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y))) {
@@ -522,6 +526,8 @@ class Caster {
   }
 
   const BasicTerrain<Real>& terrain_;
+  const bool has_pieces_;
+  const bool with_curves_;
   const Piece<Real>* ignored_;
   const BasicRect<Real> box_;
   const Real dx_, dy_;
@@ -543,11 +549,45 @@ Cast<Real> middle_of(const Cast<Real>& cast) {
   return {{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h}, cast.motion, Foot::box};
 }
 
-template <unsigned Parts>
-CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
+// The contact of the whole box; with the pieces of curves, or with their ends alone.
+template <class Real>
+[[gnu::always_inline]] inline Contact<Real> contact_of_box(const BasicTerrain<Real>& terrain,
+                                                           const Cast<Real>& cast,
+                                                           std::span<const BasicRect<Real>> others,
+                                                           const Piece<Real>* ignored, CastBudget* budget,
+                                                           bool with_curves) {
+  if (budget != nullptr) budget->seen = 1;
+  Caster<Real> caster(terrain, cast, ignored, budget, with_curves);
+  for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
+  caster.against_terrain();
+  if (budget != nullptr) budget->left -= caster.work() + static_cast<std::int64_t>(others.size()) + 1;
+  return caster.contact();
+}
+
+// What a box meets that stands on its centre: its corners may be in a slope, and behind the ends of walls and
+// ceilings that the slope covers; not so its middle.
+template <class Real>
+[[gnu::noinline]] Contact<Real> contact_on_centre(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
+                                                  std::span<const BasicRect<Real>> others,
+                                                  const Piece<Real>* ignored, CastBudget* budget) {
+  const Contact<Real> contact = contact_of_box(terrain, cast, others, ignored, budget, true);
+  const Cast<Real> middle = middle_of(cast);
+  const double seen = budget != nullptr ? budget->seen : 1;
+  Contact<Real> hit = contact_of_box(terrain, middle, {}, ignored, budget, false);
+  if (budget != nullptr) budget->seen = std::min(budget->seen, seen);
+  const bool is_known = budget == nullptr || static_cast<double>(hit.t) <= budget->seen;
+  if (is_known && hit.t < contact.t) {
+    hit.position.x = moved_x(cast.box, hit.position.x - middle.box.x);
+    return hit;
+  }
+  if (budget != nullptr && static_cast<double>(contact.t) > budget->seen) return {};
+  return contact;
+}
+
+CastTrace traced(const Terrain& terrain, const Cast<double>& cast, bool with_curves) {
   CastTrace trace;
   CastBudget budget{TraceLog::kMost};
-  Caster<double, Parts, TraceLog> caster(terrain, cast, nullptr, &budget, TraceLog(terrain, trace));
+  Caster<double, TraceLog> caster(terrain, cast, nullptr, &budget, with_curves, TraceLog(terrain, trace));
   caster.against_terrain();
   trace.contact = caster.contact();
   return trace;
@@ -555,45 +595,20 @@ CastTrace traced(const Terrain& terrain, const Cast<double>& cast) {
 
 }  // namespace
 
-template <class Real, unsigned Parts>
+template <class Real>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                        std::span<const BasicRect<Real>> others, const Piece<Real>* ignored,
                        CastBudget* budget) {
   if (!is_usable(cast)) return {};
-  if (budget != nullptr) budget->seen = 1;
-  Caster<Real, Parts> caster(terrain, cast, ignored, budget);
-  for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
-  caster.against_terrain();
-  if (budget != nullptr) budget->left -= caster.work() + static_cast<std::int64_t>(others.size()) + 1;
-  const Contact<Real> contact = caster.contact();
-  if constexpr (Parts != kTiles) {
-    if (cast.foot == Foot::box) return contact;
-    // Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so
-    // its middle.
-    const Cast<Real> middle = middle_of(cast);
-    const double seen = budget != nullptr ? budget->seen : 1;
-    Contact<Real> hit = cast_box<Real, kSlopes>(terrain, middle, {}, ignored, budget);
-    if (budget != nullptr) budget->seen = std::min(budget->seen, seen);
-    const bool is_known = budget == nullptr || static_cast<double>(hit.t) <= budget->seen;
-    if (is_known && hit.t < contact.t) {
-      hit.position.x = moved_x(cast.box, hit.position.x - middle.box.x);
-      return hit;
-    }
-    if (budget != nullptr && static_cast<double>(contact.t) > budget->seen) return {};
-  }
-  return contact;
-}
-
-Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast) {
-  if (terrain.features().curves) return cast_box<double, kAllParts>(terrain, cast);
-  if (terrain.features().pieces) return cast_box<double, kSlopes>(terrain, cast);
-  return cast_box<double, kTiles>(terrain, cast);
+  if (cast.foot == Foot::centre && terrain.has_pieces())
+    return contact_on_centre(terrain, cast, others, ignored, budget);
+  return contact_of_box(terrain, cast, others, ignored, budget, true);
 }
 
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast) {
   if (!is_usable(cast)) return {};
-  CastTrace trace = traced<kAllParts>(terrain, cast);
-  if (cast.foot == Foot::centre) add_trace(trace, traced<kSlopes>(terrain, middle_of(cast)));
+  CastTrace trace = traced(terrain, cast, true);
+  if (cast.foot == Foot::centre) add_trace(trace, traced(terrain, middle_of(cast), false));
   trace.contact = cast_box(terrain, cast);
   return trace;
 }
@@ -609,15 +624,8 @@ Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stret
 #define TALUS_CAST(Real)                                                                                 \
   template Real rest_on(const Piece<Real>&, std::span<const CurveStretch<Real>>, const BasicRect<Real>&, \
                         Foot);                                                                           \
-  template Contact<Real> cast_box<Real, kTiles>(const BasicTerrain<Real>&, const Cast<Real>&,            \
-                                                std::span<const BasicRect<Real>>, const Piece<Real>*,    \
-                                                CastBudget*);                                            \
-  template Contact<Real> cast_box<Real, kSlopes>(const BasicTerrain<Real>&, const Cast<Real>&,           \
-                                                 std::span<const BasicRect<Real>>, const Piece<Real>*,   \
-                                                 CastBudget*);                                           \
-  template Contact<Real> cast_box<Real, kAllParts>(const BasicTerrain<Real>&, const Cast<Real>&,         \
-                                                   std::span<const BasicRect<Real>>, const Piece<Real>*, \
-                                                   CastBudget*)
+  template Contact<Real> cast_box(const BasicTerrain<Real>&, const Cast<Real>&,                          \
+                                  std::span<const BasicRect<Real>>, const Piece<Real>*, CastBudget*)
 TALUS_CAST(double);
 TALUS_CAST(float);
 #undef TALUS_CAST

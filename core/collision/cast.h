@@ -7,14 +7,6 @@
 
 namespace talus {
 
-// The parts of the terrain that a cast is built for; one more costs time in every step of a scene.
-enum CastParts : unsigned {
-  kTiles = 0,   // full tiles: always
-  kSlopes = 1,  // straight pieces of the outline
-  kCurves = 2,  // curved ones; together with kSlopes
-  kAllParts = kSlopes | kCurves
-};
-
 template <class Real>
 struct Contact {
   Real t = std::numeric_limits<Real>::infinity();  // time of impact, 0..1 of the motion; infinite: none
@@ -54,7 +46,7 @@ bool moves_sideways(const Cast<Real>& cast) {
 // A few units in the last place of the coordinates involved: what rounding may have put a box into the
 // ground. Alike for mirror images, and for all motions of up to two cells.
 template <class Real>
-Real rounding_slack(const Cast<Real>& cast) {
+[[gnu::always_inline]] inline Real rounding_slack(const Cast<Real>& cast) {
   const BasicRect<Real>& b = cast.box;
   const Real half_w = b.w / 2, half_h = b.h / 2;
   const Real reach = (std::abs(b.x + half_w) + half_w) + (std::abs(b.y + half_h) + half_h) +
@@ -85,13 +77,10 @@ struct CastBudget {
 // two mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as
 // a floor or ceiling. `ignored`: a piece that stops nothing this time.
 // `others`: boxes that stop it as tiles do. None for a cast that is not usable. budget: null: none.
-template <class Real, unsigned Parts>
+template <class Real>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                        std::span<const BasicRect<Real>> others = {}, const Piece<Real>* ignored = nullptr,
                        CastBudget* budget = nullptr);
-
-// The same for whatever the terrain has.
-Contact<double> cast_box(const Terrain& terrain, const Cast<double>& cast);
 
 // How far right of a box's left side the part of it is that touches a sloped floor or ceiling.
 template <class Real>

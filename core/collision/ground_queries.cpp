@@ -156,7 +156,7 @@ bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& bo
   const bool centre = foot == Foot::centre;
   if (overlaps_tile(ground, box, slack, centre)) return true;
   if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false)) return true;
-  if (!ground.features().pieces) return false;
+  if (!ground.has_pieces()) return false;
   // A slope's body may lie some cells from its own cell.
   const CellBlock met = cells_met(ground, box, slack);
   const auto [first, last] =

@@ -80,7 +80,6 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
   parts->curve_pieces = std::move(curves.pieces);
   parts->curve_ends = std::move(curves.ends);
   parts->cells_of_curves = cells_of(parts->curve_pieces, curves.stretches);
-  features_.curves = !parts->stretches.empty();
   parts_ = std::move(parts);
 
   chunks_.resize(static_cast<std::size_t>(chunk_columns_) * ((height_ + kSide - 1) / kSide));
@@ -160,7 +159,6 @@ void BasicTerrain<Real>::compile(std::array<Cell, 2> area, const std::function<b
                     outlines);
     }
   }
-  features_.pieces = pieces_ != 0;
 }
 
 // Which cells of an area within one chunk have an outline that bits cannot tell.

@@ -37,13 +37,6 @@ struct TerrainSource {
   std::function<bool(double)> progress = {};
 };
 
-// What of the features a terrain has; a sweep is built for these alone.
-struct TerrainFeatures {
-  bool pieces = false;  // slopes, profiles, one-way tiles or curves
-  bool curves = false;  // any that are not straight
-  friend bool operator==(const TerrainFeatures&, const TerrainFeatures&) = default;
-};
-
 // A row of a terrain's chunk: bit x of a word is the cell in column x.
 struct TerrainRow {
   std::uint64_t solid = 0;     // a full solid tile
@@ -88,7 +81,8 @@ class BasicTerrain {
   int width() const { return width_; }
   int height() const { return height_; }
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
-  const TerrainFeatures& features() const { return features_; }
+  // Whether its outline has pieces: those of slopes, profiles, one-way tiles or curves.
+  bool has_pieces() const { return pieces_ != 0; }
 
   // Gives a cell of the terrain (asserted) another tile. Only its surroundings are compiled anew.
   void set_cell(Cell cell, std::uint8_t tile);
@@ -214,7 +208,6 @@ class BasicTerrain {
 
   int width_ = 1, height_ = 1;
   int chunk_columns_ = 1;
-  TerrainFeatures features_;
   std::shared_ptr<const Parts> parts_;
   std::vector<std::shared_ptr<const Chunk>> chunks_;  // row by row; null: nothing in it
   std::size_t pieces_ = 0;                            // in all of them

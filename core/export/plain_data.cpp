@@ -39,7 +39,7 @@ bool is_before(const OneWay& a, const OneWay& b) {
 // What is in several cells, or in two tiles, once.
 std::vector<OneWay> one_way_pieces(const Terrain& ground) {
   std::vector<OneWay> pieces;
-  for (Cell c; c.y < ground.height() && ground.features().pieces; ++c.y) {
+  for (Cell c; c.y < ground.height() && ground.has_pieces(); ++c.y) {
     for (c.x = 0; c.x < ground.width(); ++c.x) {
       for (const Piece<double>& piece : ground.pieces_in(c))
         if (piece.one_way && piece.origin >= 0) pieces.push_back(piece);

@@ -70,7 +70,7 @@ class RestMemo {
   Contact<Real> contact_;
 };
 
-template <class Real, unsigned Parts>
+template <class Real>
 class Mover {
  public:
   using Vec = BasicVec2<Real>;
@@ -137,11 +137,9 @@ class Mover {
       }
       before = contact.normal;
       followed = nullptr;
-      if constexpr ((Parts & kCurves) != 0) {
-        if (slides && surface_ != nullptr && is_hollow(*surface_)) {
-          followed = surface_;
-          follow(body, motion, after_following);
-        }
+      if (slides && surface_ != nullptr && is_hollow(*surface_)) {
+        followed = surface_;
+        follow(body, motion, after_following);
       }
     }
     settle(body);
@@ -155,7 +153,7 @@ class Mover {
     if (may_rest) {
       if (const Contact<Real>* known = rest_->find(cast)) return *known;
     }
-    contact_ = cast_box<Real, Parts>(terrain_, cast, others_, followed, budget_);
+    contact_ = cast_box(terrain_, cast, others_, followed, budget_);
     if (may_rest) rest_->keep(cast, contact_);
     return contact_;
   }

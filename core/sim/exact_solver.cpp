@@ -21,13 +21,14 @@ const std::shared_ptr<const BasicTerrain<Real>>& ground_of(const Scene& scene) {
   }
 }
 
-template <class Real, unsigned Parts, bool Pairs, bool Players>
+template <class Real>
 class ExactSolver final : public Solver {
  public:
   explicit ExactSolver(std::shared_ptr<const Scene> scene)
       : scene_(std::move(scene)),
         ground_(*ground_of<Real>(*scene_)),
         numbers_(scene_->tuning),
+        pairs_(scene_->features.pairs),
         max_passes_(static_cast<int>(scene_->tuning.exact.max_passes)),
         substeps_(static_cast<int>(scene_->tuning.exact.substeps)),
         part_(Real(1) / static_cast<Real>(substeps_)) {}
@@ -35,7 +36,7 @@ class ExactSolver final : public Solver {
   void step(State& state, const Input& input, StepRecord* record) override {
     record_ = record;
     if (record_ != nullptr) record_->clear();
-    if constexpr (Pairs) {
+    if (pairs_) {
       grid_.synchronise(state.bodies);
     } else {
       rests_.resize(state.bodies.size());
@@ -66,8 +67,8 @@ class ExactSolver final : public Solver {
 
     if (body.id == state.grabbed) {
       drag(state, index, moving, input);
-    } else if (Players && body.kind == BodyKind::player) {
-      if constexpr (Players) run(state, index, moving, input);
+    } else if (body.kind == BodyKind::player) {
+      run(state, index, moving, input);
     } else {
       fall(state, index, moving);
     }
@@ -77,9 +78,7 @@ class ExactSolver final : public Solver {
     body.box = widen(moving.box);
     body.velocity = widen(moving.velocity);
     body.is_clear = true;
-    if constexpr (Pairs) {
-      if (!(before == body.box)) grid_.place(static_cast<std::uint32_t>(index), body.box);
-    }
+    if (pairs_ && !(before == body.box)) grid_.place(static_cast<std::uint32_t>(index), body.box);
     if (record_ != nullptr) record_->paths.back().to = body.box;
   }
 
@@ -144,7 +143,7 @@ class ExactSolver final : public Solver {
   Contact<Real> floor_under(const State& state, std::size_t index, const Moving<Real>& moving, Real reach) {
     if (!gather(state, index, moving, {0, reach})) return {};
     Contact<Real> floor =
-        cast_box<Real, Parts>(ground_, {moving.box, {0, reach}, moving.foot}, others_, nullptr, &budget_);
+        cast_box<Real>(ground_, {moving.box, {0, reach}, moving.foot}, others_, nullptr, &budget_);
     if (floor && !is_level(floor, numbers_.steepest)) floor.t = std::numeric_limits<Real>::infinity();
     return floor;
   }
@@ -154,7 +153,7 @@ class ExactSolver final : public Solver {
   template <class Respond>
   void move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
     if (!gather(state, index, moving, motion)) return note_cut_short();
-    Mover<Real, Parts> mover(ground_, others_, max_passes_, Pairs ? nullptr : &rests_[index], &budget_);
+    Mover<Real> mover(ground_, others_, max_passes_, pairs_ ? nullptr : &rests_[index], &budget_);
     const auto answer = [&](const Contact<Real>& contact, Vec way) {
       const Vec after = respond(contact, way);
       if (record_ != nullptr) record_->contacts.back().after = widen(after);
@@ -172,21 +171,20 @@ class ExactSolver final : public Solver {
   // The other bodies that the motion, whichever way it turns, may meet. False: there are more than the body
   // may look at.
   bool gather(const State& state, std::size_t index, const Moving<Real>& moving, Vec motion) {
-    if constexpr (Pairs) {
-      const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
-      const Rect box = widen(moving.box);
-      const Rect around{box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length};
-      if (!grid_.near(around, budget_.left, near_)) {
-        budget_.left = 0;
-        return false;
-      }
-      others_.clear();
-      other_bodies_.clear();
-      for (const std::uint32_t i : near_) {
-        if (i == index) continue;
-        others_.push_back(narrow(state.bodies[i].box));
-        other_bodies_.push_back(&state.bodies[i]);
-      }
+    if (!pairs_) return true;
+    const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
+    const Rect box = widen(moving.box);
+    const Rect around{box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length};
+    if (!grid_.near(around, budget_.left, near_)) {
+      budget_.left = 0;
+      return false;
+    }
+    others_.clear();
+    other_bodies_.clear();
+    for (const std::uint32_t i : near_) {
+      if (i == index) continue;
+      others_.push_back(narrow(state.bodies[i].box));
+      other_bodies_.push_back(&state.bodies[i]);
     }
     return true;
   }
@@ -281,6 +279,7 @@ class ExactSolver final : public Solver {
   const std::shared_ptr<const Scene> scene_;
   const BasicTerrain<Real>& ground_;
   const ExactNumbers<Real> numbers_;
+  const bool pairs_;  // whether bodies block one another
   const int max_passes_, substeps_;
   const Real part_;    // of a step, that a sub-step takes
   CastBudget budget_;  // of the body that moves
@@ -293,32 +292,12 @@ class ExactSolver final : public Solver {
   int order_ = 0;                          // of the next contact of the body that moves
 };
 
-template <class Real, unsigned Parts, bool Pairs>
-std::unique_ptr<Solver> make(std::shared_ptr<const Scene> scene) {
-  if (scene->features.players)
-    return std::make_unique<ExactSolver<Real, Parts, Pairs, true>>(std::move(scene));
-  return std::make_unique<ExactSolver<Real, Parts, Pairs, false>>(std::move(scene));
-}
-
-template <class Real, unsigned Parts>
-std::unique_ptr<Solver> make(std::shared_ptr<const Scene> scene) {
-  if (scene->features.pairs) return make<Real, Parts, true>(std::move(scene));
-  return make<Real, Parts, false>(std::move(scene));
-}
-
-template <class Real>
-std::unique_ptr<Solver> make(std::shared_ptr<const Scene> scene) {
-  if (scene->features.curves) return make<Real, kAllParts>(std::move(scene));
-  if (scene->features.slopes) return make<Real, kSlopes>(std::move(scene));
-  return make<Real, kTiles>(std::move(scene));
-}
-
 }  // namespace
 
 std::unique_ptr<Solver> make_exact_solver(std::shared_ptr<const Scene> scene) {
   assert(scene->ground || scene->single_ground);
-  if (scene->single_ground) return make<float>(std::move(scene));
-  return make<double>(std::move(scene));
+  if (scene->single_ground) return std::make_unique<ExactSolver<float>>(std::move(scene));
+  return std::make_unique<ExactSolver<double>>(std::move(scene));
 }
 
 }  // namespace talus

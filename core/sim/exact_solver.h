@@ -1,5 +1,5 @@
 // The exact solver: bodies are swept against the ground's outline, put on what they hit, and slide, bounce or
-// walk along it. Built for the features of a scene: what the scene has not, the step has not.
+// walk along it.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,6 @@ Scene without_others(const Scene& scene) {
   Scene alone = scene;
   alone.items.clear();  // the ground is all that the exact solver needs
   alone.features.pairs = false;
-  alone.features.players = true;
   return alone;
 }
 

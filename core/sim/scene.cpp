@@ -90,12 +90,6 @@ TileBoxes body_of(const TileBoxes& tile) {
   return body;
 }
 
-void note_ground(Scene& scene) {
-  const TerrainFeatures found = scene.ground ? scene.ground->features() : scene.single_ground->features();
-  scene.features.slopes = found.pieces;
-  scene.features.curves = found.curves;
-}
-
 void note_bodies(Scene& scene) {
   const auto is_player = [](const SceneItem& item) { return item.kind == BodyKind::player; };
   const auto bodies = std::count_if(scene.items.begin(), scene.items.end(),
@@ -115,7 +109,6 @@ void compile_ground(const Level& level, const std::function<bool(double)>& progr
   for (const LevelCurve& curve : level.curves) {  // as ground_of leaves some out
     if (!problem_of(curve.curve, level.map)) scene.curve_names.push_back(curve.name);
   }
-  note_ground(scene);
 }
 
 template <class Ground>
@@ -195,7 +188,6 @@ Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const C
   next.tuning = edited.tuning;
   if (scene.ground) next.ground = with_cells(*scene.ground, edited.map, changed);
   if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, edited.map, changed);
-  note_ground(next);
 
   const auto in_map_order = [](Cell a, Cell b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::vector<Cell> cells(changed.begin(), changed.end());

@@ -46,12 +46,10 @@ struct SceneItem {
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
 };
 
-// Which features a scene uses. The exact solver's step is built from these; what is missing costs nothing.
+// What the bodies of a scene make necessary.
 struct SceneFeatures {
-  bool slopes = false;  // slopes, profiles, one-way tiles or curves: anything but full tiles
-  bool curves = false;  // that are not straight
-  bool pairs = false;   // bodies that block one another
-  bool players = false;
+  bool pairs = false;    // several bodies, which block one another
+  bool players = false;  // there is one, who takes the keys
   friend bool operator==(const SceneFeatures&, const SceneFeatures&) = default;
 };
 

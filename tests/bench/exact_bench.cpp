@@ -1,5 +1,4 @@
-// What a step of the exact solver costs for a body, feature by feature, and what the step that is built for a
-// scene saves over the one that is built for everything.
+// What a step of the exact solver costs for a body, feature by feature.
 #include <benchmark/benchmark.h>
 
 #include "level/level.h"
@@ -44,13 +43,10 @@ Level level_with(Ground ground, BodyKind kind) {
   return level;
 }
 
-// all: the step that can do everything, though the scene does not need it.
-void step(benchmark::State& state, Ground ground, BodyKind kind, bool all) {
-  Scene scene = compile_scene(level_with(ground, kind));
-  if (all) scene.features = {.slopes = true, .curves = true, .pairs = scene.features.pairs, .players = true};
-  const auto shared = std::make_shared<const Scene>(std::move(scene));
-  const auto solver = make_exact_solver(shared);
-  const State start = initial_state(*shared);
+void step(benchmark::State& state, Ground ground, BodyKind kind) {
+  const auto scene = std::make_shared<const Scene>(compile_scene(level_with(ground, kind)));
+  const auto solver = make_exact_solver(scene);
+  const State start = initial_state(*scene);
   State bodies = start;
   Input input;
   for (auto _ : state) {
@@ -63,12 +59,11 @@ void step(benchmark::State& state, Ground ground, BodyKind kind, bool all) {
                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK_CAPTURE(step, tiles, kTilesOnly, BodyKind::ball, false);
-BENCHMARK_CAPTURE(step, tiles_with_a_step_for_everything, kTilesOnly, BodyKind::ball, true);
-BENCHMARK_CAPTURE(step, slopes, kSlopesToo, BodyKind::ball, false);
-BENCHMARK_CAPTURE(step, curves, kCurvesToo, BodyKind::ball, false);
-BENCHMARK_CAPTURE(step, one_way, kOneWayToo, BodyKind::ball, false);
-BENCHMARK_CAPTURE(step, players, kTilesOnly, BodyKind::player, false);
+BENCHMARK_CAPTURE(step, tiles, kTilesOnly, BodyKind::ball);
+BENCHMARK_CAPTURE(step, slopes, kSlopesToo, BodyKind::ball);
+BENCHMARK_CAPTURE(step, curves, kCurvesToo, BodyKind::ball);
+BENCHMARK_CAPTURE(step, one_way, kOneWayToo, BodyKind::ball);
+BENCHMARK_CAPTURE(step, players, kTilesOnly, BodyKind::player);
 
 }  // namespace
 }  // namespace talus

@@ -124,16 +124,10 @@ std::shared_ptr<const Scene> scene_of(const RandomGround& ground, const Tuning& 
   scene->items = std::move(bodies);
   if (tuning.exact.single_precision != 0) {
     scene->single_ground = std::make_shared<const BasicTerrain<float>>(source);
-    scene->features.slopes = scene->single_ground->features().pieces;
-    scene->features.curves = scene->single_ground->features().curves;
   } else {
     scene->ground = std::make_shared<const Terrain>(source);
-    scene->features.slopes = scene->ground->features().pieces;
-    scene->features.curves = scene->ground->features().curves;
   }
   scene->features.pairs = tuning.article.balls_block != 0 && scene->items.size() > 1;
-  scene->features.players = std::any_of(scene->items.begin(), scene->items.end(),
-                                        [](const SceneItem& i) { return i.kind == BodyKind::player; });
   return scene;
 }
 

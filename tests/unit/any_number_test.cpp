@@ -85,7 +85,7 @@ TEST(AnyNumber, IsAnsweredInSinglePrecision) {
       return std::abs(v) > 1e38 ? std::copysign(1e38f, float(v > 0 ? 1 : -1)) : float(v);
     };
     const BasicRect<float> b{narrow(box.x), narrow(box.y), narrow(box.w), narrow(box.h)};
-    cast_box<float, kAllParts>(ground, {b, {narrow(motion.x), narrow(motion.y)}, Foot::box});
+    cast_box<float>(ground, {b, {narrow(motion.x), narrow(motion.y)}, Foot::box});
     if (overlaps_ground(ground, b)) way_out(ground, b);
   });
 }

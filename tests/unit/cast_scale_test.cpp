@@ -16,7 +16,7 @@ namespace talus::cast_scale_test {
 using Others = std::span<const BasicRect<double>>;
 
 Contact<double> cast_at(const Terrain& ground, const Cast<double>& cast, const Rect& other) {
-  return cast_box<double, kTiles>(ground, cast, Others(&other, 1));
+  return cast_box<double>(ground, cast, Others(&other, 1));
 }
 
 // What scales are powers of two scales every place, and no time.

@@ -143,7 +143,7 @@ TEST(Cast, AcrossWordsAndChunks) {
 TEST(Cast, OtherBoxesStopAsTilesDo) {
   const Terrain ground = TestMap(4, 4).compile();
   const std::array<Rect, 2> others = {Rect{20, 0, 4, 4}, Rect{10, 0, 4, 4}};
-  const auto c = cast_box<double, kTiles>(ground, {{0, 0, 4, 4}, {12, 0}}, others);
+  const auto c = cast_box<double>(ground, {{0, 0, 4, 4}, {12, 0}}, others);
   expect_contact(c, 0.5, {6, 0}, {-1, 0});
   EXPECT_TRUE(c.is_other);
   EXPECT_EQ(c.origin, -2);
@@ -278,7 +278,7 @@ TEST(Cast, AnIgnoredPieceStopsNothing) {
   const Cast<double> fall{{16, 12, 8, 8}, {0, 16}};
   const Contact<double> c = cast_box(ground, fall);
   ASSERT_TRUE(c.piece);
-  EXPECT_FALSE((cast_box<double, kSlopes>(ground, fall, {}, c.piece)));
+  EXPECT_FALSE((cast_box<double>(ground, fall, {}, c.piece)));
 }
 
 // ---- One-way ----
@@ -400,7 +400,7 @@ TEST(Cast, SinglePrecisionToo) {
   source.cells = cells;
   source.shapes = test_shapes();
   const BasicTerrain<float> ground(source);
-  const auto c = cast_box<float, kAllParts>(ground, {{6, 12, 4, 4}, {0, 8}});
+  const auto c = cast_box<float>(ground, {{6, 12, 4, 4}, {0, 8}});
   EXPECT_EQ(c.t, 0.75f);
   EXPECT_EQ(c.position, (BasicVec2<float>{6, 18}));
 }

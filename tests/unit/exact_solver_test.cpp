@@ -267,12 +267,8 @@ TEST(ExactSolver, FindsTheFeaturesOfItsScene) {
   EXPECT_EQ(compile_scene(level).features, SceneFeatures());
   level.map.set({1, 0}, 2);
   EXPECT_TRUE(compile_scene(level).features.pairs);
-  level.map.set({1, 0}, 3);
-  EXPECT_TRUE(compile_scene(level).features.slopes);
   level.spawns.push_back(player_at(0, 0));
   EXPECT_TRUE(compile_scene(level).features.players);
-  level.curves.push_back({"arc", {Arc{{8, 8}, 8, 0, 16, true}}, {}});
-  EXPECT_TRUE(compile_scene(level).features.curves);
 }
 
 TEST(ExactSolver, AFeatureThatIsNotUsedChangesNothing) {
@@ -343,7 +339,7 @@ TEST(ExactSolver, ABoxIsNotPutBackOnAPieceThatItSlidPast) {
   const auto slide = [](const Contact<float>& contact, BasicVec2<float> motion) {
     return slide_along(contact.normal, motion * (1 - contact.t));
   };
-  Mover<float, kSlopes>(ground, {}, 8).move(body, {-0.86466753f, 0.17298125f}, slide, [](auto&&...) {});
+  Mover<float>(ground, {}, 8).move(body, {-0.86466753f, 0.17298125f}, slide, [](auto&&...) {});
   ASSERT_LT(body.box.x, 56);
   EXPECT_LE(body.box.y + 3.4375f, 23.25f + (body.box.x - 48) / 32 + 0x1p-18f);
 }

@@ -50,14 +50,13 @@ TEST(Terrain, FullTilesAreBitsAlone) {
   for (Cell c{-1, -1}; c.y <= 3; ++c.y) {
     for (c.x = -1; c.x <= 4; ++c.x) EXPECT_EQ(terrain.is_solid(c), c.y == 1 && (c.x == 1 || c.x == 2));
   }
-  EXPECT_FALSE(terrain.features().pieces);
+  EXPECT_FALSE(terrain.has_pieces());
   EXPECT_THAT(outline_of(terrain), ElementsAre());
 }
 
 TEST(Terrain, ALoneSlopeIsALineAWallABaseAndATip) {
   const Terrain terrain = TestMap({"...", ".2.", "..."}).compile();
-  EXPECT_TRUE(terrain.features().pieces);
-  EXPECT_FALSE(terrain.features().curves);
+  EXPECT_TRUE(terrain.has_pieces());
   EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("up |(8,16 16,8)|", "right (16,8 16,16)",
                                                         "down |(8,16 16,16)|", "left (8,16 8,16)"));
 }
@@ -233,7 +232,7 @@ bool same(const Piece<double>& a, const Piece<double>& b) {
 }
 
 void expect_same(const Terrain& edited, const Terrain& fresh) {
-  ASSERT_EQ(edited.features(), fresh.features());
+  ASSERT_EQ(edited.has_pieces(), fresh.has_pieces());
   for (Cell c{0, 0}; c.y < fresh.height(); ++c.y) {
     for (c.x = 0; c.x < fresh.width(); ++c.x) {
       ASSERT_EQ(edited.tile_at(c), fresh.tile_at(c));
@@ -340,11 +339,11 @@ TEST(TerrainEdit, GivesTheSameBesideCurves) {
   paint_and_compare(map, 32, 6);
 }
 
-TEST(TerrainEdit, TheLastSlopeTakesTheFeatureWithIt) {
+TEST(TerrainEdit, TheLastSlopeTakesThePiecesWithIt) {
   Terrain terrain = TestMap({"...", ".2.", "111"}).compile();
-  EXPECT_TRUE(terrain.features().pieces);
+  EXPECT_TRUE(terrain.has_pieces());
   terrain.set_cell({1, 1}, 0);
-  EXPECT_FALSE(terrain.features().pieces);
+  EXPECT_FALSE(terrain.has_pieces());
   expect_same(terrain, TestMap({"...", "...", "111"}).compile());
 }
 
