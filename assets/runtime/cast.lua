@@ -1,6 +1,9 @@
 -- ---- Cast: when does a moving box first meet the ground? ----
 -- The box is swept against the outline grown by the box, so that its corner is a point on a straight way.
 
+local COLUMNS = 62  -- looked at together: which of two equal contacts counts hangs on it
+local SLOW = 16  -- a gap that closes more slowly than this share of the motion needs twice the precision
+
 -- The cast under way: the terrain, the box, its motion, whether its centre alone stands on floors, 1 / dx,
 -- the pixels in the motion, what rounding may have put the box into the ground; a piece that stops nothing.
 local ground, bx, by, bw, bh, dx, dy, centre, inverse, speed, slack, ignored
@@ -52,7 +55,7 @@ local function offer(t, facing, flat_end, piece, at, first, last)
 end
 
 -- Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
-local function is_slow(closing) return 16 * closing < speed end
+local function is_slow(closing) return SLOW * closing < speed end
 
 -- The same times to twice the precision.
 local function wall_time(facing, at)
@@ -231,7 +234,7 @@ local function cells_of_row(y, first, last)
 end
 
 local function cells_between(first, last, count)
-  return floor(max(first, 0.0) * 0.125), min(floor(max(last, 0.0) * 0.125), count - 1)
+  return floor(max(first, 0.0) / TILE), min(floor(max(last, 0.0) / TILE), count - 1)
 end
 
 -- A box meets the ground with its leading sides alone, or with the centre of its bottom.
@@ -247,9 +250,8 @@ local function slice(from, to)
     first_row, last_row = cells_between(top, bottom + bh, ground.height)
     if not centre then lead_left, lead_right = cells_between(left + lead_x, right + lead_x, ground.width) end
   end
-  -- 62 columns at a time, as the program does: which of two equal contacts counts hangs on it.
-  for first = first_column, last_column, 62 do
-    local last = min(first + 61, last_column)
+  for first = first_column, last_column, COLUMNS do
+    local last = min(first + (COLUMNS - 1), last_column)
     for y = first_row, last_row do
       if y >= lead_top and y <= lead_bottom then
         cells_of_row(y, first, last)

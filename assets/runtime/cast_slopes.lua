@@ -143,11 +143,13 @@ function Line.is_level(piece, _, steepest)
   return piece.slope * piece.slope_rest <= 0
 end
 
+local SETTLED = 4  -- a box no further than so many roundings from a piece is put on it
+
 -- A box that slid along a piece, and is not beyond its end, is on it and not a rounding error away from it.
 function Line.settle(piece, box)
   if is_wall(piece) or is_steep(piece) then return end
   local x = box.x + foot_offset(piece, box.w, box.centre)
   if x < piece.x0 or x > piece.x1 then return end
   local y = rest_on(piece, box.x, box.w, box.h, box.centre)
-  if abs(box.y - y) <= 4 * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then box.y = y end
+  if abs(box.y - y) <= SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then box.y = y end
 end

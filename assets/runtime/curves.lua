@@ -9,6 +9,8 @@ for name, value in pairs(Free) do
 end
 
 local TAU = 6.283185307179586476925286766559
+local TRIES = 100  -- of an iteration, at most
+local FINE = 8  -- iterations end when the gap is this share of the slack
 
 -- Taylor series, as sine and cosine of the C library differ between machines.
 local SINES = {1 / (16 * 17.), 1 / (14 * 15.), 1 / (12 * 13.), 1 / (10 * 11.), 1 / (8 * 9.), 1 / (6 * 7.),
@@ -205,7 +207,7 @@ end
 -- Where f falls through zero: Newton's method, halving the bracket when it would leave it.
 local function newton_between(a, b, f, derivative, rounding)
   local t = b
-  for _ = 1, 100 do
+  for _ = 1, TRIES do
     local ft = f(t)
     if ft >= 0 then a = t else b = t end
     local next_t = t - ft / derivative(t)
@@ -219,7 +221,7 @@ end
 -- The same without a derivative: regula falsi (Illinois). It ends where f is still >= 0.
 local function zero_between(a, b, f)
   local fa, fb = f(a), f(b)
-  for _ = 1, 100 do
+  for _ = 1, TRIES do
     if not (fa > 0) then break end
     local t = (a * fb - b * fa) / (fb - fa)
     if not (t > a and t < b) then t = a + (b - a) / 2 end
@@ -273,7 +275,7 @@ local function curve_time(piece, x, y, dx, dy, offset, lift, slack, from, to, ga
       local along_x, along_y = tangent_at(stretch, corner_x(at))
       return sign * (along_y / along_x * dx - dy)
     end
-    t = newton_between(from, last, gap_at, rate, slack / 8) - from
+    t = newton_between(from, last, gap_at, rate, slack / FINE) - from
   end
   return clamp(from + t, from, last)
 end

@@ -2,8 +2,6 @@
 has.mouse = true
 World.grabbed = 0  -- the id of the body that it has; 0: none
 
-local MAX_SPEED, MAX_DISTANCE = 4096.0, 1e9
-
 local function body_at(world, x, y)
   for _, body in ipairs(world.bodies) do
     if x > body.x and x < body.x + body.w and y > body.y and y < body.y + body.h then return body.id end
@@ -32,7 +30,7 @@ function World:take_input(input)
 end
 
 local function reachable(at, goal)
-  return clamp(clamp(goal, at - MAX_SPEED, at + MAX_SPEED), -MAX_DISTANCE, MAX_DISTANCE)
+  return clamp(clamp(goal, at - FAST, at + FAST), -FAR, FAR)
 end
 
 local function slide(_, _, _, contact, x, y)

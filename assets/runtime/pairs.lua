@@ -1,9 +1,11 @@
 -- ---- Bodies that block one another ----
 has.pairs = true
 
--- The cells of 16 px that a box meets.
+local BLOCK = 16  -- px, side of a cell in which bodies are looked for
+
+-- The cells that a box meets.
 local function block_cells(x, y, w, h)
-  return floor(x / 16), floor(y / 16), floor((x + w) / 16), floor((y + h) / 16)
+  return floor(x / BLOCK), floor(y / BLOCK), floor((x + w) / BLOCK), floor((y + h) / BLOCK)
 end
 
 -- The other bodies that a motion, whichever way it turns, may meet; in order.

@@ -1,5 +1,7 @@
 -- ---- Slopes: questions about the ground ----
 
+local SPAN = 8  -- tiles that a slope spans at most, in width and in height
+
 local plain_sides = Terrain.sides
 function Terrain:sides(column, row)
   if not self:is_detailed(column, row) then return plain_sides(self, column, row) end
@@ -24,7 +26,7 @@ local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgive
   elseif y + h <= base + forgiven then
     return false
   end
-  local off = forgiven + 1.0 / 256  -- a box on a steep line is off it by many roundings
+  local off = forgiven + 1.0 / WELD  -- a box on a steep line is off it by many roundings
   for index = 0, shape.width - 1 do
     local lines = shape.is_floor and shape.columns[index].top or shape.columns[index].bottom
     for _, line in ipairs(lines) do
@@ -48,7 +50,7 @@ end
 
 function Terrain:overlaps_shapes(x, y, w, h, is_centre, forgiven)
   if not self:has_pieces() then return false end
-  local left, right, top, bottom = block_of(self, x, y, w, h, 8 * TILE)  -- what a slope spans at most
+  local left, right, top, bottom = block_of(self, x, y, w, h, SPAN * TILE)
   for row = top, bottom do
     for column = left, right do
       local shape = self:outline(column, row)

@@ -4,14 +4,16 @@
 -- ground turns away at that end; last: no floor goes on there; far: the end is in another cell.
 has.slopes = true
 
+local WELD = 256  -- of a px, to which ends are rounded
+
 local Line = {straight = true}  -- the form of lines
 
 -- Rounds to 1/256 px, halves away from zero: ends that ought to meet do.
 local function weld(at)
-  local size = abs(at) * 256
+  local size = abs(at) * WELD
   local whole = floor(size)
   if size - whole >= 0.5 then whole = whole + 1 end
-  return at < 0 and -(whole / 256) or whole / 256
+  return at < 0 and -(whole / WELD) or whole / WELD
 end
 
 function Line.y(piece, x) return piece.base_y + (x - piece.base_x) * piece.slope end
@@ -202,8 +204,8 @@ local function where_less(a0, a1, b0, b1, x0, x1, or_equal)
   if d0 >= 0 and d1 >= 0 then return x0, x1 end
   if d0 <= 0 and d1 <= 0 then return x0, x0 end
   local crossing = x0 + (x1 - x0) * (d0 / (d0 - d1))
-  if d0 > 0 then return x0, floor(crossing * 256) / 256 end
-  return ceil(crossing * 256) / 256, x1
+  if d0 > 0 then return x0, floor(crossing * WELD) / WELD end
+  return ceil(crossing * WELD) / WELD, x1
 end
 
 local function take_out(parts, from, to)

@@ -1,11 +1,13 @@
 -- ---- The world: a level's ground and its bodies ----
 
+local FAST = 4096.0  -- px a step, in x and y
+local FAR = 1e9  -- px from the origin, in x and y
+
 -- What carries a body away for ever is stopped.
 local function limit(box)
-  local fast, far = 4096.0, 1e9  -- px/frame; px
-  if abs(box.vx) <= fast and abs(box.vy) <= fast and abs(box.x) <= far and abs(box.y) <= far then return end
-  box.vx, box.vy = clamp(box.vx, -fast, fast), clamp(box.vy, -fast, fast)
-  box.x, box.y = clamp(box.x, -far, far), clamp(box.y, -far, far)
+  if abs(box.vx) <= FAST and abs(box.vy) <= FAST and abs(box.x) <= FAR and abs(box.y) <= FAR then return end
+  box.vx, box.vy = clamp(box.vx, -FAST, FAST), clamp(box.vy, -FAST, FAST)
+  box.x, box.y = clamp(box.x, -FAR, FAR), clamp(box.y, -FAR, FAR)
 end
 
 -- What the input does to the world, and what takes a body one frame further.

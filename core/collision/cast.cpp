@@ -16,6 +16,9 @@ namespace {
 
 constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
 
+// A gap that closes more slowly than by this share of the motion needs twice the precision.
+constexpr int kSlowShare = 16;
+
 // Whether two pieces are one: a long piece is in the list of each cell that it meets.
 template <class Real>
 bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
@@ -451,7 +454,7 @@ class Caster {
   }
 
   // Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
-  bool is_slow(Real closing) const { return 16 * closing < speed_; }
+  bool is_slow(Real closing) const { return kSlowShare * closing < speed_; }
 
   static Real after_now(Twofold<Real> t) { return std::max<Real>(t.rounded(), 0); }
 

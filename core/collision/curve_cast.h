@@ -19,6 +19,9 @@ struct CastWindow {
   Real last_gap = 0;      // px, at the end
 };
 
+// Iterations end when the gap is this share of the slack or less.
+inline constexpr int kSharesOfSlack = 8;
+
 template <class Real>
 struct CurveCast {
   const Piece<Real>& piece;  // of a curve
@@ -80,7 +83,7 @@ struct CurveCast {
         return sign() * (along.y / along.x * motion.x - motion.y);
       };
       t = newton_between(
-              w.from, last, [this](Real at) { return gap(at); }, rate, slack / 8) -
+              w.from, last, [this](Real at) { return gap(at); }, rate, slack / kSharesOfSlack) -
           w.from;
     }
     return std::clamp(w.from + t, w.from, last);  // clamp gives w.from for NaN, of a start on the curve

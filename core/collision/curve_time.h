@@ -9,6 +9,8 @@
 
 namespace talus {
 
+inline constexpr int kMostIterations = 100;  // a few are enough; ends those that rounding keeps going
+
 // When a point that moves by `motion` in one unit of time meets a circle around the origin; NaN or a time
 // near 0 of one that starts on it. from_outside: whether it comes from there.
 template <class Real>
@@ -33,7 +35,7 @@ Real parabola_time(Real gap, Real rate, Real bend) {
 template <class Real, class F, class Derivative>
 Real newton_between(Real a, Real b, F f, Derivative derivative, Real rounding) {
   Real t = b;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < kMostIterations; ++i) {
     const Real ft = f(t);
     (ft >= 0 ? a : b) = t;
     Real next = t - ft / derivative(t);
@@ -48,7 +50,7 @@ Real newton_between(Real a, Real b, F f, Derivative derivative, Real rounding) {
 template <class Real, class F>
 Real zero_between(Real a, Real b, F f) {
   Real fa = f(a), fb = f(b);
-  for (int i = 0; i < 100 && fa > 0; ++i) {
+  for (int i = 0; i < kMostIterations && fa > 0; ++i) {
     Real t = (a * fb - b * fa) / (fb - fa);
     if (!(t > a && t < b)) t = a + (b - a) / 2;
     if (!(t > a && t < b)) break;

@@ -67,7 +67,7 @@ bool overlaps_shape(const TileOutline& shape, Cell cell, const BasicRect<Real>& 
   if (foot == Foot::centre && shape.is_floor) from = to = box.x + box.w / 2;
   if (shape.is_floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
   // A box on a steep line is off it by many roundings.
-  const Real forgiven = slack + Real(1) / 256;
+  const Real forgiven = slack + Real(1) / kWeldParts;
   for (const TileColumn& column : shape.columns) {
     for (const OutlineLine& line : shape.is_floor ? column.top : column.bottom) {
       const Real x0 = std::max(from, left + Real(line.x0)), x1 = std::min(to, left + Real(line.x1));

@@ -23,8 +23,8 @@ Span where_less(double a0, double a1, double b0, double b1, double x0, double x1
   if (d0 >= 0 && d1 >= 0) return {x0, x1};
   if (d0 <= 0 && d1 <= 0) return {x0, x0};
   const double crossing = x0 + (x1 - x0) * (d0 / (d0 - d1));
-  if (d0 > 0) return {x0, std::floor(crossing * 256) / 256};
-  return {std::ceil(crossing * 256) / 256, x1};
+  if (d0 > 0) return {x0, std::floor(crossing * kWeldParts) / kWeldParts};
+  return {std::ceil(crossing * kWeldParts) / kWeldParts, x1};
 }
 
 }  // namespace

@@ -86,12 +86,12 @@ Problem problem_of_form(const Polyline& p) {
   }
   if (const Problem bad = first_of(problem_of_width(p.x0, p.x1), problem_of_reach(p.x0, p.x1))) return bad;
   const double step = (weld(p.x1) - weld(p.x0)) / static_cast<double>(p.ys.size() - 1);
-  return step * 256 >= 1 ? Problem() : "has its heights closer to one another than 1/256 px";
+  return step * kWeldParts >= 1 ? Problem() : "has its heights closer to one another than 1/256 px";
 }
 
 }  // namespace
 
-double weld(double coordinate) { return std::round(coordinate * 256) / 256; }
+double weld(double coordinate) { return std::round(coordinate * kWeldParts) / kWeldParts; }
 
 std::optional<std::string> problem_of(const TileShape& shape) {
   using Kind = TileShape::Kind;

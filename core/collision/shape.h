@@ -43,6 +43,8 @@ struct TileShape {
 // Why a shape cannot be used, as the end of a sentence ("has a height that is no number"); none: it can.
 std::optional<std::string> problem_of(const TileShape& shape);
 
+inline constexpr int kWeldParts = 256;  // of a px, to which ends are rounded
+
 // Rounds to 1/256 px, halves away from zero: ends that ought to meet do, and mirrored ones are mirrored.
 double weld(double coordinate);
 inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }

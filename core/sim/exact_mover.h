@@ -11,6 +11,9 @@
 
 namespace talus {
 
+// A box that is no further than so many times its rounding_slack() from a surface is put on it.
+inline constexpr int kSettledSlacks = 4;
+
 template <class Real>
 struct Moving {
   BasicRect<Real> box;       // px
@@ -198,7 +201,7 @@ class Mover {
     if (x < surface_->x0 || x > surface_->x1) return;
     const Real y = rest_on(*surface_, terrain_.stretches(), body.box, body.foot);
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
-    if (std::abs(body.box.y - y) <= 4 * slack) body.box.y = y;
+    if (std::abs(body.box.y - y) <= kSettledSlacks * slack) body.box.y = y;
   }
 
   const BasicTerrain<Real>& terrain_;
