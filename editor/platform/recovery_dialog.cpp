@@ -1,6 +1,7 @@
 // A modal list with two buttons a row; the arrows go from row to row.
 #include "recovery_dialog.h"
 
+#include <algorithm>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -41,9 +42,13 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
                                                            Ui& ui) {
   bool& open = ui.view.program.recovery_open;
   if (!begin_dialog("Recover unsaved work", open, {ui.px(640), 0}, ui)) return std::nullopt;
+  const auto readable =
+      std::find_if(works.begin(), works.end(), [](const SavedWork& work) { return work.level != nullptr; });
+  // Keys that are pressed unseen must not throw anything away.
+  const bool later_is_first = readable == works.end() || unsaved;
   if (ImGui::IsWindowAppearing()) {
     asked_about_.reset();
-    chosen_ = 0;
+    chosen_ = readable == works.end() ? 0 : static_cast<std::size_t>(readable - works.begin());
   }
   std::optional<Answer> answer;
   if (works.empty())
@@ -62,7 +67,6 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
   }
   if (works.size() > in_view) ImGui::EndChild();
   ImGui::Separator();
-  const bool later_is_first = works.empty() || unsaved;
   const DialogButton later{.widget = "recovery/later",
                            .label = works.empty() ? "Close" : "Later",
                            .help = "Keeps them for the next start, or for File > Recover.",
@@ -95,7 +99,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw_work(std::size_t inde
                              .is_default = chosen && is_readable,
                              .enabled = !unsaved && is_readable,
                              .width = ui.px(96),
-                             .gets_the_keys = index == 0};
+                             .gets_the_keys = chosen};
   if (dialog_button(recover, ui)) answer = Answer{index, Choice::recover};
   if (ImGui::IsItemFocused()) chosen_ = index;
   ImGui::SameLine();

@@ -115,10 +115,10 @@ TEST_F(UiRecovery, WhatCannotBeReadIsNamedAndStaysUntilItIsDiscarded) {
   frames(2);
   ASSERT_NE(find("recovery/recover0"), nullptr);
   EXPECT_FALSE(find("recovery/recover0")->enabled);
-  key(kKeyEnter);
+  for (int i = 0; i < 3; ++i) key(kKeyEnter);
   key(kEscapeKey);
   frames(3);
-  EXPECT_TRUE(std::filesystem::exists(damaged));
+  EXPECT_TRUE(std::filesystem::exists(damaged)) << "keys that are pressed unseen throw nothing away";
   crash_and_start(level_file());
   for (int i = 0; i < 2; ++i) {
     click("recovery/discard0");
@@ -126,6 +126,24 @@ TEST_F(UiRecovery, WhatCannotBeReadIsNamedAndStaysUntilItIsDiscarded) {
   }
   EXPECT_EQ(find("recovery/discard0"), nullptr);
   EXPECT_FALSE(std::filesystem::exists(damaged));
+}
+
+TEST_F(UiRecovery, TheKeysGoToTheFirstWorkThatCanBeRead) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  stop();
+  const std::string damaged = path("state/autosave/1-0.talus-autosave");
+  std::ofstream(damaged) << "half a";
+  std::filesystem::last_write_time(damaged,
+                                   std::filesystem::file_time_type::clock::now() + std::chrono::hours(1));
+  start(level_file());
+  frames(2);
+  ASSERT_NE(find("recovery/recover1"), nullptr);
+  ASSERT_FALSE(find("recovery/recover0")->enabled);
+  key(kKeyEnter);
+  frames(3);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  EXPECT_TRUE(std::filesystem::exists(damaged));
 }
 
 TEST_F(UiRecovery, WhatCannotBeSavedByItselfIsSaidUntilItIs) {
@@ -288,7 +306,7 @@ TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
     const Uint64 end = SDL_GetTicks64() + static_cast<Uint64>(seconds * 1000);
     while (SDL_GetTicks64() < end) (*app)->turn();
   };
-  turns_for(1.5);  // what the start leaves to do
+  turns_for(2.2);  // what the start leaves to do
   const int before = (*app)->drawn_frames();
   EXPECT_GT(before, 0);
   turns_for(2.2);
