@@ -256,13 +256,13 @@ bool App::follow_work() {
 }
 
 bool App::wait() {
-  const bool busy = session_->playback().running || session_->timeline().behind() ||
-                    session_->debugger().is_busy() || session_->compile_progress().has_value() ||
-                    session_->is_linting() || session_->reach().running() ||
-                    session_->exporting().is_busy() || session_->reading() || ui_.wants_frames() ||
-                    has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent;
+  const bool works = session_->playback().running || session_->timeline().behind() ||
+                     session_->debugger().is_busy() || session_->compile_progress().has_value() ||
+                     session_->is_linting() || session_->reach().running() ||
+                     session_->exporting().is_busy() || session_->reading();
   const double now = options_.clock();
-  if (busy) {
+  if (works) last_event_ = now;  // its dialog closes, and what it tells is measured, in later frames
+  if (works || ui_.wants_frames() || has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent) {
     const double spent = (now - last_time_) * 1000;
     if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
     return true;
