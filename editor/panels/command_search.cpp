@@ -13,23 +13,20 @@ constexpr int kLabelWordScore = 1'000'000;                       // above that o
 constexpr int kWordScore = -1'000'000, kHelpScore = -2'000'000;  // below those of all labels
 
 bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
-bool is_same_letter(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-}
 
 // Whether a word of the text begins with these letters.
 bool has_word(std::string_view text, std::string_view beginning) {
   for (std::size_t i = 0; i + beginning.size() <= text.size(); ++i) {
     const bool starts = i == 0 || !is_word_letter(text[i - 1]);
-    if (starts && std::equal(beginning.begin(), beginning.end(),
-                             text.begin() + static_cast<std::ptrdiff_t>(i), is_same_letter))
-      return true;
+    if (starts && text.substr(i).starts_with(beginning)) return true;
   }
   return false;
 }
 
 // Whether each typed word begins one of the text.
-bool has_words(std::string_view text, std::string_view typed) {
+bool has_words(std::string_view shown_text, std::string_view typed_text) {
+  const std::string text = plain_letters(shown_text), plain_typed = plain_letters(typed_text);
+  std::string_view typed = plain_typed;
   bool any = false;
   while (!typed.empty()) {
     const std::size_t end = std::min(typed.find(' '), typed.size());

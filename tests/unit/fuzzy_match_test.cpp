@@ -14,6 +14,14 @@ TEST(FuzzyScore, LettersMustComeInOrder) {
   EXPECT_FALSE(fuzzy_score("", "a"));
 }
 
+TEST(FuzzyScore, LettersFitWithoutTheirMarksAsWell) {
+  EXPECT_TRUE(fuzzy_score("Run in LÖVE", "run in love"));
+  EXPECT_TRUE(fuzzy_score("Run in LÖVE", "löv"));
+  EXPECT_TRUE(fuzzy_score("Cave", "CÀVÉ"));
+  EXPECT_FALSE(fuzzy_score("Cave", "cav\xC3")) << "half a letter";
+  EXPECT_FALSE(fuzzy_score("1 \xC3\x97 2", "x")) << "a times sign is no letter";
+}
+
 TEST(FuzzyScore, NothingTypedFitsEverything) {
   EXPECT_TRUE(fuzzy_score("Save", ""));
   EXPECT_TRUE(fuzzy_score("", ""));
