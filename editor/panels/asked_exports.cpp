@@ -51,13 +51,16 @@ std::vector<AskedRow> rows_of(const FinishedRun& asked) {
   return rows;
 }
 
-void draw_asked_preset(const ExportTask& task, Ui& ui) {
+void draw_asked_preset(const ExportTask& task) {
   const Exporter* exporter = find_exporter(task.preset.exporter);
   const std::string name = task.preset.name.empty() ? task.preset.path : task.preset.name;
   draw_text(fitted(name, ImGui::GetContentRegionAvail().x / 3));
   ImGui::SameLine();
   const std::string label = exporter != nullptr ? std::string(exporter->label) : "";
-  ui.heading(label + (task.preset.on_save ? ", whenever the level is saved" : ""));
+  draw_text(fitted(label, ImGui::GetContentRegionAvail().x), theme::tone(theme::kMuted));
+  ImGui::TableNextColumn();
+  ImGui::TableNextColumn();
+  if (task.preset.on_save) draw_text("at each save", theme::tone(theme::kMuted));
 }
 
 void draw_asked_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
@@ -83,7 +86,7 @@ void draw_asked_row(const AskedRow& row, Ui& ui) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   if (row.preset != nullptr)
-    draw_asked_preset(*row.preset, ui);
+    draw_asked_preset(*row.preset);
   else
     draw_asked_file(*row.file, *row.outcome, ui);
 }

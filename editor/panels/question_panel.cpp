@@ -107,7 +107,8 @@ void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     if (!begin_dialog(dialog.title, asked, has_list ? size_of_list(ui) : ImVec2{0, 0}, ui)) continue;
     if (asked) {
       draw_scrolled_text("text", question->text,
-                         {ui.px(kQuestionWidth), kMostLines * ImGui::GetTextLineHeight()},
+                         {has_list ? ImGui::GetContentRegionAvail().x : ui.px(kQuestionWidth),
+                          kMostLines * ImGui::GetTextLineHeight()},
                          theme::tone(theme::kText));
       ui.item("question/text");
       ImGui::Spacing();
