@@ -135,6 +135,17 @@ FormatResult<Header> read_header(std::string_view bytes) {
   return header;
 }
 
+// Of a picture that is not refused for its size.
+FormatResult<Header> read_small_header(std::string_view bytes) {
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  auto header = read_header(bytes);
+  if (header && (header->width > kMaxPngSide || header->height > kMaxPngSide)) {
+    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
+                                              " px, and pictures of up to 1024x1024 px are read"});
+  }
+  return header;
+}
+
 FormatResult<RgbaPicture> decode(const Header& header) {
   // Eight bytes a pixel at most, and one before each row: interlaced, rows come in up to twice as many parts.
   const std::size_t largest = (std::size_t{8} * header.width + 2) * header.height + 64;
@@ -182,25 +193,14 @@ FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::strin
 }
 
 FormatResult<RgbaPicture> read_rgba(std::string_view bytes) {
-  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
-  const auto header = read_header(bytes);
+  const auto header = read_small_header(bytes);
   if (!header) return tl::unexpected(header.error());
-  if (header->width > kMaxPngSide || header->height > kMaxPngSide) {
-    return tl::unexpected(
-        FormatError{"", "is " + size_text(header->width, header->height) +
-                            " px, and pictures with a cartridge in them have up to 1024x1024 px"});
-  }
   return decode(*header);
 }
 
 FormatResult<PngPicture> read_png(std::string_view bytes) {
-  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
-  auto header = read_header(bytes);
+  auto header = read_small_header(bytes);
   if (!header) return tl::unexpected(header.error());
-  if (header->width > kMaxPngSide || header->height > kMaxPngSide) {
-    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
-                                              " px, and pictures of up to 1024x1024 px are read"});
-  }
   const auto rgba = decode(*header);
   if (!rgba) return tl::unexpected(rgba.error());
   PngPicture picture{rgba->width, rgba->height, {}, {}, std::move(header->palette)};

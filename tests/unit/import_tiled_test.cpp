@@ -589,6 +589,10 @@ TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
   put("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
   put("t.jpg", "JPEG");
   EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is no PNG picture");
+  const std::string row(3 * 1032, '\0');
+  put("t.jpg", encode_png(1032, 1, 3, reinterpret_cast<const std::uint8_t*>(row.data())));
+  EXPECT_EQ(error_with("t.tsx"),
+            "map:file t.jpg: error: is 1032x1 px, and pictures of up to 1024x1024 px are read");
 }
 
 TEST_F(ImportTiledFiles, PicturesOfManyColoursGetTheNearest) {

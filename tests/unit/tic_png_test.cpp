@@ -107,7 +107,7 @@ TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
   EXPECT_EQ(error_of(with_hidden("\x78\x9c" + std::string(126, 'x'), 8, 8, 4)),
             kNoCart);  // 120 bytes of room
   EXPECT_EQ(error_of(png_header(1025, 1, 2)),
-            "x.png: error: is 1025x1 px, and pictures with a cartridge in them have up to 1024x1024 px");
+            "x.png: error: is 1025x1 px, and pictures of up to 1024x1024 px are read");
 }
 
 TEST(TicPng, DamagedOnesAreErrors) {
