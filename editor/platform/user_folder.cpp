@@ -1,6 +1,9 @@
 // As the XDG base directory specification has them, with variables of our own before it.
 #include "user_folder.h"
 
+#include <pwd.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 
@@ -9,14 +12,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+// Never one below the folder in which the program was started: that may be somebody else's, with records and
+// settings in it that are trusted then.
+fs::path home_folder() {
+  if (const fs::path home = variable("HOME"); home.is_absolute()) return home;
+  const passwd* user = getpwuid(getuid());
+  if (user != nullptr && fs::path(user->pw_dir).is_absolute()) return user->pw_dir;
+  return "/";
+}
+
 std::string folder(const char* own_variable, const char* xdg_variable, const char* below_home) {
-  const auto from = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value ? value : "");
-  };
-  if (const fs::path own = from(own_variable); !own.empty()) return own.string();
-  if (const fs::path xdg = from(xdg_variable); xdg.is_absolute()) return (xdg / "talus").string();
-  return (from("HOME") / below_home / "talus").string();
+  if (const fs::path own = variable(own_variable); !own.empty()) return own.string();
+  if (const fs::path xdg = variable(xdg_variable); xdg.is_absolute()) return (xdg / "talus").string();
+  return (home_folder() / below_home / "talus").string();
 }
 
 }  // namespace
