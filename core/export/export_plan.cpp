@@ -151,6 +151,9 @@ tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,
                                                    const std::string& level_file) {
   const fs::path path(preset.path), file(level_file);
   if (path.empty()) return problem_at(Field::path, "no file or folder is named");
+  // The system ends a name there, and would write another file than the one that is shown.
+  if (preset.path.find('\0') != std::string::npos)
+    return problem_at(Field::path, "has a NUL character, which no file's name has");
   if (path.is_relative() && level_file.empty()) {
     return problem_at(Field::path,
                       "this level has no file yet, which the path is counted from: save it first, or give a "

@@ -62,6 +62,8 @@ TEST(ExportPath, IsCountedFromTheLevelsFile) {
   EXPECT_EQ(output("/out", ""), "/out");
   EXPECT_EQ(output("out", "cave.talus.json"), "out");
   EXPECT_EQ(output("", "/home/cave.talus.json").error().error.message, "no file or folder is named");
+  EXPECT_EQ(output(std::string(".bashrc\0.lua", 12), "/home/cave.talus.json").error().error.message,
+            "has a NUL character, which no file's name has");
   EXPECT_EQ(output("out", "").error().field, ExportProblem::Field::path);
   EXPECT_EQ(output("./cave.talus.json", "/home/cave.talus.json").error().error.message,
             "this is the level's own file, which saving writes: name another one");
