@@ -89,6 +89,46 @@ Problem problem_of_form(const Polyline& p) {
   return step * kWeldParts >= 1 ? Problem() : "has its heights closer to one another than 1/256 px";
 }
 
+// How a curve goes: `parts` that rise or fall throughout, over a width, and up or down by `climb` in all; px.
+struct Course {
+  double parts = 1, width = 0, climb = 0;
+};
+
+Course course_of(const Segment& s) { return {1, s.to.x - s.from.x, std::abs(s.to.y - s.from.y)}; }
+
+Course course_of(const Arc& a) {
+  const auto height_at = [&](double x) {
+    const double u = x - a.center.x;
+    return std::sqrt(std::max(0.0, (a.radius - u) * (a.radius + u)));
+  };
+  const double h0 = height_at(a.x0), h1 = height_at(a.x1);
+  const bool has_top = a.x0 < a.center.x && a.center.x < a.x1;
+  return {2, a.x1 - a.x0, has_top ? 2 * a.radius - h0 - h1 : std::abs(h1 - h0)};
+}
+
+// A Bezier curve goes up and down by no more than its control points do.
+Course course_of(const Parabola& p) {
+  return {2, p.to.x - p.from.x, std::abs(p.control_y - p.from.y) + std::abs(p.to.y - p.control_y)};
+}
+
+Course course_of(const Cubic& c) {
+  const double third = (c.to.x - c.from.x) / 3;
+  const double y1 = c.from.y + c.from_slope * third, y2 = c.to.y - c.to_slope * third;
+  return {3, 3 * third, std::abs(y1 - c.from.y) + std::abs(y2 - y1) + std::abs(c.to.y - y2)};
+}
+
+Course course_of(const Sine& s) {
+  const double quarters = 4 * (s.x1 - s.x0) / s.wavelength;
+  const double parts = std::ceil(quarters) + 1;
+  return {parts, s.x1 - s.x0, std::min(parts, 2 * quarters) * std::abs(s.amplitude)};
+}
+
+Course course_of(const Polyline& p) {
+  Course course{static_cast<double>(p.ys.size()), p.x1 - p.x0};
+  for (std::size_t i = 1; i < p.ys.size(); ++i) course.climb += std::abs(p.ys[i] - p.ys[i - 1]);
+  return course;
+}
+
 }  // namespace
 
 double weld(double coordinate) { return std::round(coordinate * kWeldParts) / kWeldParts; }
@@ -111,6 +151,12 @@ std::optional<std::string> problem_of(const TileShape& shape) {
 
 std::optional<std::string> problem_of(const Curve& curve) {
   return std::visit([](const auto& form) { return problem_of_form(form); }, curve.form);
+}
+
+double cells_passed(const Curve& curve) {
+  const Course course = std::visit([](const auto& form) { return course_of(form); }, curve.form);
+  const double cells = course.parts + (course.width + course.climb) / kTileSide;
+  return curve.faces == Curve::Faces::both ? 2 * cells : cells;
 }
 
 }  // namespace talus

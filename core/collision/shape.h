@@ -116,4 +116,9 @@ constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
 // Why a curve cannot be used, as problem_of(shape) says it.
 std::optional<std::string> problem_of(const Curve& curve);
 
+// About how many cells a curve passes, on a map or off it, those that it comes back to each time; twice as
+// many if it faces both ways. What a terrain takes for a curve goes with it. At least 0, and finite for
+// curves without a problem.
+double cells_passed(const Curve& curve);
+
 }  // namespace talus

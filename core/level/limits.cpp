@@ -5,7 +5,7 @@ namespace talus {
 namespace {
 
 struct Amounts {
-  std::size_t heights = 0, brush_cells = 0, name_bytes = 0, unknown_bytes = 0;
+  std::size_t heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0, unknown_bytes = 0;
 };
 
 // Of an entry of a list, as all of them have them.
@@ -27,6 +27,7 @@ Amounts amounts_of(const Level& level) {
   for (const LevelCurve& curve : level.curves) {
     count_texts(curve, amounts);
     if (const auto* line = std::get_if<Polyline>(&curve.curve.form)) amounts.heights += line->ys.size();
+    if (!problem_of(curve.curve)) amounts.curve_cells += static_cast<std::size_t>(cells_passed(curve.curve));
   }
   for (const Brush& brush : level.brushes) {
     count_texts(brush, amounts);
@@ -51,6 +52,7 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
        {Row{level.spawns.size(), kMaxSpawns, "bodies"},
         {level.curves.size(), kMaxCurves, "curves"},
         {amounts.heights, kMaxLevelHeights, "heights of polylines"},
+        {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
         {level.brushes.size(), kMaxBrushes, "brushes"},
         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
         {level.exports.size(), kMaxExports, "export presets"},

@@ -16,6 +16,7 @@ namespace talus {
 inline constexpr std::size_t kMaxSpawns = 65'536;
 inline constexpr std::size_t kMaxCurves = 16'384;
 inline constexpr std::size_t kMaxLevelHeights = 262'144;            // of all polylines together
+inline constexpr std::size_t kMaxCurveCells = 2'097'152;            // that all curves pass, see cells_passed
 inline constexpr std::size_t kMaxBrushCells = 1'048'576;            // of all brushes together
 inline constexpr std::size_t kMaxNameBytes = std::size_t{4} << 20;  // of all names and other texts together
 inline constexpr std::size_t kMaxUnknownBytes = std::size_t{1} << 20;  // of all unknown members together

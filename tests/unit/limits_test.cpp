@@ -90,6 +90,24 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
   EXPECT_GT(refused, 0u);
 }
 
+// Each of twenty such sines took 700 MB of ground.
+TEST(LevelLimits, CurvesAreReckonedByTheCellsThatTheyPass) {
+  Level level;
+  level.curves = {{"", {Sine{0, 1900, 500, 400, 2, 0}, Curve::Faces::up}, ""}};
+  EXPECT_FALSE(problem_of_amounts(level));
+  level.curves.resize(20, level.curves.front());
+  EXPECT_EQ(problem_of_amounts(level), "has 3881760 cells that curves pass, and a level holds up to 2097152");
+  EXPECT_FALSE(write_native(level, {}));
+
+  std::vector<double> heights;
+  for (int i = 0; i < 1000; ++i) heights.push_back(i % 2 * 1000);
+  level.curves = {{"", {Polyline{0, 1900, heights}, Curve::Faces::both}, ""}};
+  level.curves.resize(9, level.curves.front());
+  EXPECT_TRUE(problem_of_amounts(level));
+  level.curves.resize(8);
+  EXPECT_FALSE(problem_of_amounts(level));
+}
+
 TEST(LevelLimits, UnknownMembersAreKeptUpToAMegabyte) {
   std::string keys;
   for (int i = 0; i < 50'000; ++i) keys += ",\"key of a later version " + std::to_string(i) + "\":0";

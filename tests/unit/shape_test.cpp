@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/terrain.h"
+
 namespace talus::shape_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -116,6 +118,30 @@ TEST(Curve, NothingReachesTooFar) {
   EXPECT_EQ(problem(Cubic{{0, 0}, {3, 0}, kFar + 1, 0}), why);
   EXPECT_EQ(problem(Sine{0, 8, kFar, 1, 8, 0}), why);
   EXPECT_EQ(problem(Polyline{0, 8, {1, -kFar - 1}}), why);
+}
+
+// The cells that pieces of it lie in, of which a terrain keeps one each.
+TEST(CellsPassed, AreAboutThoseOfTheTerrain) {
+  const std::vector<double> zigzag = {100, 400, 100, 400, 100};
+  const auto up = [](auto form) { return Curve{form, Curve::Faces::up}; };
+  for (const Curve& curve :
+       {up(Segment{{10, 10}, {500, 500}}), up(Segment{{20, 10}, {20, 500}}),
+        up(Arc{{256, 400}, 200, 60, 450}), up(Arc{{256, 400}, 200, 300, 450}),
+        up(Parabola{{10, 300}, {500, 310}, 20}), up(Cubic{{10, 300}, {500, 310}, -3, 2}),
+        up(Sine{10, 500, 256, 200, 40, 3}), up(Sine{10, 500, 256, 200, 4000, 3}),
+        up(Polyline{10, 500, zigzag}), Curve{Polyline{10, 500, zigzag}, Curve::Faces::both}}) {
+    const std::vector<std::uint8_t> cells(64 * 64);
+    TerrainSource source;
+    source.width = source.height = 64;
+    source.cells = cells;
+    source.curves = {curve};
+    const Terrain terrain(source);
+    double pieces = 0;
+    for (Cell c; c.y < 64; ++c.y)
+      for (c.x = 0; c.x < 64; ++c.x) pieces += static_cast<double>(terrain.pieces_in(c).size());
+    EXPECT_GT(cells_passed(curve), pieces / 2) << curve.form.index();
+    EXPECT_LT(cells_passed(curve), pieces * 2) << curve.form.index();
+  }
 }
 
 }  // namespace talus::shape_test
