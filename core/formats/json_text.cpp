@@ -57,7 +57,7 @@ class ReadingIterator {
 // Takes what the parser finds (nlohmann's SAX interface), and stops it at what no file may have.
 class StrictBuilder {
  public:
-  enum class Problem { none, invalid, too_large, too_deep, too_many, too_many_keys, twice };
+  enum class Problem { none, invalid, too_large, too_deep, too_many_keys, twice };
 
   Problem problem() const { return problem_; }
   // That the parser had read when it found something wrong; 0: it found nothing.
@@ -79,12 +79,12 @@ class StrictBuilder {
     return path;
   }
 
-  bool null() { return add(nullptr) != nullptr; }
-  bool boolean(bool value) { return add(value) != nullptr; }
-  bool number_integer(std::int64_t value) { return add(value) != nullptr; }
-  bool number_unsigned(std::uint64_t value) { return add(value) != nullptr; }
-  bool number_float(double value, const std::string&) { return add(value) != nullptr; }
-  bool string(std::string& value) { return add(std::move(value)) != nullptr; }
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string&) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
   bool binary(Json::binary_t&) { return false; }  // no text has any
   bool start_object(std::size_t) { return open(Json::value_t::object); }
   bool start_array(std::size_t) { return open(Json::value_t::array); }
@@ -118,28 +118,24 @@ class StrictBuilder {
     return "";
   }
 
-  // Where the value now is; null: there are too many.
+  // Where the value now is.
   template <class Value>
-  Json* add(Value&& value) {
-    if (++values_ > kMaxJsonValues) {
-      stop(Problem::too_many);
-      return nullptr;
-    }
-    if (open_.empty()) {
-      root_ = std::forward<Value>(value);
-      return &root_;
-    }
+  Json& put(Value&& value) {
+    if (open_.empty()) return root_ = std::forward<Value>(value);
     if (open_.back()->is_array())
-      return &open_.back()->get_ref<Json::array_t&>().emplace_back(std::forward<Value>(value));
-    *member_ = std::forward<Value>(value);
-    return member_;
+      return open_.back()->get_ref<Json::array_t&>().emplace_back(std::forward<Value>(value));
+    return *member_ = std::forward<Value>(value);
+  }
+  template <class Value>
+  bool add(Value&& value) {
+    put(std::forward<Value>(value));
+    return true;
   }
 
   bool open(Json::value_t kind) {
     if (open_.size() >= kMaxJsonDepth) return stop(Problem::too_deep);
-    Json* const added = add(Json(kind));
-    if (added != nullptr) open_.push_back(added);
-    return added != nullptr;
+    open_.push_back(&put(Json(kind)));
+    return true;
   }
   // In an object the next thing is a key.
   bool close() {
@@ -150,7 +146,6 @@ class StrictBuilder {
   Json root_;
   std::vector<Json*> open_;  // objects and lists that are not at their end, from the outermost
   Json* member_ = nullptr;   // of the innermost object that has the last key
-  int values_ = 0;
   std::size_t bytes_ = 0;
   Problem problem_ = Problem::none;
 };
@@ -162,11 +157,15 @@ std::size_t column_of(std::string_view text, std::size_t offset) {
   return line_break == before.npos ? before.size() + 1 : before.size() - line_break;
 }
 
+std::string line_of(std::string_view text, std::size_t offset, std::int64_t first_line) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
+  return "line " + std::to_string(first_line + std::count(text.begin(), end, '\n'));
+}
+
 FormatError error_of(const StrictBuilder& builder, std::string_view text, std::size_t offset,
                      std::int64_t first_line) {
   using Problem = StrictBuilder::Problem;
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
-  std::string place = "line " + std::to_string(first_line + std::count(text.begin(), end, '\n'));
+  std::string place = line_of(text, offset, first_line);
   const std::string path = builder.path();
   const std::string at_key = path.empty() ? place : place + ", key " + path;
   switch (builder.problem()) {
@@ -176,8 +175,6 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
       return {at_key, "is there twice, in one object"};
     case Problem::too_deep:
       return {place, "JSON is nested deeper here than 64 levels"};
-    case Problem::too_many:
-      return {place, "JSON has too many values"};
     case Problem::too_many_keys:
       return {place, "JSON has an object of more than 65536 keys"};
     case Problem::none:
@@ -187,8 +184,12 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
   return {place + ", column " + std::to_string(column_of(text, offset)), "this is not valid JSON"};
 }
 
-// In valid JSON, as the reader counts them.
-int count_values(std::string_view json) {
+// The offset in valid JSON at which there is a value too many; npos: there is none. Looked for before any
+// value is made, as making them takes seconds and hundreds of MB.
+std::size_t value_too_many(std::string_view json) {
+  constexpr std::size_t kMostWithout =
+      2 * std::size_t{kMaxJsonValues} - 1;  // bytes: a value and a comma take 2
+  if (json.size() <= kMostWithout) return json.npos;
   int values = 1;
   bool in_string = false, opened = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -198,12 +199,13 @@ int count_values(std::string_view json) {
       in_string = c != '"';
       continue;
     }
-    if (c == ' ' || c == '\n') continue;
+    if (c == ' ' || c == '\n' || c == '\t' || c == '\r') continue;
     if (c == ',' || (opened && c != ']' && c != '}')) ++values;
+    if (values > kMaxJsonValues) return i;
     opened = c == '[' || c == '{';
     in_string = c == '"';
   }
-  return values;
+  return json.npos;
 }
 
 bool is_row(const Json& value) {
@@ -299,6 +301,8 @@ class Printer {
 }  // namespace
 
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line) {
+  if (const std::size_t excess = value_too_many(text); excess != text.npos)
+    return tl::unexpected(FormatError{line_of(text, excess, first_line), "JSON has too many values"});
   Reading reading{text, progress};
   const ReadingIterator begin(reading, text.data()), end(reading, text.data() + text.size());
   StrictBuilder builder;
@@ -333,7 +337,7 @@ std::optional<std::string> problem_of_size(std::string_view printed) {
     return "takes " + std::to_string(printed.size() >> 20) + " MiB as a file, and Talus reads up to " +
            std::to_string(kMaxFileBytes >> 20);
   }
-  if (count_values(printed) > kMaxJsonValues)
+  if (value_too_many(printed) != printed.npos)
     return "has too many lines and numbers for a file that Talus reads";
   return std::nullopt;
 }
