@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "commands.h"
+#include "copy_all.h"
 
 namespace talus {
 namespace {
@@ -213,6 +214,7 @@ void draw_export_notes(const Session& session, Ui& ui) {
                      {ImGui::GetContentRegionAvail().x, kMostNoteLines * ImGui::GetTextLineHeight()},
                      theme::tone(theme::kWarning));
   ui.item("export/dropped", text + ".");
+  draw_copy_all("export/copy_all", text + ".", ui);
 }
 
 void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "copy_all.h"
 #include "dialog.h"
 #include "long_list.h"
 #include "reading_panel.h"
@@ -89,9 +90,11 @@ void LevelImportPanel::draw_tiles(ImportChoices& choices, Ui& ui) {
 }
 
 void LevelImportPanel::draw_report(const LevelImport& import, Ui& ui) {
-  draw_scrolled_text("report", text_of(import), {ui.px(kTextWidth), kMostLines * ImGui::GetTextLineHeight()},
+  const std::string text = text_of(import);
+  draw_scrolled_text("report", text, {ui.px(kTextWidth), kMostLines * ImGui::GetTextLineHeight()},
                      theme::tone(import.plan ? theme::kText : theme::kError));
   ui.item(import.plan ? "choose/report" : "choose/error");
+  draw_copy_all("choose/copy_all", text, ui);
   ImGui::Spacing();
 }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <string_view>
 
+#include "copy_all.h"
+
 namespace talus {
 namespace {
 
@@ -61,12 +63,13 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::DismissMessage{});
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  const float least_left = max.y - min.y - ui.px(16);
+  const float least_left = max.y - min.y - ui.px(16 + theme::kButton);
   draw_scrolled_text("text", message.text,
                      {width - ImGui::GetCursorPosX() - ui.px(8),
                       std::min(kMostLines * ImGui::GetTextLineHeight(), least_left)},
                      theme::tone(theme::kText));
   ui.item("message/text");
+  draw_copy_all("message/copy_all", message.text, ui);
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "asked_exports.h"
+#include "copy_all.h"
 #include "dialog.h"
 
 namespace talus {
@@ -111,6 +112,7 @@ void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                           kMostLines * ImGui::GetTextLineHeight()},
                          theme::tone(theme::kText));
       ui.item("question/text");
+      draw_copy_all("question/copy_all", question->text, ui);
       ImGui::Spacing();
       if (has_list && session.asked_exports() != nullptr)
         draw_asked_exports(*session.asked_exports(), ui.px(theme::kButton) + ui.px(12), ui);

@@ -114,6 +114,9 @@ std::string GlWindow::start(const WindowOptions& options) {
   if (!ImGui_ImplSDL2_InitForOpenGL(window_, gl_)) return "Dear ImGui cannot use the window.";
   has_backend_ = true;
   if (!ImGui_ImplOpenGL3_Init("#version 330")) return "Dear ImGui cannot use OpenGL.";
+  // Without it a full window, of more than 65,536 corners, would end the program.
+  if ((ImGui::GetIO().BackendFlags & ImGuiBackendFlags_RendererHasVtxOffset) == 0)
+    return "OpenGL 3.2 is missing: the one that is here cannot draw a window of more than 65,536 corners.";
   return {};
 }
 

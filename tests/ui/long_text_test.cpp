@@ -227,6 +227,26 @@ class UiLongList : public UiTest {
   }
 };
 
+class UiLongMessage : public UiTest {};
+
+TEST_F(UiLongMessage, CanBeCopiedWholeWhereItIsCut) {
+  start(save_test_level("level.talus.json"));
+  EXPECT_NE(ImGui::GetIO().BackendFlags & ImGuiBackendFlags_RendererHasVtxOffset, 0)
+      << "a full window would end the program";
+  session().apply(action::ShowMessage{"short", true});
+  frames(3);
+  EXPECT_EQ(find("message/copy_all"), nullptr);
+  std::string text = repeated("many words ");
+  text[100] = '\0';
+  session().apply(action::ShowMessage{text, true});
+  frames(3);
+  ASSERT_NE(find("message/copy_all"), nullptr);
+  click("message/copy_all");
+  frames(2);
+  text[100] = ' ';
+  EXPECT_EQ(std::string(ImGui::GetClipboardText()), text);
+}
+
 TEST_F(UiLongList, TheHistory) {
   start();
   for (int i = 0; i < kEntries; ++i) {

@@ -1,0 +1,13 @@
+// A button beside a text whose end is not shown.
+#pragma once
+
+#include <string>
+
+#include "ui.h"
+
+namespace talus {
+
+// Puts the whole text on the clipboard. Draws nothing where draw_scrolled_text() shows all of it.
+void draw_copy_all(std::string_view name, const std::string& text, Ui& ui);
+
+}  // namespace talus
