@@ -30,7 +30,7 @@ ExportBounds bounds_of_output(const std::string& output, bool is_folder) {
 
 tl::expected<std::string, std::string> place_within(const ExportBounds& bounds, const std::string& path,
                                                     bool is_named) {
-  if (bounds.folder.empty() || (is_named && !bounds.holds_named_file)) return path;
+  if (!holds(bounds, is_named)) return path;
   const auto place = real_path(path);
   if (!place) return tl::unexpected(path + " " + place.error().message);
   if (!is_within(*place, bounds.folder)) {

@@ -17,6 +17,11 @@ struct ExportBounds {
   friend bool operator==(const ExportBounds&, const ExportBounds&) = default;
 };
 
+// Whether a file has to stay in the folder. is_named: it is the one that the output names.
+inline bool holds(const ExportBounds& bounds, bool is_named) {
+  return !bounds.folder.empty() && (!is_named || bounds.holds_named_file);
+}
+
 // What the paths of a level's presets get: the folder of the level's file. Empty: it has none, and nothing is
 // within the bounds.
 ExportBounds bounds_of_level(const std::string& level_file);
@@ -24,7 +29,7 @@ ExportBounds bounds_of_level(const std::string& level_file);
 ExportBounds bounds_of_output(const std::string& output, bool is_folder);
 
 // The place that is written for a path, which has no link in it any more where there are bounds; or one
-// sentence without its full stop on why it may not be. is_named: it is the file that the output names.
+// sentence without its full stop on why it may not be. is_named: as of holds().
 tl::expected<std::string, std::string> place_within(const ExportBounds& bounds, const std::string& path,
                                                     bool is_named);
 

@@ -237,7 +237,8 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     if (failure)
       return tl::unexpected(
           FormatError{"", "the folder " + folder.string() + " cannot be made: " + failure.message()});
-    auto written = StagedFile::write(paths[i], file.bytes);
+    const auto link = holds(bounds, file.name.empty()) ? LinkInPlace::refuse : LinkInPlace::follow;
+    auto written = StagedFile::write(paths[i], file.bytes, link);
     if (!written) return tl::unexpected(FormatError{file.name, written.error().message});
     staged.push_back(*std::move(written));
     bytes += file.bytes.size();
@@ -246,6 +247,10 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
   for (std::size_t i = 0; i < staged.size(); ++i) {
     if (const auto put = staged[i].put(); !put)
       return tl::unexpected(FormatError{exported.files[i].name, put.error().message});
+  }
+  for (std::size_t i = 0; i < staged.size(); ++i) {
+    if (!staged[i].doubt().empty())
+      return tl::unexpected(FormatError{exported.files[i].name, staged[i].doubt()});
   }
   return {};
 }

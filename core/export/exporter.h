@@ -91,8 +91,8 @@ using WriteProgress = std::function<bool(std::size_t files, std::size_t bytes)>;
 
 // Writes them there, and makes the folders that are missing. All are written beside their places first and
 // then put there together, as StagedFile does: after an error, or when `progress` ends it, all old files are
-// as they were. Nothing is written where one of them would leave the bounds. The error's place is the name of
-// the file, where it has one.
+// as they were, but where a StagedFile::doubt() is the error. Nothing is written where one of them would
+// leave the bounds. The error's place is the name of the file, where it has one.
 FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
                                   const std::string& output, const WriteProgress& progress = nullptr,
                                   const ExportBounds& bounds = {});

@@ -5,12 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "held_file.h"
+#include "real_path.h"
 
 namespace talus {
 namespace {
@@ -40,6 +42,7 @@ class File {
  public:
   explicit File(int descriptor) : descriptor_(descriptor) {}
   ~File() { close(); }
+  File(File&& other) noexcept : descriptor_(other.release()) {}
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   int get() const { return descriptor_; }
@@ -62,18 +65,6 @@ bool write_all(int descriptor, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
-}
-
-// The file that a chain of symbolic links ends at, whether it exists or not.
-fs::path follow_links(fs::path path) {
-  constexpr int kMaxLinks = 40;  // as the kernel's own limit; a longer chain is a loop
-  std::error_code error;
-  for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
-    const fs::path target = fs::read_symlink(path, error);
-    if (error) break;
-    path = target.is_absolute() ? target : path.parent_path() / target;
-  }
-  return path;
 }
 
 int create_new(const std::string& name) {
@@ -105,7 +96,7 @@ int create_temporary(const fs::path& target, std::string& name) {
 
 FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes) {
   // A pipe that nobody reads would be waited for here, without end.
-  File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW));
   if (!file.is_open() && errno == ENXIO)
     return tl::unexpected(FormatError{"", "is a pipe or device that nobody reads"});
   if (!file.is_open()) return failure("cannot be opened for writing", errno);
@@ -116,52 +107,91 @@ FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes
   return {};
 }
 
-// The rename has happened, so what fails here costs durability at power loss and nothing else.
-void sync_directory(const fs::path& target) {
+// Looked at before it is opened, as opening a device may do something, and again after that, as it may be
+// another one by then. size: of the file.
+FormatResult<File> open_for_reading(const std::string& path, std::size_t& size) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return failure("cannot be opened", errno);
+  if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
+  File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (!file.is_open()) return failure("cannot be opened", errno);
+  if (::fstat(file.get(), &status) != 0) return failure("cannot be read", errno);
+  if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
+  size = static_cast<std::size_t>(status.st_size);
+  return file;
+}
+
+// Adds up to `most` bytes. How many; 0: the file is at its end.
+FormatResult<std::size_t> read_more(int descriptor, std::size_t most, std::string& bytes) {
+  const std::size_t before = bytes.size();
+  bytes.resize(before + most);
+  ssize_t count = 0;
+  do count = ::read(descriptor, bytes.data() + before, most);
+  while (count < 0 && errno == EINTR);
+  const int error_number = errno;
+  bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  if (count < 0) return failure("cannot be read", error_number);
+  return bytes.size() - before;
+}
+
+// The rename has happened, so what fails here costs durability at power loss and nothing else. The error's
+// number; 0: it is done, or cannot be done here: a folder that cannot be read, a file system without it.
+int sync_directory(const fs::path& target) {
   const fs::path directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
   const File file(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (file.is_open()) ::fsync(file.get());
+  if (!file.is_open()) return errno == EACCES ? 0 : errno;
+  if (::fsync(file.get()) == 0 || errno == EINVAL || errno == ENOTSUP) return 0;
+  return errno;
 }
 
 }  // namespace
 
-FormatResult<std::string> read_file(const std::string& path, std::size_t most) {
-  // Looked at before it is opened, as opening a device may do something, and again after that, as it may be
-  // another one by then.
-  struct stat status = {};
-  if (::stat(path.c_str(), &status) != 0) return failure("cannot be opened", errno);
-  if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
-  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (!file.is_open()) return failure("cannot be opened", errno);
-  if (::fstat(file.get(), &status) != 0) return failure("cannot be read", errno);
-  if (const char* const kind = kind_of_no_file(status.st_mode)) return no_file(kind);
-  if (static_cast<std::size_t>(status.st_size) > most) return too_large_file(most);
+FormatResult<std::string> read_file(const std::string& path, std::size_t most, const Progress& progress) {
+  std::size_t size = 0;
+  const auto file = open_for_reading(path, size);
+  if (!file) return tl::unexpected(file.error());
+  if (size > most) return too_large_file(most);
   std::string bytes;
   constexpr std::size_t kStep = 1 << 20;
-  for (;;) {
-    const std::size_t size = bytes.size();
-    if (size > most) return too_large_file(most);
-    bytes.resize(size + kStep);
-    const ssize_t count = ::read(file.get(), bytes.data() + size, kStep);
-    const int error_number = errno;
-    bytes.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
-    if (count == 0) return bytes;
-    if (count < 0 && error_number != EINTR) return failure("cannot be read", error_number);
+  while (progress.at(bytes.size(), std::max(size, bytes.size() + 1))) {
+    const auto count = read_more(file->get(), kStep, bytes);
+    if (!count) return tl::unexpected(count.error());
+    if (bytes.size() > most) return too_large_file(most);
+    if (*count == 0) return bytes;
   }
+  return was_cancelled();
+}
+
+FormatResult<std::string> read_start_of_file(const std::string& path, std::size_t count) {
+  std::size_t size = 0;
+  const auto file = open_for_reading(path, size);
+  if (!file) return tl::unexpected(file.error());
+  std::string bytes;
+  while (bytes.size() < count) {
+    const auto read = read_more(file->get(), count - bytes.size(), bytes);
+    if (!read) return tl::unexpected(read.error());
+    if (*read == 0) break;
+  }
+  return bytes;
 }
 
 FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes) {
   auto staged = StagedFile::write(path, bytes);
   if (!staged) return tl::unexpected(staged.error());
-  return staged->put();
+  auto put = staged->put();
+  if (put && !staged->doubt().empty()) return tl::unexpected(FormatError{"", staged->doubt()});
+  return put;
 }
 
-FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes) {
-  const fs::path target = follow_links(path);
+FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes,
+                                           LinkInPlace link) {
+  const auto place = link == LinkInPlace::follow ? real_path(path) : FormatResult<std::string>(path);
+  if (!place) return tl::unexpected(place.error());
+  const fs::path target = *place;
   struct stat old = {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (!exists && errno != ENOENT)
-    return failure("cannot be written", errno);  // a loop of links, a forbidden path
+  const bool exists = ::lstat(target.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT) return failure("cannot be written", errno);  // a forbidden path
+  if (exists && S_ISLNK(old.st_mode)) return failure("cannot be written", ELOOP);
   if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
   if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", -1, bytes);
   // rename() would replace a write-protected file: its directory's permissions alone decide.
@@ -182,7 +212,9 @@ FormatResult<void> StagedFile::put() {
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failure("cannot be written", errno);
   temporary_.clear();
   let_go();
-  sync_directory(target_);
+  if (const int error_number = sync_directory(target_); error_number != 0)
+    doubt_ = "is written, but a power failure may undo that, as its folder cannot be brought to the disk: " +
+             std::generic_category().message(error_number);
   return {};
 }
 
@@ -190,7 +222,8 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      bytes_(other.bytes_) {}
+      bytes_(other.bytes_),
+      doubt_(std::move(other.doubt_)) {}
 
 // What was written is on the disk since fsync, so that closing has nothing left to fail at.
 void StagedFile::let_go() {

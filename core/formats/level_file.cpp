@@ -9,13 +9,17 @@
 #include "format.h"
 #include "keep_aside.h"
 #include "last_catch.h"
+#include "real_path.h"
 
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string last_name(const std::string& path) { return fs::path(path).filename().string(); }
+void add_doubt(const std::string& path, const StagedFile& staged, std::string& note) {
+  if (staged.doubt().empty()) return;
+  note += (note.empty() ? "" : ". ") + last_name(path) + " " + staged.doubt();
+}
 
 // What is in the place of a companion.
 struct Place {
@@ -67,6 +71,15 @@ FormatResult<LoadedLevel> load_owner(const std::string& owner) {
   return loaded;
 }
 
+// Writes a file that is put in place at once. Told in `note`: what is doubtful of it then.
+FormatResult<void> write_noting(const std::string& path, std::string_view bytes, std::string& note) {
+  auto staged = StagedFile::write(path, bytes);
+  if (!staged) return tl::unexpected(staged.error());
+  auto put = staged->put();
+  if (put) add_doubt(path, *staged, note);
+  return put;
+}
+
 // Puts a companion and its file in place; what was done is undone again where it ends before its time.
 class PairWriter {
  public:
@@ -88,7 +101,7 @@ class PairWriter {
       if (const auto made_room = make_room(); !made_room) return made_room;
     }
     if (bytes.empty() || (is_own_ && *before_.bytes == bytes)) return {};
-    const auto written = write_file_atomic(path_, bytes);
+    const auto written = write_noting(path_, bytes, doubt_);
     is_put_ = written.has_value();
     return written;
   }
@@ -98,6 +111,7 @@ class PairWriter {
     if (removes) fs::remove(path_, ignored);
   }
   const std::string& kept() const { return kept_; }
+  const std::string& doubt() const { return doubt_; }  // of the companion, as write_noting() tells it
 
  private:
   FormatResult<void> make_room() {
@@ -109,6 +123,7 @@ class PairWriter {
 
   std::string path_;
   Place before_;
+  std::string doubt_;
   std::string kept_;  // where what was there is now; empty: it has not been moved
   bool is_own_ = false, is_put_ = false, is_done_ = false;
 };
@@ -145,10 +160,12 @@ FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, con
   }
   if (const auto put = staged->put(); !put) return tl::unexpected(put.error());
   pair.finish(needed->empty() && is_known);
-  SavedLevel saved{written.dropped, {}, ""};
+  SavedLevel saved{written.dropped, {}, pair.doubt()};
+  add_doubt(path, *staged, saved.note);
   if (!needed->empty()) saved.companion = {beside, content_hash(*needed)};
   if (!pair.kept().empty())
-    saved.note = last_name(beside) + " held something else, which is kept as " + last_name(pair.kept());
+    saved.note += (saved.note.empty() ? "" : ". ") + last_name(beside) +
+                  " held something else, which is kept as " + last_name(pair.kept());
   return saved;
 }
 
@@ -179,13 +196,14 @@ std::string level_path(const std::string& path) {
 
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices,
                                      const Progress& progress) {
-  const auto bytes = read_file(path);
+  constexpr double kReading = 0.1;  // of the time that it takes
+  const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, kReading));
   if (!bytes) return tl::unexpected(bytes.error());
   if (const std::string owner = owner_of_companion(path); !owner.empty() && is_companion(*bytes))
     return load_owner(owner);
   FormatContext context = context_for_file(path);
   context.choices = choices;
-  context.progress = progress;
+  context.progress = progress.part(kReading, 1);
   auto loaded = read_level(*bytes, context);
   if (!loaded) return loaded;
   loaded->path = path;
@@ -201,9 +219,10 @@ FormatResult<SavedLevel> save_level(const Level& level, const Format& format, co
   if (!format.holds.empty()) return save_pair(level, format, path, *written, known);
   if (std::string problem = companion_place_problem(path); !problem.empty())
     return tl::unexpected(FormatError{"", std::move(problem)});
-  if (const auto saved = write_file_atomic(path, written->bytes); !saved)
-    return tl::unexpected(saved.error());
-  return SavedLevel{std::move(written->dropped)};
+  SavedLevel saved{std::move(written->dropped)};
+  if (const auto put = write_noting(path, written->bytes, saved.note); !put)
+    return tl::unexpected(put.error());
+  return saved;
 }
 
 }  // namespace talus

@@ -45,6 +45,8 @@ FormatResult<std::string> real_folder_of(const std::string& file) {
   return real_path(fs::path(file).parent_path().string());
 }
 
+std::string last_name(const std::string& path) { return fs::path(path).filename().string(); }
+
 bool is_within(const std::string& place, const std::string& folder) {
   const fs::path inner(place), outer(folder);
   const auto [end, unused] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());

@@ -14,6 +14,9 @@ FormatResult<std::string> real_path(const std::string& path);
 // Of the folder that a file is in: the file itself may be a link.
 FormatResult<std::string> real_folder_of(const std::string& file);
 
+// The last part of a path, as titles and sentences name a file.
+std::string last_name(const std::string& path);
+
 // Whether a place is the folder, or somewhere in it. Both as real_path() gives them.
 bool is_within(const std::string& place, const std::string& folder);
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "export/export_plan.h"
-#include "file_lock.h"
 #include "formats/atomic_file.h"
+#include "formats/held_file.h"
 #include "formats/native_exports.h"
 #include "formats/real_path.h"
 #include "formats/utf8_text.h"
@@ -83,13 +83,14 @@ void ExportPermissions::open(const std::string& level_file) {
   }
 }
 
-void ExportPermissions::save(const std::string& level_file, std::span<const ExportPreset> presets) {
+tl::expected<void, std::string> ExportPermissions::save(const std::string& level_file,
+                                                        std::span<const ExportPreset> presets) {
   level_file_ = level_file;
   key_ = real_path(level_file).value_or("");
   for (Entry& e : entries_) {
     if (e.is_chosen) e.place = place_of(e.preset);
   }
-  remember(presets);
+  return remember(presets);
 }
 
 void ExportPermissions::note_edit(std::span<const ExportPreset> before, std::span<const ExportPreset> after) {
@@ -105,9 +106,9 @@ void ExportPermissions::note_edit(std::span<const ExportPreset> before, std::spa
   }
 }
 
-void ExportPermissions::allow(std::span<const ExportPreset> presets) {
+tl::expected<void, std::string> ExportPermissions::allow(std::span<const ExportPreset> presets) {
   for (const ExportPreset& preset : presets) entry(preset).is_allowed = true;
-  remember(presets);
+  return remember(presets);
 }
 
 void ExportPermissions::allow_place(const ExportPreset& preset) {
@@ -149,14 +150,18 @@ std::string ExportPermissions::place_of(const ExportPreset& preset) const {
   return output ? real_path(*output).value_or("") : "";
 }
 
-// What cannot be kept is asked about again, which is no loss.
-void ExportPermissions::remember(std::span<const ExportPreset> presets) const {
-  if (store_.empty() || key_.empty() || presets.empty()) return;
+tl::expected<void, std::string> ExportPermissions::remember(std::span<const ExportPreset> presets) const {
+  if (store_.empty() || key_.empty() || presets.empty()) return {};
+  const auto failure = [&](const std::string& why) {
+    return tl::unexpected(
+        "Which exports are allowed cannot be remembered, so that they are asked about again: " + store_ +
+        " " + why + ".");
+  };
   std::error_code ignored;
   fs::create_directories(fs::path(store_).parent_path(), ignored);
   const FileLock lock(store_);
   auto read = read_store(store_);
-  if (!read) return;
+  if (!read) return failure("cannot be read");
   std::vector<KeptPermission>& all = *read;
   const std::string before = text_of(all);
   for (const ExportPreset& preset : presets) {
@@ -170,7 +175,11 @@ void ExportPermissions::remember(std::span<const ExportPreset> presets) const {
   }
   if (all.size() > kMostKept)
     std::erase_if(all, [&](const KeptPermission& kept) { return !fs::exists(kept.file, ignored); });
-  if (const std::string after = text_of(all); after != before) (void)write_file_atomic(store_, after);
+  const std::string after = text_of(all);
+  if (after == before) return {};
+  if (const auto written = write_file_atomic(store_, after); !written)
+    return failure(written.error().message);
+  return {};
 }
 
 }  // namespace talus

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "export/export_bounds.h"
@@ -27,11 +28,13 @@ class ExportPermissions {
 
   // Another level is open, of this file; empty: it has none. What is known about the one before is forgotten.
   void open(const std::string& level_file);
-  // The level was saved there, with these presets: what is allowed of them is remembered.
-  void save(const std::string& level_file, std::span<const ExportPreset> presets);
+  // The level was saved there, with these presets: what is allowed of them is remembered. The error is one
+  // sentence on why that failed, so that it is asked about again in the next start.
+  tl::expected<void, std::string> save(const std::string& level_file, std::span<const ExportPreset> presets);
   // The user has changed the presets: those that are new are allowed.
   void note_edit(std::span<const ExportPreset> before, std::span<const ExportPreset> after);
-  void allow(std::span<const ExportPreset> presets);  // and remembers it
+  // And remembers it; the error is as above.
+  tl::expected<void, std::string> allow(std::span<const ExportPreset> presets);
   // The user has chosen this preset's path, which may leave the folder of the level's file from now on.
   void allow_place(const ExportPreset& preset);
 
@@ -52,7 +55,7 @@ class ExportPermissions {
   const Entry* find(const ExportPreset& preset) const;
   Entry& entry(const ExportPreset& preset);
   std::string place_of(const ExportPreset& preset) const;
-  void remember(std::span<const ExportPreset> presets) const;
+  tl::expected<void, std::string> remember(std::span<const ExportPreset> presets) const;
 
   std::string store_;
   std::string level_file_, key_;  // key_: what the store calls the file; empty: it has none

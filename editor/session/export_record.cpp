@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "file_lock.h"
 #include "formats/atomic_file.h"
+#include "formats/held_file.h"
 
 namespace talus {
 namespace {

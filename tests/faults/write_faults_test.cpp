@@ -186,7 +186,7 @@ TEST_F(WriteFaults, OfSavingByItself) {
                         paint(*session, 2);
                       },
                   .work = follow,
-                  .is_kept = [&](bool well) { return saved_tile() == (well ? 2 : 1); },
+                  .is_kept = [&](bool well) { return saved_tile() == 2 || (!well && saved_tile() == 1); },
                   .again = [&] { return follow() && saved_tile() == 2; }});
 }
 
@@ -225,7 +225,7 @@ TEST_F(WriteFaults, OfWritingSettings) {
   };
   fail_each_call({.prepare = [&] { ASSERT_TRUE(save_settings(with_scale(3), file)); },
                   .work = save,
-                  .is_kept = [&](bool well) { return scale() == (well ? 2 : 3); },
+                  .is_kept = [&](bool well) { return scale() == 2 || (!well && scale() == 3); },
                   .again = [&] { return save() && scale() == 2; }});
 }
 
@@ -234,7 +234,10 @@ TEST_F(WriteFaults, OfTheFirstSettings) {
   const auto save = [&] { return save_settings(default_settings(), file).has_value(); };
   fail_each_call({.prepare = [] {},
                   .work = save,
-                  .is_kept = [&](bool well) { return exists("config/settings.json") == well; },
+                  .is_kept =
+                      [&](bool well) {
+                        return exists("config/settings.json") ? load_settings(file).has_value() : !well;
+                      },
                   .again = [&] { return save() && load_settings(file).has_value(); }});
 }
 
@@ -389,6 +392,72 @@ TEST_F(WriteFaults, AFileIsOnTheDiskBeforeItTakesTheOldOnesPlace) {
   EXPECT_LT(at("write .a.0.tmp"), at("fsync .a.0.tmp"));
   EXPECT_LT(at("fsync .a.0.tmp"), at("rename .a.0.tmp a"));
   EXPECT_LT(at("rename .a.0.tmp a"), at("fsync " + folder_.filename().string()));
+}
+
+// What is in its place, but not certain to outlast a power failure, is told.
+TEST_F(WriteFaults, AFolderThatCannotBeBroughtToTheDiskIsTold) {
+  const std::string doubt =
+      "is written, but a power failure may undo that, as its folder cannot be brought to the disk: "
+      "Input/output error";
+  const auto fail_at_folder = [&](FailingCalls& calls, const std::function<void()>& write) {
+    write();  // over an older one from now on
+    const int before = calls.count();
+    write();
+    const auto log = calls.log();
+    const auto at = std::find(log.begin() + before, log.end(), "fsync " + folder_.filename().string());
+    ASSERT_NE(at, log.end());
+    calls.fail_from(calls.count() + static_cast<int>(at - log.begin()) - before, EIO, false);
+    write();
+    EXPECT_EQ(calls.failed(), *at);
+    calls.heal();
+  };
+  FailingCalls calls(folder_.string());
+  FormatResult<void> written;
+  fail_at_folder(calls, [&] { written = write_file_atomic(path("a"), "new"); });
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().message, doubt);
+  EXPECT_EQ(bytes_of("a"), "new");
+
+  Session session(painted(1), "", "a");
+  session.apply(action::SaveFileAs{path("a.talus.json")});
+  fail_at_folder(calls, [&] {
+    paint(session, static_cast<std::uint8_t>(tile_in(session.level()) + 1));
+    session.apply(action::SaveFile{});
+  });
+  EXPECT_EQ(session.message()->text, "Saved a.talus.json. a.talus.json " + doubt + ".");
+  EXPECT_FALSE(session.modified());
+}
+
+TEST_F(WriteFaults, WhatIsAllowedAndCannotBeRememberedIsTold) {
+  const std::string store = put("no_folder", "") + "/allowed";
+  Session session(painted(1), "", "a", ExportTools{.read_asset = {}, .record = "", .permissions = store});
+  const ExportPreset preset{.name = "map", .exporter = "csv", .path = "map", .extra = {}};
+  session.apply(action::EditLevel{Edit{"Add", {ExportsChange{{}, {preset}}}}});
+  session.apply(action::SaveFileAs{path("a.talus.json")});
+  EXPECT_EQ(
+      session.message()->text,
+      "Saved a.talus.json.\nWhich exports are allowed cannot be remembered, so that they are asked about "
+      "again: " +
+          store + " cannot be written: Not a directory.");
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_FALSE(session.modified());
+
+  Session later(Level(), "", kUnnamed, ExportTools{.read_asset = {}, .record = "", .permissions = store});
+  later.apply(action::OpenFile{path("a.talus.json")});
+  later.apply(action::RunExports{});
+  const auto wait = [&] {
+    for (int i = 0; i < 20'000 && later.exporting().is_busy(); ++i) {
+      ::usleep(1000);
+      later.advance(0);
+    }
+  };
+  wait();
+  ASSERT_TRUE(later.question()) << "it is asked about again";
+  later.apply(action::AnswerQuestion{action::Answer::allow});
+  wait();
+  EXPECT_TRUE(exists("map") && !fs::is_empty(path("map"))) << "and written";
+  EXPECT_NE(later.message()->text.find("Which exports are allowed cannot be remembered"), std::string::npos)
+      << later.message()->text;
 }
 
 TEST_F(WriteFaults, AChangeByAnotherProgramIsSeenAlsoWhereTheFileCouldNotBeReadBefore) {

@@ -102,6 +102,44 @@ TEST_F(AtomicFileTest, LinksAreFollowed) {
   EXPECT_FALSE(write_file_atomic(path("loop"), "x"));
 }
 
+// One that is put there after it was looked at where the path leads.
+TEST_F(AtomicFileTest, LinksCanBeRefused) {
+  put("outside", "old");
+  fs::create_symlink("outside", path("link"));
+  const auto refused = StagedFile::write(path("link"), "new", LinkInPlace::refuse);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "cannot be written: Too many levels of symbolic links");
+  EXPECT_TRUE(StagedFile::write(path("plain"), "new", LinkInPlace::refuse)->put());
+  EXPECT_EQ(bytes_of("outside") + bytes_of("plain"), "oldnew");
+  // One that comes still later is replaced, and not followed.
+  auto staged = StagedFile::write(path("late"), "new", LinkInPlace::refuse);
+  fs::create_symlink("outside", path("late"));
+  EXPECT_TRUE(staged->put());
+  EXPECT_FALSE(fs::is_symlink(path("late")));
+  EXPECT_EQ(bytes_of("outside") + bytes_of("late"), "oldnew");
+}
+
+TEST_F(AtomicFileTest, TheStartOfAFileIsReadAlone) {
+  put("a", "abcdef");
+  EXPECT_EQ(read_start_of_file(path("a"), 4).value(), "abcd");
+  EXPECT_EQ(read_start_of_file(path("a"), 10).value(), "abcdef");
+  EXPECT_FALSE(read_start_of_file(path("none"), 4));
+  EXPECT_EQ(read_start_of_file(folder_.string(), 4).error().message,
+            "is a directory, and only files are read");
+  fs::resize_file(path("a"), std::uintmax_t{1} << 33);
+  EXPECT_EQ(read_start_of_file(path("a"), 4).value(), "abcd") << "of any size";
+}
+
+TEST_F(AtomicFileTest, ReadingCanBeCancelled) {
+  put("a", std::string(std::size_t{8} << 20, 'a'));
+  int asked = 0;
+  const auto read = read_file(path("a"), kMaxFileBytes, Progress([&](double) { return ++asked < 3; }));
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "was cancelled");
+  EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(read_file(path("a"), kMaxFileBytes, Progress([](double) { return true; })));
+}
+
 TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenTo) {
   EXPECT_EQ(write_file_atomic(folder_.string(), "x").error().message, "cannot be written: Is a directory");
   EXPECT_EQ(write_file_atomic(path("none/x"), "x").error().message,
