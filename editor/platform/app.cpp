@@ -13,6 +13,7 @@
 #include "asset_path.h"
 #include "external_program.h"
 #include "formats/atomic_file.h"
+#include "formats/keep_aside.h"
 #include "formats/last_catch.h"
 #include "formats/recording.h"
 #include "formats/utf8_text.h"
@@ -60,14 +61,6 @@ FrameCost cost_of_frame(double interface_seconds, double opengl_seconds) {
   FrameCost cost{interface_seconds * 1000, opengl_seconds * 1000, data.TotalVtxCount, 0};
   for (int i = 0; i < data.CmdListsCount; ++i) cost.draw_calls += data.CmdLists[i]->CmdBuffer.Size;
   return cost;
-}
-
-// Renames a file that the program would replace, and tells so; nothing when that fails.
-std::optional<std::string> kept_aside(const std::string& path) {
-  std::error_code error;
-  std::filesystem::rename(path, path + ".damaged", error);
-  if (error) return std::nullopt;
-  return " It is kept as " + path + ".damaged.";
 }
 
 // Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
@@ -125,9 +118,10 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
 // What cannot be read is not replaced: it is kept aside, or stays, and then nothing new is remembered. The
 // text for the user.
 std::string App::keep_settings_aside(const std::string& problem) {
-  const auto kept = kept_aside(settings_path());
+  const auto kept = keep_aside(settings_path());
   remembers_settings_ = kept.has_value();
-  return problem + kept.value_or(" It stays as it is: settings are not remembered until the next start.");
+  return problem + (kept ? " It is kept as " + *kept + "."
+                         : " It stays as it is: settings are not remembered until the next start.");
 }
 
 std::string App::open_window(Settings& settings) {
