@@ -1,5 +1,6 @@
 #include "branch_frames.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace talus {
@@ -20,12 +21,19 @@ const std::shared_ptr<const Terrain>& BranchFrames::ground(std::int64_t frame) c
   return ground_;
 }
 
+// The step to a frame is made with its record, when the frame is read.
+bool BranchFrames::approach(std::int64_t frame) const {
+  const std::int64_t before = std::max<std::int64_t>(frame - 1, 0);
+  return runners_.nearest(branch_, before).go_to(branch_, before, nullptr, 1);
+}
+
 void BranchFrames::read(std::int64_t frame, Frame& into) const {
   assert(frame >= 0 && frame <= last());
-  runner_.go_to(branch_, frame, &into.record);
-  into.scene = runner_.scene();
+  Runner& runner = runners_.nearest(branch_, std::max<std::int64_t>(frame - 1, 0));
+  runner.go_to(branch_, frame, &into.record);
+  into.scene = runner.scene();
   into.ground = ground(frame);
-  into.state = runner_.state();
+  into.state = runner.state();
   into.input = frame > 0 ? branch_.input(frame) : Input();
   into.other.reset();
 }

@@ -60,12 +60,16 @@ double parting_of(const Body& body, const State& other) {
 
 void ComparedFrames::read(std::int64_t frame, Frame& into) const {
   std::optional<State> other;
-  if (b_ != nullptr && frame <= b_->last()) {
+  if (has_other(frame)) {
     b_->read(frame, into);
     other = std::move(into.state);
   }
   a_.read(frame, into);
   into.other = std::move(other);
+}
+
+bool ComparedFrames::approach(std::int64_t frame) const {
+  return (!has_other(frame) || b_->approach(frame)) && a_.approach(frame);
 }
 
 std::string parting_condition(double threshold) { return "parting > " + exact_text(threshold); }

@@ -28,8 +28,11 @@ class ComparedFrames final : public FrameSource {
   ComparedFrames(const FrameSource& a, const FrameSource* b) : a_(a), b_(b) {}
   std::int64_t last() const override { return a_.last(); }
   void read(std::int64_t frame, Frame& into) const override;
+  bool approach(std::int64_t frame) const override;
 
  private:
+  bool has_other(std::int64_t frame) const { return b_ != nullptr && frame <= b_->last(); }
+
   const FrameSource& a_;
   const FrameSource* b_;
 };

@@ -21,10 +21,20 @@ Frame& FrameHistory::next() {
 }
 
 void FrameHistory::go_to(const FrameSource& source, std::int64_t frame) {
-  if (count_ > 0 && ring_[newest_].state.frame == frame - 1) return source.read(frame, next());
-  clear();
+  while (!approach(source, frame)) {
+  }
+}
+
+bool FrameHistory::approach(const FrameSource& source, std::int64_t frame) {
   const auto before = static_cast<std::int64_t>(ring_.size()) - 1;
-  for (std::int64_t i = std::max<std::int64_t>(frame - before, 0); i <= frame; ++i) source.read(i, next());
+  const std::int64_t first = std::max<std::int64_t>(frame - before, 0);
+  const std::int64_t newest = count_ > 0 ? ring_[newest_].state.frame : -1;
+  const bool leads_there = count_ > 0 && newest >= first - 1 && newest < frame;
+  if (!leads_there) clear();
+  const std::int64_t read = leads_there ? newest + 1 : first;
+  if (!source.approach(read)) return false;
+  source.read(read, next());
+  return read == frame;
 }
 
 FrameView FrameHistory::view() const {

@@ -32,6 +32,9 @@ class FrameSource {
   virtual ~FrameSource() = default;
   virtual std::int64_t last() const = 0;                         // frames 0 to last() are there
   virtual void read(std::int64_t frame, Frame& into) const = 0;  // 0..last(); overwrites all of `into`
+  // Works a little towards a frame that may take long to read. True: to read it next takes no longer than a
+  // step.
+  virtual bool approach(std::int64_t) const { return true; }
 };
 
 // A frame and those before it; before frame 0 there is frame 0 again. Refers to a FrameHistory.
@@ -60,6 +63,8 @@ class FrameHistory {
   Frame& next();  // a new newest frame, to be filled; good until the next call
   // Makes `frame` of the source the newest; reads it alone where the one before is the newest now.
   void go_to(const FrameSource& source, std::int64_t frame);
+  // The same a little at a time, no more than some steps a call. True: it is the newest.
+  bool approach(const FrameSource& source, std::int64_t frame);
   FrameView view() const;  // there must be a frame (asserted); good until the next change
 
  private:

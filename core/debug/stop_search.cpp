@@ -39,7 +39,7 @@ void StopSearch::judge(const FrameSource& source) {
     is_done_ = true;
     return;
   }
-  history_.go_to(source, next_);
+  if (!history_.approach(source, next_)) return;
   std::optional<Stop> stop = counter_.judge(history_.view());
   if (stop && !counter_.counts()) stop->hit = 0;
   ++judged_;

@@ -15,8 +15,8 @@ class StopSearch {
   // from: the frame to go on from, which is not itself a stop; -1 forwards: from before the first one.
   StopSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t from, SearchDirection direction);
 
-  // Judges up to so many frames of the source, which must be the same in every call but may have grown. True:
-  // the search is at its end. To cancel it, drop it.
+  // Judges up to so many frames of the source, fewer where it has to run to them first, which must be the
+  // same in every call but may have grown. True: the search is at its end. To cancel it, drop it.
   bool advance(const FrameSource& source, std::int64_t frames);
   bool is_done() const { return is_done_; }
   // Share of the frames there are that are judged, 0 to 1.

@@ -55,10 +55,11 @@ WatchRun::WatchRun(std::vector<Watch> watches, std::int64_t first, std::size_t m
       next_(first) {}
 
 bool WatchRun::advance(const FrameSource& source, std::int64_t frames) {
-  for (; frames > 0 && next_ <= source.last(); --frames, ++next_) {
-    history_.go_to(source, next_);
+  for (; frames > 0 && next_ <= source.last(); --frames) {
+    if (!history_.approach(source, next_)) continue;
     const FrameView view = history_.view();
     for (std::size_t i = 0; i < watches_.size(); ++i) series_[i].add(watches_[i].value(view));
+    ++next_;
   }
   return next_ > source.last();
 }

@@ -55,8 +55,8 @@ class WatchRun {
   // Frames first to last(); most: as of Series.
   WatchRun(std::vector<Watch> watches, std::int64_t first, std::size_t most);
 
-  // Reads up to so many frames of the source, which must be the same in every call. True: it has come to the
-  // source's last frame. To cancel it, drop it.
+  // Reads up to so many frames of the source, fewer where it has to run to them first, which must be the same
+  // in every call. True: it has come to the source's last frame. To cancel it, drop it.
   bool advance(const FrameSource& source, std::int64_t frames);
   double progress(const FrameSource& source) const;              // 0 to 1
   const std::vector<Series>& series() const { return series_; }  // of each watch

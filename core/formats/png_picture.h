@@ -32,6 +32,7 @@ struct RgbaPicture {
   std::string bytes;          // four a pixel: red, green, blue, opacity; row by row from the top left
 };
 
+inline constexpr std::size_t kPngStart = 8;  // bytes that is_png() looks at
 bool is_png(std::string_view bytes);
 // The content of the first chunk of this type, four letters; empty when there is none.
 FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type);

@@ -36,10 +36,17 @@ void Runner::use(const VersionPtr& version) {
   solver_.reset();
 }
 
-void Runner::start(const Branch& branch, std::int64_t frame) {
+std::optional<std::int64_t> Runner::steps_to(const Branch& branch, std::int64_t frame) const {
   const Keyframe* keyframe = branch.keyframes.before(frame);
   const std::int64_t begin = keyframe != nullptr ? keyframe->frame : 0;
-  if (branch_ == branch.id && state_.frame <= frame && state_.frame >= begin) return;
+  if (branch_ != branch.id || state_.frame > frame || state_.frame < begin) return std::nullopt;
+  return frame - state_.frame;
+}
+
+void Runner::start(const Branch& branch, std::int64_t frame) {
+  if (steps_to(branch, frame)) return;
+  const Keyframe* keyframe = branch.keyframes.before(frame);
+  const std::int64_t begin = keyframe != nullptr ? keyframe->frame : 0;
   branch_ = branch.id;
   use(branch.chapters[branch.chapter_at(begin)].version);
   if (keyframe != nullptr) {
@@ -49,12 +56,14 @@ void Runner::start(const Branch& branch, std::int64_t frame) {
   }
 }
 
-void Runner::go_to(const Branch& branch, std::int64_t frame, StepRecord* record) {
-  assert(frame >= 0 && frame <= branch.run_frame());
+bool Runner::go_to(const Branch& branch, std::int64_t frame, StepRecord* record, std::int64_t most_steps) {
+  assert(frame >= 0 && frame <= branch.run_frame() && most_steps >= 1);
   if (record != nullptr) record->clear();
   const bool steps_there = record != nullptr && frame > 0;
   start(branch, steps_there ? frame - 1 : frame);
-  while (state_.frame < frame) step(branch, state_.frame + 1 == frame ? record : nullptr);
+  const std::int64_t end = state_.frame + std::min(frame - state_.frame, most_steps);
+  while (state_.frame < end) step(branch, state_.frame + 1 == end ? record : nullptr);
+  return end == frame;
 }
 
 void Runner::step(const Branch& branch, StepRecord* record) {
@@ -67,7 +76,7 @@ void Runner::step(const Branch& branch, StepRecord* record) {
 }
 
 void Runner::step_by(const Input& input, StepRecord* record) {
-  if (solver_ == nullptr) solver_ = make_solver(scene_);
+  if (solver_ == nullptr) solver_ = scenes_.solver_of(version_, scene_);
   solver_->step(state_, input, record);
 }
 
@@ -80,6 +89,31 @@ bool Runner::edit(const VersionPtr& version) {
                  [](const Body& a, const Body& b) { return a.id == b.id; });
   state_ = std::move(next);
   return same_bodies;
+}
+
+Runner& Runners::nearest(const Branch& branch, std::int64_t frame) {
+  auto best = runners_.end();
+  std::int64_t fewest = Runner::kAllSteps;
+  for (auto each = runners_.begin(); each != runners_.end(); ++each) {
+    const auto steps = each->steps_to(branch, frame);
+    if (!steps || *steps >= fewest) continue;
+    best = each;
+    fewest = *steps;
+  }
+  if (best == runners_.end() && runners_.size() < kMost) best = runners_.emplace(best, scenes_);
+  if (best == runners_.end()) --best;
+  runners_.splice(runners_.begin(), runners_, best);
+  return runners_.front();
+}
+
+void Runners::forget() {
+  for (Runner& each : runners_) each.forget();
+}
+
+std::int64_t Runners::steps_again() const {
+  std::int64_t steps = 0;
+  for (const Runner& each : runners_) steps += each.steps_again();
+  return steps;
 }
 
 }  // namespace talus

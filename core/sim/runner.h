@@ -1,7 +1,10 @@
 // Runner: a state on its way along a branch, with the scene and the solver that take it on.
 #pragma once
 
+#include <limits>
+#include <list>
 #include <memory>
+#include <optional>
 
 #include "branch.h"
 #include "solver.h"
@@ -14,11 +17,18 @@ State edited_state(State state, const LevelVersion& before, const LevelVersion& 
 
 class Runner {
  public:
+  static constexpr std::int64_t kAllSteps = std::numeric_limits<std::int64_t>::max();
+
   explicit Runner(SceneCache& scenes) : scenes_(scenes) {}
 
   // Goes to a frame that the branch has been run to, by as few steps as it takes from where it is or from a
-  // keyframe. record: if not null, of the step that led there; empty at frame 0.
-  void go_to(const Branch& branch, std::int64_t frame, StepRecord* record = nullptr);
+  // keyframe, and by no more than `most_steps`, 1 or more (asserted). False: it is on the way there, and the
+  // next call goes on. record: if not null, of the step that led to where it is then; empty at frame 0.
+  bool go_to(const Branch& branch, std::int64_t frame, StepRecord* record = nullptr,
+             std::int64_t most_steps = kAllSteps);
+  // The steps from where it is to that frame, if it can go there without starting from a keyframe; nothing:
+  // it cannot.
+  std::optional<std::int64_t> steps_to(const Branch& branch, std::int64_t frame) const;
   // From where it is on this branch to its next frame, with the recorded input and the edits of that frame.
   void step(const Branch& branch, StepRecord* record = nullptr);
 
@@ -44,8 +54,25 @@ class Runner {
   State state_;
   VersionPtr version_;
   ScenePtr scene_;                  // of version_
-  std::unique_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it
+  std::shared_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it
   std::int64_t steps_again_ = 0;
+};
+
+// Several of them, so that whoever goes along one place of a run does not send back who is at another.
+class Runners {
+ public:
+  explicit Runners(SceneCache& scenes) : scenes_(scenes) {}
+
+  // The nearest before that frame; where there is none, the one used longest ago. Good until the next call.
+  Runner& nearest(const Branch& branch, std::int64_t frame);
+  void forget();                     // as each of them
+  std::int64_t steps_again() const;  // of those that there are
+
+ private:
+  static constexpr std::size_t kMost = 4;
+
+  SceneCache& scenes_;
+  std::list<Runner> runners_;  // the one used last is first
 };
 
 }  // namespace talus

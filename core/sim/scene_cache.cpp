@@ -25,8 +25,19 @@ ScenePtr SceneCache::scene_of(const VersionPtr& version) {
 }
 
 void SceneCache::put(VersionPtr version, ScenePtr scene) {
-  entries_.insert(entries_.begin(), {std::move(version), std::move(scene)});
+  entries_.insert(entries_.begin(), {std::move(version), std::move(scene), {}});
   if (entries_.size() > kMost) entries_.pop_back();
+}
+
+std::shared_ptr<Solver> SceneCache::solver_of(const VersionPtr& version, const ScenePtr& scene) {
+  const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.version == version && entry.scene == scene;
+  });
+  std::shared_ptr<Solver> solver = known != entries_.end() ? known->solver.lock() : nullptr;
+  if (solver != nullptr) return solver;
+  solver = make_solver(scene);
+  if (known != entries_.end()) known->solver = solver;
+  return solver;
 }
 
 }  // namespace talus

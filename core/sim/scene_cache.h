@@ -6,6 +6,7 @@
 
 #include "../level/level_version.h"
 #include "scene.h"
+#include "solver.h"
 
 namespace talus {
 
@@ -18,6 +19,9 @@ class SceneCache {
  public:
   ScenePtr scene_of(const VersionPtr& version);
   void put(VersionPtr version, ScenePtr scene);  // that somebody else has compiled
+  // The solver of that scene, one for all who ask as long as one of them has it: of a large level it takes
+  // more time and memory than the scene.
+  std::shared_ptr<Solver> solver_of(const VersionPtr& version, const ScenePtr& scene);
 
  private:
   static constexpr std::size_t kMost = 4;
@@ -26,6 +30,7 @@ class SceneCache {
   struct Entry {
     VersionPtr version;
     ScenePtr scene;
+    std::weak_ptr<Solver> solver;
   };
   std::vector<Entry> entries_;  // the one used last is first
 };

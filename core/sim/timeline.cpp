@@ -24,27 +24,35 @@ bool& key_in(Input& input, InputKey key) {
   return input.mouse_down;
 }
 
-Timeline::Timeline(VersionPtr first, std::size_t keyframe_bytes, std::size_t version_bytes)
+Timeline::Timeline(VersionPtr first, ScenePtr scene, std::size_t keyframe_bytes, std::size_t version_bytes)
     : keyframes_(keyframe_bytes),
       version_bytes_(version_bytes),
       version_(std::move(first)),
-      scene_(scenes_.scene_of(version_)) {
+      scene_(std::move(scene)) {
+  if (scene_ != nullptr)
+    scenes_.put(version_, scene_);
+  else
+    scene_ = scenes_.scene_of(version_);
   add_branch({});
   start_over();
 }
 
 Timeline::Timeline(const Level& level, std::size_t keyframe_bytes, std::size_t version_bytes)
-    : Timeline(std::make_shared<const LevelVersion>(version_of(level)), keyframe_bytes, version_bytes) {}
+    : Timeline(std::make_shared<const LevelVersion>(version_of(level)), nullptr, keyframe_bytes,
+               version_bytes) {}
 
 void Timeline::seek(std::int64_t frame) {
   wanted_ = std::clamp<std::int64_t>(frame, 0, last_frame());
   show_wanted();
 }
 
-void Timeline::show_wanted() {
+void Timeline::show_wanted(std::int64_t most_steps) {
   const Branch& branch = current();
-  const std::int64_t frame = std::min(wanted_, branch.run_frame());
-  cursor_.go_to(branch, frame, &record_);
+  cursor_.go_to(branch, std::min(wanted_, branch.run_frame()), &record_, most_steps);
+}
+
+void Timeline::go_on(std::int64_t most_steps) {
+  if (on_the_way()) show_wanted(most_steps);
 }
 
 bool Timeline::replay() {
@@ -115,7 +123,7 @@ void Timeline::begin_chapter() {
   if (frame() == 0) return start_over();
   const bool kept_bodies = cursor_.edit(version_);
   catching_up_.forget();
-  scout_.forget();
+  scouts_.forget();
   Chapter& last = branch.chapters.back();
   if (last.first == frame() && last.kept_bodies && *last.version->spawns == *version_->spawns) {
     last = {frame(), version_, kept_bodies, last.bytes + memory_of(*version_, last.version.get())};
@@ -147,14 +155,19 @@ void Timeline::keep(Branch& branch, const State& state, bool is_edit) {
   }
 }
 
+bool Timeline::approach(const Branch& branch, std::int64_t frame) const {
+  return scouts_.nearest(branch, frame).go_to(branch, frame, nullptr, 1);
+}
+
 State Timeline::state_at(const Branch& branch, std::int64_t frame) const {
-  scout_.go_to(branch, frame);
-  return scout_.state();
+  Runner& scout = scouts_.nearest(branch, frame);
+  scout.go_to(branch, frame);
+  return scout.state();
 }
 
 StepRecord Timeline::record_at(const Branch& branch, std::int64_t frame) const {
   StepRecord record;
-  scout_.go_to(branch, frame, &record);
+  scouts_.nearest(branch, std::max<std::int64_t>(frame - 1, 0)).go_to(branch, frame, &record);
   return record;
 }
 
@@ -163,16 +176,18 @@ void Timeline::walk(const Branch& branch, std::int64_t first, std::int64_t last,
   assert(first >= 0 && first <= last && last <= branch.run_frame());
   StepRecord record;
   StepRecord* const wanted = with_records ? &record : nullptr;
-  scout_.go_to(branch, first, wanted);
-  bool goes_on = visit(scout_.state(), first > 0 ? wanted : nullptr);
-  while (goes_on && scout_.state().frame < last) {
-    scout_.step(branch, wanted);
-    goes_on = visit(scout_.state(), wanted);
+  const bool steps_there = with_records && first > 0;
+  Runner& scout = scouts_.nearest(branch, steps_there ? first - 1 : first);
+  scout.go_to(branch, first, wanted);
+  bool goes_on = visit(scout.state(), first > 0 ? wanted : nullptr);
+  while (goes_on && scout.state().frame < last) {
+    scout.step(branch, wanted);
+    goes_on = visit(scout.state(), wanted);
   }
 }
 
 std::int64_t Timeline::steps_again() const {
-  return cursor_.steps_again() + catching_up_.steps_again() + scout_.steps_again();
+  return cursor_.steps_again() + catching_up_.steps_again() + scouts_.steps_again();
 }
 
 }  // namespace talus

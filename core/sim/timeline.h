@@ -17,6 +17,7 @@
 // Recording never changes a result: solvers step the same states, whether anything is kept of them or not.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@
 
 #include "../collision/function_ref.h"
 #include "../level/limits.h"
+#include "../level/progress.h"
 #include "runner.h"
 
 namespace talus {
@@ -31,6 +33,14 @@ namespace talus {
 // What can be set in the input of a frame: a key of the players, or the mouse's button.
 enum class InputKey { left, right, jump, mouse };
 bool& key_in(Input& input, InputKey key);
+
+// The scenes of the first and the last level of a recording; null: still to be compiled.
+struct EndScenes {
+  ScenePtr first, last;
+};
+// Compiles them beforehand, on a thread of its own, as those of large levels take long. progress: both are
+// null where it says so.
+EndScenes compile_ends(const Recording& recording, const Progress& progress);
 
 class Timeline {
  public:
@@ -41,7 +51,8 @@ class Timeline {
   explicit Timeline(const Level& level, std::size_t keyframe_bytes = kKeyframeBytes,
                     std::size_t version_bytes = kMaxVersionBytes);
   // A timeline of one branch, behind by the whole recording. Its hashes are what is expected.
-  explicit Timeline(const Recording& recording, std::size_t keyframe_bytes = kKeyframeBytes);
+  explicit Timeline(const Recording& recording, const EndScenes& scenes = {},
+                    std::size_t keyframe_bytes = kKeyframeBytes);
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
@@ -56,6 +67,12 @@ class Timeline {
 
   // Shows another frame, clamped to those of the branch; one that is still to be run is shown once it is.
   void seek(std::int64_t frame);
+  // How many steps a call makes at most to show another frame, 1 or more; at first there is no limit. Where
+  // it takes more, a frame of the way there is shown, and go_on() goes on.
+  void limit_way(std::int64_t most_steps) { most_way_ = most_steps; }
+  bool on_the_way() const { return frame() != std::min(wanted_, current().run_frame()); }
+  void go_on(std::int64_t most_steps);                   // 1 or more; does nothing when it is there
+  std::int64_t wanted_frame() const { return wanted_; }  // that is shown, or on the way to which it is
   // Shows the next recorded frame; false, and nothing happens, when there is none or it is still to be run.
   bool replay();
 
@@ -108,6 +125,8 @@ class Timeline {
   void remove_mark(std::int64_t frame);
 
   // --- Looking elsewhere, without showing it. frame: that the branch has been run to (asserted).
+  // Goes a step towards a frame. True: it is there, and what looks at that frame alone makes no steps more.
+  bool approach(const Branch& branch, std::int64_t frame) const;
   State state_at(const Branch& branch, std::int64_t frame) const;
   StepRecord record_at(const Branch& branch, std::int64_t frame) const;
   // Calls visit for the frames first..last (asserted) in order, until it returns false. record: of the step
@@ -131,15 +150,19 @@ class Timeline {
   std::int64_t steps_again() const;  // made so far to show, look at and run again what was recorded
 
  private:
-  Timeline(VersionPtr first, std::size_t keyframe_bytes, std::size_t version_bytes = kMaxVersionBytes);
+  // scene: of `first`; null: still to be compiled.
+  Timeline(VersionPtr first, ScenePtr scene, std::size_t keyframe_bytes,
+           std::size_t version_bytes = kMaxVersionBytes);
 
-  Branch& now();                          // the current one
-  Branch& add_branch(Branch branch);      // makes it the current one
-  void take(const Recording& recording);  // in the current branch, which holds its frame 0
+  Branch& now();                      // the current one
+  Branch& add_branch(Branch branch);  // makes it the current one
+  // In the current branch, which holds its frame 0. last: as EndScenes::last.
+  void take(const Recording& recording, const ScenePtr& last = nullptr);
   void fork_at(std::int64_t frame);
   void leave();  // the current branch, which nobody misses if it is empty
   void forget_positions();
-  void show_wanted();
+  void show_wanted() { show_wanted(most_way_); }
+  void show_wanted(std::int64_t most_steps);
 
   bool set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled);
   void begin_chapter();
@@ -151,7 +174,7 @@ class Timeline {
   void run_again_after(Branch& branch, std::int64_t frame);
   void keep(Branch& branch, const State& state, bool is_edit);
 
-  mutable SceneCache scenes_;  // a cache, as is the scout: neither shows
+  mutable SceneCache scenes_;  // a cache, as are the scouts: none shows
   KeyframeStore keyframes_;
   std::size_t version_bytes_;
   VersionPtr version_;  // of the level as it is now
@@ -162,10 +185,11 @@ class Timeline {
 
   Runner cursor_{scenes_};
   StepRecord record_;
-  std::int64_t wanted_ = 0;        // the frame to be shown as soon as it has been run
-  std::int64_t run_from_ = 0;      // where the current branch was begun to be run again
-  Runner catching_up_{scenes_};    // at the end of what has been run of the current branch
-  mutable Runner scout_{scenes_};  // looks elsewhere
+  std::int64_t wanted_ = 0;  // the frame to be shown as soon as it has been run
+  std::int64_t most_way_ = Runner::kAllSteps;
+  std::int64_t run_from_ = 0;        // where the current branch was begun to be run again
+  Runner catching_up_{scenes_};      // at the end of what has been run of the current branch
+  mutable Runners scouts_{scenes_};  // look elsewhere
 };
 
 }  // namespace talus

@@ -49,9 +49,24 @@ Recording unhashed_recording(const Branch& branch, const Level& pictures, std::i
 
 }  // namespace
 
-Timeline::Timeline(const Recording& recording, std::size_t keyframe_bytes)
-    : Timeline(recording.level, keyframe_bytes) {
-  take(recording);
+EndScenes compile_ends(const Recording& recording, const Progress& progress) {
+  const auto compiled = [](const Level& level, const Progress& part) -> ScenePtr {
+    auto scene = compile_scene(level, [&](double share) { return part.at(share); });
+    return scene ? std::make_shared<const Scene>(*std::move(scene)) : nullptr;
+  };
+  const ScenePtr first = compiled(recording.level, progress.part(0, 0.5));
+  if (first == nullptr || !progress.at(0.5)) return {};
+  if (recording.edits.empty()) return {first, first};
+  Level edited = recording.level;
+  put_version(*recording.edits.back().version, edited);
+  const ScenePtr last = compiled(edited, progress.part(0.5, 1));
+  return last != nullptr ? EndScenes{first, last} : EndScenes{};
+}
+
+Timeline::Timeline(const Recording& recording, const EndScenes& scenes, std::size_t keyframe_bytes)
+    : Timeline(std::make_shared<const LevelVersion>(version_of(recording.level)), scenes.first,
+               keyframe_bytes) {
+  take(recording, scenes.last);
 }
 
 int Timeline::add(const Recording& recording) {
@@ -64,11 +79,12 @@ int Timeline::add(const Recording& recording) {
   return current_;
 }
 
-void Timeline::take(const Recording& recording) {
+void Timeline::take(const Recording& recording, const ScenePtr& last) {
   Branch& branch = now();
   for (const RecordedEdit& edit : recording.edits)
     branch.chapters.push_back({edit.frame, edit.version, false});
   version_ = branch.chapters.back().version;
+  if (last != nullptr) scenes_.put(version_, last);
   scene_ = scenes_.scene_of(version_);
   auto next = recording.input.begin();
   Input input;
@@ -212,7 +228,7 @@ void Timeline::remove_mark(std::int64_t frame) {
 void Timeline::forget_positions() {
   cursor_.forget();
   catching_up_.forget();
-  scout_.forget();
+  scouts_.forget();
 }
 
 }  // namespace talus

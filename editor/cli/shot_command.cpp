@@ -82,6 +82,7 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
   for (const std::string& key : options.overlays) options.shot.overlays.set(*find_overlay(key), true);
   if (!options.window.empty()) return shoot_window(context, options);
   Session session(std::move(*level), options.file);
+  session.take_time();
   ProgressLine line(context.err, options.file, is_terminal(context.err));
   for (std::int64_t i = 0; i < options.frame; ++i) {
     if (!line.at(static_cast<double>(i) / static_cast<double>(options.frame)))

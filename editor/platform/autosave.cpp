@@ -91,17 +91,20 @@ tl::unexpected<std::string> damaged(const std::string& what) { return tl::unexpe
 
 // The file's bytes after its first line, which `about` is.
 tl::expected<SavedWork, std::string> read_parts(const std::string& file, const json& about,
-                                                std::string_view rest) {
+                                                std::string_view rest, const Progress& progress) {
   SavedWork work{file, {}, kUnnamed, 0, nullptr};
   for (const json& size : about.value("recording_bytes", json::array())) {
     if (!size.is_number_unsigned() || size.get<std::size_t>() > rest.size())
       return damaged("a recording is missing");
-    auto recording = read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>())); });
+    auto recording =
+        read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>()), progress); });
     if (!recording) return damaged("of its recording " + to_text(recording.error()));
     work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
     rest.remove_prefix(size.get<std::size_t>());
   }
-  auto level = read_guarded([&] { return find_format("native")->read(rest, {kNativeExtension}); });
+  FormatContext context{kNativeExtension};
+  context.progress = progress;
+  auto level = read_guarded([&] { return find_format("native")->read(rest, context); });
   if (!level) return damaged("of its level " + to_text(level.error()));
   work.level = std::make_shared<const Level>(std::move(*level));
   if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
@@ -135,15 +138,15 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
 }
 
 // As large as it was written: its level and its recordings are bounded one by one by their own readers.
-tl::expected<SavedWork, std::string> read_saved_work(const std::string& file) try {
+tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, const Progress& progress) try {
   constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max() / 2;
-  const auto bytes = read_file(file, kAnySize);
+  const auto bytes = read_file(file, kAnySize, progress.part(0, 0.1));
   if (!bytes) return tl::unexpected(bytes.error().message);
   const std::size_t line = bytes->find('\n');
   if (line == std::string::npos) return damaged("its first line has no end");
   const auto about = parse_json(std::string_view(*bytes).substr(0, line));
   if (!about || !about->is_object()) return damaged("its first line does not tell what it holds");
-  return read_parts(file, *about, std::string_view(*bytes).substr(line + 1));
+  return read_parts(file, *about, std::string_view(*bytes).substr(line + 1), progress.part(0.1, 1));
 } catch (...) {
   return tl::unexpected("cannot be read: " + caught_text());
 }
@@ -251,21 +254,41 @@ void Autosave::remove() {
   lock_ = -1;
 }
 
-std::vector<SavedWork> Autosave::left_behind() const {
-  std::vector<SavedWork> found;
+std::vector<SavedWork> Autosave::left_behind_in(const std::string& folder, const std::string& own,
+                                                const Progress& progress) try {
+  std::vector<std::string> files;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
-    const std::string file = entry.path().string();
-    if (entry.path().extension() != kExtension || (lock_ >= 0 && file == file_) || owner_runs(file)) continue;
-    auto work = read_saved_work(file);
-    found.push_back(work ? std::move(*work) : unreadable(file, work.error()));
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == kExtension) files.push_back(entry.path().string());
+  }
+  std::vector<SavedWork> found;
+  const auto share = [&](std::size_t done) {
+    return static_cast<double>(done) / static_cast<double>(files.size());
+  };
+  for (std::size_t i = 0; i < files.size() && !progress.stopped(); ++i) {
+    if (files[i] == own || owner_runs(files[i])) continue;
+    auto work = read_saved_work(files[i], progress.part(share(i), share(i + 1)));
+    found.push_back(work ? std::move(*work) : unreadable(files[i], work.error()));
   }
   if (error && error != std::errc::no_such_file_or_directory)
-    found.push_back(unreadable(folder_, "cannot be read: " + error.message()));
+    found.push_back(unreadable(folder, "cannot be read: " + error.message()));
   std::sort(found.begin(), found.end(), [](const SavedWork& a, const SavedWork& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });
   return found;
+} catch (...) {
+  return {unreadable(folder, "cannot be read: " + caught_text())};
+}
+
+std::uintmax_t Autosave::bytes_in(const std::string& folder) {
+  std::uintmax_t bytes = 0;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    std::error_code unknown;
+    if (entry.path().extension() == kExtension && entry.is_regular_file(unknown))
+      bytes += entry.file_size(unknown);
+  }
+  return bytes;
 }
 
 tl::expected<void, std::string> Autosave::discard(const SavedWork& work) {

@@ -28,8 +28,8 @@ struct SavedWork {
 
 // The error tells what of it and why: "the file cannot be written: No space left on device".
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);
-// Of any size. The error is that of `problem`.
-tl::expected<SavedWork, std::string> read_saved_work(const std::string& file);
+// Of any size. The error is that of `problem`. progress: it ends early, with an error, where that says so.
+tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, const Progress& progress = {});
 
 class Autosave {
  public:
@@ -53,13 +53,19 @@ class Autosave {
     return writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   }
   const std::string& folder() const { return folder_; }
+  std::string own_file() const { return lock_ >= 0 ? file_ : ""; }  // empty: there is none
   // When the next writing is due; nothing while all is written.
   std::optional<double> due() const;
   void remove();  // nothing is worth keeping any more
 
   // What ended processes have left, the latest first; of a running process nothing. What cannot be read is
   // left alone, and listed with its problem.
-  std::vector<SavedWork> left_behind() const;
+  std::vector<SavedWork> left_behind() const { return left_behind_in(folder_, own_file(), {}); }
+  // The same for another thread. own: own_file(). progress: as read_saved_work(); some are left out then.
+  static std::vector<SavedWork> left_behind_in(const std::string& folder, const std::string& own,
+                                               const Progress& progress);
+  // Of all files of a folder that left_behind_in() would look at; 0 where there are none.
+  static std::uintmax_t bytes_in(const std::string& folder);
   // Of what left_behind() gave: it was taken over by this process, or is wanted no more. The error is one
   // sentence.
   static tl::expected<void, std::string> discard(const SavedWork& work);

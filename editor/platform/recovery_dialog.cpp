@@ -38,8 +38,8 @@ std::vector<std::string> about_work(const SavedWork& work) {
 
 }  // namespace
 
-std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const SavedWork> works, bool unsaved,
-                                                           Ui& ui) {
+std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const SavedWork> works, bool reading,
+                                                           bool unsaved, Ui& ui) {
   bool& open = ui.view.program.recovery_open;
   if (!begin_dialog("Recover unsaved work", open, {ui.px(640), 0}, ui)) return std::nullopt;
   const auto readable =
@@ -51,7 +51,9 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
     chosen_ = readable == works.end() ? 0 : static_cast<std::size_t>(readable - works.begin());
   }
   std::optional<Answer> answer;
-  if (works.empty())
+  if (reading)
+    ui.hint("Reading what was saved ...");
+  else if (works.empty())
     ui.hint("Nothing is left to recover. Unsaved changes are saved by themselves every few seconds.");
   else
     ui.hint(

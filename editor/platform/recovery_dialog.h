@@ -16,9 +16,10 @@ class RecoveryDialog {
     std::size_t index = 0;  // of the work
     Choice choice = Choice::recover;
   };
-  // Draws it while ui.view.program.recovery_open. `unsaved`: the open level has unsaved changes, or a
-  // run that the user has worked on, so that nothing can take its place.
-  std::optional<Answer> draw(std::span<const SavedWork> works, bool unsaved, Ui& ui);
+  // Draws it while ui.view.program.recovery_open. `reading`: what is to be offered is still read. `unsaved`:
+  // the open level has unsaved changes, or a run that the user has worked on, so that nothing can take its
+  // place.
+  std::optional<Answer> draw(std::span<const SavedWork> works, bool reading, bool unsaved, Ui& ui);
 
  private:
   std::optional<Answer> draw_work(std::size_t index, const SavedWork& work, bool unsaved, Ui& ui);

@@ -104,8 +104,8 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   if (!prepare(options, session, (*app)->ui().view)) return tl::unexpected(std::string("was cancelled"));
   do {
     for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();
-  } while (session.debugger().is_busy() || session.compile_progress() || session.is_linting() ||
-           session.reach().running());
+  } while (session.debugger().is_busy() || session.is_on_the_way() || session.compile_progress() ||
+           session.is_linting() || session.reach().running());
   if (cost != nullptr) *cost = measure(**app);
   if (session.message() && !session.message()->is_error) {  // it would hide what it is about
     session.apply(action::DismissMessage{});

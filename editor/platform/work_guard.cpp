@@ -2,6 +2,7 @@
 #include "work_guard.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,12 +10,33 @@
 namespace talus {
 namespace {
 
+// How long to wait for what was left behind: what is small is offered at once.
+constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
+constexpr std::uintmax_t kSmall = 1 << 20;  // bytes
+constexpr double kPollInterval = 0.05;      // s, while it is read
 constexpr int kSecondOffer = 3;  // looks at the file, after which it looks again for what was left behind
 
 }  // namespace
 
 void WorkGuard::start(View& view) {
-  works_ = autosave_.left_behind();
+  look_for_works();
+  wants_offer_ = true;
+  offer(view);
+}
+
+void WorkGuard::look_for_works() {
+  works_.clear();
+  const auto read = [this, folder = autosave_.folder(),
+                     own = autosave_.own_file()](const Progress& progress) {
+    auto found = std::make_shared<std::vector<SavedWork>>(Autosave::left_behind_in(folder, own, progress));
+    return FileReader::Finish([this, found] { works_ = std::move(*found); });
+  };
+  reader_.start("unsaved work", read,
+                Autosave::bytes_in(autosave_.folder()) <= kSmall ? kPatience : kPatienceForLarge);
+}
+
+void WorkGuard::offer(View& view) {
+  if (reader_.is_busy() || !std::exchange(wants_offer_, false)) return;
   view.program.recovery_open = was_open_ = !works_.empty();
 }
 
@@ -36,13 +58,16 @@ bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
 
 bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
   if (recovering_ && !session.reading()) finish_recovery(session, view);
-  const bool changed = save_by_itself(session, view, now);
+  polled_ = now;
+  const bool was_read = reader_.finish();
+  offer(view);
+  const bool changed = save_by_itself(session, view, now) || was_read;
   if (now < next_look_) return changed;
   next_look_ = now + kFileInterval;
   if (busy) return changed;
   // A process that was killed just before this one started may have been ending still.
   const bool was_open = view.program.recovery_open;
-  if (++looks_ == kSecondOffer && !was_open && works_.empty()) start(view);
+  if (++looks_ == kSecondOffer && !was_open && works_.empty() && !reader_.is_busy()) start(view);
   const auto shown = [&] {
     return std::tuple(session.revision(), session.modified(),
                       session.message() ? session.message()->text : "", session.question().has_value());
@@ -53,14 +78,19 @@ bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
 }
 
 double WorkGuard::due() const {
+  if (reader_.is_busy()) return polled_ + kPollInterval;
   return autosave_.due() ? std::min(next_look_, *autosave_.due()) : next_look_;
 }
 
 void WorkGuard::draw(Session& session, Ui& ui) {
   const bool open = ui.view.program.recovery_open;
-  if (open && !was_open_) works_ = autosave_.left_behind();
+  if (open && !was_open_) {
+    wants_offer_ = false;
+    look_for_works();
+  }
   was_open_ = open;
-  const auto answer = dialog_.draw(works_, session.modified() || !session.unsaved_runs().empty(), ui);
+  const bool unsaved = session.modified() || !session.unsaved_runs().empty();
+  const auto answer = dialog_.draw(works_, reader_.is_busy(), unsaved, ui);
   if (!answer) return;
   if (answer->choice == RecoveryDialog::Choice::recover) {
     recover(answer->index, session, ui.view);

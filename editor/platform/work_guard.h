@@ -8,6 +8,7 @@
 
 #include "autosave.h"
 #include "recovery_dialog.h"
+#include "session/file_reader.h"
 
 namespace talus {
 
@@ -17,7 +18,8 @@ class WorkGuard {
 
   explicit WorkGuard(std::string folder) : autosave_(std::move(folder)) {}
 
-  // Offers what was left behind, if there is any.
+  // Offers what was left behind, if there is any: at once, or by a later call of follow() where it takes long
+  // to read.
   void start(View& view);
   // To be called often; now: s. busy: the user is in the middle of a gesture, so that no question may come.
   // True when there is something new to show.
@@ -29,6 +31,8 @@ class WorkGuard {
   void keep(const Session& session);  // it ends by an error: saves what is to be recovered
 
  private:
+  void look_for_works();
+  void offer(View& view);  // what start() wanted, once it is read
   bool save_by_itself(Session& session, View& view, double now);
   void recover(std::size_t index, Session& session, View& view);
   void finish_recovery(Session& session, View& view);
@@ -37,12 +41,15 @@ class WorkGuard {
   Autosave autosave_;
   RecoveryDialog dialog_;
   std::vector<SavedWork> works_;         // offered
+  bool wants_offer_ = false;             // as soon as they are read
   std::optional<SavedWork> recovering_;  // while its level's file is read
   int recoveries_ = 0;                   // of the session, before that
   std::string told_;                     // about the autosave's problem
   bool was_open_ = false;                // the dialog, when last looked at
   double next_look_ = 0;                 // s, at the file
+  double polled_ = 0;                    // s, when follow() was called last
   int looks_ = 0;                        // at it so far
+  FileReader reader_;                    // of `works_`, to which it tells what it has read: the last member
 };
 
 }  // namespace talus

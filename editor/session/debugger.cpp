@@ -6,13 +6,11 @@ namespace talus {
 namespace {
 
 constexpr double kSeconds = 0.004;  // of real time that a call of advance() takes
-constexpr std::int64_t kCountedShare =
-    125;  // as many frames' hits are counted before a step, for each at once
 
 }  // namespace
 
 FrameView Debugger::view(const Timeline& timeline) const {
-  return shown_frame_.view(timeline, source(), side_.has(timeline.frame()) ? side_.run() : 0);
+  return shown_frame_.view(timeline, source(), other_run(timeline));
 }
 
 const std::shared_ptr<const Terrain>& Debugger::ground(const Timeline& timeline) const {
@@ -85,7 +83,13 @@ void Debugger::search_parting(double threshold) {
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
-  return stops_.ready(source(), timeline.frame(), kCountedShare * frames_.count());
+  bool ready = false;
+  {
+    const TimedPiece piece(counted_);
+    ready = stops_.ready(source(), timeline.frame(), counted_.count());
+  }
+  if (ready) counted_.begin_again();
+  return ready;
 }
 
 bool Debugger::stops_at(const Timeline& timeline, const Level& level) {
@@ -104,6 +108,7 @@ void Debugger::compare_with(std::optional<Variant> variant) {
 
 std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Level& level, int chosen_body) {
   const Stopwatch clock;
+  other_is_behind_ = false;
   do {
     const TimedPiece piece(frames_);
     follow(timeline, level);
@@ -116,10 +121,13 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
     // One after another: frames that are read in order take a step each, others a seek.
-    const bool done = stops_.count(source(), timeline.frame(), frames_.count()) &&
+    const bool done = !searching() &&
+                      shown_frame_.advance(timeline, source(), other_run(timeline), kSeconds) &&
+                      stops_.count(source(), timeline.frame(), frames_.count()) &&
                       advance_plots(timeline, chosen_body) && advance_parting();
-    is_busy_ = !done || searching();
+    is_busy_ = !done;
   } while (is_busy_ && clock.seconds() < kSeconds);
+  if (!is_busy_) frames_.begin_again();
   return std::nullopt;
 }
 
@@ -184,7 +192,15 @@ const Frame* Debugger::other_frame(const Timeline& timeline) const {
   const BranchFrames& frames = other_frames_.of(*branch);
   const bool known = other_frame_.scene != nullptr && other_run_ == other_frames_.run() &&
                      other_frame_.state.frame == timeline.frame();
-  if (!known) frames.read(timeline.frame(), other_frame_);
+  if (!known) {
+    const Stopwatch clock;
+    while (!frames.approach(timeline.frame()))
+      if (clock.seconds() > kSeconds) {
+        other_is_behind_ = true;
+        return nullptr;
+      }
+    frames.read(timeline.frame(), other_frame_);
+  }
   other_run_ = other_frames_.run();
   return &other_frame_;
 }

@@ -49,8 +49,8 @@ class Debugger {
   // Spends a few ms on what is still to be done; the frame that a search has just found, if it has.
   std::optional<std::int64_t> advance(const Timeline& timeline, const Level& level, int chosen_body);
 
-  // Whether the last call of advance() left something to do.
-  bool is_busy() const { return is_busy_; }
+  // Whether the last call of advance() left something to do, or what was looked at since did.
+  bool is_busy() const { return is_busy_ || !shown_frame_.is_read() || other_is_behind_; }
   bool searching() const { return stops_.searching(); }
   double search_progress() const { return stops_.progress(source()); }
   bool search_failed() const { return search_failed_; }      // the last one came to its end without a stop
@@ -77,6 +77,8 @@ class Debugger {
  private:
   // The shown run with the other side; it must be followed (asserted).
   ComparedFrames source() const { return {*shown_.get(), side_.frames()}; }
+  // The run of the other side, where that has the shown frame; 0: it has not.
+  int other_run(const Timeline& timeline) const { return side_.has(timeline.frame()) ? side_.run() : 0; }
   bool advance_plots(const Timeline& timeline, int chosen_body);
   bool advance_parting();
   void forget_parting();
@@ -96,12 +98,14 @@ class Debugger {
   mutable ShownFrame shown_frame_;  // caches
   mutable FollowedFrames other_frames_;
   mutable Frame other_frame_;
-  mutable int other_run_ = 0;  // of that frame
+  mutable int other_run_ = 0;             // of that frame
+  mutable bool other_is_behind_ = false;  // it was asked for, and is still to be run to
 
   std::optional<Stop> stop_;
   bool search_failed_ = false;
   bool is_busy_ = false;
-  WorkShare frames_{16, 0.002};  // that are run or judged at once
+  WorkShare frames_{16, 0.002};    // that are run or judged at once
+  WorkShare counted_{2000, 0.02};  // whose hits are counted before a step
 };
 
 }  // namespace talus

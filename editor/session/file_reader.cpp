@@ -43,9 +43,10 @@ bool FileReader::finish() {
 }
 
 void FileReader::wait() {
-  if (!job_) return;
-  job_->result.wait();
-  finish();
+  while (job_) {
+    job_->result.wait();
+    finish();
+  }
 }
 
 void FileReader::forget_ended() {

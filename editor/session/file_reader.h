@@ -42,7 +42,8 @@ class FileReader {
   std::optional<ReadingProgress> progress() const;  // of what is under way
   // Finishes what is done. True when it did.
   bool finish();
-  void wait();  // until what is under way is done, and finishes it
+  // Until what is under way is done and finished, and whatever that has begun.
+  void wait();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -13,8 +13,7 @@ HitLog::HitLog(const std::vector<ArmedBreakpoint>& breakpoints)
 bool HitLog::advance(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
   if (hits_.empty()) return true;
   for (; most_frames > 0 && judged_ < frame; --most_frames) {
-    history_.go_to(source, judged_ + 1);
-    judge(history_.view());
+    if (history_.approach(source, judged_ + 1)) judge(history_.view());
   }
   return judged_ >= frame;
 }

@@ -19,13 +19,16 @@ void put(FormatResult<Content> read, OpenedFile& opened) {
 }  // namespace
 
 OpenedFile read_for_opening(const std::string& path, bool has_choice, const Progress& progress) {
-  OpenedFile opened{stamp_of_level(path),
-                    FormatError{}};  // first: what is written while it is read shows later
-  if (const auto bytes = read_file(path); bytes && is_recording(*bytes, context_for_file(path))) {
-    put(read_recording(*bytes, progress), opened);
+  OpenedFile opened{
+      stamp_of_level(path), FormatError{}, {}};  // first: what is written while it is read shows later
+  if (const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, 0.05));
+      bytes && is_recording(*bytes, context_for_file(path))) {
+    put(read_recording(*bytes, progress.part(0.05, 0.6)), opened);
+    if (const auto* recording = std::get_if<Recording>(&opened.content))
+      opened.scenes = compile_ends(*recording, progress.part(0.6, 1));
     return opened;
   }
-  FormatResult<LoadedLevel> loaded = load_level(path, {}, progress.part(0, 0.7));
+  FormatResult<LoadedLevel> loaded = load_level(path, {}, progress.part(0.05, 0.7));
   if (!loaded && !loaded.error().remedy.empty() && has_choice)
     opened.content = first_level_import(path, progress.part(0.7, 1));
   else

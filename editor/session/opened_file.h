@@ -9,6 +9,7 @@
 #include "formats/format.h"
 #include "formats/recording.h"
 #include "level_import.h"
+#include "sim/timeline.h"
 
 namespace talus {
 
@@ -16,6 +17,7 @@ struct OpenedFile {
   std::optional<LevelStamp> stamp;  // as the file was before it was read; nothing: it could not be
   // LevelImport: there is something to choose of it first.
   std::variant<FormatError, LoadedLevel, Recording, LevelImport> content;
+  EndScenes scenes;  // of a recording
 };
 
 // has_choice: a file that cannot be read without choices is a LevelImport, and no error.

@@ -23,12 +23,13 @@ void Player::load(const Level& level) {
   start();
 }
 
-void Player::load(const Recording& recording) {
-  timeline_.emplace(recording);
+void Player::load(const Recording& recording, const EndScenes& scenes) {
+  timeline_.emplace(recording, scenes);
   start();
 }
 
 void Player::start() {
+  timeline_->limit_way(1);
   set_running(false);
   playback_.input = {};
   held_.reset();
@@ -44,7 +45,7 @@ bool Player::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr 
     has_room = timeline_->edit(edited, cells, std::move(compiled));
   }
   if (timeline_->frame() == 0) playback_.input.grab = 0;  // bodies may have other numbers now
-  show_held();
+  show();
   return has_room;
 }
 
@@ -52,7 +53,7 @@ void Player::reset() {
   timeline_->restart();
   playback_.input.grab = 0;
   due_ = 0;
-  show_held();
+  show();
 }
 
 void Player::set_running(bool running) {
@@ -113,12 +114,13 @@ void Player::step() {
 void Player::seek(std::int64_t frame) {
   set_running(false);
   timeline_->seek(frame);
-  show_held();
+  show();
 }
 
 void Player::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops) {
   assert(seconds >= 0);
   if (timeline_->behind()) return run_again();
+  if (timeline_->on_the_way()) return show();
   if (!playback_.running) return;
   due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, Session::kMaxCatchUpSteps);
   const Stopwatch watch;
@@ -135,6 +137,17 @@ void Player::run_again() {
     const TimedPiece piece(rerun_share_);
     timeline_->catch_up(rerun_share_.count());
   }
+  if (!timeline_->behind()) rerun_share_.begin_again();
+  show();
+}
+
+void Player::show() {
+  const Stopwatch watch;
+  while (timeline_->on_the_way() && watch.seconds() < kWaySeconds) {
+    const TimedPiece piece(way_share_);
+    timeline_->go_on(way_share_.count());
+  }
+  if (!timeline_->on_the_way()) way_share_.begin_again();
   show_held();
 }
 

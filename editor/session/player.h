@@ -14,8 +14,9 @@ class Player {
  public:
   explicit Player(const Level& level) { load(level); }
 
-  void load(const Level& level);          // another level: stopped, at frame 0, with nothing recorded
-  void load(const Recording& recording);  // the same with a recording, which is still to be run
+  void load(const Level& level);  // another level: stopped, at frame 0, with nothing recorded
+  // The same with a recording, which is still to be run.
+  void load(const Recording& recording, const EndScenes& scenes);
   // The same level, edited; see Timeline::edit, also for what is returned. What follows the rule says.
   bool edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled = nullptr);
   void set_rule(const EditRule& rule) { rule_ = rule; }
@@ -38,10 +39,11 @@ class Player {
   // true pauses.
   void advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops);
 
-  // For what neither time nor the input is needed for; show_held() afterwards.
+  // For what neither time nor the input is needed for; show() afterwards.
   Timeline& timeline() { return *timeline_; }
   const Timeline& timeline() const { return *timeline_; }
-  void show_held();
+  // Spends up to its share of time on the way to the frame that the timeline is to show; advance() goes on.
+  void show();
 
   const State& state() const { return held_ ? *held_ : timeline_->state(); }
   const Playback& playback() const { return playback_; }
@@ -49,11 +51,13 @@ class Player {
   const StepTimes& step_times() const { return step_times_; }
 
  private:
-  // Of real time, that a call of advance() spends on a re-run, and on playing; one step may take longer.
-  static constexpr double kRerunSeconds = 0.008, kPlaySeconds = 0.1;
+  // Of real time, that a call spends on a re-run, on the way to another frame, and on playing; one step may
+  // take longer.
+  static constexpr double kRerunSeconds = 0.008, kWaySeconds = 0.03, kPlaySeconds = 0.1;
 
   void start();
   void run_again();
+  void show_held();
 
   std::optional<Timeline> timeline_;  // always there
   std::optional<State> held_;  // the state shown, if the mouse holds a body that the next step will take
@@ -63,7 +67,7 @@ class Player {
   Input tapped_;                   // keys held at any time since the last step; of a running simulation alone
   StepTimes step_times_;
   double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
-  WorkShare rerun_share_{16, 0.002};  // frames
+  WorkShare rerun_share_{16, 0.002}, way_share_{64, 0.004};  // frames
 };
 
 }  // namespace talus

@@ -244,6 +244,11 @@ int Session::saves() const { return impl_->saves; }
 
 const std::optional<HardCase>& Session::hard_case() const { return impl_->hard_case; }
 const Scene& Session::scene() const { return timeline().scene(); }
+void Session::take_time() {
+  impl_->trails.take_time();
+  impl_->other_trails.take_time();
+}
+
 const State& Session::state() const { return impl_->player.state(); }
 const StepRecord& Session::record() const { return timeline().record(); }
 const Playback& Session::playback() const { return impl_->player.playback(); }
@@ -255,6 +260,9 @@ const std::vector<TrailPoint>& Session::trail(const Branch& branch, int body, st
 }
 const Choices& Session::choices() const { return impl_->choices; }
 const Debugger& Session::debugger() const { return impl_->debugger; }
+bool Session::is_on_the_way() const {
+  return timeline().on_the_way() || impl_->trails.is_behind() || impl_->other_trails.is_behind();
+}
 FrameView Session::frame_view() const { return impl_->debugger.view(timeline()); }
 const std::shared_ptr<const Terrain>& Session::ground() const { return impl_->debugger.ground(timeline()); }
 const std::vector<Stage>& Session::stages() const {

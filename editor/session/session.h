@@ -152,6 +152,11 @@ class Session {
 
   // What stops, is watched and is compared; brought up to what is shown by apply() and advance().
   const Debugger& debugger() const;
+  // Whether frames are still to be run to for what is shown: on the way to another frame, or of a trail. That
+  // goes on with advance() and with the next look.
+  bool is_on_the_way() const;
+  // From now on trails are whole at the first look: where there is no window that waits for them.
+  void take_time();
   // The ground of the shown frame's level, whatever the solver; see Debugger::ground().
   const std::shared_ptr<const Terrain>& ground() const;
   FrameView frame_view() const;              // the shown frame and those before it

@@ -128,12 +128,15 @@ void Session::Impl::take_exports() {
   }
   const std::string written = written_text(finished->outcomes);
   std::string problems = problems_text(finished->outcomes);
-  if (!finished->record_problem.empty())
-    problems += (problems.empty() ? "" : "\n") + finished->record_problem;
+  for (const std::string& problem : {finished->record_problem, std::exchange(not_remembered, "")}) {
+    if (!problem.empty()) problems += (problems.empty() ? "" : "\n") + problem;
+  }
   std::string text = problems + (problems.empty() || written.empty() ? "" : "\n") + written;
   // What saving said is still news.
-  if (finished->run.on_save && message && !message->is_error) text = message->text + "\n" + text;
-  message = Message{std::move(text), !problems.empty()};
+  const bool adds = finished->run.on_save && message;
+  const bool is_error = !problems.empty() || (adds && message->is_error);
+  if (adds) text = message->text + "\n" + text;
+  message = Message{std::move(text), is_error};
 }
 
 // Of a level that has been left meanwhile, nothing is written.
@@ -161,7 +164,7 @@ void Session::Impl::answer_to_allow(bool allowed) {
     at = was_shown && allowed ? run.to_allow.erase(at) : std::next(at);
   }
   if (allowed) {
-    permissions.allow(shown);
+    if (const auto kept = permissions.allow(shown); !kept) not_remembered = kept.error();
   } else {
     message = Message{not_allowed_text(names), false};
     declined.insert(declined.end(), shown.begin(), shown.end());

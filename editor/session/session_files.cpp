@@ -7,15 +7,14 @@
 #include "formats/atomic_file.h"
 #include "formats/companion.h"
 #include "formats/hard_case.h"
+#include "formats/last_catch.h"
 #include "formats/png_picture.h"
+#include "formats/real_path.h"
 #include "formats/recording.h"
-#include "formats/tic_png.h"
 #include "session_impl.h"
 
 namespace talus {
 namespace {
-
-std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 template <class Strings>
 std::string joined(const Strings& strings, std::string_view before_each) {
@@ -54,30 +53,20 @@ std::string known_extensions() {
   return joined(all, ".");
 }
 
-// Pictures that can be taken in have up to 1024x1024 px, and so no more than a few MB.
-bool may_be_picture(const std::string& path) {
-  constexpr std::uintmax_t kMostBytes = 16 << 20;
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  return error || size <= kMostBytes;
-}
+// How long to wait for what is read: what is small is there at once, and of what is large the window goes on.
+constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
 
-// How long to wait for a file: what is small is there at once, and of what is large the window goes on.
 std::chrono::milliseconds patience_for(const std::string& path) {
   constexpr std::uintmax_t kSmall = 256 << 10;  // bytes
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
-  return std::chrono::milliseconds(error || size <= kSmall ? 2000 : 100);
+  return error || size <= kSmall ? kPatience : kPatienceForLarge;
 }
 
 }  // namespace
 
-// A picture is taken into the level that is open, and loses nothing.
 void Session::Impl::carry_out(const action::OpenFile& a) {
-  if (may_be_picture(a.path)) {
-    const auto bytes = read_file(a.path);
-    if (bytes && is_png(*bytes) && !has_tic_cart(*bytes)) return carry_out(action::OpenPng{a.path});
-  }
+  if (is_png(read_start_of_file(a.path, kPngStart).value_or(""))) return open_picture(a.path, a);
   ask_or_go_on(a);
 }
 
@@ -85,7 +74,7 @@ void Session::Impl::carry_out(const action::SaveFileAs& a) {
   const Format* chosen = format_for_file(a.path);
   if (chosen == nullptr) {
     message = Message{
-        "Cannot save " + name_of(a.path) + ": its extension is none of " + known_extensions() + ".", true};
+        "Cannot save " + last_name(a.path) + ": its extension is none of " + known_extensions() + ".", true};
     return;
   }
   if (!save_to(a.path, *chosen)) return;
@@ -137,10 +126,10 @@ void Session::Impl::carry_out(const action::CancelSaveAs&) {
   pending.reset();
 }
 
-std::string Session::Impl::file_name() const { return path.empty() ? name : name_of(path); }
+std::string Session::Impl::file_name() const { return path.empty() ? name : last_name(path); }
 
 std::string Session::Impl::file_names() const {
-  return companion.path.empty() ? file_name() : file_name() + " + " + name_of(companion.path);
+  return companion.path.empty() ? file_name() : file_name() + " + " + last_name(companion.path);
 }
 
 void Session::Impl::ask_or_go_on(Losing losing) {
@@ -196,7 +185,22 @@ void Session::Impl::go_on(const Losing& losing) {
 }
 
 void Session::Impl::read_beside(const std::string& file, FileReader::Work work) {
-  reader.start(name_of(file), std::move(work), patience_for(file));
+  read_beside(file, std::move(work), patience_for(file));
+}
+
+void Session::Impl::read_beside(const std::string& file, FileReader::Work work,
+                                std::chrono::milliseconds patience) {
+  const auto guarded = [this, file, work = std::move(work)](const Progress& progress) {
+    try {
+      return work(progress);
+    } catch (...) {
+      return FileReader::Finish([this, file, problem = "cannot be read: " + caught_text()] {
+        cancel_reading();
+        message = Message{to_string(FormatError{"", problem}, file), true};
+      });
+    }
+  };
+  reader.start(last_name(file), guarded, patience);
 }
 
 // Of a file that another program changed, what is here stays as it is, and differs from the file.
@@ -224,11 +228,11 @@ void Session::Impl::take_opened(const action::OpenFile& file, OpenedFile opened)
     return;
   }
   if (const auto* recording = std::get_if<Recording>(&opened.content))
-    return open_recording(file.path, *recording);
+    return open_recording(file.path, *recording, opened.scenes);
   LoadedLevel& loaded = std::get<LoadedLevel>(opened.content);
   if (file.as_copy) {
     replace_level(std::move(loaded.level), {}, nullptr);
-    const std::string file_name = name_of(file.path);
+    const std::string file_name = last_name(file.path);
     name = file_name.substr(0, file_name.find('.')) + " (copy)";
   } else if (loaded.format->write == nullptr) {
     open_imported(file.path, std::move(loaded));
@@ -242,7 +246,7 @@ void Session::Impl::take_opened(const action::OpenFile& file, OpenedFile opened)
 // A file that cannot be written again.
 void Session::Impl::open_imported(const std::string& file, LoadedLevel loaded) {
   replace_level(std::move(loaded.level), file, loaded.format);
-  message = Message{with_note(import_text(name_of(file), loaded.dropped), loaded.note), false};
+  message = Message{with_note(import_text(last_name(file), loaded.dropped), loaded.note), false};
 }
 
 void Session::Impl::carry_out(const action::SetLevelImport& a) {
@@ -264,25 +268,33 @@ void Session::Impl::carry_out(const action::ApplyLevelImport&) {
 }
 
 // The level becomes what it was at the recording's end, so that playing goes on from there as it was played.
-void Session::Impl::open_recording(const std::string& file, const Recording& recording) {
+void Session::Impl::open_recording(const std::string& file, const Recording& recording,
+                                   const EndScenes& scenes) {
   Level last = recording.level;
   if (!recording.edits.empty()) put_version(*recording.edits.back().version, last);
   replace_level(std::move(last), {}, nullptr);
-  name = name_of(file);
+  name = last_name(file);
   compiler.cancel();
   is_opening = false;
-  player.load(recording);
+  player.load(recording, scenes);
 }
 
 void Session::Impl::recover(const action::RecoverLevel& saved) {
-  if (saved.path.empty()) return take_recovered(saved, tl::unexpected(FormatError{}));
-  read_beside(saved.path, [this, saved](const Progress& progress) {
-    auto file = std::make_shared<FormatResult<LoadedLevel>>(load_level(saved.path, {}, progress));
-    return FileReader::Finish([this, saved, file] { take_recovered(saved, std::move(*file)); });
-  });
+  const auto read = [this, saved](const Progress& progress) {
+    auto file = std::make_shared<FormatResult<LoadedLevel>>(tl::unexpected(FormatError{}));
+    if (!saved.path.empty()) *file = load_level(saved.path, {}, progress.part(0, 0.5));
+    const EndScenes scenes = saved.recordings.empty()
+                                 ? EndScenes{}
+                                 : compile_ends(*saved.recordings.front(), progress.part(0.5, 1));
+    return FileReader::Finish(
+        [this, saved, file, scenes] { take_recovered(saved, std::move(*file), scenes); });
+  };
+  read_beside(saved.path.empty() ? saved.name : saved.path, read,
+              SceneCompiler::is_large(*saved.level) ? kPatienceForLarge : patience_for(saved.path));
 }
 
-void Session::Impl::take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file) {
+void Session::Impl::take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
+                                   const EndScenes& scenes) {
   ++recoveries;
   if (file)
     replace_level(std::move(file->level), saved.path, file->format, std::move(file->companion));
@@ -292,16 +304,17 @@ void Session::Impl::take_recovered(const action::RecoverLevel& saved, FormatResu
   edit_level(replace_by(level, saved.level, "Recover what was not saved"), 0);
   read_hard_case();
   history.forget_saved();
-  if (!saved.recordings.empty()) recover_runs(saved.recordings);
+  if (!saved.recordings.empty()) recover_runs(saved.recordings, scenes);
   message = Message{
       "Recovered " + file_name() + ". It is not saved yet; undo goes back to what the file has.", false};
 }
 
 // On the level as it is by now, which differs from the recordings' last ones where pixels were drawn later.
-void Session::Impl::recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings) {
+void Session::Impl::recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings,
+                                 const EndScenes& scenes) {
   compiler.cancel();
   is_opening = false;
-  player.load(*recordings.front());
+  player.load(*recordings.front(), scenes);
   handmade_runs.note_input(player.timeline().current().id);
   for (std::size_t i = 1; i < recordings.size(); ++i)
     handmade_runs.note_input(player.timeline().add(*recordings[i]));
@@ -318,7 +331,7 @@ void Session::Impl::note_file() { stamp = path.empty() ? std::nullopt : stamp_of
 
 // Each state of the file is asked or told about once.
 void Session::Impl::take_file_change(FilesChange found) {
-  const std::string changed = found.of_companion ? name_of(companion_path(path)) : file_name();
+  const std::string changed = found.of_companion ? last_name(companion_path(path)) : file_name();
   FileStamp* gone = found.of_companion && stamp->companion ? &*stamp->companion : &stamp->file;
   if (found.change == FileChange::none || (found.change == FileChange::gone && gone->is_gone())) return;
   if (found.change == FileChange::gone) {
@@ -386,9 +399,10 @@ void Session::Impl::carry_out(const action::SaveRecording& a) {
   const auto saved = save_recording(timeline.recording(timeline.current(), level), a.path);
   if (saved) handmade_runs.note_saved(timeline.current().id);
   message =
-      saved ? Message{"Saved " + name_of(a.path) + ", " + std::to_string(timeline.last_frame()) + " frames.",
-                      false}
-            : Message{to_string(saved.error(), a.path), true};
+      saved
+          ? Message{"Saved " + last_name(a.path) + ", " + std::to_string(timeline.last_frame()) + " frames.",
+                    false}
+          : Message{to_string(saved.error(), a.path), true};
   if (saved && std::exchange(wants_save_recording, false)) continue_pending();
 }
 
@@ -400,7 +414,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
   companion = std::move(opened_companion);
   unstored.clear();
   if (format && !format->write) {  // without a file of its own, it cannot be written over what was read
-    name = name_of(path);
+    name = last_name(path);
     path.clear();
     format = nullptr;
   }
@@ -457,12 +471,13 @@ bool Session::Impl::save_to(const std::string& saved_path, const Format& saved_f
   companion = std::move(saved->companion);
   unstored = std::move(saved->dropped);
   note_file();
-  permissions.save(path, level.exports);
+  const auto kept = permissions.save(path, level.exports);
   history.mark_saved();
   ++saves;
   std::string text = "Saved " + file_names() + ".";
   if (!unstored.empty()) text += " Not stored in this format: " + joined(unstored, "") + ".";
-  message = Message{with_note(std::move(text), saved->note), false};
+  text = with_note(std::move(text), saved->note);
+  message = Message{kept ? text : text + "\n" + kept.error(), !kept};
   export_on_save();
   return true;
 }

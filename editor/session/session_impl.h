@@ -58,7 +58,7 @@ struct Session::Impl {
   void carry_out(const action::PreviewExport& a);
   void carry_out(const action::RunExports& a);
   void carry_out(const action::CancelExport&) { exporting.cancel(); }
-  void carry_out(const action::OpenPng& a);
+  void carry_out(const action::OpenPng& a) { open_picture(a.path, {}); }
   void carry_out(const action::SetPngImport& a);
   void carry_out(const action::ApplyPngImport&);
   void carry_out(const action::CancelPngImport&) { png_import.reset(); }
@@ -81,7 +81,7 @@ struct Session::Impl {
   void carry_out(const action::SetSpeed& a) { player.set_speed(a.factor); }
   void carry_out(const action::HoldMouse& a) { player.hold_mouse(a, choices.body); }
   void carry_out(const action::HoldKeys& a) { player.hold_keys(a); }
-  void carry_out(const action::StepBack&) { seek(player.timeline().frame() - 1); }
+  void carry_out(const action::StepBack&) { seek(player.timeline().wanted_frame() - 1); }
   void carry_out(const action::SeekStart&) { seek(0); }
   void carry_out(const action::SeekEnd&) { seek(player.timeline().last_frame()); }
   void carry_out(const action::SeekFrame& a) { seek(a.frame); }
@@ -171,17 +171,24 @@ struct Session::Impl {
   // Reads beside the window what is not read at once. The level stays as it is until `work`'s answer is
   // called.
   void read_beside(const std::string& file, FileReader::Work work);
+  void read_beside(const std::string& file, FileReader::Work work, std::chrono::milliseconds patience);
   void cancel_reading();
   void open(const action::OpenFile& file);
+  // A picture is taken into the level that is open, and loses nothing. cart: what to do with a picture that
+  // has a cart in it; nothing: it is a picture like others.
+  void open_picture(const std::string& picture_path, const std::optional<action::OpenFile>& cart);
+  void take_picture(const std::string& picture_path, FormatResult<PngPicture> picture);
   void take_opened(const action::OpenFile& file, OpenedFile opened);
   void open_imported(const std::string& file, LoadedLevel loaded);
-  void open_recording(const std::string& file, const Recording& recording);
+  void open_recording(const std::string& file, const Recording& recording, const EndScenes& scenes);
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
   void replace_level(Level opened, std::string opened_path, const Format* opened_format,
                      CompanionFile opened_companion = {});
   void recover(const action::RecoverLevel& saved);
-  void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file);
-  void recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings);
+  // file: the level as its own file has it. scenes: of the first recording.
+  void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
+                      const EndScenes& scenes);
+  void recover_runs(const std::vector<std::shared_ptr<const Recording>>& recordings, const EndScenes& scenes);
   // Notes what the level's file holds now, as what this session knows of it.
   void note_file();
   void take_file_change(FilesChange found);  // by another program; asks or tells what becomes of the level
@@ -240,6 +247,7 @@ struct Session::Impl {
   void find_reach();  // the same on the search for where a player gets to
 
   ExportPermissions permissions;
+  std::string not_remembered;            // why not what was allowed, until that is told; empty: it is
   std::vector<ExportPreset> declined;    // not allowed when a save asked, which does not ask again
   std::optional<FinishedRun> asked_run;  // waits for the question's answer
   Exporting exporting;

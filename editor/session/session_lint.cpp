@@ -48,7 +48,7 @@ void Session::Impl::carry_out(const action::ShowWay& a) {
     player.set_running(false);
     player.reset();
     for (std::size_t i = 0; i < way.size(); ++i) player.timeline().step(way[i], i + 1 == way.size());
-    player.show_held();
+    player.show();
   });
 }
 

@@ -1,13 +1,11 @@
 // Session: pictures of the sheets and of the palette, out and in.
-#include <filesystem>
-
 #include "formats/atomic_file.h"
+#include "formats/real_path.h"
+#include "formats/tic_png.h"
 #include "session_impl.h"
 
 namespace talus {
 namespace {
-
-std::string picture_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 // Of a picture that can only be that, a palette; else of the sheet that is shown, at the selection. Only what
 // is larger than the sheet is cut off.
@@ -30,18 +28,28 @@ PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area
 
 void Session::Impl::carry_out(const action::ExportPng& a) {
   const auto saved = write_file_atomic(a.path, write_png_part(level, a.part));
-  message = saved ? Message{"Saved " + picture_name(a.path) + ".", false}
+  message = saved ? Message{"Saved " + last_name(a.path) + ".", false}
                   : Message{to_string(saved.error(), a.path), true};
 }
 
-void Session::Impl::carry_out(const action::OpenPng& a) {
-  FormatResult<PngPicture> picture = load_png(a.path);
+void Session::Impl::open_picture(const std::string& picture_path,
+                                 const std::optional<action::OpenFile>& cart) {
+  read_beside(picture_path, [this, picture_path, cart](const Progress& progress) -> FileReader::Finish {
+    const auto bytes = read_file(picture_path, kMaxFileBytes, progress);
+    if (cart && bytes && has_tic_cart(*bytes)) return [this, cart] { ask_or_go_on(*cart); };
+    auto picture = std::make_shared<FormatResult<PngPicture>>(
+        bytes ? read_png(*bytes) : FormatResult<PngPicture>(tl::unexpected(bytes.error())));
+    return [this, picture_path, picture] { take_picture(picture_path, std::move(*picture)); };
+  });
+}
+
+void Session::Impl::take_picture(const std::string& picture_path, FormatResult<PngPicture> picture) {
   if (!picture) {
-    message = Message{to_string(picture.error(), a.path), true};
+    message = Message{to_string(picture.error(), picture_path), true};
     return;
   }
   const PngImportOptions options = first_options(*picture, choices.area);
-  png_import = PngImport{a.path, *std::move(picture), options, {}};
+  png_import = PngImport{picture_path, *std::move(picture), options, {}};
   png_import->plan = plan_png_import(level, png_import->picture, options);
 }
 
@@ -55,7 +63,7 @@ void Session::Impl::carry_out(const action::ApplyPngImport&) {
   if (!png_import || !png_import->plan) return;
   const PngImport import = *std::exchange(png_import, std::nullopt);
   carry_out(action::EditLevel{import.plan->edit});
-  message = Message{"Imported " + picture_name(import.path) + ".", false};
+  message = Message{"Imported " + last_name(import.path) + ".", false};
 }
 
 }  // namespace talus

@@ -14,7 +14,7 @@ void Session::Impl::seek(std::int64_t frame) {
 
 void Session::Impl::carry_out(const action::JumpToMark& a) {
   const std::vector<Mark>& marks = player.timeline().current().marks;
-  const std::int64_t frame = player.timeline().frame();
+  const std::int64_t frame = player.timeline().wanted_frame();
   const auto next = std::find_if(marks.begin(), marks.end(), [&](const Mark& m) { return m.frame > frame; });
   if (a.forwards && next != marks.end()) return seek(next->frame);
   const auto before =
@@ -44,7 +44,7 @@ void Session::Impl::carry_out(const action::SwitchBranch& a) {
   keep_chosen_body([&] {
     player.set_running(false);
     player.timeline().switch_to(a.branch);
-    player.show_held();
+    player.show();
   });
 }
 
@@ -64,7 +64,7 @@ void Session::Impl::drop_branch(int branch) {
     if (branch == player.timeline().current().id) player.set_running(false);
     player.timeline().drop(branch);
     handmade_runs.note_gone(branch);
-    player.show_held();
+    player.show();
   });
 }
 
@@ -87,7 +87,7 @@ void Session::Impl::note_input(FunctionRef<void()> change) {
   };
   const auto before = shown();
   change();
-  player.show_held();
+  player.show();
   if (shown() != before) handmade_runs.note_input(shown().first);
 }
 
@@ -96,7 +96,7 @@ void Session::Impl::carry_out(const action::Rerun& a) {
   keep_chosen_body([&] {
     player.timeline().begin_series();
     player.timeline().rerun(a.from);
-    player.show_held();
+    player.show();
   });
 }
 
@@ -104,6 +104,8 @@ void Session::Impl::carry_out(const action::Rerun& a) {
 void Session::Impl::advance(double seconds) {
   const bool was_behind = player.timeline().behind();
   reader.finish();
+  trails.begin_turn();
+  other_trails.begin_turn();
   take_compiled();
   if (!is_opening) play(seconds);
   debug();

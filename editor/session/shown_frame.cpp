@@ -2,7 +2,14 @@
 
 #include <cassert>
 
+#include "work_share.h"
+
 namespace talus {
+namespace {
+
+constexpr double kReadSeconds = 0.004;  // that view() spends on reading
+
+}  // namespace
 
 ShownFrame::Key ShownFrame::key_of(const Timeline& timeline, int other) {
   const Branch& branch = timeline.current();
@@ -11,20 +18,38 @@ ShownFrame::Key ShownFrame::key_of(const Timeline& timeline, int other) {
 }
 
 FrameView ShownFrame::view(const Timeline& timeline, const FrameSource& source, int other) {
-  const std::int64_t frame = timeline.frame();
-  assert(frame <= source.last());
+  assert(timeline.frame() <= source.last());
   const Key key = key_of(timeline, other);
-  if (key == key_) return history_.view();
+  if (key == key_) return is_read_ ? history_.view() : FrameView({&alone_});
   const bool follows =
       key.branch == key_.branch && key.revision == key_.revision && key.frame == key_.frame + 1;
   if (!follows) history_.clear();
-  history_.go_to(source, frame);
   key_ = key;
-  return history_.view();
+  is_read_ = false;
+  if (advance(timeline, source, other, kReadSeconds)) return history_.view();
+  alone_ = {};
+  alone_.ground = timeline.scene().ground;
+  put_shown(timeline, alone_);
+  return FrameView({&alone_});
+}
+
+bool ShownFrame::advance(const Timeline& timeline, const FrameSource& source, int other, double seconds) {
+  if (!is_read_ && key_of(timeline, other) != key_) forget();
+  const Stopwatch watch;
+  while (!is_read_ && watch.seconds() < seconds) is_read_ = history_.approach(source, key_.frame);
+  return is_read_;
+}
+
+void ShownFrame::put_shown(const Timeline& timeline, Frame& into) {
+  into.scene = timeline.shown_scene();
+  into.state = timeline.state();
+  into.record = timeline.record();
+  into.input = timeline.frame() > 0 ? timeline.current().input(timeline.frame()) : Input();
 }
 
 void ShownFrame::forget() {
   key_ = staged_ = {};
+  is_read_ = true;
   staged_frame_ = {};
   history_.clear();
 }
@@ -35,11 +60,8 @@ const std::vector<Stage>& ShownFrame::stages(const Timeline& timeline, std::shar
   if (key == staged_ && body == staged_body_) return stages_;
   staged_ = key;
   staged_body_ = body;
-  staged_frame_.scene = timeline.shown_scene();
   staged_frame_.ground = std::move(ground);
-  staged_frame_.state = timeline.state();
-  staged_frame_.record = timeline.record();
-  staged_frame_.input = timeline.frame() > 0 ? timeline.current().input(timeline.frame()) : Input();
+  put_shown(timeline, staged_frame_);
   stages_ = stages_of(staged_frame_, body);
   return stages_;
 }

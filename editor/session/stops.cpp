@@ -58,18 +58,23 @@ bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t mo
     return true;
   }
   if (judged_ > frame) forget_frames();
-  for (; most_frames > 0 && judged_ < frame; --most_frames) judge(source, judged_ + 1);
+  for (; most_frames > 0 && judged_ < frame; --most_frames)
+    if (history_->approach(source, judged_ + 1)) judge_newest();
   return judged_ == frame;
 }
 
 std::optional<Stop> Stops::judge(const FrameSource& source, std::int64_t frame) {
   if (counter_.empty() || frame > source.last()) return std::nullopt;
   history_->go_to(source, frame);
-  judged_ = frame;
+  return judge_newest();
+}
+
+std::optional<Stop> Stops::judge_newest() {
+  judged_ = history_->view().now().state.frame;
   log_->note(history_->view());
   std::optional<Stop> stop = counter_.judge(history_->view());
   // Without a count to wait for, the counter begins wherever it plays.
-  if (stop && !counter_.counts()) stop->hit = log_->hits(stop->breakpoint, frame).value_or(0);
+  if (stop && !counter_.counts()) stop->hit = log_->hits(stop->breakpoint, judged_).value_or(0);
   return stop;
 }
 

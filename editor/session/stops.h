@@ -50,6 +50,7 @@ class Stops {
 
  private:
   std::vector<ArmedBreakpoint> armed() const;
+  std::optional<Stop> judge_newest();  // of the history
 
   std::vector<Breakpoint> breakpoints_;
   int last_id_ = 0;

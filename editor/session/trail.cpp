@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "work_share.h"
+
 namespace talus {
 
 const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Branch& branch, int body,
@@ -26,19 +28,22 @@ const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Bra
   }
   std::erase_if(kept.points,
                 [&](const TrailPoint& point) { return point.frame < first || point.frame > last; });
-  const std::int64_t known = std::min(kept.last, last);
   kept.first = first;
-  kept.last = last;
-  if (known == last) return kept.points;
-  // The frame that is shown need not be made again.
-  if (known + 1 == last && branch.id == timeline.current().id && timeline.frame() == last) {
-    if (const Body* at = timeline.state().find(body)) kept.points.push_back({last, at->box});
-    return kept.points;
-  }
-  timeline.walk(branch, known + 1, last, false, [&](const State& state, const StepRecord*) {
+  kept.last = std::min(kept.last, last);
+  const auto add = [&](const State& state, const StepRecord*) {
     if (const Body* at = state.find(body)) kept.points.push_back({state.frame, at->box});
+    kept.last = state.frame;
     return true;
-  });
+  };
+  // The frame that is shown need not be made again.
+  if (kept.last + 1 == last && branch.id == timeline.current().id && timeline.frame() == last)
+    add(timeline.state(), nullptr);
+  const Stopwatch watch;
+  while (kept.last < last && watch.seconds() < seconds_) {
+    const std::int64_t next = kept.last + 1;
+    if (timeline.approach(branch, next)) timeline.walk(branch, next, next, false, add);
+  }
+  behind_ = behind_ || kept.last < last;
   return kept.points;
 }
 

@@ -30,7 +30,8 @@ void VariantRun::follow(const Timeline& a, const Level& level, std::int64_t most
   Timeline& b = *timeline_;
   if (b.behind()) return b.catch_up(most_steps);
   if (b.last_frame() >= branch.run_frame()) return;
-  if (b.in_past()) b.seek(b.last_frame());  // which is run again from a keyframe, wherever it is
+  if (b.on_the_way()) return b.go_on(most_steps);
+  if (b.in_past()) return b.seek(b.last_frame());  // which is run again from a keyframe, wherever it is
   for (; most_steps > 0 && b.last_frame() < branch.run_frame(); --most_steps)
     b.step(branch.input(b.last_frame() + 1), false);
 }
@@ -38,6 +39,7 @@ void VariantRun::follow(const Timeline& a, const Level& level, std::int64_t most
 void VariantRun::begin(const Timeline& a, const Level& level) {
   const Branch& branch = a.current();
   timeline_ = std::make_unique<Timeline>(with(variant_, a.recording(branch, level)));
+  timeline_->limit_way(1);
   branch_ = branch.id;
   revision_ = branch.revision;
   chapters_ = branch.chapters.size();

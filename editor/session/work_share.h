@@ -21,10 +21,12 @@ class Stopwatch {
 
 class WorkShare {
  public:
-  // most: pieces of work at once, >= 1. seconds: that they may take.
-  WorkShare(std::int64_t most, double seconds) : most_(most), seconds_(seconds), count_(most) {}
+  // most: pieces of work at once, >= 1. seconds: that they may take. It begins with one piece.
+  WorkShare(std::int64_t most, double seconds) : most_(most), seconds_(seconds) {}
 
   std::int64_t count() const { return count_; }  // pieces to do now, 1 to `most`
+  // Other pieces are next, and nobody knows yet how long one takes.
+  void begin_again() { count_ = 1; }
   // What they took. Fewer are done at once after that if it was too long, and more if it was short.
   void note(double seconds) {
     count_ = seconds > seconds_ ? std::max<std::int64_t>(count_ / 4, 1) : std::min(count_ * 2, most_);
@@ -33,7 +35,7 @@ class WorkShare {
  private:
   std::int64_t most_;
   double seconds_;
-  std::int64_t count_;
+  std::int64_t count_ = 1;
 };
 
 // Notes how long it lives.

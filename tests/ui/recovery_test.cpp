@@ -1,4 +1,5 @@
 // Unsaved work survives a crash, and what other programs do to the file.
+#include <filesystem>
 #include <fstream>
 
 #include "harness.h"
@@ -49,6 +50,25 @@ TEST_F(UiRecovery, WorkIsOfferedAfterACrashAndRecovered) {
   frames(2);
   crash_and_start(level_file());
   EXPECT_EQ(find("recovery/recover0"), nullptr) << "nothing is left once it is saved";
+}
+
+// Its level takes a while to read: blanks of 150 MB.
+TEST_F(UiRecovery, LargeWorkIsReadBesideTheWindow) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  stop();
+  for (const auto& entry : std::filesystem::directory_iterator(path("state/autosave"))) {
+    if (entry.path().extension() == ".talus-autosave")
+      std::ofstream(entry.path(), std::ios::app) << std::string(150'000'000, ' ');
+  }
+  start(level_file());
+  EXPECT_FALSE(app().ui().view.program.recovery_open) << "the window waited for it";
+  for (int i = 0; i < 10'000 && find("recovery/recover0") == nullptr; ++i) frames();
+  frames(2);
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(2);
+  EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
 // As when a script starts the program again at once.

@@ -256,6 +256,7 @@ TEST_F(SessionTimeline, AStrokeWhileItPlaysMakesOneBranchAndTheNextAnother) {
 
 TEST_F(SessionTimeline, TrailsAreOfTheBodyAndMoveOnByAStep) {
   steps(50);
+  session_.take_time();
   const auto trail = session_.trail(timeline().current(), 1, 10, 50);
   ASSERT_EQ(trail.size(), 41u);
   EXPECT_EQ(trail.front().frame, 10);

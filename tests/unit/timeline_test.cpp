@@ -601,6 +601,50 @@ TEST(Timeline, BranchesShareTheirKeyframes) {
   EXPECT_LT(timeline.keyframe_bytes(), bytes);
 }
 
+TEST(Timeline, ARecordingTakesTheScenesThatWereCompiledBefore) {
+  Timeline timeline(drop());
+  played(timeline, 20);
+  timeline.edit(with_tile(drop(), {0, 0}, 1));
+  timeline.step({});
+  const Recording recording = timeline.recording(timeline.current(), drop());
+  const EndScenes scenes = compile_ends(recording, {});
+  ASSERT_TRUE(scenes.first && scenes.last);
+  EXPECT_FALSE(*scenes.first == *scenes.last);
+  Timeline again(recording, scenes);
+  EXPECT_EQ(&again.scene(), scenes.first.get());
+  EXPECT_EQ(again.level_scene(), scenes.last);
+  finish(again);
+  EXPECT_EQ(again.unexpected_frame(again.current()), std::nullopt);
+  const EndScenes cancelled = compile_ends(recording, Progress([](double) { return false; }));
+  EXPECT_FALSE(cancelled.first || cancelled.last);
+}
+
+TEST(Timeline, TheWayToAFrameCanBeLimited) {
+  Timeline timeline(drop());
+  played(timeline, 30);
+  const State last = timeline.state();
+  timeline.seek(0);
+  timeline.limit_way(1);
+  timeline.seek(30);
+  for (std::int64_t calls = 0; timeline.on_the_way() && calls < 30; ++calls) {
+    EXPECT_EQ(timeline.state(), timeline.state_at(timeline.current(), timeline.frame()));
+    EXPECT_EQ(timeline.record().paths.size(), timeline.state().bodies.size());
+    const std::int64_t before = timeline.frame();
+    timeline.go_on(2);
+    EXPECT_LE(timeline.frame() - before, 2);
+  }
+  EXPECT_EQ(timeline.state(), last);
+  EXPECT_FALSE(timeline.on_the_way());
+  // What is done on the way goes on from the frame that is shown.
+  timeline.seek(1);
+  timeline.seek(29);
+  const std::int64_t shown = timeline.frame();
+  timeline.step({});
+  EXPECT_EQ(timeline.frame(), shown + 1);
+  EXPECT_EQ(timeline.last_frame(), shown + 1);
+  EXPECT_FALSE(timeline.on_the_way());
+}
+
 TEST(Timeline, ATamperedHashIsNamedByItsFrame) {
   Timeline timeline(drop());
   played(timeline, 90);

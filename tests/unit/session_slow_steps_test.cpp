@@ -1,0 +1,113 @@
+// What steps take long of: however many of them are wanted, the window gets its turn in between.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "folder_test.h"
+#include "level_text.h"
+#include "session/session.h"
+#include "session/work_share.h"
+
+namespace talus::session_slow_steps_test {
+
+namespace act = action;
+
+constexpr int kFrames = 6;
+
+// Balls in one place, all of which meet all others: a step takes tens of ms.
+Level heap() {
+  Level level = level_of({"..........", "..........", "##########"});
+  level.tuning.solver = SolverKind::exact;
+  Spawn ball;
+  ball.position = {20.5, 4};
+  level.spawns.assign(500, ball);
+  return level;
+}
+
+class SlowSteps : public FolderTest {
+ protected:
+  SlowSteps() {
+    for (int i = 0; i < kFrames; ++i) {
+      const Stopwatch watch;
+      session_.apply(act::StepFrame{});
+      fastest_ = std::min(fastest_, watch.seconds());
+    }
+    last_ = session_.state();
+    session_.apply(act::SeekStart{});
+  }
+  const Timeline& timeline() const { return session_.timeline(); }
+  // Steps that a call may make which takes up to `seconds`, and what it has begun.
+  std::int64_t most_steps(double seconds) const { return 2 + static_cast<std::int64_t>(seconds / fastest_); }
+  // Those that this call makes.
+  std::int64_t steps_of(FunctionRef<void()> call) const {
+    const std::int64_t before = timeline().steps_again();
+    call();
+    return timeline().steps_again() - before;
+  }
+
+  Session session_{heap()};
+  State last_;
+  double fastest_ = 1e9;  // s, of a step
+};
+
+TEST_F(SlowSteps, TheWayToAnotherFrameTakesTurns) {
+  ASSERT_EQ(session_.state().frame, 0);
+  EXPECT_LE(steps_of([&] { session_.apply(act::SeekEnd{}); }), most_steps(0.03));
+  int turns = 0;
+  for (; session_.state().frame < kFrames && turns < kFrames; ++turns)
+    EXPECT_LE(steps_of([&] { session_.advance(0); }), most_steps(0.03));
+  EXPECT_EQ(session_.state(), last_);
+  EXPECT_EQ(session_.record().paths.size(), last_.bodies.size());
+  EXPECT_EQ(steps_of([&] { session_.advance(0); }), 0);
+}
+
+TEST_F(SlowSteps, TheFrameOfTheWayIsOneOfTheRun) {
+  session_.apply(act::SeekEnd{});
+  if (!timeline().on_the_way()) GTEST_SUCCEED() << "the machine is quick";
+  const std::int64_t shown = session_.state().frame;
+  EXPECT_EQ(session_.state(), timeline().state_at(timeline().current(), shown));
+  EXPECT_EQ(timeline().wanted_frame(), kFrames);
+  session_.apply(act::StepBack{});
+  EXPECT_EQ(timeline().wanted_frame(), kFrames - 1) << "back from where it is to go";
+  session_.apply(act::Quit{});
+  session_.apply(act::AnswerQuestion{act::Answer::discard});
+  EXPECT_TRUE(session_.wants_quit());
+}
+
+TEST_F(SlowSteps, AComparisonBeginsWithAStep) {
+  session_.apply(act::SeekEnd{});
+  while (timeline().on_the_way()) session_.advance(0);
+  session_.apply(act::CompareVariant{Variant{SolverKind::exact, true}});
+  session_.advance(0);
+  constexpr int kFollowed = 2;  // by the action, and before it plays
+  EXPECT_LE(session_.debugger().other_end().value_or(0), most_steps(0.004) + kFollowed);
+  while (session_.debugger().is_busy()) session_.advance(0);
+  EXPECT_EQ(session_.debugger().other_end(), kFrames);
+}
+
+TEST_F(SlowSteps, TheFramesBeforeComeInTurns) {
+  session_.apply(act::SeekEnd{});
+  while (timeline().on_the_way()) session_.advance(0);
+  const Stopwatch watch;
+  const bool was_alone = session_.frame_view().is_first();
+  EXPECT_TRUE(was_alone || watch.seconds() < 0.02) << "they were read at once";
+  EXPECT_EQ(session_.frame_view().now().state, last_) << "the shown frame is there at once";
+  while (session_.debugger().is_busy()) session_.advance(0);
+  session_.advance(0);
+  while (session_.debugger().is_busy()) session_.advance(0);
+  EXPECT_EQ(session_.frame_view().now().state, last_);
+  EXPECT_EQ(session_.frame_view().before(3).state.frame, kFrames - 3);
+}
+
+TEST_F(SlowSteps, ATrailGrowsInTurns) {
+  const auto trail = [&] { return session_.trail(timeline().current(), 1, 0, kFrames).size(); };
+  EXPECT_LE(trail(), static_cast<std::size_t>(most_steps(0.008)));
+  EXPECT_TRUE(session_.is_on_the_way() || trail() == kFrames + 1u);
+  for (int turns = 0; turns < kFrames; ++turns) trail();
+  session_.advance(0);
+  EXPECT_FALSE(session_.is_on_the_way());
+  ASSERT_EQ(trail(), kFrames + 1u);
+  EXPECT_EQ(session_.trail(timeline().current(), 1, 0, kFrames).back().frame, kFrames);
+}
+
+}  // namespace talus::session_slow_steps_test
