@@ -1,27 +1,8 @@
-// A warm World allocates nothing: every operator new of this program is counted.
+// A warm World allocates nothing: every operator new of its thread is counted.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "collision/world.h"
-
-namespace {
-thread_local std::size_t allocations = 0;
-}
-
-// Not inlined, since a compiler that sees only one of the pair warns of a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "faults/failing_memory.h"
 
 namespace talus::world_allocation_test {
 
@@ -78,10 +59,10 @@ TEST_P(WorldAllocation, IsNoneOnceWarm) {
   for (int frame = 0; frame < kRounds; ++frame) crowd.round(frame);
   for (std::size_t i = 0; i < start.size(); ++i) crowd.world.update(crowd.movers[i], start[i]);
 
-  const std::size_t before = allocations;
+  const std::size_t before = allocations_made();
   ASSERT_GT(before, 0u);
   for (int frame = 0; frame < kRounds; ++frame) crowd.round(frame);
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations_made(), before);
   EXPECT_NE(crowd.world.rect(crowd.movers[0]), start[0]);
 }
 
