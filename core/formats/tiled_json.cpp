@@ -40,14 +40,15 @@ bool says_nothing(std::string_view key, const Json& value) {
 
 std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-// Layers of tiles in a map or group. What is no list or object is none.
-std::size_t tile_layers_in(const Json& json, int depth) {
+// Layers of tiles in a map or group, which is no deeper than kMaxJsonDepth. What is no list or object is
+// none.
+std::size_t tile_layers_in(const Json& json) {
   const auto layers = json.is_object() ? json.find("layers") : json.end();
-  if (layers == json.end() || depth > kMaxJsonDepth) return 0;
+  if (layers == json.end()) return 0;
   std::size_t count = 0;
   for (const Json& layer : *layers) {
     const bool has_tiles = layer.is_object() && layer.contains("type") && layer["type"] == "tilelayer";
-    count += has_tiles ? 1 : tile_layers_in(layer, depth + 1);
+    count += has_tiles ? 1 : tile_layers_in(layer);
   }
   return count;
 }
@@ -154,7 +155,7 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
          "has " + std::to_string(map.width) + "x" + std::to_string(map.height) +
              " cells, and a level has up to 16777216");
   }
-  const std::size_t layer_count = tile_layers_in(json, 0);
+  const std::size_t layer_count = tile_layers_in(json);
   const auto cell_count = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   if (!error_ && layer_count * cell_count > kMaxTiledCells) {
     fail(node, "layers",
