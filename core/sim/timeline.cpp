@@ -122,7 +122,6 @@ void Timeline::begin_chapter() {
   Branch& branch = now();
   if (frame() == 0) return start_over();
   const bool kept_bodies = cursor_.edit(version_);
-  catching_up_.forget();
   scouts_.forget();
   Chapter& last = branch.chapters.back();
   if (last.first == frame() && last.kept_bodies && *last.version->spawns == *version_->spawns) {
