@@ -106,11 +106,7 @@ class StageList {
   void add_contact(std::size_t index) {
     const ContactRecord& contact = frame_.record.contacts[index];
     met_ = true;
-    if (is_cut()) {
-      box_ = at(start_of(contact));
-    } else if (is_exact() && index > 0) {
-      box_ = at(box_position_);
-    }
+    if (is_cut()) box_ = at(start_of(contact));
     search(contact.move, &contact);
     const Explanation why = explain_contact(frame_, index);
     Stage& met = add(StageKind::met, contact.move, why.sentence);
