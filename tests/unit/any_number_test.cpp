@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "c/talus.h"
 #include "collision/cast_trace.h"
@@ -169,6 +170,16 @@ TEST(AnyNumber, IsAnsweredByTheInterfaceForC) {
   EXPECT_TRUE(std::isfinite(body.x) && std::isfinite(body.y) && std::isfinite(body.vx) &&
               std::isfinite(body.vy));
   talus_close(game);
+}
+
+TEST(AnyNumber, OfNoBytesTheInterfaceForCMakesAnError) {
+  char error[200] = "as it was";
+  EXPECT_EQ(talus_read(nullptr, 5, "a.talus.json", error, sizeof error), nullptr);
+  EXPECT_STREQ(error, "error: the bytes are null");
+  EXPECT_EQ(talus_read(nullptr, 0, "a.talus.json", error, sizeof error), nullptr);
+  EXPECT_TRUE(std::string_view(error).starts_with("a.talus.json:")) << error;
+  EXPECT_EQ(talus_open(nullptr, error, sizeof error), nullptr);
+  EXPECT_STREQ(error, "error: the path is null");
 }
 
 }  // namespace talus::any_number_test

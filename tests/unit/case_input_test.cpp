@@ -48,6 +48,14 @@ TEST_F(SessionHardCase, PlaysWithItsInput) {
   EXPECT_NEAR(session.state().bodies[0].box.right(), 96, 1e-9);
 }
 
+TEST_F(SessionHardCase, PlaysWithItsInputWhenItIsRecovered) {
+  Session session;
+  session.apply(
+      act::RecoverLevel{std::make_shared<const Level>(load_level(kRamp).value().level), "", "ramp"});
+  for (int i = 0; i < 120; ++i) session.apply(act::StepFrame{});
+  EXPECT_NEAR(session.state().bodies[0].box.right(), 96, 1e-9);
+}
+
 TEST_F(SessionHardCase, KeysOfTheUserAreAdded) {
   Session session;
   session.apply(act::OpenFile{kRamp, true});

@@ -138,6 +138,24 @@ TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
   EXPECT_EQ(steps, (std::vector<double>{3, 5, 7, 9, 0}));
 }
 
+TEST(FrameHistory, ReadsNoMoreThanLeadsToTheFrame) {
+  const RecordedRun run(level_of({"o..", "...", "###"}), 20);
+  FrameHistory history(2);
+  const auto reads_to = [&](std::int64_t frame) {
+    const std::int64_t before = run.reads;
+    history.go_to(run, frame);
+    for (std::size_t back = 0; back <= 2; ++back)
+      EXPECT_EQ(history.view().before(back).state.frame, frame - static_cast<std::int64_t>(back));
+    return run.reads - before;
+  };
+  EXPECT_EQ(reads_to(5), 3);
+  EXPECT_EQ(reads_to(6), 1) << "the next one";
+  EXPECT_EQ(reads_to(8), 2) << "one is left out";
+  EXPECT_EQ(reads_to(11), 3) << "nothing that is there is asked for again";
+  EXPECT_EQ(reads_to(15), 3) << "what is between is not";
+  EXPECT_EQ(reads_to(14), 3) << "back";
+}
+
 // As a condition it is false, but nothing was measured.
 TEST(Watch, OfTheTruthAboutNoBodyIsNothing) {
   MadeFrames source({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 0, 0)})});

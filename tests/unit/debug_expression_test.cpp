@@ -232,6 +232,9 @@ TEST(ExpressionErrors, OfTypes) {
   EXPECT_EQ(problem("grounded == 1"), "9: '==' compares a truth value with a number");
   EXPECT_EQ(problem("!vy"), "0: '!' needs a truth value, not a number");
   EXPECT_EQ(problem("-grounded"), "0: '-' needs a number, not a truth value");
+  EXPECT_EQ(problem("body(grounded || vy > 1).x"), "0: 'body' needs a number, not a truth value");
+  EXPECT_EQ(problem("body(vy || vx).x"),
+            "8: '||' needs a truth value on both sides, and has a number on its left");
   EXPECT_EQ(problem("max(1, grounded)"), "7: 'max' takes numbers, and this is a truth value");
   const auto condition = Expression::parse_condition("vy");
   ASSERT_FALSE(condition);

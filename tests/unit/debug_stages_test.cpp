@@ -156,7 +156,12 @@ TEST(Stages, AWalkerIsSnappedOntoTheFloorBelow) {
     Input input;
     input.left = true;
     solver->step(frame.state, input, &frame.record);
-    for (const Stage& stage : stages_of(frame, 1)) seen.push_back(stage.kind);
+    for (const Stage& stage : stages_of(frame, 1)) {
+      seen.push_back(stage.kind);
+      if (stage.kind != StageKind::snapped) continue;
+      EXPECT_EQ(stage.box.position(), frame.record.paths[0].goal);
+      EXPECT_EQ(stage.box.position() + stage.motion, frame.state.bodies[0].box.position());
+    }
   }
   EXPECT_THAT(seen, Contains(StageKind::snapped));
 }

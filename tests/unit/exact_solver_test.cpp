@@ -376,6 +376,26 @@ TEST(ExactSolver, UsedUpPassesAreRecorded) {
   EXPECT_EQ(run.record.contacts.size(), 4u);
 }
 
+TEST(ExactSolver, AContactWithALevelSideNamesTheWholeTile) {
+  for (const Cell cell : {Cell{0, 0}, Cell{1, 0}, Cell{2, 1}}) {
+    Level level = exact_level({"....", "....", "....", "...."});
+    level.tuning.exact.gravity = 0;
+    level.tile_shapes[40] = {
+        .kind = TileShape::Kind::profile, .side = TileShape::Side::ceiling, .heights = {4, 4, 4}};
+    level.map.set(cell, 40);
+    Spawn ball;
+    ball.position = {cell.x * 8.0, cell.y * 8.0 + 6};
+    ball.velocity = {0, -6};
+    level.spawns.push_back(ball);
+    Play run(level);
+    run.step();
+    ASSERT_FALSE(run.record.contacts.empty());
+    const Obstacle& other = run.record.contacts[0].other;
+    EXPECT_EQ(other.cell, cell);
+    EXPECT_EQ(other.box, (Rect{cell.x * 8.0, cell.y * 8.0, 8, 8}));
+  }
+}
+
 TEST(ExactSolver, LeftAndRightAreMirrorImages) {
   Level level = exact_level({"................",   //
                              "................",   //

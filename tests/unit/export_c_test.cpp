@@ -39,6 +39,17 @@ TEST(ExportC, HoldsFloorsAndSlopesIn256ths) {
   EXPECT_THAT(text, HasSubstr("#define CAVE_WIDEST 8\n#define CAVE_HIGHEST 8\n"));
 }
 
+TEST(ExportC, SaysWhatItsTablesHold) {
+  const std::string text = header(Level());
+  EXPECT_THAT(text, HasSubstr("bit n is flag n, of CAVE_FLAG_SOLID and the like. */\n"
+                              "static const uint8_t cave_map["));
+  for (const char* const table : {"cave_shape;", "cave_ys[]", "cave_floors["}) {
+    const std::size_t at = text.find(table);
+    ASSERT_NE(at, text.npos) << table;
+    EXPECT_NE(text.rfind("/*", at), text.npos) << table;
+  }
+}
+
 TEST(ExportC, TilesOfOneShapeShareItsRows) {
   Level level;
   level.map = TileMap(40, 20);

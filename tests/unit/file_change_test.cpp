@@ -71,6 +71,23 @@ TEST_F(FileChangeTest, IsReadAgainWithoutUnsavedChangesAndUndoTakesThatBack) {
   EXPECT_FALSE(session_.modified());
 }
 
+// What is there now takes longer to read than the window waits.
+TEST_F(FileChangeTest, WhatIsNotReadToItsEndIsNoLongerSaved) {
+  std::string large = R"({"talus":1,"x":[{"a":0})";
+  for (int i = 0; i < 2'400'000; ++i) large += R"(,{"a":0})";
+  std::ofstream(file()) << large << "]}";
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.reading());
+  EXPECT_FALSE(session_.modified());
+  session_.apply(action::CancelReading{});
+  EXPECT_FALSE(session_.reading());
+  EXPECT_EQ(session_.level(), level_with(1));
+  EXPECT_TRUE(session_.modified()) << "the file has something else";
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+}
+
 TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndKeeps) {
   edit(3);
   write(level_with(7));

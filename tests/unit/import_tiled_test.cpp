@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include <nlohmann/json.hpp>
+
 #include "folder_test.h"
 #include "formats/png_picture.h"
 #include "formats/png_sheet.h"
@@ -163,6 +165,17 @@ TEST(ImportTiled, PolylinesBecomeCurves) {
   EXPECT_EQ(std::get<Polyline>(curves[1].curve.form), (Polyline{1, 9, {8, 9, 11}}));
   EXPECT_EQ(std::get<Segment>(curves[2].curve.form), (Segment{{6, 9}, {10, 8}}));
   EXPECT_EQ(std::get<Segment>(curves[3].curve.form), (Segment{{6, 9}, {6, 11}}));
+}
+
+TEST(ImportTiled, APolylineOfALevelComesBack) {
+  Level level = level_for_tiled();
+  const Polyline line{1, 9, {8, 9, 11, 4, 0.5}};
+  level.curves = {{"hill", {line, Curve::Faces::up}, ""}};
+  auto map = nlohmann::json::parse(tiled_export_of(level, "tmj", "-").files[0].bytes);
+  map.erase("properties");  // among them the level itself
+  const std::vector<LevelCurve> curves = read(map.dump()).level.curves;
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_TRUE(curves[0] == level.curves[0]);
 }
 
 // Base64 of bytes, as Tiled writes it.

@@ -117,6 +117,24 @@ TEST(LevelLimits, UnknownMembersAreKeptUpToAMegabyte) {
               HasSubstr("bytes of members that Talus does not know, and a level holds"));
 }
 
+TEST(LevelLimits, NamesAndUnknownMembersOfAllListsCount) {
+  const auto expect_counted = [](auto list) {
+    Level level;
+    (level.*list).resize(1);
+    EXPECT_EQ(problem_of_amounts(level), std::nullopt);
+    (level.*list)[0].name.assign(kMaxNameBytes + 1, 'x');
+    EXPECT_THAT(problem_of_amounts(level).value_or(""), HasSubstr(" bytes of names"));
+    (level.*list)[0].name.clear();
+    (level.*list)[0].extra.assign(kMaxUnknownBytes + 1, 'x');
+    EXPECT_THAT(problem_of_amounts(level).value_or(""), HasSubstr(" bytes of members that Talus does not"));
+  };
+  expect_counted(&Level::flag_fields);
+  expect_counted(&Level::spawns);
+  expect_counted(&Level::curves);
+  expect_counted(&Level::brushes);
+  expect_counted(&Level::exports);
+}
+
 TEST(LevelLimits, AnObjectOfManyKeysIsRefusedWhileItIsRead) {
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += ",\"k" + std::to_string(i) + "\":0";

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "folder_test.h"
 #include "overlay/overlay_id.h"
 #include "panels/key_conflicts.h"
 #include "platform/preferences_json.h"
+#include "platform/settings.h"
 
 namespace talus::preferences_test {
 
@@ -68,6 +70,45 @@ TEST(PreferencesJson, WhatIsWrongGetsItsDefault) {
   const Preferences odd =
       preferences_of_json(nlohmann::json::parse(R"({"keys": {"a": ["Ctrl+A", "What+B", "Ctrl+C"]}})"));
   EXPECT_EQ(odd.keys.changed.at("a"), (CommandKeys{ctrl('a'), KeyChord{}}));
+}
+
+class SettingsFile : public FolderTest {};
+
+TEST_F(SettingsFile, ComesBackAsItWasWritten) {
+  Settings settings;
+  settings.width = 1000, settings.height = 700;
+  settings.layout = {0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8};
+  settings.canvas = CanvasMode::play;
+  settings.ui_scale = 1.5;
+  settings.grid = settings.screen_borders = false;
+  settings.pixels = {.neighbours = true, .enlarged = true};
+  settings.overlays.set(OverlayId::answer, true);
+  settings.recent_files = {"/a.tic", "/b.tic"};
+  settings.tabs = {"plots"};
+  settings.dock_open = settings.legend_folded = true;
+  settings.breakpoints = {
+      {.condition = "x > 3", .body = 2, .count = 4, .each_frame = true, .enabled = false}};
+  settings.watches = {"vy"};
+  settings.overlay_palette = OverlayPalette::colour_blind;
+  settings.preferences.font_size = 16;
+  ASSERT_TRUE(save_settings(settings, path("settings.json")));
+  const Settings again = load_settings(path("settings.json")).value();
+  EXPECT_EQ(again.width, 1000);
+  EXPECT_EQ(again.height, 700);
+  EXPECT_EQ(again.layout, settings.layout);
+  EXPECT_EQ(again.canvas, CanvasMode::play);
+  EXPECT_EQ(again.ui_scale, 1.5);
+  EXPECT_FALSE(again.grid || again.screen_borders);
+  EXPECT_EQ(again.pixels, settings.pixels);
+  for (const OverlayInfo& info : overlay_infos())
+    EXPECT_EQ(again.overlays.has(info.id), info.id == OverlayId::answer) << info.key;
+  EXPECT_EQ(again.recent_files, settings.recent_files);
+  EXPECT_EQ(again.tabs, settings.tabs);
+  EXPECT_TRUE(again.dock_open && again.legend_folded);
+  EXPECT_EQ(again.breakpoints, settings.breakpoints);
+  EXPECT_EQ(again.watches, settings.watches);
+  EXPECT_EQ(again.overlay_palette, OverlayPalette::colour_blind);
+  EXPECT_EQ(again.preferences, settings.preferences);
 }
 
 TEST(FrameMetrics, RemembersTheLast120Frames) {

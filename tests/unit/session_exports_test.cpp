@@ -334,6 +334,28 @@ TEST_F(SessionExports, WhatAnotherProgramExportedIsNotAskedAbout) {
   EXPECT_TRUE(preview(0).foreign.empty());
 }
 
+// Looked at when the level is made, and the game's own files are not.
+TEST(ExportPreviews, TellTheirShare) {
+  std::promise<void> gate;
+  const std::shared_future<void> opened = gate.get_future().share();
+  std::atomic<bool> is_waiting = false;
+  Exporting exporting(ExportTools{[&](const std::string& name) {
+    if (name.starts_with("templates/")) {
+      is_waiting = true;
+      opened.wait();
+    }
+    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+  }});
+  exporting.preview(Level(), 1, {{"game", "love", "out/game", "", false, ""}, ""});
+  for (int i = 0; i < 20'000 && !is_waiting; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto progress = exporting.preview_progress();
+  gate.set_value();
+  ASSERT_TRUE(is_waiting);
+  ASSERT_TRUE(progress);
+  EXPECT_GT(progress->share, 0.9);
+  EXPECT_LE(progress->share, 1);
+}
+
 TEST(ExportRecords, OfSeveralProgramsAreJoined) {
   const std::string file = ::testing::TempDir() + "talus-record-" + std::to_string(::getpid()) + "/exports";
   ExportRecord one(file), two(file);
@@ -348,6 +370,15 @@ TEST(ExportRecords, OfSeveralProgramsAreJoined) {
   EXPECT_TRUE(one.has("/b", 2));
   EXPECT_TRUE(ExportRecord(file).has("/a", 3));
   fs::remove_all(fs::path(file).parent_path());
+}
+
+TEST(ExportRecords, WithoutAFileLastAsLongAsTheyAre) {
+  ExportRecord record;
+  record.note("/a", 1);
+  EXPECT_TRUE(record.save());
+  EXPECT_TRUE(record.refresh()) << "there is no file that cannot be read";
+  EXPECT_TRUE(record.has("/a", 1));
+  EXPECT_FALSE(ExportRecord().knows("/a"));
 }
 
 }  // namespace talus::session_exports_test

@@ -326,6 +326,18 @@ TEST(Timeline, CancelledItEndsWhereItIs) {
   EXPECT_EQ(timeline.compared()->last_frame(), 50);
 }
 
+TEST(Timeline, ABranchOfARerunForgetsWhichFrameWasWanted) {
+  Timeline timeline(drop());
+  played(timeline, 50);
+  const int first = timeline.current().id;
+  timeline.rerun(0);
+  timeline.catch_up(20);
+  timeline.fork();
+  ASSERT_EQ(timeline.frame(), 20);
+  timeline.switch_to(first);
+  EXPECT_EQ(timeline.frame(), 20) << "another run is shown at the same frame";
+}
+
 TEST(Timeline, AKeyIsSetOverARangeAndTheRestRunAgain) {
   Level level = room(SolverKind::exact);
   Timeline timeline(level);
