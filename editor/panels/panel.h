@@ -3,8 +3,8 @@
 
 #include <string_view>
 
+#include "panels/ui/ui.h"
 #include "session/session.h"
-#include "ui.h"
 
 namespace talus {
 

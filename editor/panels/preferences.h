@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "frame_metrics.h"
-#include "key_bindings.h"
-#include "programs.h"
+#include "panels/commands/key_bindings.h"
+#include "panels/window/frame_metrics.h"
+#include "panels/window/programs.h"
 
 namespace talus {
 

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "collision/geometry.h"
-#include "debugger_view.h"
-#include "export_view.h"
-#include "key_cursor.h"
 #include "level/tileset.h"
+#include "panels/canvas/key_cursor.h"
+#include "panels/debugger/debugger_view.h"
+#include "panels/files/export_view.h"
+#include "panels/level/problems_view.h"
 #include "preferences.h"
-#include "problems_view.h"
 
 namespace talus {
 

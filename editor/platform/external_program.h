@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "open_copies.h"
-#include "panels/programs.h"
+#include "panels/window/programs.h"
 #include "session/session.h"
 
 namespace talus {

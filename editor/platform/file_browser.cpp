@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "panels/dialog.h"
-#include "panels/long_list.h"
+#include "panels/ui/dialog.h"
+#include "panels/ui/long_list.h"
 
 namespace talus {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "file_request.h"
-#include "panels/ui.h"
+#include "panels/ui/ui.h"
 
 namespace talus {
 

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "panels/theme.h"
+#include "panels/ui/theme.h"
 
 namespace talus {
 namespace {

@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "event_queue.h"
-#include "panels/key_cursor.h"
+#include "panels/canvas/key_cursor.h"
 #include "panels/preferences.h"
 
 namespace talus {

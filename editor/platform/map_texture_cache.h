@@ -7,8 +7,8 @@
 
 #include "level/level.h"
 #include "overlay/map_picture.h"
-#include "panels/map_textures.h"
-#include "panels/ui.h"
+#include "panels/ui/map_textures.h"
+#include "panels/ui/ui.h"
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "export/exporter.h"
-#include "panels/programs.h"
+#include "panels/window/programs.h"
 #include "session/export_record.h"
 #include "session/file_stamp.h"
 #include "session/session.h"

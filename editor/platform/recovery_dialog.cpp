@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "panels/dialog.h"
+#include "panels/ui/dialog.h"
 
 namespace talus {
 namespace {

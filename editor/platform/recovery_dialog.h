@@ -5,7 +5,7 @@
 #include <span>
 
 #include "autosave.h"
-#include "panels/ui.h"
+#include "panels/ui/ui.h"
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <SDL_events.h>
 
-#include "panels/keys.h"
+#include "panels/commands/keys.h"
 
 namespace talus {
 

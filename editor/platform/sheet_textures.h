@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "level/level.h"
-#include "panels/ui.h"
+#include "panels/ui/ui.h"
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 
 #include "app.h"
 #include "edit/level_settings.h"
-#include "panels/canvas_layers.h"
+#include "panels/canvas/canvas_layers.h"
 #include "picture.h"
 
 namespace talus {

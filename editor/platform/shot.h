@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "overlay/overlay_id.h"
-#include "panels/frame_metrics.h"
+#include "panels/window/frame_metrics.h"
 #include "session/session.h"
 
 namespace talus {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "debugger_harness.h"
-#include "panels/case_note.h"
-#include "panels/commands.h"
-#include "panels/compare_choice.h"
+#include "panels/canvas/case_note.h"
+#include "panels/commands/commands.h"
+#include "panels/debugger/compare_choice.h"
 
 namespace talus::debugger_keys_test {
 

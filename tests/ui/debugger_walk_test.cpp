@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "debugger_harness.h"
-#include "panels/commands.h"
-#include "panels/compare_choice.h"
-#include "panels/other_side.h"
+#include "panels/canvas/other_side.h"
+#include "panels/commands/commands.h"
+#include "panels/debugger/compare_choice.h"
 
 namespace talus::debugger_walk_test {
 

@@ -3,7 +3,7 @@
 
 #include "formats/atomic_file.h"
 #include "harness.h"
-#include "panels/commands.h"
+#include "panels/commands/commands.h"
 
 namespace talus::dialog_keys_test {
 

@@ -1,8 +1,8 @@
 // Painting, pixels, flags, palette, tuning, and taking it all back.
 #include "edit/flag_lamps.h"
 #include "harness.h"
-#include "panels/edit_text.h"
-#include "panels/tile_number.h"
+#include "panels/level/edit_text.h"
+#include "panels/sprites/tile_number.h"
 
 namespace talus::edit_test {
 

@@ -1,6 +1,6 @@
 // The ready layouts as a whole, and the panels that one draws with, against pictures of them.
 #include "golden_harness.h"
-#include "panels/commands.h"
+#include "panels/commands/commands.h"
 
 namespace talus::golden_window_test {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "panels/keys.h"
+#include "panels/commands/keys.h"
 #include "platform/app.h"
 
 namespace talus {

@@ -1,6 +1,6 @@
 // Where the labels of the overlays go.
 #include "harness.h"
-#include "panels/overlay_labels.h"
+#include "panels/canvas/overlay_labels.h"
 
 namespace talus::label_test {
 

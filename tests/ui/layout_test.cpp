@@ -7,8 +7,8 @@
 #include "edit/map_rectangle.h"
 #include "formats/format.h"
 #include "harness.h"
-#include "panels/commands.h"
-#include "panels/theme.h"
+#include "panels/commands/commands.h"
+#include "panels/ui/theme.h"
 #include "platform/picture.h"
 #include "platform/sdl_keys.h"
 

@@ -5,8 +5,8 @@
 #include <ostream>
 
 #include "harness.h"
-#include "panels/commands.h"
-#include "panels/shown_text.h"
+#include "panels/commands/commands.h"
+#include "panels/ui/shown_text.h"
 #include "platform/picture.h"
 
 namespace talus::long_text_test {

@@ -2,8 +2,8 @@
 #include <SDL_clipboard.h>
 
 #include "harness.h"
-#include "panels/edit_text.h"
-#include "panels/status_panel.h"
+#include "panels/level/edit_text.h"
+#include "panels/window/status_panel.h"
 
 namespace talus::map_test {
 

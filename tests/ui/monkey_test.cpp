@@ -7,7 +7,7 @@
 
 #include "formats/format.h"
 #include "harness.h"
-#include "panels/commands.h"
+#include "panels/commands/commands.h"
 
 namespace talus::monkey_test {
 

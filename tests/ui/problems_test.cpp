@@ -4,7 +4,7 @@
 
 #include "harness.h"
 #include "level/lint.h"
-#include "panels/problem_list.h"
+#include "panels/level/problem_list.h"
 
 namespace talus::problems_test {
 

@@ -2,7 +2,7 @@
 #include <fstream>
 
 #include "harness.h"
-#include "panels/reading_panel.h"
+#include "panels/files/reading_panel.h"
 
 namespace talus::reading_test {
 

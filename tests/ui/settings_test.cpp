@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "harness.h"
-#include "panels/commands.h"
+#include "panels/commands/commands.h"
 #include "platform/picture.h"
 
 namespace talus::settings_test {

@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "panels/command_search.h"
-#include "panels/panel_list.h"
+#include "panels/commands/command_search.h"
+#include "panels/window/panel_list.h"
 
 namespace talus::command_coverage_test {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "panels/flag_brush.h"
+#include "panels/tiles/flag_brush.h"
 
 namespace talus::flag_tools_test {
 

@@ -1,5 +1,5 @@
 // Names found by a few letters.
-#include "panels/fuzzy_match.h"
+#include "panels/ui/fuzzy_match.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The level that a view of what was played shows.
-#include "panels/level_then.h"
+#include "panels/canvas/level_then.h"
 #include "edit/map_stroke.h"
 
 #include <gmock/gmock.h>

@@ -9,7 +9,7 @@
 
 #include "folder_test.h"
 #include "overlay/overlay_id.h"
-#include "panels/key_conflicts.h"
+#include "panels/commands/key_conflicts.h"
 #include "platform/preferences_json.h"
 #include "platform/settings.h"
 

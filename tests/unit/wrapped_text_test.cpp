@@ -1,5 +1,5 @@
 // Lines that end between words.
-#include "panels/wrapped_text.h"
+#include "panels/ui/wrapped_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

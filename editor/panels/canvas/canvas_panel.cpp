@@ -1,0 +1,122 @@
+// The toolbar and the split of the canvases.
+#include "canvas_panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "panels/commands/commands.h"
+#include "panels/debugger/compare_choice.h"
+#include "panels/tiles/flag_choice.h"
+#include "panels/tiles/flag_label.h"
+#include "panels/ui/splitter.h"
+
+namespace talus {
+namespace {
+
+struct ToolButton {
+  std::string_view command;
+  Icon icon;
+};
+
+void draw_mode(std::string_view widget, std::string_view label, std::string_view id, const Session& session,
+               Actions& actions, Ui& ui) {
+  const Command& command = find_command(id);
+  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
+    command.run(session, actions, ui);
+}
+
+// Short enough for the toolbar.
+std::string short_label(const Level& level, FlagPattern pattern) {
+  const bool is_flag = pattern == pattern_of_flag(pattern.lowest_flag());
+  return is_flag ? "flag " + std::to_string(pattern.lowest_flag()) : pattern_label(level, pattern);
+}
+
+}  // namespace
+
+void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_toolbar(session, actions, ui);
+  switch (ui.view.canvas) {
+    case CanvasMode::map:
+      map_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
+      break;
+    case CanvasMode::play:
+      draw_play(session, actions, ui, ImGui::GetContentRegionAvail());
+      break;
+    case CanvasMode::both:
+    case CanvasMode::two_maps:
+      draw_both(session, actions, ui);
+      break;
+  }
+}
+
+void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
+  if (!ui.view.split_compared || !is_compared(session)) return play_.draw(session, actions, ui, size);
+  const float gap = ui.px(2), half = (size.x - gap) / 2;
+  play_.draw(session, actions, ui, {half, size.y});
+  ImGui::SameLine(0, gap);
+  play_.draw_other_side(session, ui, {half, size.y});
+}
+
+void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float bar = ui.px(kSplitterWidth), least = ui.px(80);
+  float upper = static_cast<float>(ui.view.layout.canvas_split) * room.y;
+  upper = std::clamp(upper, std::min(least, room.y / 2), std::max(room.y - least - bar, room.y / 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  map_.draw(session, actions, ui, {room.x, upper});
+  const float moved = splitter("canvas/split", {room.x, bar}, SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.layout.canvas_split = (upper + moved) / room.y;
+  const ImVec2 lower{room.x, room.y - upper - bar};
+  if (ui.view.canvas == CanvasMode::two_maps)
+    second_map_.draw(session, actions, ui, lower);
+  else
+    draw_play(session, actions, ui, lower);
+  ImGui::PopStyleVar();
+}
+
+void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
+  // Half the usual gap, so that all of it has room in two lines of a window 1152 px wide.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
+  draw_mode("canvas/map", "Map", "canvas/map", session, actions, ui);
+  ImGui::SameLine();
+  draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
+  ImGui::SameLine();
+  draw_mode("canvas/both", "Both", "canvas/both", session, actions, ui);
+  ImGui::SameLine();
+  draw_mode("canvas/two_maps", "Maps", "canvas/two_maps", session, actions, ui);
+  constexpr ToolButton kTools[] = {
+      {"map/stamp", Icon::stamp},     {"map/pan", Icon::pan},     {"map/select", Icon::select},
+      {"map/fill", Icon::fill},       {"map/line", Icon::line},   {"map/rectangle", Icon::rectangle},
+      {"map/ellipse", Icon::ellipse}, {"map/slope", Icon::slope}, {"map/segment", Icon::segment},
+      {"map/curve", Icon::curve},     {"map/body", Icon::body},   {"map/ground", Icon::ground},
+      {"map/erase", Icon::erase},     {"map/pick", Icon::pick}};
+  const float button = ui.px(theme::kButton);
+  for (const ToolButton& tool : kTools) {
+    ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);
+    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
+  }
+  constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
+                                  {"canvas/zoom_in", Icon::zoom_in},
+                                  {"map/random", Icon::dice},
+                                  {"map/minimap", Icon::minimap},
+                                  {"canvas/grid", Icon::grid},
+                                  {"canvas/borders", Icon::borders},
+                                  {"canvas/paint_in_play", Icon::pencil}};
+  for (const ToolButton& tool : kView) {
+    const bool has_play = ui.view.canvas == CanvasMode::play || ui.view.canvas == CanvasMode::both;
+    if (tool.command == "canvas/paint_in_play" && !has_play) continue;
+    ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
+    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
+  }
+  ui.same_line_if_fits(ui.px(84));
+  draw_flag_tint_choice(session, actions, ui);
+  ImGui::PopStyleVar();
+}
+
+void CanvasPanel::draw_flag_tint_choice(const Session& session, Actions& actions, Ui& ui) {
+  const auto now = session.choices().flag_overlay;
+  draw_flag_choice("canvas/flag_tint", now ? short_label(session.level(), *now) : "no tint", ui.px(84),
+                   session, actions, ui);
+}
+
+}  // namespace talus

@@ -1,0 +1,12 @@
+// What to do where the level has no tiles for ground.
+#pragma once
+
+#include "panels/ui/ui.h"
+#include "session/session.h"
+
+namespace talus {
+
+// Brings the panel with the ground's tiles to the front and says what it is for.
+void ask_for_ground_tiles(Actions& actions, Ui& ui);
+
+}  // namespace talus

@@ -1,0 +1,474 @@
+// The canvas: camera, mouse and the order of the layers.
+#include "level_canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "canvas_layers.h"
+#include "case_note.h"
+#include "mouse_mark.h"
+#include "other_side.h"
+#include "overlay_painter.h"
+#include "panels/commands/commands.h"
+#include "panels/debugger/compare_choice.h"
+#include "panels/debugger/input_roll.h"
+#include "panels/inspector/chosen_curve.h"
+#include "panels/tiles/flag_label.h"
+#include "panels/ui/wrapped_text.h"
+#include "play_keys.h"
+#include "selection_drawing.h"
+#include "shape_drawing.h"
+
+namespace talus {
+namespace {
+
+Vec2 size_in_pixels(const TileMap& map) {
+  return {static_cast<double>(map.width()) * kTileSize, static_cast<double>(map.height()) * kTileSize};
+}
+
+// The topmost body at a point, with some tolerance for the hand; 0 when there is none.
+int body_at(const State& state, Vec2 p, double tolerance) {
+  int found = 0;
+  for (const Body& body : state.bodies) {
+    const Rect& b = body.box;
+    if (p.x >= b.x - tolerance && p.x <= b.right() + tolerance && p.y >= b.y - tolerance &&
+        p.y <= b.bottom() + tolerance)
+      found = body.id;
+  }
+  return found;
+}
+
+// A text on a dark plate, so that it can be read over any art. Returns its width.
+float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
+  const ImVec2 size = size_of_text(text);
+  const ImVec2 pad{ui.px(6), ui.px(2)};
+  list.AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
+                     theme::color(theme::kDark, 205), ui.px(3));
+  add_text(list, {at.x + pad.x, at.y + pad.y}, color, text);
+  return size.x + 2 * pad.x;
+}
+
+// A text as lines that a plate each has room for.
+std::vector<std::string> plate_lines(const std::string& text, const CanvasView& view, const Ui& ui) {
+  const float width = view.max.x - view.min.x - ui.px(4 + 12 + 4);
+  const auto fits = [width](std::string_view line) { return size_of_text(line).x <= width; };
+  const auto lines = lines_between_words(text, fits);
+  return {lines.begin(), lines.end()};
+}
+
+std::string zoom_text(float zoom) {
+  if (zoom >= 1) return std::to_string(static_cast<int>(zoom)) + "x";
+  return "1/" + std::to_string(static_cast<int>(1 / zoom)) + "x";
+}
+
+// What the keyboard's cursor is ready for.
+std::string cursor_hint(const Ui& ui) {
+  if (ui.view.cursor.pen_down())
+    return "   pen down: " + keys_of(find_command("view/cursor"), ui) + " lifts it";
+  return "   " + keys_of(find_command("cursor/press"), ui) + ": left button   " +
+         keys_of(find_command("view/cursor"), ui) + ": pen down   " +
+         keys_of(find_command("cursor/end"), ui) + ": end";
+}
+
+// How much of what is drawn on the map a box hides: in places that are kStep px apart.
+int tiles_below(const TileMap& map, const ScreenBox& box, const CanvasView& view) {
+  constexpr float kStep = 4;
+  int count = 0;
+  for (float y = box.min.y; y <= box.max.y; y += kStep) {
+    for (float x = box.min.x; x <= box.max.x; x += kStep) {
+      const Cell cell = view.to_cell({x, y});
+      if (map.contains(cell) && map.at(cell) != 0) ++count;
+    }
+  }
+  return count;
+}
+
+// Of those that tools are used with.
+int pressed_button() {
+  if (ImGui::IsMouseClicked(2)) return LevelToolHand::kMiddle;
+  return ImGui::IsMouseClicked(0) ? LevelToolHand::kLeft : LevelToolHand::kNoButton;
+}
+
+Rgb rgb_of(ImU32 color) {
+  const auto channel = [color](int shift) { return static_cast<std::uint8_t>(color >> shift & 0xFF); };
+  return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
+}
+
+}  // namespace
+
+void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
+  size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
+  start_afresh(session, ui, size);
+  take_requests(session, ui, size);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton(name_.c_str(), size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  ui.item(name_ + "/canvas");
+  handle_mouse(session, actions, ui, camera_.view(min, size));
+  follow_cursor(session, ui, camera_.view(min, size));
+  follow_body(session, ui);
+  camera_.clamp(size_in_pixels(session.level().map), size);
+
+  const CanvasView view = camera_.view(min, size);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(view.min, view.max, true);
+  draw_layers(session, view, ui);
+  if (ui.view.marked_cell)
+    draw_cell_frame(list, {ui.view.marked_cell->x, ui.view.marked_cell->y, 1, 1}, view,
+                    theme::color(theme::kWarning), ui.px(2));
+  const bool paints = !is_play() || ui.view.paint_in_play;
+  if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
+  if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
+    hand_.draw(list, use(session, view, ui));
+  if (holding_ && !session.playback().running) draw_held(session, view, ui);
+  draw_captions(session, view, ui);
+  sheet_overlay_.draw(list, session, view, ui);
+  if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/overview");
+  ui.view.cursor.draw(name_, list, view, ui.scale);
+  list.PopClipRect();
+}
+
+void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
+  size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
+  const CanvasView view = camera_.view(ImGui::GetCursorScreenPos(), size);
+  ImGui::Dummy(size);
+  ui.item("play/other_side");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(view.min, view.max, true);
+  const Timeline& timeline = session.timeline();
+  // A variant goes through the levels of the run that is shown.
+  const bool is_branch = !session.debugger().side_by_side().variant() && timeline.compared() != nullptr;
+  other_then_.show(session, is_branch ? *timeline.compared() : timeline.current(), timeline.frame());
+  draw_ground(session, &other_then_, 2, view, ui);
+  draw_other_bodies(list, session, other_then_.level(session), view, ui);
+  const ImVec2 at{view.min.x + ui.px(4), view.min.y + ui.px(4)};
+  const std::string missing = missing_side(session);
+  const std::string title = missing.empty() ? other_side_name(session) : missing;
+  const float plate = ImGui::GetTextLineHeight() + ui.px(8);
+  const auto then =
+      other_then_.is_other() ? plate_lines(other_then_.caption(), view, ui) : std::vector<std::string>();
+  const ScreenBox covered{view.min, {view.max.x, at.y + plate * static_cast<float>(1 + then.size())}};
+  draw_other_overlays(list, session, view, ui.scale, std::span(&covered, 1));
+  draw_plate(list, at, title, theme::color(theme::kMuted), ui);
+  for (std::size_t i = 0; i < then.size(); ++i)
+    draw_plate(list, {at.x, at.y + plate * static_cast<float>(i + 1)}, then[i], theme::color(theme::kWarning),
+               ui);
+  list.PopClipRect();
+}
+
+// What a tool gets to know; nothing of a drag, which is its hand's.
+LevelToolUse LevelCanvas::use(const Session& session, const CanvasView& view, Ui& ui) const {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {session, ui, view, view.to_level(mouse), view.to_cell(mouse), ImGui::IsItemHovered()};
+}
+
+// Shows the first screen of another level, and shows it as large as a changed window allows until the user
+// has chosen a view.
+void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size) {
+  const bool another = level_number_ != ui.view.level_number;
+  const bool resized = size.x != size_.x || size.y != size_.y;
+  level_number_ = ui.view.level_number;
+  size_ = size;
+  if (!another && !(resized && camera_.is_untouched())) return;
+  fit_first_screen(session.level().map, size);
+}
+
+void LevelCanvas::fit_first_screen(const TileMap& map, ImVec2 size) {
+  camera_ = Camera();
+  const Vec2 whole = size_in_pixels(map);
+  camera_.fit({std::min<double>(whole.x, kScreenColumns * kTileSize),
+               std::min<double>(whole.y, kScreenRows * kTileSize)},
+              size);
+}
+
+// Whether the requests of the view are for this canvas, of the two that may be shown.
+bool LevelCanvas::has_requests(const View& view) const {
+  if (view.canvas == CanvasMode::both) return view.play_active == is_play();
+  return view.canvas != CanvasMode::two_maps || view.second_map == is_second_;
+}
+
+void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
+  View& v = ui.view;
+  const bool mine = has_requests(v);
+  const Vec2 map = size_in_pixels(session.level().map);
+  camera_.limit(map, size);
+  const bool centres = v.canvas == CanvasMode::two_maps ? mine : !is_play() || v.canvas == CanvasMode::play;
+  if (v.centre_on && centres) {
+    const Vec2 place{(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize};
+    if (!camera_.is_in_sight(place, size)) camera_.leave_whole(place, size);
+    v.centre_on.reset();
+  }
+  if (!mine) return;
+  if (v.zoom_by != 0) camera_.zoom_at({size.x / 2, size.y / 2}, v.zoom_by);
+  camera_.scroll(v.scroll_by);
+  if (v.fit_map) camera_.toggle_whole(map, size);
+  if (v.fit_first_screen) fit_first_screen(session.level().map, size);
+  v.zoom_by = 0;
+  v.scroll_by = {};
+  v.fit_map = v.fit_first_screen = false;
+}
+
+void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const Cell cell = view.to_cell(io.MousePos);
+  if (hovered) {
+    ui.view.hover.pixel = view.to_level(io.MousePos);
+    if (session.level().map.contains(cell)) {
+      ui.view.hover.cell = cell;
+      ui.view.tile_places[session.level().map.at(cell)] = cell;
+    }
+    zoom_by_wheel({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
+    if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||
+        io.MouseWheel != 0) {
+      ui.view.play_active = is_play();
+      ui.view.second_map = is_second_;
+    }
+  }
+  if (hovered && ImGui::IsMouseClicked(0)) {
+    ui.view.marked_cell.reset();
+    if (ui.view.hover.cell) ui.view.debugger.clicked_cell = cell;
+  }
+  const bool is_held = panning_ || holding_ || is_editing();
+  if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
+  if (pick_cell(session, ui, cell, hovered)) return;
+  const bool paints = !is_play() || ui.view.paint_in_play;
+  if (paints && sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || panning_)) return;
+  if (handle_minimap(session, view, ui, hovered)) return;
+  if (handle_panning(session, ui, paints, hovered)) return;
+  if (handle_world_view(session, hovered)) return;
+  if (paints || is_editing())
+    hand_.update(use(session, view, ui), actions, hovered ? pressed_button() : LevelToolHand::kNoButton);
+  else
+    handle_play_mouse(session, actions, view, hovered);
+}
+
+// A breakpoint's panel asks for a cell; a click beside the map chooses none.
+bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const {
+  if (!ui.view.debugger.picks_cell || !hovered) return false;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (ImGui::IsMouseClicked(0)) {
+    ui.view.debugger.picks_cell = false;
+    if (session.level().map.contains(cell)) ui.view.debugger.picked_cell = cell;
+  }
+  return true;
+}
+
+// The chosen body stays in sight, unless the hand moves the view.
+void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
+  const Body* body = session.state().find(session.choices().body);
+  if (is_play() && ui.view.debugger.follow_body && body != nullptr && !panning_ && !holding_)
+    camera_.keep_in_sight(body->box.center(), size_);
+}
+
+// Where lines are drawn, the keyboard's cursor goes from corner to corner.
+void LevelCanvas::follow_cursor(const Session& session, Ui& ui, const CanvasView& view) {
+  const TileMap& map = session.level().map;
+  const MapTool tool = session.choices().map_tool;
+  const CursorGround ground{{0, 0, map.width() * kTileSize, map.height() * kTileSize},
+                            kTileSize,
+                            tool == MapTool::slope || draws_curves(tool)};
+  const auto moved = ui.view.cursor.visit(name_, view, ground, ImGui::GetIO().MousePos);
+  if (moved) camera_.keep_in_sight(*moved, size_);
+}
+
+// In the world view a click goes to its place, as in TIC-80.
+bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
+  if (!camera_.shows_whole() || is_editing()) return false;
+  if (hovered && ImGui::IsMouseClicked(0)) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos, min = ImGui::GetItemRectMin();
+    const Vec2 map = size_in_pixels(session.level().map);
+    const Vec2 at = camera_.view(min, size_).to_level(mouse);
+    camera_.leave_whole({std::clamp(at.x, 0.0, map.x), std::clamp(at.y, 0.0, map.y)}, size_);
+  }
+  return true;
+}
+
+bool LevelCanvas::handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered) {
+  if (!has_minimap(ui) || is_editing()) return false;
+  std::optional<Vec2> centre;
+  const bool taken =
+      minimap_.update(session.level().map, view, ui, hovered && !panning_ && !ui.view.cursor.on(), centre);
+  if (centre) camera_.centre(*centre, size_);
+  return taken;
+}
+
+// Touch pads turn the wheel by fractions, which add up.
+void LevelCanvas::zoom_by_wheel(ImVec2 at) {
+  wheel_ += ImGui::GetIO().MouseWheel;
+  const int steps = static_cast<int>(wheel_);
+  wheel_ -= static_cast<float>(steps);
+  if (steps != 0) camera_.zoom_at(at, steps);
+}
+
+bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view) &&
+                     !ui.view.cursor.on();
+  const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
+  const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
+  if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0)))) panning_ = true;
+  if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
+  if (panning_) camera_.scroll({-io.MouseDelta.x, -io.MouseDelta.y});
+  if (panning_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  return panning_;
+}
+
+void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view,
+                                    bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 at = view.to_level(io.MousePos);
+  if (hovered && ImGui::IsMouseClicked(0)) {
+    holding_ = true;
+    actions.push_back(action::SelectBody{body_at(session.state(), at, 2.0 / view.zoom)});
+  }
+  if (holding_ && !io.MouseDown[0]) {
+    holding_ = false;
+    actions.push_back(action::HoldMouse{at, false});
+  }
+  if (holding_) actions.push_back(action::HoldMouse{at, true});
+}
+
+// The level without its bodies. then: what is shown of it; null: all as it is now.
+void LevelCanvas::draw_ground(const Session& session, const LevelThen* then, int place,
+                              const CanvasView& view, const Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool is_other = then != nullptr && then->is_other();
+  const Level& level = is_other ? then->level(session) : session.level();
+  const auto& tint = session.choices().flag_overlay;
+  const bool far = is_far(view) && ui.map_textures != nullptr;
+  if (far) {
+    const OtherLevel other{&level, is_other ? then->number() : 0, place};
+    list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
+    draw_far_tiles(list, level.map, view, ui,
+                   {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}},
+                   is_other ? &other : nullptr);
+  } else {
+    draw_tiles(list, level, view, ui, is_play());
+  }
+  if (is_other) draw_marked_cells(list, then->changed(), view);
+  draw_curves(list, level, view, ui.scale);
+  if (tint && !far) draw_flag_tint(list, level, view, *tint);
+}
+
+void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, const Ui& ui) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (is_play()) then_.show(session, session.timeline().current(), session.timeline().frame());
+  const Level& level = is_play() ? then_.level(session) : session.level();
+  const Choices& choices = session.choices();
+  draw_ground(session, is_play() ? &then_ : nullptr, 1, view, ui);
+  if (choices.overlays.has(OverlayId::shapes))
+    draw_shapes(list, level, view, overlay_color(OverlayId::shapes, choices.overlay_palette), ui);
+  if (choices.grid && !is_play()) draw_grid(list, level.map, view);
+  if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
+  if (!is_play()) draw_spawns(list, level, view, ui);
+  const bool at_start = session.state().frame == 0;
+  draw_bodies(list, session, level, view, ui, is_play() || at_start ? 255 : 130);
+  if (!is_play()) return;
+  const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
+  const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
+  if (!ui.view.split_compared) draw_ghosts(list, session, view, ui.scale);
+  std::vector<ScreenBox> covered{captions_box(session, view, ui)};
+  if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
+  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage, covered);
+  if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
+}
+
+// A held ball moves with the steps alone: while there are none, a line shows where it is drawn to.
+void LevelCanvas::draw_held(const Session& session, const CanvasView& view, const Ui& ui) const {
+  const Body* body = session.state().find(session.state().grabbed);
+  if (body == nullptr) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 from = view.to_screen({body->box.x + body->box.w / 2, body->box.y + body->box.h / 2});
+  const ImVec2 to = ImGui::GetIO().MousePos;
+  list.AddLine(from, to, theme::color(theme::kDark, 200), ui.px(2) + 2);
+  list.AddLine(from, to, theme::color(theme::kAccent), ui.px(2));
+  list.AddCircleFilled(to, ui.px(3), theme::color(theme::kAccent));
+  const std::string text = "paused: step (" + keys_of(find_command("play/step"), ui) + ") or play (" +
+                           keys_of(find_command("play/toggle"), ui) + ") to move it";
+  draw_plate(list, {view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)}, text,
+             theme::color(theme::kText), ui);
+}
+
+// Plates below one another in the top left corner, or, in the world view, in the bottom left one where they
+// hide less.
+std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, const CanvasView& view,
+                                                        const Ui& ui) const {
+  std::string title = std::string(is_play()    ? "Play"
+                                  : is_second_ ? "Second map"
+                                               : "Map") +
+                      "  " + zoom_text(view.zoom);
+  if (camera_.shows_whole()) title += "   click: go there";
+  if (ui.view.cursor.is_on(name_)) title += cursor_hint(ui);
+  if (!is_play()) return {{title, theme::kMuted}};
+  if (is_compared(session)) {
+    const std::string missing = missing_side(session);
+    title += "   " + shown_side_name(session);
+    if (!ui.view.split_compared)
+      title += "   ghosts: " + (missing.empty() ? other_side_name(session) : missing);
+  }
+  if (keys_steer(session, ui.view))
+    title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
+  std::vector<Caption> captions{{title, theme::kMuted}};
+  if (const std::string note = case_note(session); !note.empty()) captions.push_back({note, theme::kMuted});
+  if (!then_.is_other()) return captions;
+  for (std::string& line : plate_lines(then_.caption(), view, ui))
+    captions.push_back({std::move(line), theme::kWarning});
+  return captions;
+}
+
+ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& view, const Ui& ui) const {
+  const float gap = ui.px(4), line = ImGui::GetTextLineHeight() + ui.px(4) + gap;
+  ScreenBox box{view.min, view.min};
+  for (const Caption& caption : captions(session, view, ui)) {
+    const float width = size_of_text(caption.text).x + 2 * ui.px(6);
+    box.max = {std::max(box.max.x, view.min.x + gap + width), box.max.y + line};
+  }
+  if (!camera_.shows_whole()) return box;
+  const float flags = session.choices().flag_overlay ? line : 0;  // that are tinted, below
+  const float down = view.max.y - box.max.y - gap - flags;
+  const ScreenBox low{{box.min.x, box.min.y + down}, {box.max.x, box.max.y + down}};
+  const TileMap& map = session.level().map;
+  return tiles_below(map, low, view) < tiles_below(map, box, view) ? low : box;
+}
+
+// Beside the captions, or below them where they leave no room.
+OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
+  const ScreenBox captions = captions_box(session, view, ui);
+  const bool beside = captions.min.y > view.min.y ||
+                      captions.max.x + OverlayLegend::width(session.choices(), ui) <= view.max.x;
+  return {session.choices(), view, beside ? view.min.y : captions.max.y, ui};
+}
+
+void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float gap = ui.px(4);
+  const ScreenBox box = captions_box(session, view, ui);
+  ui.place(name_ + "/captions", box.min, box.max);
+  float at = box.min.y + gap;
+  for (const Caption& caption : captions(session, view, ui)) {
+    draw_plate(list, {view.min.x + gap, at}, caption.text, theme::color(caption.color), ui);
+    at += gap + ImGui::GetTextLineHeight() + ui.px(4);
+  }
+  if (is_play()) legend(session, view, ui).draw(list);
+  if (const auto pattern = session.choices().flag_overlay) {
+    const bool paints = !is_play() || ui.view.paint_in_play;
+    const std::string hint = paints ? hand_.hint(use(session, view, ui)) : std::string();
+    const std::string text = hint.empty() ? "tinted: " + pattern_label(session.level(), *pattern) : hint;
+    const float height = ImGui::GetTextLineHeight() + ui.px(4);
+    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text,
+               flag_color(pattern->lowest_flag(), 255), ui);
+  }
+  if (is_play() && session.state().bodies.empty()) {
+    const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
+                             keys_of(find_command("map/body"), ui) + ")";
+    const float width = size_of_text(text).x + ui.px(12);
+    draw_plate(list,
+               {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},
+               text, theme::color(theme::kText), ui);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,80 @@
+// LevelCanvas: a view of the level with its bodies, overlays and tools as layers. The map and the play view
+// are two of them.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "camera.h"
+#include "level_then.h"
+#include "minimap.h"
+#include "overlay_legend.h"
+#include "panels/tools/level/level_tools.h"
+#include "panels/ui/ui.h"
+#include "session/session.h"
+#include "sheet_overlay.h"
+
+namespace talus {
+
+class LevelCanvas {
+ public:
+  enum class Kind {
+    map,   // shows the level as it is drawn, and paints on it
+    play,  // shows the bodies with the overlays; the left button holds balls
+  };
+  // name: of its widgets: "map", "play". is_second: of two maps.
+  LevelCanvas(Kind kind, std::string name, bool is_second = false)
+      : kind_(kind), is_second_(is_second), name_(std::move(name)) {}
+
+  void draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
+  // The other side of a comparison, where this canvas shows the first; with no mouse of its own.
+  void draw_other_side(const Session& session, Ui& ui, ImVec2 size);
+
+ private:
+  // Whether a drag that changes the level is under way: it goes on, whatever tool is chosen meanwhile.
+  bool is_editing() const { return hand_.active(); }
+  LevelToolUse use(const Session& session, const CanvasView& view, Ui& ui) const;
+  bool is_play() const { return kind_ == Kind::play; }
+  void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
+  void fit_first_screen(const TileMap& map, ImVec2 size);
+  void take_requests(const Session& session, Ui& ui, ImVec2 size);
+  void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
+  void follow_cursor(const Session& session, Ui& ui, const CanvasView& view);
+  bool handle_world_view(const Session& session, bool hovered);
+  bool handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered);
+  bool has_minimap(const Ui& ui) const { return !is_play() && ui.view.minimap && !camera_.shows_whole(); }
+  bool has_requests(const View& view) const;
+  void zoom_by_wheel(ImVec2 at);
+  bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);
+  void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
+  void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
+  void draw_ground(const Session& session, const LevelThen* then, int place, const CanvasView& view,
+                   const Ui& ui) const;
+  void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
+  struct Caption {
+    std::string text;
+    std::uint32_t color;
+  };
+  std::vector<Caption> captions(const Session& session, const CanvasView& view, const Ui& ui) const;
+  ScreenBox captions_box(const Session& session, const CanvasView& view, const Ui& ui) const;
+  OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
+  bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
+  void follow_body(const Session& session, const Ui& ui);
+  void draw_captions(const Session& session, const CanvasView& view, Ui& ui) const;
+
+  Kind kind_;
+  bool is_second_;
+  std::string name_;
+  Camera camera_;
+  LevelToolHand hand_;
+  SheetOverlay sheet_overlay_;
+  Minimap minimap_;
+  LevelThen then_, other_then_;  // of play, at the shown frame: the level of this side and of the other one
+  int level_number_ = -1;        // of the level that the camera was set for
+  float wheel_ = 0;              // clicks of the wheel that made no whole step yet
+  ImVec2 size_;                  // px, of the canvas in the last frame
+  bool panning_ = false;
+  bool holding_ = false;  // the left button went down on the play view
+};
+
+}  // namespace talus

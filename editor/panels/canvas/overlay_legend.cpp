@@ -1,0 +1,106 @@
+// The corner of the play view.
+#include "overlay_legend.h"
+
+#include <algorithm>
+
+#include "overlay_painter.h"
+#include "overlay_switches.h"
+#include "panels/commands/commands.h"
+
+namespace talus {
+namespace {
+
+constexpr float kLegendSwatch = 14, kLegendPad = 4, kLegendText = 6;  // px at scale 1
+// Of the canvas, that names may take: more would hide the level.
+constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
+
+const OverlayInfo& legend_info(OverlayId id) { return overlay_infos()[static_cast<std::size_t>(id)]; }
+
+float name_width(OverlayId id) {
+  const std::string_view label = legend_info(id).label;
+  return size_of_text(label).x;
+}
+
+float name_line(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(2); }
+
+std::vector<OverlayId> shown_overlays(const Choices& choices, const Ui& ui) {
+  std::vector<OverlayId> shown;
+  if (overlay_names_fit(ui)) return shown;
+  for (const OverlayInfo& info : overlay_infos())
+    if (choices.overlays.has(info.id)) shown.push_back(info.id);
+  return shown;
+}
+
+float names_width(const std::vector<OverlayId>& shown, const Ui& ui) {
+  float text = 0;
+  for (const OverlayId id : shown) text = std::max(text, name_width(id));
+  return text + ui.px(kLegendSwatch) + ui.px(kLegendText) + 2 * ui.px(kLegendPad);
+}
+
+}  // namespace
+
+float OverlayLegend::width(const Choices& choices, const Ui& ui) {
+  const auto shown = shown_overlays(choices, ui);
+  return shown.empty() ? 0 : names_width(shown, ui) + ui.px(kLegendPad);
+}
+
+OverlayLegend::OverlayLegend(const Choices& choices, const CanvasView& view, float top, const Ui& ui)
+    : choices_(choices), ui_(ui), shown_(shown_overlays(choices, ui)) {
+  const float width = view.max.x - view.min.x, height = view.max.y - view.min.y, pad = ui.px(kLegendPad);
+  if (shown_.empty() || height < ui.px(80) || width < ui.px(80)) return;
+  const ImVec2 corner{view.max.x - pad, top + pad};
+  lay_out_names(corner);
+  const float w = box_->max.x - box_->min.x, h = box_->max.y - box_->min.y;
+  is_tight_ = w > kMostWide * width || h > kMostHigh * height || w * h > kMostOfAll * width * height;
+  has_names_ = !is_tight_ && !ui.view.debugger.legend_folded;
+  if (!has_names_) lay_out_swatches(corner, view.max.y - pad - corner.y);
+}
+
+void OverlayLegend::lay_out_names(ImVec2 corner) {
+  const float height = name_line(ui_) * static_cast<float>(shown_.size()) + 2 * ui_.px(kLegendPad);
+  box_ = {{corner.x - names_width(shown_, ui_), corner.y}, {corner.x, corner.y + height}};
+}
+
+void OverlayLegend::lay_out_swatches(ImVec2 corner, float room) {
+  const float cell = name_line(ui_), pad = ui_.px(kLegendPad);
+  const int count = static_cast<int>(shown_.size());
+  rows_ = std::clamp(static_cast<int>((room - 2 * pad) / cell), 1, count);
+  const int columns = (count + rows_ - 1) / rows_;
+  box_ = {{corner.x - 2 * pad - cell * static_cast<float>(columns), corner.y},
+          {corner.x, corner.y + 2 * pad + cell * static_cast<float>(rows_)}};
+}
+
+void OverlayLegend::draw(ImDrawList& list) const {
+  if (!box_) return;
+  const float cell = name_line(ui_), swatch = ui_.px(kLegendSwatch), pad = ui_.px(kLegendPad);
+  list.AddRectFilled(box_->min, box_->max, theme::color(theme::kDark, 190), ui_.px(3));
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const int n = static_cast<int>(i), row = has_names_ ? n : n % rows_, column = has_names_ ? 0 : n / rows_;
+    const ImVec2 at{box_->min.x + pad + cell * static_cast<float>(column),
+                    box_->min.y + pad + cell * static_cast<float>(row)};
+    paint_overlay_swatch(list, shown_[i], {at.x, at.y + (cell - swatch) / 2}, swatch,
+                         choices_.overlay_palette);
+    const std::string_view label = legend_info(shown_[i]).label;
+    if (has_names_)
+      add_text(list, {at.x + swatch + ui_.px(kLegendText), at.y}, theme::color(theme::kMuted), label);
+  }
+}
+
+std::string OverlayLegend::help() const {
+  if (has_names_) return "The overlays that are shown. Click to fold their names away.";
+  std::string names;
+  for (const OverlayId id : shown_) names.append(names.empty() ? "" : ", ").append(legend_info(id).label);
+  return "Shown: " + names + ". " + (is_tight_ ? "Their names have no room here." : "Click for the names.");
+}
+
+bool OverlayLegend::take_mouse(Ui& ui) const {
+  if (!box_) return false;
+  ui.place("play/legend", box_->min, box_->max);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (!ImGui::IsItemHovered() || !ScreenBox{mouse, mouse}.inside(*box_)) return false;
+  ui.tooltip(help(), keys_of(find_command("canvas/legend"), ui));
+  if (ImGui::IsMouseClicked(0)) ui.view.debugger.legend_folded = !ui.view.debugger.legend_folded;
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,255 @@
+// Strokes lines, boxes, marks, bars and labels in level pixels onto a canvas.
+#include "overlay_painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "overlay_labels.h"
+#include "panels/ui/theme.h"
+
+namespace talus {
+namespace {
+
+constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
+constexpr float kThinZoom = 2;  // at scale 1; below, all is thinner, as bodies are hardly larger than marks
+constexpr float kPiece = 16;    // px at scale 1: lines are kept clear in pieces of this length
+constexpr int kMostPieces = 64;
+
+// What is thin and without a rim, so that it does not hide what it is about.
+bool is_faint(OverlayId id) { return id == OverlayId::removed_edges || id == OverlayId::trails; }
+
+bool covers_much(OverlayId id) {
+  return is_faint(id) || id == OverlayId::outline || id == OverlayId::one_way || id == OverlayId::swept_path;
+}
+
+class Painter {
+ public:
+  Painter(ImDrawList& list, const CanvasView& view, float scale, int pointed_at, OverlayPalette palette)
+      : list_(list),
+        view_(view),
+        palette_(palette),
+        scale_(scale),
+        pointed_at_(pointed_at),
+        is_low_(view.zoom < kThinZoom * scale),
+        width_(std::max(1.0f, std::round(scale * (is_low_ ? 1.0f : 1.5f)))) {}
+
+  void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
+    for (const OverlayBox& box : drawing.boxes) paint_box(box);
+    for (const OverlayLine& line : drawing.lines) {
+      if (!is_faint(line.overlay) && !is_left_out(line)) stroke(line, outline(), width_ + 2 * rim());
+    }
+    for (const OverlayLine& line : drawing.lines) {
+      if (is_left_out(line)) continue;
+      const int alpha = static_cast<int>(255 * std::clamp(line.strength, 0.0, 1.0));
+      stroke(line, color_of(line.overlay, alpha), is_faint(line.overlay) ? rim() : width_);
+    }
+    for (const OverlayBar& bar : drawing.bars) paint_bar(bar);
+    for (const OverlayMark& mark : drawing.marks) paint_mark(mark);
+    for (const Rect& rect : keep_clear) taken_.push_back(screen_box(rect));
+    keep_clear_of(drawing);
+    paint_labels(drawing.labels);
+  }
+
+ private:
+  ImU32 color_of(OverlayId id, int alpha = 255) const {
+    return theme::color(overlay_color(id, palette_), alpha);
+  }
+  static ImU32 outline() { return theme::color(theme::kDark, 190); }
+  bool is_left_out(const OverlayLine& line) const { return is_low_ && line.detail; }
+  float arm() const { return (is_low_ ? 2.5f : 4.0f) * scale_; }  // of a mark
+  float rim() const { return std::max(1.0f, std::round(scale_ * 0.75f)); }
+
+  void paint_box(const OverlayBox& box) {
+    const ImVec2 from = view_.to_screen({box.box.x, box.box.y});
+    const ImVec2 to = view_.to_screen({box.box.right(), box.box.bottom()});
+    if (box.filled) {
+      list_.AddRectFilled(from, to, color_of(box.overlay, 70));
+      list_.AddRect(from, to, color_of(box.overlay, 150));
+      return;
+    }
+    if (!is_low_) list_.AddRect(from, to, outline(), 0, 0, width_ + 2 * rim());
+    list_.AddRect(from, to, color_of(box.overlay), 0, 0, width_);
+  }
+
+  void stroke(const OverlayLine& line, ImU32 color, float width) {
+    const auto [from, to] = ends(line);
+    list_.AddLine(from, to, color, width);
+    if (!line.arrow) return;
+    const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+    if (length < 1) return;
+    const float head = std::min((is_low_ ? 3.5f : 6.0f) * scale_, length * 0.7f);
+    const float ux = dx / length * head, uy = dy / length * head;
+    const std::array<ImVec2, 3> points = {
+        {{to.x - ux + uy * 0.6f, to.y - uy - ux * 0.6f}, to, {to.x - ux - uy * 0.6f, to.y - uy + ux * 0.6f}}};
+    list_.AddPolyline(points.data(), static_cast<int>(points.size()), color, ImDrawFlags_None, width);
+  }
+
+  void paint_mark(const OverlayMark& mark) {
+    const ImVec2 at = view_.to_screen(mark.at);
+    const float arm = this->arm();
+    for (const auto& [color, width] :
+         {std::pair{outline(), width_ + 2 * rim()}, std::pair{color_of(mark.overlay), width_}}) {
+      list_.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, color, width);
+      list_.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, color, width);
+    }
+  }
+
+  void paint_bar(const OverlayBar& bar) {
+    const ImVec2 from = view_.to_screen({bar.box.x, bar.box.y});
+    const ImVec2 to = view_.to_screen({bar.box.right(), bar.box.bottom()});
+    const float fraction = static_cast<float>(std::clamp(bar.fraction, 0.0, 1.0));
+    list_.AddRectFilled({from.x - rim(), from.y - rim()}, {to.x + rim(), to.y + rim()}, outline());
+    list_.AddRectFilled(from, to, color_of(bar.overlay, 70));
+    list_.AddRectFilled(from, {from.x + (to.x - from.x) * fraction, to.y}, color_of(bar.overlay));
+  }
+
+  // What a label is about must stay visible.
+  void keep_clear_of(const OverlayDrawing& drawing) {
+    for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
+    for (const OverlayLine& line : drawing.lines) {
+      if (!covers_much(line.overlay)) keep_clear_of(line);  // else no label would find room
+    }
+    for (const OverlayMark& mark : drawing.marks) {
+      const ImVec2 at = view_.to_screen(mark.at);
+      const float arm = this->arm();
+      taken_.push_back({{at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}});
+    }
+  }
+  ScreenBox screen_box(Rect rect) const {
+    return {view_.to_screen({rect.x, rect.y}), view_.to_screen({rect.right(), rect.bottom()})};
+  }
+
+  void keep_clear_of(const OverlayLine& line) {
+    const auto way = ends(line);
+    const ImVec2 from = way.first;
+    const float dx = way.second.x - from.x, dy = way.second.y - from.y;
+    const int pieces =
+        std::clamp(static_cast<int>(std::ceil(std::hypot(dx, dy) / (kPiece * scale_))), 1, kMostPieces);
+    const auto at = [&](int i) {
+      const float part = static_cast<float>(i) / static_cast<float>(pieces);
+      return ImVec2{from.x + dx * part, from.y + dy * part};
+    };
+    for (int i = 0; i < pieces; ++i) {
+      const ImVec2 a = at(i), b = at(i + 1);
+      const ScreenBox box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+      taken_.push_back(box.grown(width_));
+    }
+  }
+
+  // Where a line is on the screen.
+  std::pair<ImVec2, ImVec2> ends(const OverlayLine& line) const {
+    const ImVec2 from = view_.to_screen(line.from), to = view_.to_screen(line.to);
+    if (line.overlay != OverlayId::normals) return {from, to};
+    const float part = std::min(1.0f, view_.zoom / (kNormalsZoom * scale_));
+    return {from, {from.x + (to.x - from.x) * part, from.y + (to.y - from.y) * part}};
+  }
+
+  void paint_labels(std::span<const OverlayLabel> labels) {
+    LabelPlacer placer(view_, scale_, pointed_at_, taken_);
+    for (const PlacedLabel& placed : placer.place(labels)) {
+      const ScreenBox& box = placed.box;
+      const OverlayId id = placed.label->overlay;
+      const ImVec2 pad = placer.padding();
+      if (placed.point)
+        list_.AddLine(*placed.point, box.nearest(*placed.point), color_of(id, 120),
+                      std::max(1.0f, std::round(scale_)));
+      list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
+      add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(id),
+               placed.label->text);
+    }
+  }
+
+  ImDrawList& list_;
+  const CanvasView& view_;
+  OverlayPalette palette_;
+  float scale_;
+  int pointed_at_;
+  bool is_low_;
+  float width_;
+  std::vector<ScreenBox> taken_;
+};
+
+}  // namespace
+
+void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<const Rect> keep_clear,
+                    const CanvasView& view, float scale, int pointed_at) {
+  list.PushClipRect(view.min, view.max, true);
+  Painter(list, view, scale, pointed_at, drawing.palette).paint(drawing, keep_clear);
+  list.PopClipRect();
+}
+
+void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size, OverlayPalette palette) {
+  // The colours are made for dark ground.
+  if (theme::is_light())
+    list.AddRectFilled({at.x - 1, at.y - 1}, {at.x + size + 1, at.y + size + 1},
+                       theme::color(theme::kOutside));
+  // The swatch is a canvas of 8 by 8 level pixels that holds one piece of the overlay.
+  const CanvasView view{at, {at.x + size, at.y + size}, {at.x, at.y}, size / 8};
+  OverlayDrawing sample;
+  switch (id) {
+    case OverlayId::boxes:
+      sample.boxes.push_back({id, {1, 1, 6, 6}});
+      break;
+    case OverlayId::normals:
+      sample.lines.push_back({id, {4, 7.5}, {4, 0.5}, true});
+      break;
+    case OverlayId::touch_points:
+      sample.marks.push_back({id, {4, 4}});
+      break;
+    case OverlayId::velocity:
+      sample.lines.push_back({id, {0.5, 6}, {7.5, 2}, true});
+      break;
+    case OverlayId::slope_delta:
+      sample.bars.push_back({id, {0.5, 2.5, 7, 3}, 0.5});
+      break;
+    case OverlayId::floor_height:
+      sample.lines.push_back({id, {0, 5}, {8, 5}});
+      break;
+    case OverlayId::tested_tiles:
+      sample.boxes.push_back({id, {0.5, 0.5, 7, 7}, true});
+      break;
+    case OverlayId::outline:
+      sample.lines.push_back({id, {0, 6.5}, {8, 3.5}});
+      sample.lines.push_back({id, {4, 5}, {3, 2}});
+      break;
+    case OverlayId::removed_edges:
+      sample.lines.push_back({id, {4, 0}, {4, 8}});
+      sample.lines.push_back({id, {0, 4}, {8, 4}});
+      break;
+    case OverlayId::one_way:
+      sample.lines.push_back({id, {4, 7.5}, {4, 0.5}, true});
+      sample.lines.push_back({id, {0, 5}, {8, 5}});
+      break;
+    case OverlayId::swept_path:
+      sample.boxes.push_back({id, {0.5, 0.5, 3, 3}});
+      sample.boxes.push_back({id, {4.5, 4.5, 3, 3}});
+      sample.lines.push_back({id, {2, 2}, {6, 6}});
+      break;
+    case OverlayId::trails:
+      sample.lines.push_back({.overlay = id, .from = {0, 6}, .to = {3, 2}, .strength = 0.5});
+      sample.lines.push_back({id, {3, 2}, {8, 5}});
+      break;
+    case OverlayId::penetration:
+      sample.boxes.push_back({id, {1, 4, 6, 4}, true});
+      sample.lines.push_back({id, {4, 6}, {4, 1}, true});
+      break;
+    case OverlayId::shapes:
+      sample.lines.push_back({id, {0, 7}, {5, 2}});
+      sample.lines.push_back({id, {5, 2}, {8, 2}});
+      break;
+    case OverlayId::reach:
+      sample.boxes.push_back({id, {0, 0, 8, 7}, true});
+      sample.lines.push_back({id, {0, 7}, {8, 7}});
+      break;
+    case OverlayId::answer:
+      sample.boxes.push_back({id, {3, 1, 4, 4}, true});
+      sample.lines.push_back({id, {0, 6.5}, {8, 6.5}});
+      break;
+  }
+  Painter(list, view, size / 16, 0, palette).paint(sample, {});
+}
+
+}  // namespace talus

@@ -1,0 +1,25 @@
+// The shapes of tiles as the overlay "shapes" shows them, on the map and on the sheet.
+#pragma once
+
+#include <vector>
+
+#include "camera.h"
+#include "level/level.h"
+#include "panels/ui/ui.h"
+
+namespace talus {
+
+// What lies between a line, px of the screen from left to right, and a level base.
+void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base, ImU32 color);
+// One shape whose own tile has its top-left corner at `corner`; cell: px of the screen, the tile's side. What
+// only stops bodies from one side is a line; other ground is tinted, too. color: 0xRRGGBB, of the overlay.
+void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, float cell, std::uint32_t color,
+                     const Ui& ui);
+// Those of all visible cells; none where a tile is too small to see its shape.
+void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
+                 const Ui& ui);
+// Those of the tiles of the sheet, whose tile 0 is at `corner`.
+void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, float cell, std::uint32_t color,
+                       const Ui& ui);
+
+}  // namespace talus

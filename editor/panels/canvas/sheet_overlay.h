@@ -1,0 +1,28 @@
+// The tile sheet over a corner of the map while Shift is held, as in TIC-80, to choose a stamp.
+#pragma once
+
+#include <optional>
+
+#include "camera.h"
+#include "panels/ui/ui.h"
+#include "session/session.h"
+
+namespace talus {
+
+class SheetOverlay {
+ public:
+  // Call in every frame before the tools: the mouse is over the canvas when `hovered`; `busy` while it drags
+  // something else. True: the mouse is on the sheet, and nothing else's.
+  bool update(const Session& session, Actions& actions, Ui& ui, const CanvasView& view, bool hovered,
+              bool busy);
+  // Registers it as "map/sheet".
+  void draw(ImDrawList& list, const Session& session, const CanvasView& view, Ui& ui) const;
+  bool has_mouse() const { return has_mouse_; }
+
+ private:
+  bool shown_ = false;
+  bool has_mouse_ = false;
+  std::optional<Cell> from_;  // the tile where a drag began
+};
+
+}  // namespace talus

@@ -1,0 +1,94 @@
+// The commands of brushes, of random painting, of the ground tool and of what helps to find one's way on
+// large maps.
+#include <algorithm>
+#include <numeric>
+
+#include "command_table.h"
+#include "edit/auto_tile.h"
+#include "edit/brushes.h"
+#include "edit/stamp.h"
+#include "panels/canvas/ground_hint.h"
+
+namespace talus {
+namespace {
+
+using S = const Session&;
+using A = Actions&;
+using U = Ui&;
+
+void save_brush(S session, A actions, U ui) {
+  const Level& level = session.level();
+  const Choices& choices = session.choices();
+  const Stamp stamp = choices.selection ? stamp_of_map(level, *choices.selection) : choices.stamp;
+  ui.view.wants_tab = "brushes";
+  emit_edit(actions, add_brush(level, brush_of_stamp(stamp, free_brush_name(level), choices.random_stamp)));
+}
+
+void toggle_random(S session, A actions, U) {
+  actions.push_back(action::SetRandomStamp{!session.choices().random_stamp, session.choices().random_seed});
+}
+
+void shuffle(S session, A actions, U) {
+  actions.push_back(action::SetRandomStamp{true, session.choices().random_seed + 1});
+}
+
+// Of the selected tiles, if there are several; else of the whole sheet.
+void propose_ground(S session, A actions, U ui) {
+  std::vector<std::uint8_t> among;
+  const SpriteArea& area = session.choices().area;
+  if (area.sheet == SheetId::tiles && area.tiles.w * area.tiles.h > 1) {
+    among = stamp_of_sheet(area.tiles).tiles;
+  } else {
+    among.resize(kTileCount);
+    std::iota(among.begin(), among.end(), std::uint8_t{0});
+  }
+  const AutoTiles tiles = proposed_auto_tiles(session.level(), among);
+  ui.view.wants_tab = "brushes";
+  if (tiles.empty()) {
+    actions.push_back(action::ShowMessage{
+        "None of these tiles is solid: give one the solid flag, so that it can be the inside of the ground.",
+        true});
+    return;
+  }
+  emit_edit(actions, set_auto_tiles(session.level(), tiles));
+}
+
+void clear_ground(S session, A actions, U) {
+  actions.push_back(action::EditLevel{set_auto_tiles(session.level(), {})});
+}
+
+}  // namespace
+
+std::vector<Command> brush_commands() {
+  return in_scope(
+      Scope::map,
+      {
+          toggle(
+              "map/ground", KeyChord{'g'}, "Ground",
+              "Paints ground: each cell gets the tile that fits its neighbours. With Ctrl it is taken away, "
+              "with Shift a rectangle is filled. Its tiles are chosen under Brushes.",
+              choose_map_tool<MapTool::ground>, is_map_tool<MapTool::ground>),
+          toggle("map/random", KeyChord{'d'}, "Tiles at random",
+                 "The stamp and the rectangle put one tile of the stamp, taken at random, into each cell.",
+                 toggle_random, [](S session, const Ui&) { return session.choices().random_stamp; }),
+          command("map/shuffle", shift('d'), "Other tiles at random",
+                  "What is painted at random from now on takes other tiles.", shuffle),
+          command("brushes/add", shift('b'), "Save as a brush",
+                  "Keeps the stamp, or the selected tiles of the map, in the level, under a name.",
+                  save_brush),
+          command(
+              "ground/propose", shift('g'), "Propose tiles for ground",
+              "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or, if one "
+              "alone is selected, all tiles of the sheet.",
+              propose_ground),
+          command("ground/clear", {}, "Clear the tiles for ground", "Chooses no tiles for ground.",
+                  clear_ground, [](S session, const Ui&) { return !session.level().auto_tiles.empty(); }),
+          toggle(
+              "map/minimap", KeyChord{'o'}, "Minimap",
+              "Shows the whole map in a corner of the map; a click or a drag there moves the view.",
+              [](S, A, U ui) { ui.view.minimap = !ui.view.minimap; },
+              [](S, const Ui& ui) { return ui.view.minimap; }),
+      });
+}
+
+}  // namespace talus

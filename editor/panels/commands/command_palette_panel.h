@@ -1,0 +1,22 @@
+// The command palette: type a few letters of a command, Enter runs it.
+#pragma once
+
+#include <string>
+
+#include "panels/panel.h"
+
+namespace talus {
+
+class CommandPalettePanel : public Panel {
+ public:
+  std::string_view id() const override { return "command_palette"; }
+  std::string_view title() const override { return "Find a command"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_list(const Session& session, Actions& actions, Ui& ui);
+  std::string typed_;
+  int chosen_ = 0;  // row of the list
+};
+
+}  // namespace talus

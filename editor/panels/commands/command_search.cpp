@@ -1,0 +1,57 @@
+// Labels, then words.
+#include "command_search.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "panels/ui/fuzzy_match.h"
+
+namespace talus {
+namespace {
+
+constexpr int kLabelWordScore = 1'000'000;                       // above that of single letters
+constexpr int kWordScore = -1'000'000, kHelpScore = -2'000'000;  // below those of all labels
+
+bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// Whether a word of the text begins with these letters.
+bool has_word(std::string_view text, std::string_view beginning) {
+  for (std::size_t i = 0; i + beginning.size() <= text.size(); ++i) {
+    const bool starts = i == 0 || !is_word_letter(text[i - 1]);
+    if (starts && text.substr(i).starts_with(beginning)) return true;
+  }
+  return false;
+}
+
+// Whether each typed word begins one of the text.
+bool has_words(std::string_view shown_text, std::string_view typed_text) {
+  const std::string text = plain_letters(shown_text), plain_typed = plain_letters(typed_text);
+  std::string_view typed = plain_typed;
+  bool any = false;
+  while (!typed.empty()) {
+    const std::size_t end = std::min(typed.find(' '), typed.size());
+    if (end > 0 && !has_word(text, typed.substr(0, end))) return false;
+    any = any || end > 0;
+    typed.remove_prefix(std::min(end + 1, typed.size()));
+  }
+  return any;
+}
+
+}  // namespace
+
+int rank_of_score(int score) {
+  return score >= kLabelWordScore ? 2 : score > kWordScore ? 1 : score > kHelpScore ? 0 : -1;
+}
+
+std::optional<int> command_score(const Command& command, std::string_view typed) {
+  if (const auto score = fuzzy_score(command.label, typed))
+    return *score + (has_words(command.label, typed) ? kLabelWordScore : 0);
+  const std::string named = std::string(command.label) + " " + std::string(command.words);
+  if (has_words(named, typed)) return kWordScore;
+  constexpr std::size_t kLeastLetters = 3;  // fewer are in too many sentences
+  if (typed.size() >= kLeastLetters && has_words(named + " " + std::string(command.help), typed))
+    return kHelpScore;
+  return std::nullopt;
+}
+
+}  // namespace talus

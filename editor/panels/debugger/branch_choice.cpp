@@ -1,0 +1,96 @@
+#include "branch_choice.h"
+
+#include <string>
+
+#include "panels/commands/commands.h"
+#include "panels/ui/long_list.h"
+
+namespace talus {
+namespace {
+
+std::string branch_name(const Branch& branch) {
+  std::string name = "branch " + std::to_string(branch.id);
+  if (branch.parent != 0) name += ", from frame " + std::to_string(branch.fork);
+  return name;
+}
+
+// With room for ids and frames of an hour.
+std::string short_name(const Branch& branch) {
+  std::string name = "branch " + std::to_string(branch.id);
+  if (branch.parent != 0) name += " from " + std::to_string(branch.fork);
+  return name;
+}
+
+void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
+  const auto percent = static_cast<int>(session.timeline().progress() * 100);
+  if (ui.text_button(
+          "timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
+          "The recorded input is run again on the changed level. Click to stop here: the branch ends "
+          "where it has come to.",
+          keys_of(find_command("timeline/cancel"), ui), true, ui.px(kProgressWidth)))
+    actions.push_back(action::CancelRerun{});
+}
+
+// The other side of a comparison, which a long recording takes some time for.
+void draw_comparing(double progress, Actions& actions, Ui& ui) {
+  const auto percent = static_cast<int>(progress * 100);
+  if (ui.text_button("compare/progress", "comparing " + std::to_string(percent) + " %  x", false,
+                     "The same input goes through the other side. Click to stop that: nothing is compared "
+                     "then.",
+                     keys_of(find_command("timeline/cancel"), ui), true, ui.px(kProgressWidth)))
+    actions.push_back(action::CompareVariant{std::nullopt});
+}
+
+void draw_branches(const Session& session, Actions& actions, Ui& ui) {
+  const Timeline& timeline = session.timeline();
+  const bool open =
+      ui.begin_combo("timeline/branch", short_name(timeline.current()), ui.px(kBranchWidth),
+                     "Runs that parted from one another: playing on from an earlier frame, editing, "
+                     "or other keys make a new one.",
+                     keys_of(find_command("timeline/previous_branch"), ui) + "  " +
+                         keys_of(find_command("timeline/next_branch"), ui));
+  if (!open) return;
+  const auto& branches = timeline.branches();
+  draw_rows(static_cast<int>(branches.size()), [&](int row) {
+    const Branch& branch = branches[static_cast<std::size_t>(row)];
+    ImGui::PushID(branch.id);
+    const std::string label = branch_name(branch) + "   " + std::to_string(branch.last_frame()) + " frames";
+    const bool is_current = branch.id == timeline.current().id;
+    const float drop = ui.px(48), width = ui.px(310);
+    if (selectable(label, {}, is_current, ImGuiSelectableFlags_None, {width, 0}))
+      actions.push_back(action::SwitchBranch{branch.id});
+    ui.item("timeline/branch" + std::to_string(branch.id), "Shows this run.");
+    ImGui::SameLine(width + ui.px(8));
+    if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
+    ui.item("timeline/drop" + std::to_string(branch.id), "Forgets this run.",
+            is_current ? keys_of(find_command("timeline/drop_branch"), ui) : "");
+    ImGui::SameLine(width + ui.px(8) + drop);
+    bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
+    ImGui::BeginDisabled(is_current);
+    if (small_button(compared ? "compared" : "compare", "compare"))
+      actions.push_back(action::CompareBranch{compared ? 0 : branch.id});
+    ImGui::EndDisabled();
+    ui.item("timeline/compare" + std::to_string(branch.id),
+            "Draws this run's bodies as ghosts beside those of the run that is shown.",
+            keys_of(find_command("compare/next"), ui), !is_current);
+    ImGui::PopID();
+  });
+  ImGui::EndCombo();
+}
+
+}  // namespace
+
+void draw_branch_choice(const Session& session, Actions& actions, Ui& ui) {
+  const float width = ui.px(kBranchWidth), gap = ui.px(8);
+  ui.same_line_if_fits(width, gap);
+  draw_branches(session, actions, ui);
+  const auto comparing = session.debugger().comparing_progress(session.timeline());
+  if (!session.timeline().behind() && !comparing) return;
+  ui.same_line_if_fits(ui.px(kProgressWidth));
+  if (session.timeline().behind())
+    draw_rerun(session, actions, ui);
+  else
+    draw_comparing(*comparing, actions, ui);
+}
+
+}  // namespace talus

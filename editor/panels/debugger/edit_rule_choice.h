@@ -1,0 +1,13 @@
+// What an edit does with the recording, as a choice beside the timeline.
+#pragma once
+
+#include "panels/ui/ui.h"
+#include "session/session.h"
+
+namespace talus {
+
+inline constexpr float kEditRuleWidth = 158;  // px at scale 1
+
+void draw_edit_rule_choice(const Session& session, Actions& actions, Ui& ui);
+
+}  // namespace talus

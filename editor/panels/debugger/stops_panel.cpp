@@ -1,0 +1,241 @@
+// The list of breakpoints, with what adds one and what runs to one.
+#include "stops_panel.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "panels/commands/commands.h"
+#include "panels/ui/text_focus.h"
+
+namespace talus {
+namespace {
+
+constexpr float kConditionWidth = 240;  // px at scale 1, at least
+
+const StopKindInfo& info_of(StopKind kind) { return stop_kind_infos()[static_cast<std::size_t>(kind)]; }
+
+std::size_t field_count(const StopKindInfo& info) {
+  return static_cast<std::size_t>(std::count_if(info.fields.begin(), info.fields.end(),
+                                                [](const StopField& field) { return !field.label.empty(); }));
+}
+
+bool is_about_place(StopKind kind) {
+  return kind == StopKind::touches_tile || kind == StopKind::enters_cell || kind == StopKind::enters_rect;
+}
+
+bool has_stopped(const Session& session, const Breakpoint& breakpoint) {
+  const auto& stop = session.debugger().stop();
+  return stop && stop->breakpoint == breakpoint.id && stop->frame == session.state().frame;
+}
+
+std::string condition_name(int breakpoint) { return "stops/" + std::to_string(breakpoint) + "/condition"; }
+
+// The field that a key goes to from this one's condition.
+std::string next_field(const std::vector<Breakpoint>& all, const Breakpoint& from, FieldWay way) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Breakpoint& b) { return b.id == from.id; });
+  if (way == FieldWay::on) return "stops/" + std::to_string(from.id) + "/body";
+  if (way == FieldWay::up) return at == all.begin() ? "stops/new" : condition_name((at - 1)->id);
+  return condition_name(at + 1 == all.end() ? from.id : (at + 1)->id);
+}
+
+}  // namespace
+
+void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_run(session, actions, ui);
+  draw_add(session, actions, ui);
+  if (session.debugger().stops().breakpoints().empty()) {
+    ui.hint(
+        "No breakpoint yet. Choose what to stop at and add it, or type a condition; the run stops there "
+        "while it plays, and can be run back to the last time that it was true.");
+    return;
+  }
+  draw_list(session, actions, ui);
+}
+
+void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
+  const Stops& stops = session.debugger().stops();
+  command_button("stops/back", "stops/back", Icon::run_back, session, actions, ui);
+  ImGui::SameLine();
+  command_button("stops/forwards", "stops/forwards", Icon::run_on, session, actions, ui);
+  ImGui::SameLine();
+  if (session.debugger().searching()) {
+    const int percent = static_cast<int>(session.debugger().search_progress() * 100);
+    if (ui.text_button("stops/cancel", "searching " + std::to_string(percent) + " %  x", false,
+                       "Stops searching; the shown frame stays.",
+                       keys_of(find_command("timeline/cancel"), ui)))
+      actions.push_back(action::CancelSearch{});
+    return;
+  }
+  if (session.debugger().stop()) {
+    ui.label(text_of(*session.debugger().stop()));
+  } else if (session.debugger().search_failed()) {
+    ui.label(stops.direction() == SearchDirection::backwards ? "Nothing stops before this frame."
+             : session.playback().running ? "Nothing recorded stops: playing on to the next stop."
+                                          : "Nothing recorded stops after this frame.");
+  } else {
+    ui.label("");
+  }
+}
+
+void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
+  fill_in_place(session, ui);
+  const StopKindInfo& info = info_of(kind_);
+  ui.begin_row();
+  if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(190), "What to stop at.",
+                     keys_of(find_command("stops/kind"), ui))) {
+    for (const StopKindInfo& each : stop_kind_infos()) {
+      if (selectable(each.label, {}, each.kind == kind_)) {
+        kind_ = each.kind;
+        fields_set_ = false;
+        if (field_count(each) > 0) ui.view.wants_text = "stops/field0";
+      }
+      ui.item("stops/kind_" + std::to_string(static_cast<int>(each.kind)));
+    }
+    ImGui::EndCombo();
+  }
+  draw_fields(info, session, actions, ui);
+  ui.same_line_if_fits(ui.px(48), ui.px(8));
+  const int body = session.choices().body;
+  const bool by_key = ui.view.wants_text == "stops/add";
+  if (by_key) ui.view.wants_text.clear();
+  if (ui.text_button(
+          "stops/add", "Add", false,
+          body != 0 ? "Adds this breakpoint for the chosen body." : "Adds this breakpoint for any body.",
+          keys_of(find_command("stops/add"), ui)) ||
+      by_key)
+    actions.push_back(
+        action::SetBreakpoint{{.condition = condition_of(kind_, std::span(fields_).first(field_count(info))),
+                               .body = body,
+                               .each_frame = info.each_frame}});
+  ui.same_line_if_fits(ui.px(kConditionWidth), ui.px(16));
+  if (new_field_.draw("stops/new", new_text_, true, -1, "or a condition: vy > 3 && grounded", ui) &&
+      !new_text_.empty()) {
+    actions.push_back(action::SetBreakpoint{{.condition = new_text_, .body = body}});
+    new_text_.clear();
+  }
+  ui.end_row();
+  const auto& all = session.debugger().stops().breakpoints();
+  if (new_field_.way() == FieldWay::down && !all.empty()) ui.view.wants_text = condition_name(all.front().id);
+}
+
+// The numbers of the kind that is chosen.
+void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui) {
+  for (std::size_t i = 0; i < field_count(info); ++i) {
+    const StopField& field = info.fields[i];
+    const std::string name = "stops/field" + std::to_string(i);
+    ui.same_line_if_fits(ui.px(110));
+    ImGui::SetNextItemWidth(ui.px(64));
+    take_text_focus(name, ui);
+    if (ImGui::InputDouble(("##field" + std::to_string(i)).c_str(), &fields_[i], 0, 0, "%.6g"))
+      fields_typed_ = true;
+    ui.item(name, std::string(field.label) + (field.unit.empty() ? "" : ", " + std::string(field.unit)),
+            "Tab: the next one");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ui.heading(field.label);
+  }
+  if (!is_about_place(kind_)) return;
+  ui.same_line_if_fits(ui.px(theme::kButton));
+  command_button("stops/pick", "stops/pick", Icon::pick, session, actions, ui);
+}
+
+// A kind begins with its defaults; one about a place with what is selected or was clicked last.
+void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
+  DebuggerView& view = ui.view.debugger;
+  if ((view.picks_cell || view.picked_cell) && !is_about_place(kind_)) {
+    kind_ = StopKind::touches_tile;
+    fields_set_ = false;
+  }
+  if (!fields_set_) {
+    fields_typed_ = false;
+    for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i] = info_of(kind_).fields[i].standard;
+  }
+  fields_set_ = true;
+  if (const auto picked = std::exchange(view.picked_cell, std::nullopt)) {
+    put_place({picked->x, picked->y, 1, 1});
+    fields_typed_ = true;
+  } else if (!is_about_place(kind_) || fields_typed_) {
+    return;
+  } else if (const auto selected = session.choices().selection) {
+    put_place(*selected);
+  } else if (view.clicked_cell) {
+    put_place({view.clicked_cell->x, view.clicked_cell->y, 1, 1});
+  }
+}
+
+void StopsPanel::put_place(CellRect cells) {
+  const double side = kind_ == StopKind::enters_rect ? kTileSize : 1;
+  fields_ = {side * cells.x, side * cells.y, side * cells.w, side * cells.h};
+}
+
+void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("stops", 7, kFlags, ImGui::GetContentRegionAvail())) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("no.", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
+  ImGui::TableSetupColumn("stops when", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("body", ImGuiTableColumnFlags_WidthFixed, ui.px(44));
+  ImGui::TableSetupColumn("from hit", ImGuiTableColumnFlags_WidthFixed, ui.px(60));
+  ImGui::TableSetupColumn("hits", ImGuiTableColumnFlags_WidthFixed, ui.px(40));
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
+  ImGui::TableHeadersRow();
+  for (const Breakpoint& breakpoint : session.debugger().stops().breakpoints()) {
+    ImGui::PushID(breakpoint.id);
+    draw_row(breakpoint, session, actions, ui);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
+}
+
+void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui) {
+  const std::string name = "stops/" + std::to_string(breakpoint.id);
+  Breakpoint changed = breakpoint;
+  const bool stopped = has_stopped(session, breakpoint);
+  ImGui::TableNextRow();
+  if (stopped) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, theme::tone(theme::kAccent, 60));
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  ui.right_aligned(std::to_string(breakpoint.id), theme::tone(stopped ? theme::kAccent : theme::kMuted));
+  ui.item(name + (stopped ? "/stopped" : "/number"),
+          stopped ? "The shown frame is where this one stopped it." : "Its number, which messages tell.");
+  ImGui::TableNextColumn();
+  ImGui::Checkbox("##enabled", &changed.enabled);
+  ui.item(name + "/enabled", "Whether it stops.", "Ctrl+Enter in its condition");
+  ImGui::TableNextColumn();
+  std::string& text = texts_.try_emplace(breakpoint.id, breakpoint.condition).first->second;
+  ExpressionField& field = condition_fields_[breakpoint.id];
+  const bool entered = field.draw(condition_name(breakpoint.id), text, true, -1, "Enter removes it", ui);
+  if (entered && text.empty()) {
+    actions.push_back(action::RemoveBreakpoint{breakpoint.id});
+  } else if (entered) {
+    changed.condition = text;
+    changed.enabled = changed.enabled != ImGui::GetIO().KeyCtrl;
+  } else if (text.empty() && !field.is_open()) {
+    text = breakpoint.condition;
+  }
+  if (field.way() != FieldWay::none)
+    ui.view.wants_text = next_field(session.debugger().stops().breakpoints(), breakpoint, field.way());
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  take_text_focus(name + "/body", ui);
+  ImGui::InputInt("##body", &changed.body, 0);
+  changed.body = std::max(changed.body, 0);
+  ui.item(name + "/body", "The id of the body that it is asked about; 0: any.");
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputInt("##count", &changed.count, 0);
+  changed.count = std::max(changed.count, 1);
+  ui.item(name + "/count", "Stops at this hit and those after it; hits are counted from frame 0.");
+  ImGui::TableNextColumn();
+  const auto hits = session.debugger().stops().hits(breakpoint.id, session.state().frame);
+  ui.right_aligned(!breakpoint.enabled ? "-" : hits ? std::to_string(*hits) : "...");
+  ui.item(name + "/hits", hits ? "Its hits from frame 0 to the shown frame." : "Its hits are being counted.");
+  ImGui::TableNextColumn();
+  if (ImGui::SmallButton("x")) actions.push_back(action::RemoveBreakpoint{breakpoint.id});
+  ui.item(name + "/remove", "Removes it.", "Enter in its emptied condition");
+  if (changed != breakpoint) actions.push_back(action::SetBreakpoint{std::move(changed)});
+}
+
+}  // namespace talus

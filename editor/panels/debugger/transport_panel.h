@@ -1,0 +1,21 @@
+// The transport bar: running and stepping, the speed, and the overlays' switches, which are their legend too.
+#pragma once
+
+#include "panels/panel.h"
+
+namespace talus {
+
+class TransportPanel : public Panel {
+ public:
+  std::string_view id() const override { return "transport"; }
+  std::string_view title() const override { return "Play"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_frame(const Session& session, Actions& actions, Ui& ui);
+
+  std::int64_t typed_ = 0;  // in the field of the frame
+  bool typing_ = false;
+};
+
+}  // namespace talus

@@ -1,0 +1,112 @@
+// A row for every tuning field, by group.
+#include "tuning_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "edit/level_settings.h"
+#include "panels/commands/commands.h"
+#include "panels/ui/text_focus.h"
+
+namespace talus {
+namespace {
+
+std::string short_number(double value) {
+  std::string text = std::to_string(value);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string help_of(const TuningField& field) {
+  return std::string(field.help) + "\n" + (field.whole ? "A whole number from " : "From ") +
+         short_number(field.min) + " to " + short_number(field.max) +
+         (field.unit.empty() ? "" : " " + std::string(field.unit)) +
+         (field.group.empty() ? "; the article has " : "; the default is ") + short_number(field.standard()) +
+         ".";
+}
+
+void draw_solver(const Session& session, Actions& actions, Ui& ui) {
+  Tuning tuning = session.level().tuning;
+  ImGui::AlignTextToFramePadding();
+  ui.label("Solver");
+  ImGui::SameLine();
+  const bool open =
+      ui.begin_combo("tuning/solver", std::string(solver_name(tuning.solver)), ui.px(120),
+                     "Which solver moves the bodies: the article's own, with its defects; bump, "
+                     "with slopes as one more response; or exact, the default.",
+                     keys_of(find_command("tuning/solver"), ui));
+  if (!open) return;
+  for (const SolverKind solver : solver_kinds()) {
+    const std::string name(solver_name(solver));
+    if (selectable(name, {}, solver == session.level().tuning.solver)) {
+      tuning.solver = solver;
+      actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
+    }
+    ui.item("tuning/solver_" + name);
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace
+
+void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_solver(session, actions, ui);
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("tuning", 4, kFlags, ImGui::GetContentRegionAvail())) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(92));
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  float unit = 0;
+  for (const TuningField& field : tuning_fields()) unit = std::max(unit, size_of_text(field.unit).x);
+  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, unit);
+  ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ui.px(48));
+  const TuningField* before = nullptr;
+  for (const TuningField& field : tuning_fields()) {
+    if (before == nullptr || before->group != field.group) draw_group(field.group, ui);
+    draw_field(field, session, actions, ui);
+    before = &field;
+  }
+  ImGui::EndTable();
+}
+
+void TuningPanel::draw_group(std::string_view group, Ui& ui) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::TableNextColumn();
+  ui.heading(group.empty() ? "every solver" : group);
+}
+
+void TuningPanel::draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {
+  const std::string key = field.path();
+  Tuning tuning = session.level().tuning;
+  double& value = field.in(tuning);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  draw_text(field.label);
+  ui.tooltip(help_of(field));
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  take_text_focus("tuning/" + key, ui);
+  const double range = field.max - field.min;
+  const bool changed =
+      ImGui::DragScalar(("##" + key).c_str(), ImGuiDataType_Double, &value, static_cast<float>(range / 1000),
+                        &field.min, &field.max, field.whole ? "%.0f" : "%.6g", ImGuiSliderFlags_AlwaysClamp);
+  if (field.whole) value = std::round(value);
+  if (ImGui::IsItemActivated()) stroke_ = session.next_stroke();
+  ui.item("tuning/" + key, help_of(field), "drag, or double click to type; Tab: the next one");
+  if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
+  ImGui::TableNextColumn();
+  ui.heading(field.unit);
+  if (!field.unit.empty()) ui.item("tuning/unit_" + key);
+  ImGui::TableNextColumn();
+  const double standard = field.standard();
+  if (field.of(session.level().tuning) == standard) return;
+  if (small_button("reset", key)) {
+    value = standard;
+    actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
+  }
+  ui.item("tuning/reset_" + key, "Back to " + short_number(standard) + ".");
+}
+
+}  // namespace talus

@@ -1,0 +1,145 @@
+// A row for every watch: its text, its value, and its plot.
+#include "watch_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "debug/metrics.h"
+#include "overlay/number_label.h"
+#include "panels/commands/commands.h"
+#include "plot.h"
+
+namespace talus {
+namespace {
+
+constexpr float kTextWidth = 190, kRowHeight = 40;  // px at scale 1
+
+// Colours of Okabe and Ito, in turn.
+ImU32 color_of(std::size_t index) {
+  constexpr std::uint32_t kColors[] = {0x56b4e9, 0xe69f00, 0x009e73, 0xf0e442, 0xcc79a7, 0xd55e00};
+  return theme::color(kColors[index % std::size(kColors)]);
+}
+
+std::string value_text(const Watches::Entry& entry, double value) {
+  if (std::isnan(value)) return "-";
+  if (entry.expression->type() == ValueType::truth) return value != 0 ? "true" : "false";
+  return two_decimals(value);
+}
+
+std::string text_name(std::size_t index) { return "watch/" + std::to_string(index) + "/text"; }
+
+}  // namespace
+
+void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_add(session, actions, ui);
+  if (session.debugger().watches().all().empty() && !ui.view.shows_times) {
+    ui.hint(
+        "Nothing watched yet: choose a number, or type an expression. Each is plotted over the whole run, "
+        "for the chosen body; a click on a plot shows that frame.");
+    return;
+  }
+  if (session.choices().body == 0) ui.hint("No body chosen: click one in the play view.");
+  draw_rows(session, actions, ui);
+}
+
+void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
+  const std::size_t next = session.debugger().watches().all().size();
+  ui.begin_row();
+  if (ui.begin_combo("watch/choose", "plot...", ui.px(110), "Numbers of a body to plot.")) {
+    for (const MetricInfo& info : metric_infos()) {
+      if (info.metric == Metric::id) continue;
+      if (selectable(info.name, {}, false))
+        actions.push_back(action::SetWatch{next, {std::string(info.name), 0}});
+      ui.item("watch/choose_" + std::string(info.name), info.help);
+    }
+    const Command& times = find_command("watch/choose_times");
+    if (ImGui::Selectable("ns a step", ui.view.shows_times)) times.run(session, actions, ui);
+    ui.item("watch/choose_times", times.help, keys_of(times, ui));
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+  if (new_field_.draw("watch/new", new_text_, false, ui.px(300), "or an expression: max(vx, vy) * 2", ui) &&
+      !new_text_.empty()) {
+    actions.push_back(action::SetWatch{next, {new_text_, 0}});
+    new_text_.clear();
+    if (new_field_.by_enter()) ui.view.wants_text = "watch/new";  // for the next one
+  }
+  if (new_field_.way() == FieldWay::down && next > 0) ui.view.wants_text = text_name(0);
+  ui.end_row();
+}
+
+void WatchPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
+  ImGui::BeginChild("rows");
+  for (std::size_t i = 0; i < session.debugger().watches().all().size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    draw_row(i, session, actions, ui);
+    ImGui::PopID();
+  }
+  if (ui.view.shows_times) draw_times(session, actions, ui);
+  ImGui::EndChild();
+}
+
+void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const Watches::Entry& entry = session.debugger().watches().all()[index];
+  const std::string name = "watch/" + std::to_string(index);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::SmallButton("x")) actions.push_back(action::RemoveWatch{index});
+  ui.item(name + "/remove", "No longer watches it.", "Enter in its emptied field");
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, color_of(index));
+  draw_text(index, session, actions, ui);
+  ImGui::PopStyleColor();
+  const Row& row = rows_[index];
+  if (row.field.is_open()) return;  // what is typed, and what is said of it, takes the room of the plot
+  if (entry.expression && row.text == entry.watch.text) {
+    const double value = Watches::value(entry, session.frame_view(), session.choices().body);
+    ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetFrameHeight() + ui.px(1)});
+    talus::draw_text(value_text(entry, value));
+    ui.item(name + "/value", all_digits(value), "click to copy");
+    if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all_digits(value).c_str());
+  }
+  draw_curve(name, session.debugger().watches().series(entry), color_of(index), at, session, actions, ui);
+}
+
+void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const auto& all = session.debugger().watches().all();
+  const Watches::Entry& entry = all[index];
+  if (rows_.size() < all.size()) rows_.resize(all.size());
+  Row& row = rows_[index];
+  if (row.shown != entry.watch.text) row.text = row.shown = entry.watch.text;
+  const bool entered =
+      row.field.draw(text_name(index), row.text, false, ui.px(kTextWidth - 34), "Enter removes it", ui);
+  if (row.field.by_enter() && ui.view.wants_text.empty())  // what is typed next is no command
+    ui.view.wants_text = row.text.empty() ? "watch/new" : text_name(index);
+  if (entered && row.text.empty()) {
+    actions.push_back(action::RemoveWatch{index});
+  } else if (entered && row.text != entry.watch.text) {
+    actions.push_back(action::SetWatch{index, {row.text, entry.watch.body}});
+  } else if (row.text.empty() && !row.field.is_open()) {
+    row.text = entry.watch.text;
+  }
+  if (row.field.way() == FieldWay::up) ui.view.wants_text = index == 0 ? "watch/new" : text_name(index - 1);
+  if (row.field.way() == FieldWay::down && index + 1 < all.size()) ui.view.wants_text = text_name(index + 1);
+}
+
+// How long the steps took: measured while they were made, so no expression can tell.
+void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::SmallButton("x")) ui.view.shows_times = false;
+  ui.item("watch/times/remove", "No longer shows it.", keys_of(find_command("watch/choose_times"), ui));
+  ImGui::SameLine();
+  ImGui::TextUnformatted("ns a step");
+  ui.tooltip("Nanoseconds that each step took when it was made last, of all bodies together.");
+  draw_curve("watch/times", session.step_times().series(), theme::tone(theme::kText), at, session, actions,
+             ui);
+}
+
+void WatchPanel::draw_curve(const std::string& name, const Series* series, ImU32 color, ImVec2 at,
+                            const Session& session, Actions& actions, Ui& ui) {
+  ImGui::SetCursorScreenPos({at.x + ui.px(kTextWidth), at.y});
+  draw_timeline_plot(name + "/plot", "", series, color, ui.px(kRowHeight), session, actions, ui);
+  ImGui::SetCursorScreenPos({at.x, at.y + ui.px(kRowHeight + 3)});
+  ImGui::Dummy({0, 0});
+}
+
+}  // namespace talus

@@ -1,0 +1,122 @@
+// The list of stages; the one that is chosen is drawn in the play view.
+#include "why_panel.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+
+#include "debug/explain.h"
+#include "panels/commands/commands.h"
+#include "panels/ui/wrapped_text.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostStages = 500;  // that are listed; each is wrapped anew in every frame
+
+std::string_view title_of(StageKind kind) {
+  switch (kind) {
+    case StageKind::wanted:
+      return "wants";
+    case StageKind::searched:
+      return "looks";
+    case StageKind::met:
+      return "meets";
+    case StageKind::placed:
+      return "is put";
+    case StageKind::went_on:
+      return "goes on";
+    case StageKind::snapped:
+      return "snaps";
+    case StageKind::arrived:
+      return "arrives";
+  }
+  return {};
+}
+
+// Cut, and broken into lines of up to `width` px.
+std::string wrapped(const std::string& whole, float width) {
+  const std::string text = shown_line(whole, kMostText);
+  const auto fits = [width](std::string_view line) {
+    return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
+  };
+  std::string lines;
+  for (const std::string_view line : lines_between_words(text, fits))
+    lines.append(lines.empty() ? "" : "\n").append(line);
+  return lines;
+}
+
+// A text that is broken into lines already.
+void draw_lines(const std::string& text, ImU32 color) {
+  ImGui::PushTextWrapPos(FLT_MAX);
+  draw_text(text, color);
+  ImGui::PopTextWrapPos();
+}
+
+float height_of(const std::string& lines) {
+  if (lines.empty()) return 0;
+  return static_cast<float>(1 + std::count(lines.begin(), lines.end(), '\n')) * ImGui::GetTextLineHeight();
+}
+
+}  // namespace
+
+void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  const int body = session.choices().body;
+  if (session.state().find(body) == nullptr) {
+    ui.hint("No body chosen: click one in the play view, and every stage of its step is told here.");
+    return;
+  }
+  if (session.state().frame == 0) {
+    ui.hint("No step yet: F10 makes one, and what happened in it is told here.");
+    return;
+  }
+  draw_lines(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
+             theme::tone(theme::kText));
+  ImGui::Spacing();
+  command_button("why/before", "why/before", Icon::step_back, session, actions, ui);
+  ImGui::SameLine();
+  command_button("why/next", "why/next", Icon::step, session, actions, ui);
+  ImGui::SameLine();
+  const auto count = static_cast<int>(session.stages().size());
+  ui.label(ui.view.stage < 0 || ui.view.stage >= count
+               ? std::to_string(count) + " stages"
+               : "stage " + std::to_string(ui.view.stage + 1) + " of " + std::to_string(count));
+  draw_stages(session, ui);
+}
+
+void WhyPanel::draw_stages(const Session& session, Ui& ui) {
+  ImGui::BeginChild("stages");
+  const float indent = ui.px(64);
+  const std::size_t count = std::min(session.stages().size(), kMostStages);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Stage& stage = session.stages()[i];
+    const bool chosen = ui.view.stage == static_cast<int>(i);
+    ImGui::PushID(static_cast<int>(i));
+    const float width = ImGui::GetContentRegionAvail().x - indent;
+    const std::string sentence = wrapped(stage.sentence, width), numbers = wrapped(stage.numbers, width);
+    const float height = std::max(height_of(sentence) + height_of(numbers), ImGui::GetTextLineHeight());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (chosen && shown_stage_ != ui.view.stage) ImGui::SetScrollHereY();
+    if (ImGui::Selectable("##stage", chosen, ImGuiSelectableFlags_None, {0, height}))
+      ui.view.stage = chosen ? -1 : static_cast<int>(i);
+    ui.item("why/stage" + std::to_string(i), "Click to draw this stage in the play view.");
+    const ImVec2 next = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(at);
+    ui.heading(title_of(stage.kind));
+    ImGui::SetCursorScreenPos({at.x + indent, at.y});
+    draw_lines(sentence, theme::tone(theme::kText));
+    if (!numbers.empty()) {
+      ImGui::SetCursorScreenPos({at.x + indent, at.y + height_of(sentence)});
+      draw_lines(numbers, theme::tone(theme::kMuted));
+    }
+    ImGui::SetCursorScreenPos(next);
+    ImGui::Dummy({0, 0});
+    ImGui::PopID();
+  }
+  shown_stage_ = ui.view.stage;
+  if (count < session.stages().size())
+    ui.hint("... and " + std::to_string(session.stages().size() - count) + " more.");
+  ImGui::EndChild();
+}
+
+}  // namespace talus

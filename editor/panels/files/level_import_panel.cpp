@@ -1,0 +1,124 @@
+// Layers, tiles, and what comes of them.
+#include "level_import_panel.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+
+#include "panels/ui/copy_all.h"
+#include "panels/ui/dialog.h"
+#include "panels/ui/long_list.h"
+#include "reading_panel.h"
+
+namespace talus {
+namespace {
+
+constexpr float kTextWidth = 520;  // px at scale 1
+constexpr float kMostLines = 8;    // of a list before it is scrolled
+
+// What was read, or why it cannot be, in sentences.
+std::string text_of(const LevelImport& import) {
+  if (!import.plan) {
+    const FormatError& error = import.plan.error();
+    std::string text = (error.place.empty() ? "the file" : error.place) + " " + error.message + ".";
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+  }
+  const TileMap& map = import.plan->level.map;
+  std::string text =
+      "A level of " + std::to_string(map.width()) + "x" + std::to_string(map.height()) + " cells.";
+  const char* separator = " Not in it: ";
+  for (const std::string& what : import.plan->dropped) {
+    text.append(separator).append(what);
+    separator = "; ";
+  }
+  return import.plan->dropped.empty() ? text : text + ".";
+}
+
+std::string layer_label(const TiledLayerName& layer) {
+  return (layer.name.empty() ? "without a name" : layer.name) + " (" + std::to_string(layer.cells) +
+         (layer.cells == 1 ? " tile)" : " tiles)");
+}
+
+}  // namespace
+
+void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (!begin_dialog("What to open", session.level_import() && !shows_reading(session), {0, 0}, ui)) return;
+  if (const auto& import = session.level_import()) {
+    ui.heading(shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel) +
+               " holds more than a level can");
+    ImportChoices choices = import->choices;
+    if (import->layers.size() > 1) draw_layers(*import, choices, ui);
+    draw_tiles(choices, ui);
+    if (choices != import->choices) actions.push_back(action::SetLevelImport{choices});
+    draw_report(*import, ui);
+    draw_buttons(*import, actions, ui);
+  }
+  ImGui::EndPopup();
+}
+
+void LevelImportPanel::draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui) {
+  ImGui::TextUnformatted("A level has one layer of tiles. Take:");
+  const int count = static_cast<int>(import.layers.size());
+  const float lines = std::min(static_cast<float>(count), kMostLines);
+  ImGui::BeginChild("layers", {ui.px(kTextWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,
+                    ImGuiWindowFlags_NavFlattened);
+  draw_rows(count, [&](int row) {
+    const std::string number = std::to_string(row + 1);
+    const std::string label = layer_label(import.layers[static_cast<std::size_t>(row)]);
+    if (radio_button(label, number, choices.layer_number == row + 1)) choices.layer_number = row + 1;
+    ui.item("choose/layer" + number, "The level's map is this layer.", "Space");
+  });
+  ImGui::EndChild();
+  ImGui::Spacing();
+}
+
+void LevelImportPanel::draw_tiles(ImportChoices& choices, Ui& ui) {
+  ImGui::TextUnformatted("A level has one set of 256 tiles. Take:");
+  if (ImGui::RadioButton("all of the map's only tileset, in their places", !choices.used_tiles))
+    choices.used_tiles = false;
+  ui.item("choose/all_tiles", "Works with up to 256 tiles of one tileset, none of which is mirrored.",
+          "Space");
+  if (ImGui::RadioButton("those that the map shows, with new numbers", choices.used_tiles))
+    choices.used_tiles = true;
+  ui.item("choose/used_tiles",
+          "Works with up to 255 different tiles, of any number of tilesets. Mirrored and turned ones become "
+          "tiles of their own.",
+          "Space");
+  ImGui::Spacing();
+}
+
+void LevelImportPanel::draw_report(const LevelImport& import, Ui& ui) {
+  const std::string text = text_of(import);
+  draw_scrolled_text("report", text, {ui.px(kTextWidth), kMostLines * ImGui::GetTextLineHeight()},
+                     theme::tone(import.plan ? theme::kText : theme::kError));
+  ui.item(import.plan ? "choose/report" : "choose/error");
+  draw_copy_all("choose/copy_all", text, ui);
+  ImGui::Spacing();
+}
+
+void LevelImportPanel::draw_buttons(const LevelImport& import, Actions& actions, Ui& ui) {
+  const bool can_open = import.plan.has_value();
+  const float width = ui.px(112);
+  const DialogButton open{.widget = "choose/open",
+                          .label = "Open",
+                          .help = "Opens it as a new level; the file stays as it is.",
+                          .letter = 'O',
+                          .is_default = true,
+                          .enabled = can_open,
+                          .width = width,
+                          .gets_the_keys = true};
+  if (dialog_button(open, ui)) actions.push_back(action::ApplyLevelImport{});
+  ImGui::SameLine();
+  const DialogButton cancel{.widget = "choose/cancel",
+                            .label = "Cancel",
+                            .help = "Goes back to the level.",
+                            .letter = 'C',
+                            .is_cancel = true,
+                            .width = width,
+                            .gets_the_keys = !can_open};
+  if (dialog_button(cancel, ui)) actions.push_back(action::CancelLevelImport{});
+}
+
+}  // namespace talus

@@ -1,0 +1,18 @@
+// How far a large file is read, with a button that ends it.
+#pragma once
+
+#include "panels/panel.h"
+
+namespace talus {
+
+// Whether a file takes so long that the dialog is shown; shorter ones would flicker.
+bool shows_reading(const Session& session);
+
+class ReadingPanel : public Panel {
+ public:
+  std::string_view id() const override { return "reading"; }
+  std::string_view title() const override { return "Reading"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+};
+
+}  // namespace talus

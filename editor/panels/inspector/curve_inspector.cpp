@@ -1,0 +1,212 @@
+// Fields of curves, by their kinds.
+#include "curve_inspector.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "chosen_curve.h"
+#include "panels/commands/commands.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostHeights = 65;           // of a polyline, that get a field each
+constexpr const char* kLongNumber = "-0.1234567";  // that a field has room for
+
+// The numbers of a form, one after another.
+class FormFields {
+ public:
+  // is_refused: the last number was, which is told below the fields, where their help would cover it.
+  FormFields(const Session& session, NumberEdit& edit, Ui& ui, bool is_refused)
+      : session_(session), edit_(edit), ui_(ui), is_refused_(is_refused) {}
+  bool changed() const { return changed_; }
+
+  void draw(Segment& s) {
+    point("from", s.from);
+    row();
+    point("to", s.to);
+  }
+  void draw(Arc& a) {
+    point("centre", a.center);
+    row();
+    number("radius", "radius ", a.radius, "The radius of the circle, px.");
+    number("x0", "x ", a.x0, "Where it begins, px.");
+    number("x1", "to x ", a.x1, "Where it ends, px.");
+    row();
+    if (ImGui::Checkbox("hill", &a.upper)) note_click();
+    ui_.item("inspector/curve_upper", "The upper half of its circle; off: the lower half, a bowl.");
+  }
+  void draw(Parabola& p) {
+    point("from", p.from);
+    row();
+    point("to", p.to);
+    row();
+    number("control", "control y ", p.control_y,
+           "The height of its control point half way, px; it comes half as close.");
+  }
+  void draw(Cubic& c) {
+    point("from", c.from);
+    number("from_slope", "slope ", c.from_slope, "How many px it goes down for each px, at its start.",
+           0.02f);
+    row();
+    point("to", c.to);
+    number("to_slope", "slope ", c.to_slope, "How many px it goes down for each px, at its end.", 0.02f);
+  }
+  void draw(Sine& s) {
+    number("x0", "x ", s.x0, "Where it begins, px.");
+    number("x1", "to x ", s.x1, "Where it ends, px.");
+    row();
+    number("middle", "middle y ", s.middle, "The height about which it swings, px.");
+    number("amplitude", "amplitude ", s.amplitude,
+           "How far it swings, px; positive: first down from its origin.");
+    row();
+    number("wavelength", "wavelength ", s.wavelength, "The length of a whole wave, px.");
+    number("origin", "origin x ", s.origin, "Where it crosses its middle, px.");
+  }
+  void draw(Polyline& p) {
+    number("x0", "x ", p.x0, "Where it begins, px.");
+    number("x1", "to x ", p.x1, "Where it ends, px.");
+    row();
+    if (p.ys.size() > kMostHeights)
+      return ui_.hint("It has " + std::to_string(p.ys.size()) + " heights, too many for fields.");
+    for (std::size_t i = 0; i < p.ys.size(); ++i)
+      number("y" + std::to_string(i), "", p.ys[i], "Its y there, px.");
+  }
+
+ private:
+  void row() { first_ = true; }
+  void number(const std::string& part, const std::string& label, double& value, std::string_view help,
+              float speed = 1) {
+    const float text = size_of_text(label + kLongNumber).x;
+    const float width = (text + 2 * ImGui::GetStyle().FramePadding.x) / ui_.scale;
+    if (!first_) ui_.same_line_if_fits(ui_.px(width));
+    first_ = false;
+    const std::string name = "inspector/curve_" + part, format = label + "%.8g";
+    if (is_refused_) help = {};
+    changed_ |= draw_number_field({name, format.c_str(), help, width, speed}, value, session_, edit_, ui_);
+  }
+  void point(const std::string& part, Vec2& value) {
+    number(part + "_x", part + " x ", value.x, "px");
+    number(part + "_y", "y ", value.y, "px");
+  }
+  void note_click() {
+    changed_ = true;
+    edit_.stroke = 0;
+  }
+
+  const Session& session_;
+  NumberEdit& edit_;
+  Ui& ui_;
+  bool is_refused_;
+  bool first_ = true;  // in its row
+  bool changed_ = false;
+};
+
+}  // namespace
+
+void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_kind(session, actions, ui);
+  const int curve = chosen_curve(session);
+  if (curve != shown_) problem_.clear();
+  if (curve < 0) {
+    shown_ = -1;
+    ui.hint(session.level().curves.empty()
+                ? "No curve yet: drag on the map from one end to the other."
+                : "No curve chosen: click one on the map, or drag to draw another.");
+    return;
+  }
+  const CurveKind kind = kind_of(session.level().curves.at(static_cast<std::size_t>(curve)).curve);
+  ui.heading("Curve " + std::to_string(curve) + ", " + with_article(kind));
+  draw_name(session, actions, ui, curve);
+  draw_faces(session, actions, ui, curve);
+  draw_numbers(session, actions, ui, curve);
+  if (!problem_.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
+    draw_wrapped_text(problem_);
+    ImGui::PopStyleColor();
+    ui.item("inspector/curve_problem");
+  }
+  command_text_button("inspector/curve_duplicate", "map/duplicate", session, actions, ui);
+  ImGui::SameLine();
+  if (ui.text_button("inspector/curve_remove", "Remove", false, "Takes the curve out of the level.", "Del")) {
+    actions.push_back(action::EditLevel{remove_curve(session.level(), curve)});
+    actions.push_back(action::SelectCurve{});
+  }
+  if (session.level().tuning.solver != SolverKind::exact)
+    ui.hint("Curves stop bodies with the exact solver alone: see Tuning.");
+  shown_ = curve;
+}
+
+void CurveInspector::draw_kind(const Session& session, Actions& actions, Ui& ui) const {
+  const Choices& choices = session.choices();
+  ui.begin_row();
+  ui.label("A drag draws");
+  ImGui::SameLine();
+  if (choices.map_tool == MapTool::segment) {
+    ui.label("a segment");
+  } else if (ui.begin_combo("inspector/curve_kind", std::string(label_of(choices.curve_kind)), ui.px(108),
+                            "The kind of the next curve; the tool's key goes on to the next one.")) {
+    for (int i = 0; i < kCurveKindCount; ++i) {
+      const auto kind = static_cast<CurveKind>(i);
+      const std::string label(label_of(kind));
+      if (selectable(label, {}, kind == choices.curve_kind)) actions.push_back(action::SetCurveKind{kind});
+      ui.item("inspector/curve_kind_" + label);
+    }
+    ImGui::EndCombo();
+  }
+  ui.end_row();
+}
+
+void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui, int curve) {
+  LevelCurve named = session.level().curves.at(static_cast<std::size_t>(curve));
+  if (curve != shown_) name_ = named.name;
+  ImGui::SetNextItemWidth(ui.px(220));
+  input_text("curve name", "name", name_);
+  ui.item("inspector/curve_name", "What you call it; the debugger's sentences call it so, too.");
+  if (ImGui::IsItemDeactivatedAfterEdit() && name_ != named.name) {
+    named.name = name_;
+    change(session, actions, curve, std::move(named), "Name a curve", 0);
+  } else if (!ImGui::IsItemActive()) {
+    name_ = named.name;  // Undo may have changed it
+  }
+}
+
+void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui, int curve) {
+  constexpr std::array<std::string_view, 3> kFaces = {"up", "down", "both ways"};
+  LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
+  const auto now = static_cast<std::size_t>(changed.curve.faces);
+  ui.begin_row();
+  ui.label("faces");
+  ImGui::SameLine();
+  if (ui.begin_combo("inspector/curve_faces", std::string(kFaces[now]), ui.px(108),
+                     "From which side it stops bodies: up is a floor, down a ceiling; of an upright segment, "
+                     "up is left.")) {
+    for (std::size_t i = 0; i < kFaces.size(); ++i) {
+      if (selectable(kFaces[i], {}, i == now) && i != now) {
+        changed.curve.faces = static_cast<Curve::Faces>(i);
+        change(session, actions, curve, changed, "Turn a curve's face", 0);
+      }
+      ui.item("inspector/curve_faces" + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  ui.end_row();
+}
+
+void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& ui, int curve) {
+  LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
+  FormFields fields(session, number_, ui, !problem_.empty());
+  std::visit([&](auto& form) { fields.draw(form); }, changed.curve.form);
+  if (fields.changed())
+    change(session, actions, curve, std::move(changed), "Change a curve's numbers", number_.stroke);
+}
+
+void CurveInspector::change(const Session& session, Actions& actions, int curve, LevelCurve changed,
+                            std::string label, int stroke) {
+  auto edit = change_curve(session.level(), curve, std::move(changed), std::move(label));
+  problem_ = edit ? std::string() : "Not taken: " + edit.error() + ".";
+  if (edit) actions.push_back(action::EditLevel{*std::move(edit), stroke});
+}
+
+}  // namespace talus

@@ -1,0 +1,255 @@
+// The body's numbers and the table of contacts.
+#include "inspector_panel.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chosen_curve.h"
+#include "chosen_spawn.h"
+#include "debug/explain.h"
+#include "edit/spawn_tools.h"
+#include "overlay/number_label.h"
+#include "panels/commands/commands.h"
+#include "panels/ui/long_list.h"
+
+namespace talus {
+namespace {
+
+constexpr std::array<const char*, 5> kResponseNames = {"ignore", "touch", "cross", "slide", "bounce"};
+
+std::string_view response_label(Response response) {
+  const auto i = static_cast<std::size_t>(response);
+  return i < kResponseNames.size() ? kResponseNames[i] : "own";
+}
+
+// Short, for the table: "up 12,9".
+std::string_view short_role(TileRole role) {
+  switch (role) {
+    case TileRole::up_slope:
+      return "up";
+    case TileRole::down_slope:
+      return "down";
+    case TileRole::ball:
+      return "ball";
+    default:
+      return "solid";
+  }
+}
+
+// A curve by its name, if it has one.
+std::string obstacle_text(const Scene& scene, const Obstacle& other) {
+  if (other.body != 0) return "body " + std::to_string(other.body);
+  if (other.curve >= 0) return name_of_curve(scene, other.curve);
+  return std::string(short_role(other.role)) + " " + std::to_string(other.cell.x) + "," +
+         std::to_string(other.cell.y);
+}
+
+// A number with two decimals, at the right edge; all its digits in the tooltip, and copied by a click.
+// meaning: a sentence below the digits.
+void draw_number(const char* id, double value, Ui& ui, std::string_view meaning = {}) {
+  ImGui::PushID(id);
+  const std::string text = two_decimals(value), digits = all_digits(value);
+  const float width = size_of_text(text).x, room = ImGui::GetContentRegionAvail().x;
+  if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+  draw_text(text);
+  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(digits.c_str());
+  ui.tooltip(meaning.empty() ? digits : digits + "\n" + std::string(meaning), "click to copy");
+  ImGui::PopID();
+}
+
+void draw_text_cell(std::string_view text, Ui& ui, std::string_view meaning = {}) {
+  draw_text(text);
+  ui.tooltip(meaning.empty() ? text : meaning);
+}
+
+std::string_view meaning_of_impact(const ContactRecord& contact) {
+  if (contact.overlaps)
+    return "The boxes overlapped before the move: minus the area that they shared, px\xc2\xb2.";
+  return "Time of impact: the fraction of the move that was done when they met, from 0 to 1.";
+}
+
+std::string_view meaning_of_done(const ContactRecord& contact) {
+  return contact.handled
+             ? "The step acted on this contact."
+             : "The step found this contact but did nothing with it, as after a correction onto a slope.";
+}
+
+void draw_body_row(const char* label, const char* unit, Vec2 v, Ui& ui) {
+  ImGui::PushID(label);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ui.heading(label);
+  ImGui::TableNextColumn();
+  draw_number("x", v.x, ui);
+  ImGui::TableNextColumn();
+  draw_number("y", v.y, ui);
+  ImGui::TableNextColumn();
+  ui.heading(unit);
+  ImGui::PopID();
+}
+
+void draw_body(const Body& body, Ui& ui) {
+  if (!ImGui::BeginTable("body", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("");
+  ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
+  ImGui::TableSetupColumn("y", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
+  ImGui::TableSetupColumn("");
+  ImGui::TableNextRow();
+  ImGui::TableSetColumnIndex(1);
+  ui.right_aligned("x", theme::tone(theme::kMuted));
+  ImGui::TableSetColumnIndex(2);
+  ui.right_aligned("y", theme::tone(theme::kMuted));
+  draw_body_row("position", "px", body.box.position(), ui);
+  draw_body_row("velocity", "px/frame", body.velocity, ui);
+  draw_body_row("size", "px", {body.box.w, body.box.h}, ui);
+  ImGui::EndTable();
+}
+
+void draw_contact_cells(const Scene& scene, const ContactRecord& contact, Ui& ui) {
+  ImGui::TableNextColumn();
+  ui.right_aligned(std::to_string(contact.order + 1));
+  ImGui::TableNextColumn();
+  draw_text_cell(obstacle_text(scene, contact.other), ui);
+  ImGui::TableNextColumn();
+  draw_text_cell(response_label(contact.response), ui);
+  ImGui::TableNextColumn();
+  draw_number("t", contact.ti, ui, meaning_of_impact(contact));
+  ImGui::TableNextColumn();
+  const Vec2 n = contact.normal;
+  ui.right_aligned(one_decimal(n.x) + "," + one_decimal(n.y));
+  ui.tooltip(all_digits(n.x) + "\n" + all_digits(n.y));
+  ImGui::TableNextColumn();
+  if (contact.slope) draw_number("delta", contact.slope->delta, ui);
+  ImGui::TableNextColumn();
+  if (contact.slope) draw_number("floor", contact.slope->floor_y, ui);
+  ImGui::TableNextColumn();
+  draw_text_cell(contact.handled ? "yes" : "no", ui, meaning_of_done(contact));
+}
+
+struct Column {
+  const char* title;
+  float width;   // px at scale 1; 0 takes what is left
+  bool numbers;  // they and their title end at the right edge
+  const char* help;
+};
+constexpr float kLeastTableWidth = 364;  // px at scale 1; a narrower panel scrolls
+constexpr std::array<Column, 8> kColumns = {{
+    {"#", 14, true, "The order in which the step met them."},
+    {"other", 0, false, "A solid tile, an up- or down-slope with its cell, or another body."},
+    {"resp.", 44, false, "How the body reacted."},
+    {"t", 44, true,
+     "Time of impact, a fraction of the move; minus the overlap area, px\xc2\xb2, if the boxes overlapped."},
+    {"n", 40, true, "The normal out of the other."},
+    {"delta", 34, true, "How far along the slope the centre is, from 0 to 1."},
+    {"floor", 48, true, "The computed floor height, px, before rounding."},
+    {"done", 32, false, "Whether it was handled; a slope correction skips the contacts after it."},
+}};
+
+void draw_contact_header(Ui& ui) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const Column& column : kColumns) {
+    ImGui::TableNextColumn();
+    if (column.numbers)
+      ui.right_aligned(column.title, theme::tone(theme::kMuted));
+    else
+      ui.heading(column.title);
+    ui.tooltip(column.help);
+  }
+}
+
+void draw_contacts(const Scene& scene, const StepRecord& record, int body, Ui& ui) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float least = ui.px(kLeastTableWidth);
+  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                ImGuiTableFlags_BordersOuterH |
+                                (room.x < least ? ImGuiTableFlags_ScrollX : 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(3), ui.px(2)));
+  if (ImGui::BeginTable("contacts", static_cast<int>(kColumns.size()), flags, room,
+                        room.x < least ? least : 0)) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (const Column& column : kColumns)
+      ImGui::TableSetupColumn(
+          column.title,
+          column.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+          ui.px(column.width));
+    draw_contact_header(ui);
+    std::vector<const ContactRecord*> contacts;
+    for (const ContactRecord& contact : record.contacts)
+      if (contact.body == body) contacts.push_back(&contact);
+    draw_rows(static_cast<int>(contacts.size()), [&](int row) {
+      const ContactRecord& contact = *contacts[static_cast<std::size_t>(row)];
+      ImGui::TableNextRow();
+      ImGui::PushID(contact.order);
+      if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
+      draw_contact_cells(scene, contact, ui);
+      if (!contact.handled) ImGui::PopStyleColor();
+      ImGui::PopID();
+    });
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
+int count_contacts(const StepRecord& record, int body) {
+  int count = 0;
+  for (const ContactRecord& contact : record.contacts) count += contact.body == body;
+  return count;
+}
+
+// What the opened case shows, and how it should end.
+void draw_hard_case(const HardCase& hard, Ui& ui) {
+  ImGui::Spacing();
+  ImGui::Separator();
+  ImGui::Spacing();
+  ImGui::BeginChild("hard case", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  ui.heading("Hard case " + std::to_string(hard.number));
+  draw_wrapped_text(hard.title);
+  ImGui::Spacing();
+  ui.heading("Set-up");
+  draw_wrapped_text(hard.set_up);
+  ImGui::Spacing();
+  ui.heading("Right answer");
+  draw_wrapped_text(hard.right_answer);
+  ui.item("inspector/answer");
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (draws_curves(session.choices().map_tool)) return curve_.draw(session, actions, ui);
+  const Body* body = session.state().find(session.choices().body);
+  if (body == nullptr) {
+    if (session.choices().map_tool == MapTool::body)
+      ui.hint("No body chosen: click one on the map, or a free place to set one down.");
+    else if (session.state().bodies.empty())
+      ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
+              keys_of(find_command("map/body"), ui) + ").");
+    else
+      ui.hint("No body chosen: click one in the play view.");
+    if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
+    return;
+  }
+  std::string name = "Body " + std::to_string(body->id);
+  const int spawn = chosen_spawn(session);
+  name += spawn >= 0                ? "  (" + title_of_spawn(session.level(), spawn) + ")"
+          : body->origin.spawn >= 0 ? "  (spawn " + std::to_string(body->origin.spawn + 1) + ")"
+                                    : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
+                                          std::to_string(body->origin.cell.y) + ")";
+  if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
+  draw_text(name);
+  draw_body(*body, ui);
+  if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
+  ImGui::Spacing();
+  if (session.state().frame == 0) {
+    ui.hint("No step yet: F10 makes one, and its contacts are listed here.");
+    return;
+  }
+  const int contacts = count_contacts(session.record(), body->id);
+  ui.heading(contacts == 0 ? "No contact in the last step." : "Contacts of the last step, in order");
+  if (contacts > 0) draw_contacts(session.scene(), session.record(), body->id, ui);
+}
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+// The inspector: the chosen body's numbers and every contact of its last step, in order; with a tool that
+// draws curves, the chosen curve.
+#pragma once
+
+#include "curve_inspector.h"
+#include "panels/panel.h"
+#include "spawn_inspector.h"
+
+namespace talus {
+
+class InspectorPanel : public Panel {
+ public:
+  std::string_view id() const override { return "inspector"; }
+  std::string_view title() const override { return "Inspector"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  SpawnInspector spawn_;
+  CurveInspector curve_;
+};
+
+}  // namespace talus

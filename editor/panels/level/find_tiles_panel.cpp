@@ -1,0 +1,93 @@
+// The two tiles, how many cells have the first, and what can be done.
+#include "find_tiles_panel.h"
+
+#include <string>
+
+#include "edit/map_replace.h"
+#include "edit/tile_search.h"
+#include "panels/canvas/canvas_layers.h"
+#include "panels/commands/commands.h"
+
+namespace talus {
+namespace {
+
+constexpr float kLabel = 64;  // px at scale 1
+
+std::uint8_t tile_of(int number) { return static_cast<std::uint8_t>(number); }
+
+}  // namespace
+
+// A picture of the tile, its number, and a button that takes the one that is chosen on the sheet.
+void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field& field, int& tile,
+                               const Session& session, Ui& ui) const {
+  if (field.tile != tile || ImGui::IsWindowAppearing()) field = {tile, tile};  // a command has chosen it
+  ImGui::AlignTextToFramePadding();
+  draw_text(label);
+  ImGui::SameLine(ui.px(kLabel));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ui.px(theme::kButton);
+  ImGui::Dummy({side, side});
+  const CanvasView view{at, {at.x + side, at.y + side}, {at.x, at.y}, side / kTileSize};
+  draw_stamp(*ImGui::GetWindowDrawList(), {1, 1, {tile_of(tile)}}, {0, 0, 1, 1}, view, ui, 255);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ui.px(56));
+  ImGui::InputInt(("##" + name).c_str(), &field.typed, 0);
+  if (field.typed >= 0 && field.typed < kTileCount) field.tile = tile = field.typed;
+  ui.item(name, "The number of the tile, 0 to 255.");
+  ImGui::SameLine();
+  if (ui.text_button(name + "_take", "Take chosen", false,
+                     "Takes the tile that is chosen on the sheet or picked."))
+    field.typed = field.tile = tile = session.choices().stamp.tiles.front();
+}
+
+void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) const {
+  if (find_.is_tile() && replace_.is_tile()) {
+    const std::string place = of_selection ? "the selection" : "the map";
+    draw_text(std::to_string(count) + (count == 1 ? " cell" : " cells") + " of " + place);
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
+  ImGui::TextUnformatted("Tiles have the numbers 0 to 255.");
+  ImGui::PopStyleColor();
+  ui.item("find_tiles/problem");
+}
+
+void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (!ui.view.find_tiles_open) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});
+  if (ImGui::Begin("Find and replace tiles", &ui.view.find_tiles_open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                       ImGuiWindowFlags_AlwaysAutoResize)) {
+    const Choices& choices = session.choices();
+    const Level& level = session.level();
+    const std::size_t count = count_tile(level.map, tile_of(ui.view.find_tile), choices.selection);
+    ui.begin_row();
+    draw_tile("find_tiles/find", "Find", find_, ui.view.find_tile, session, ui);
+    draw_tile("find_tiles/replace", "Put", replace_, ui.view.replace_tile, session, ui);
+    ui.end_row();
+    const bool found = find_.is_tile() && count > 0;
+    draw_count(count, choices.selection.has_value(), ui);
+    const Command &previous = find_command("map/find_previous"), &next = find_command("map/find_next");
+    if (ui.text_button("find_tiles/previous", "Previous", false, previous.help, keys_of(previous, ui), found))
+      previous.run(session, actions, ui);
+    ImGui::SameLine();
+    if (ui.text_button("find_tiles/next", "Next", false, next.help, keys_of(next, ui), found))
+      next.run(session, actions, ui);
+    ImGui::SameLine();
+    const bool differs = ui.view.find_tile != ui.view.replace_tile;
+    if (ui.text_button("find_tiles/replace_all", "Replace all", false,
+                       "Puts the second tile into all these cells; one Undo takes it back.", {},
+                       found && replace_.is_tile() && differs)) {
+      const Stamp put{1, 1, {tile_of(ui.view.replace_tile)}};
+      actions.push_back(
+          action::EditLevel{replace_tile(level, tile_of(ui.view.find_tile), {0, 0}, put, choices.selection)});
+    }
+    ui.place("find_tiles/window", ImGui::GetWindowPos(),
+             {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+              ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+  }
+  ImGui::End();
+}
+
+}  // namespace talus

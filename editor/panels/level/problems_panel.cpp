@@ -1,0 +1,213 @@
+// The list of problems.
+#include "problems_panel.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "edit/fixes.h"
+#include "panels/commands/commands.h"
+#include "problem_list.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostRows = 500;
+constexpr std::size_t kMostRemedies = 2000;
+constexpr int kRemediesAFrame = 4;  // to find a remedy takes up to a few ms
+constexpr float kFix = 32,
+                kWidePlace = 90;  // px at scale 1: of the button, and above which a place has a line
+
+std::string place_of(const Problem& problem) {
+  if (problem.cell)
+    return std::string("(").append(std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y) +
+                                   ")");
+  return problem.tile >= 0 ? "#" + std::to_string(problem.tile) : "level";
+}
+
+std::string looking_text(const Session& session) {
+  return "Looking at the level: " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %.";
+}
+
+float width_of(const std::string& text) { return size_of_text(text).x; }
+
+}  // namespace
+
+void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  looked_for_ = 0;
+  if (remedies_.size() > kMostRemedies) remedies_.clear();
+  if (ui.problems->empty()) {
+    ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
+    ui.view.problems.kind.clear();
+    return;
+  }
+  draw_bar(session, actions, ui);
+  const std::vector<std::size_t> rows = listed_rows(ui);
+  if (rows.empty()) {
+    ui.hint(session.is_linting() ? looking_text(session) : "None of this kind is left.");
+    return;
+  }
+  draw_rows(rows, session, actions, ui);
+}
+
+void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
+  ui.begin_row();
+  draw_kinds(ui);
+  const auto button = [&](std::string_view id, std::string_view label) {
+    const Command& command = find_command(id);
+    ImGui::SameLine();
+    if (ui.text_button(id, label, false, command.help, keys_of(command, ui), command.is_enabled(session, ui)))
+      command.run(session, actions, ui);
+  };
+  button("problems/previous", "<");
+  button("problems/next", ">");
+  const std::string& kind = ui.view.problems.kind;
+  if (!kind.empty()) {
+    ImGui::SameLine();
+    if (ui.text_button(
+            "problems/fix_all", "Fix all", false,
+            "Fixes every problem of this kind that can be fixed, each as its own Fix button says, as "
+            "one change that can be undone.",
+            keys_of(find_command("problems/fix_kind"), ui)))
+      fix_all_problems(kind, session, actions, ui);
+  }
+  if (kind.starts_with("seam")) draw_seam(session, actions, ui);
+  ui.end_row();
+}
+
+void ProblemsPanel::draw_kinds(Ui& ui) {
+  std::string& kind = ui.view.problems.kind;
+  const auto count = [&](std::string_view code) {
+    return std::count_if(ui.problems->begin(), ui.problems->end(),
+                         [&](const Problem& problem) { return problem.code == code; });
+  };
+  const auto text = [&](std::string_view label, std::ptrdiff_t number) {
+    return std::string(label) + " (" + std::to_string(number) + ")";
+  };
+  const std::string all = text("all", static_cast<std::ptrdiff_t>(ui.problems->size()));
+  const std::string preview = kind.empty() ? all : text(rule_label(kind), count(kind));
+  const float others = ui.px(kind.empty() ? 64 : 126);
+  if (!ui.begin_combo("problems/kind", preview,
+                      std::max(ImGui::GetContentRegionAvail().x - others, ui.px(90)),
+                      "Which kind of problem is listed."))
+    return;
+  if (selectable(all, {}, kind.empty())) kind.clear();
+  ui.item("problems/kind_all");
+  for (const LintRule& rule : lint_rules()) {
+    const std::ptrdiff_t number = count(rule.code);
+    if (number == 0) continue;
+    if (selectable(text(rule.label, number), {}, kind == rule.code)) kind = std::string(rule.code);
+    ui.item("problems/kind_" + std::string(rule.code));
+  }
+  ImGui::EndCombo();
+}
+
+void ProblemsPanel::draw_seam(const Session& session, Actions& actions, Ui& ui) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Jumps of up to");
+  ImGui::SameLine();
+  double seam = session.lint_options().seam;
+  ImGui::SetNextItemWidth(ui.px(56));
+  if (ImGui::InputDouble("##seam", &seam, 0, 0, "%.6g")) actions.push_back(action::SetLintOptions{{seam}});
+  ui.item("problems/seam", "So many px, below 8, a floor or a ceiling may jump without being listed.");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("px are meant");
+}
+
+void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Session& session, Actions& actions,
+                              Ui& ui) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("problems", 3, kFlags, ImGui::GetContentRegionAvail())) return;
+  const std::size_t shown = std::min(rows.size(), kMostRows);
+  float place = ui.px(40);
+  for (std::size_t i = 0; i < shown; ++i)
+    place = std::max(place, width_of(place_of((*ui.problems)[rows[i]])));
+  const bool is_wide = place > ui.px(kWidePlace);  // then it is above the message
+  ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthFixed, is_wide ? 1 : place + ui.px(4));
+  ImGui::TableSetupColumn("message", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("fix", ImGuiTableColumnFlags_WidthFixed, ui.px(kFix));
+  for (std::size_t i = 0; i < shown; ++i) draw_row(rows[i], session, actions, ui);
+  if (rows.size() > shown) {
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(1);
+    ui.hint("... and " + std::to_string(rows.size() - shown) + " more.");
+  }
+  if (session.is_linting()) {  // below the rows, which stand still
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(1);
+    ui.hint(looking_text(session));
+  }
+  ImGui::EndTable();
+}
+
+void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const Problem& problem = (*ui.problems)[index];
+  const std::string row = std::to_string(index), place = place_of(problem);
+  const bool is_chosen = ui.view.problems.chosen == problem;
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::TableNextRow();
+  ImGui::TableSetColumnIndex(1);
+  const bool is_wide = width_of(place) > ui.px(kWidePlace);
+  const ImU32 color = theme::tone(problem.severity == Severity::error ? theme::kError : theme::kWarning);
+  const float top = ImGui::GetCursorPosY();
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  if (is_wide) draw_text(place);
+  ImGui::PopStyleColor();
+  ImGui::PushTextWrapPos(0);
+  draw_text(shown_line(problem.message));
+  ImGui::PopTextWrapPos();
+  const float height = std::max(ImGui::GetCursorPosY() - top - ImGui::GetStyle().ItemSpacing.y, ui.px(20));
+  ImGui::TableSetColumnIndex(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  if (selectable(is_wide ? "" : place, "place", is_chosen,
+                 ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height}))
+    go_to_problem(index, session, actions, ui);
+  ImGui::PopStyleColor();
+  const std::string help(problem.message.size() > kMostLine ? problem.message : rule_label(problem.code));
+  ui.item("problems/row" + row, help, "click to go there");
+  if (is_chosen && std::exchange(ui.view.problems.scroll, false)) ImGui::SetScrollHereY(0.5f);
+  if (ImGui::IsItemVisible()) {
+    const Remedy& remedy = remedy_of(problem, session);
+    draw_menu(problem, remedy, session, actions, ui);
+    ImGui::TableSetColumnIndex(2);
+    if (!remedy.fixes.empty() && ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
+    if (!remedy.fixes.empty())
+      ui.item("problems/fix" + row, remedy.fixes.front() + ".",
+              is_chosen ? keys_of(find_command("problems/fix"), ui) : "");
+  }
+  ImGui::PopID();
+}
+
+// Of a row, which is ImGui's last item.
+void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, const Session& session,
+                              Actions& actions, Ui& ui) {
+  if (!ImGui::BeginPopupContextItem("fixes")) return;
+  for (std::size_t i = 0; i < remedy.fixes.size(); ++i) {
+    if (menu_item(remedy.fixes[i], std::to_string(i))) {
+      std::vector<Edit> fixes = fixes_for(session.level(), session.lint_options(), problem);
+      if (i < fixes.size()) actions.push_back(action::EditLevel{std::move(fixes[i])});
+    }
+    ui.item("problems/choice" + std::to_string(i));
+  }
+  if (remedy.fixes.empty()) ImGui::TextUnformatted("Only you can tell what is meant here.");
+  ImGui::Separator();
+  if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(problem.code, session, actions, ui);
+  ui.item("problems/choice_all");
+  if (ImGui::MenuItem("List this kind alone")) ui.view.problems.kind = problem.code;
+  ui.item("problems/choice_kind");
+  ImGui::EndPopup();
+}
+
+// While something is dragged, what was found before must do.
+const ProblemsPanel::Remedy& ProblemsPanel::remedy_of(const Problem& problem, const Session& session) {
+  Remedy& remedy = remedies_[problem.code + ": " + problem.message];
+  const std::uint64_t now = session.revision() + 1;  // 0: not yet looked for
+  if (remedy.revision == now || looked_for_ == kRemediesAFrame || ImGui::IsAnyMouseDown()) return remedy;
+  ++looked_for_;
+  remedy = {{}, now};
+  for (Edit& edit : fixes_for(session.level(), session.lint_options(), problem))
+    remedy.fixes.push_back(std::move(edit.label));
+  return remedy;
+}
+
+}  // namespace talus

@@ -1,0 +1,39 @@
+// What is likely wrong in the level; a click shows the place, a button or the menu of the right button fixes
+// it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "panels/panel.h"
+
+namespace talus {
+
+class ProblemsPanel : public Panel {
+ public:
+  std::string_view id() const override { return "problems"; }
+  std::string_view title() const override { return "Problems"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  // What can be done about a problem: the labels of its fixes.
+  struct Remedy {
+    std::vector<std::string> fixes;
+    std::uint64_t revision = 0;  // of the level for which they were found
+  };
+
+  void draw_bar(const Session& session, Actions& actions, Ui& ui);
+  void draw_kinds(Ui& ui);
+  void draw_seam(const Session& session, Actions& actions, Ui& ui);
+  void draw_rows(const std::vector<std::size_t>& rows, const Session& session, Actions& actions, Ui& ui);
+  void draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui);
+  void draw_menu(const Problem& problem, const Remedy& remedy, const Session& session, Actions& actions,
+                 Ui& ui);
+  const Remedy& remedy_of(const Problem& problem, const Session& session);
+
+  std::map<std::string, Remedy> remedies_;  // by what the problem says
+  int looked_for_ = 0;                      // remedies in this frame
+};
+
+}  // namespace talus

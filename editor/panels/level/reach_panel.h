@@ -1,0 +1,22 @@
+// Where a player gets to: the search, how far it is, and the way to a cell.
+#pragma once
+
+#include "panels/panel.h"
+
+namespace talus {
+
+class ReachPanel : public Panel {
+ public:
+  std::string_view id() const override { return "reach"; }
+  std::string_view title() const override { return "Reach"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_way(const Session& session, Actions& actions, Ui& ui);
+
+  std::optional<Cell> cell_;     // the reached one that is told about
+  std::optional<Cell> chosen_;   // the one that was clicked last
+  std::optional<Cell> clicked_;  // on the canvas, when last looked at, reached or not
+};
+
+}  // namespace talus

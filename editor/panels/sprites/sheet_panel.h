@@ -1,0 +1,25 @@
+// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on, or
+// paints flags.
+#pragma once
+
+#include <optional>
+
+#include "panels/panel.h"
+#include "panels/tiles/flag_brush.h"
+
+namespace talus {
+
+class SheetPanel : public Panel {
+ public:
+  std::string_view id() const override { return "sheet"; }
+  std::string_view title() const override { return "Sheet"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_header(const Session& session, Actions& actions, Ui& ui);
+  void handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float cell);
+  FlagBrush flag_brush_;
+  std::optional<Cell> drag_from_;  // tile where the button went down
+};
+
+}  // namespace talus

@@ -1,0 +1,27 @@
+// The brushes of the level, and the tiles of its ground.
+#pragma once
+
+#include <string>
+
+#include "panels/panel.h"
+
+namespace talus {
+
+class BrushesPanel : public Panel {
+ public:
+  std::string_view id() const override { return "brushes"; }
+  std::string_view title() const override { return "Brushes"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_buttons(const Session& session, Actions& actions, Ui& ui) const;
+  void draw_list(const Session& session, Actions& actions, Ui& ui);
+  void draw_brush(int index, const Session& session, Actions& actions, Ui& ui);
+  void draw_name(int index, float width, const Session& session, Actions& actions, Ui& ui);
+  void draw_ground(const Session& session, Actions& actions, Ui& ui) const;
+
+  int renamed_ = -1;      // the brush whose name is typed; -1: none
+  std::string new_name_;  // as it is typed
+};
+
+}  // namespace talus

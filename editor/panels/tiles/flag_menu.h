@@ -1,0 +1,40 @@
+// What opens at a flag or a field of flags: its names, its role and shape, and which flags it is over.
+#pragma once
+
+#include <string>
+
+#include "panels/ui/number_field.h"
+#include "panels/ui/ui.h"
+#include "session/session.h"
+
+namespace talus {
+
+class FlagMenu {
+ public:
+  // Call where the window is that it belongs to; shown from the next draw() on. `at_x`: px of the screen.
+  void open_flag(const Level& level, int flag, float at_x);
+  void open_field(int first_flag, float at_x);  // the field that begins there
+  void draw(const Session& session, Actions& actions, Ui& ui);
+
+ private:
+  void show_flag(const Level& level, int flag);
+  void show_field(int first_flag);
+  void draw_flag(const Session& session, Actions& actions, Ui& ui);
+  void draw_role(const Level& level, Actions& actions, Ui& ui) const;
+  void draw_shape_of_flag(const Session& session, Actions& actions, Ui& ui);
+  void draw_place_in_field(const Level& level, Actions& actions, Ui& ui);
+  void draw_field(const Session& session, Actions& actions, Ui& ui, std::size_t index);
+  void draw_bits(const Level& level, Actions& actions, Ui& ui, std::size_t index) const;
+  void draw_values(const Session& session, Actions& actions, Ui& ui, std::size_t index);
+  void draw_flags_of_field(const Level& level, Ui& ui, const FlagField& field);
+
+  int flag_ = 0;  // whose menu it is; of a field: its first
+  bool is_field_ = false;
+  float x_ = 0;              // px of the screen, its left side
+  bool wants_keys_ = false;  // the name, as the menu shows another one
+  std::string new_name_;     // of the flag
+  NumberEdit shape_edit_;    // of a shape's numbers
+  int text_stroke_ = 0;      // of what is typed for a field
+};
+
+}  // namespace talus

@@ -1,0 +1,100 @@
+// A flag to look for, how much there is of it, and the list of its tiles.
+#include "flag_search_panel.h"
+
+#include <string>
+
+#include "flag_choice.h"
+#include "flag_label.h"
+#include "panels/commands/commands.h"
+
+namespace talus {
+namespace {
+
+std::string counted_text(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+// Selects a tile, and shows its next cell, if the map has one.
+void show_tile(int tile, FlagPattern pattern, const Session& session, Actions& actions, Ui& ui) {
+  const CellRect place{tile % kSheetColumns, tile / kSheetColumns, 1, 1};
+  actions.push_back(action::SelectTiles{{SheetId::tiles, place}});
+  if (const auto cell = find_flagged_cell(session.level(), pattern, ui.view.search_start(), true, tile)) {
+    ui.view.centre_on = ui.view.marked_cell = cell;
+    if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
+  }
+}
+
+}  // namespace
+
+void FlagSearchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  draw_choice(session, actions, ui);
+  const auto pattern = session.choices().flag_overlay;
+  if (!pattern) {
+    ui.hint("Choose a flag to see which tiles have it, and where they are on the map.");
+    return;
+  }
+  count(session, *pattern);
+  if (use_.tiles.empty()) {
+    ui.hint("No tile has it: click its lamp, or paint it on the sheet with Paint flags (" +
+            keys_of(find_command("flags/brush"), ui) + ").");
+    return;
+  }
+  const std::string text =
+      counted_text(use_.tiles.size(), "tile") + ", " + counted_text(use_.cell_count, "cell") + " of the map";
+  ui.heading(text);
+  ui.item("flag_search/count");
+  draw_tiles(session, actions, ui);
+}
+
+void FlagSearchPanel::draw_choice(const Session& session, Actions& actions, Ui& ui) {
+  const auto now = session.choices().flag_overlay;
+  const float button = ui.px(theme::kButton),
+              width = ImGui::GetContentRegionAvail().x - 2 * button - ui.px(8);
+  draw_flag_choice("flag_search/flag", now ? pattern_label(session.level(), *now) : "no tint", width, session,
+                   actions, ui);
+  const Command &before = find_command("flags/previous"), &next = find_command("flags/next");
+  ImGui::SameLine(0, ui.px(4));
+  if (ui.text_button("flag_search/previous", "<", false, before.help, keys_of(before, ui), now.has_value(),
+                     button))
+    before.run(session, actions, ui);
+  ImGui::SameLine(0, ui.px(4));
+  if (ui.text_button("flag_search/next", ">", false, next.help, keys_of(next, ui), now.has_value(), button))
+    next.run(session, actions, ui);
+}
+
+void FlagSearchPanel::count(const Session& session, FlagPattern pattern) {
+  if (counted_ == pattern && revision_ == session.revision()) return;
+  use_ = find_flag_use(session.level(), pattern);
+  counted_ = pattern;
+  revision_ = session.revision();
+}
+
+void FlagSearchPanel::draw_tiles(const Session& session, Actions& actions, Ui& ui) const {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("tiles", 2, kFlags, ImGui::GetContentRegionAvail())) return;
+  ImGui::TableSetupColumn("tile", ImGuiTableColumnFlags_WidthFixed, ui.px(64));
+  ImGui::TableSetupColumn("cells", ImGuiTableColumnFlags_WidthStretch);
+  const float side = ImGui::GetTextLineHeight();
+  for (const int tile : use_.tiles) {
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string number = std::to_string(tile);
+    if (selectable("", number, false, ImGuiSelectableFlags_SpanAllColumns))
+      show_tile(tile, *counted_, session, actions, ui);
+    ui.item("flag_search/tile" + number, "Selects tile " + number + ".", "click again for its next cell");
+    constexpr float kPart = 1.0f / kSheetColumns;
+    const ImVec2 from{static_cast<float>(tile % kSheetColumns) * kPart,
+                      static_cast<float>(tile / kSheetColumns) * kPart};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddImage(ui.sheet(SheetId::tiles), at, {at.x + side, at.y + side}, from,
+                  {from.x + kPart, from.y + kPart});
+    add_text(list, {at.x + side + ui.px(8), at.y}, theme::tone(theme::kText), "#" + number);
+    ImGui::TableSetColumnIndex(1);
+    const std::size_t cells = use_.cells[static_cast<std::size_t>(tile)];
+    ui.heading(cells == 0 ? "not on the map" : counted_text(cells, "cell"));
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace talus

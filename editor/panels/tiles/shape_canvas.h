@@ -1,0 +1,41 @@
+// The tiles that a shape reaches over, magnified, with handles on its line to drag.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "panels/ui/ui.h"
+#include "session/session.h"
+
+namespace talus {
+
+class ShapeCanvas {
+ public:
+  // Draws them in this room, px, below which very high ones reach, and takes the mouse. The shape as it has
+  // just been dragged; nothing while it stays. A drag that starts on a handle moves that by as much as the
+  // mouse; elsewhere it moves the line of a slope, and draws a profile freely; Escape takes it back. Its
+  // handles are registered as "shape/handle0" and on.
+  std::optional<TileShape> draw(const Session& session, Actions& actions, int tile, const TileShape& shape,
+                                ImVec2 room, Ui& ui);
+  int stroke() const { return stroke_; }  // of the drag's edits
+
+ private:
+  enum class Grip { none, handle, line, free };
+  struct Frame;
+  void take_hold(const Frame& frame, ImVec2 mouse);
+  void drag(Frame& frame, Actions& actions);
+  void move_held(Frame& frame, float y) const;
+  void draw_freely(Frame& frame, ImVec2 mouse);
+  void follow_cursor(const Frame& frame, Ui& ui) const;
+  void draw_line(const Frame& frame, Ui& ui) const;
+  void draw_handles(const Frame& frame, const std::vector<ImVec2>& points, Ui& ui) const;
+
+  int stroke_ = 0;
+  Grip grip_ = Grip::none;
+  int held_ = 0;              // index of the height that the drag has come to
+  float from_y_ = 0;          // px of the screen, where the drag began
+  std::vector<double> from_;  // the heights then
+  int rows_ = 1;              // of tiles; kept during a drag, so that nothing jumps
+};
+
+}  // namespace talus

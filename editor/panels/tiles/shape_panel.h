@@ -1,0 +1,33 @@
+// The shape of the selected tile: magnified, in numbers, proposed from its pixels, and copied to other tiles.
+#pragma once
+
+#include "edit/tile_shapes.h"
+#include "panels/panel.h"
+#include "panels/ui/number_field.h"
+#include "shape_canvas.h"
+
+namespace talus {
+
+class ShapePanel : public Panel {
+ public:
+  std::string_view id() const override { return "shape"; }
+  std::string_view title() const override { return "Shape"; }
+  void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_kind(const Session& session, Actions& actions, Ui& ui, int tile) const;
+  void draw_fields(const Session& session, Actions& actions, Ui& ui, int tile);
+  void draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile);
+  void draw_copy(const Session& session, Actions& actions, Ui& ui, int tile);
+  void draw_turn_choice(Ui& ui);
+  void draw_target(Actions& actions, Ui& ui, int target);
+
+  ShapeCanvas canvas_;
+  NumberEdit field_;
+  ShapeTurn turn_ = ShapeTurn::mirrored;
+  int target_ = -1;      // tile that a copy goes to; -1: the first free one
+  int target_for_ = -1;  // the tile that target_ was chosen for
+  int typed_ = 0;        // target, not taken before the typing ends
+};
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+// The picker: takes the tiles of a rectangle of the map as the stamp.
+#include "edit/stamp.h"
+#include "level_tools.h"
+#include "panels/canvas/canvas_layers.h"
+
+namespace talus {
+namespace {
+
+// What the sheet shows of picked tiles: all of them where they lie there as on the map, else the first.
+SpriteArea area_of(const Stamp& stamp) {
+  const CellRect first{stamp.at(0, 0) % kSheetColumns, stamp.at(0, 0) / kSheetColumns, 1, 1};
+  const CellRect all{first.x, first.y, stamp.w, stamp.h};
+  return {SheetId::tiles, stamp_of_sheet(all) == stamp ? all : first};
+}
+
+class PickTool : public LevelTool {
+ public:
+  void release(const LevelToolUse& use, Actions& actions) override {
+    const Level& level = use.session.level();
+    if (!level.map.contains(*use.from)) return;
+    const Stamp stamp = stamp_of_map(level, use.dragged());
+    actions.push_back(action::SelectTiles{area_of(stamp)});
+    actions.push_back(action::SetStamp{stamp});
+    actions.push_back(action::SetMapTool{MapTool::stamp});
+  }
+  void draw(ImDrawList& list, const LevelToolUse& use) const override {
+    if (!use.is_seen()) return;
+    const CellRect cells = use.dragged();
+    if (use.from) use.ui.view.hover.dragged = Cell{cells.w, cells.h};
+    draw_cell_frame(list, cells, use.view, theme::color(theme::kText), use.ui.px(1));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<LevelTool> make_pick_tool() { return std::make_unique<PickTool>(); }
+
+}  // namespace talus

@@ -1,0 +1,25 @@
+// Drawing shapes of pixels.
+#include "pixel_shape_tool.h"
+
+#include "panels/ui/theme.h"
+
+namespace talus {
+
+void PixelShapeTool::release(const PixelToolUse& use, Actions& actions) {
+  actions.push_back(action::EditLevel{shape(use)});
+}
+
+// The pixels as the edit leaves them.
+void PixelShapeTool::draw(ImDrawList& list, const PixelToolUse& use, const CanvasView& view) const {
+  const SpriteArea& area = use.session.choices().area;
+  for (const Change& change : shape(use).changes) {
+    const auto* pixel = std::get_if<PixelChange>(&change);
+    if (pixel == nullptr) continue;
+    const int x = (pixel->tile % kSheetColumns - area.tiles.x) * kTileSize + pixel->pixel % kTileSize;
+    const int y = (pixel->tile / kSheetColumns - area.tiles.y) * kTileSize + pixel->pixel / kTileSize;
+    list.AddRectFilled(view.to_screen({x + 0.0, y + 0.0}), view.to_screen({x + 1.0, y + 1.0}),
+                       theme::color(use.session.level().palette[pixel->after]));
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,39 @@
+// PixelTool: what a button of the mouse does on the pixel canvas, from the press to the release. Each tool is
+// a file of this folder; pixel_tools.cpp has the table of them.
+#pragma once
+
+#include "panels/canvas/camera.h"
+#include "session/session.h"
+
+namespace talus {
+
+// Where the mouse is, and the drag that it is at.
+struct PixelToolUse {
+  const Session& session;
+  Cell pixel;          // under the mouse, inside the canvas or not
+  Cell from = {};      // px, where the button went down
+  Cell last = {};      // px, where the drag had come to before this frame
+  bool right = false;  // the right button's, with its colour
+  int stroke = 0;      // of the drag's edits, so that they are one undo
+
+  std::uint8_t color() const {
+    const Choices& choices = session.choices();
+    return static_cast<std::uint8_t>(right ? choices.secondary_color : choices.color);
+  }
+};
+
+class PixelTool {
+ public:
+  virtual ~PixelTool() = default;
+  // The button goes down, on the canvas.
+  virtual void press(const PixelToolUse&, Actions&) {}
+  // The mouse has come to another pixel.
+  virtual void drag(const PixelToolUse&, Actions&) {}
+  // The button goes up, after drag().
+  virtual void release(const PixelToolUse&, Actions&) {}
+  // During a drag: what letting go would draw.
+  virtual void draw(ImDrawList&, const PixelToolUse&, const CanvasView&) const {}
+  virtual bool uses_brush() const { return false; }
+};
+
+}  // namespace talus

@@ -1,0 +1,136 @@
+// The window of keys, from the table of commands.
+#include "help_panel.h"
+
+#include <array>
+
+#include "panels/canvas/play_keys.h"
+#include "panels/commands/commands.h"
+
+namespace talus {
+namespace {
+
+struct MouseHelp {
+  const char* what;
+  const char* how;
+};
+constexpr MouseHelp kMouse[] = {
+    {"left button on the map", "the chosen tool"},
+    {"middle button on the map", "picks the tiles of a dragged rectangle as the stamp"},
+    {"Shift over the map", "shows the tile sheet there, to choose a stamp"},
+    {"right button, or Space and left", "drags the view; with a player, Space jumps in the play view"},
+    {"wheel on the map or play view", "zooms at the mouse"},
+    {"left button on a ball in the play view", "chooses it and holds it"},
+    {"left button on the overlays' legend", "folds its names away, or shows them again"},
+    {"wheel on the timeline or a plot", "zooms at the mouse; the middle button drags"},
+    {"left and right button on the pixels", "draw with their two colours"},
+    {"middle button on the pixels", "picks the colour"},
+    {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
+    {"mouse over the sprites or the map", "gives them the keys; so do a click, F2 and F3"},
+    {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
+    {"drag with Paint flags, on the sheet or the map",
+     "sets the tinted flag, or clears it where the first tile has it"},
+    {"no mouse at hand: Enter on the map or the pixels", "shows a cursor for the arrows; see below"},
+    {"a file dropped on the window", "is opened"},
+};
+
+// Of three columns: keys, what they do, and more of it.
+bool begin_help_table(const char* id, Ui& ui) {
+  if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg)) return false;
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ui.px(150));
+  ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, ui.px(170));
+  ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+  return true;
+}
+
+void draw_help_row(std::string_view keys, std::string_view does, std::string_view help, Ui& ui) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kAccent));
+  draw_text(keys);
+  ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  draw_text(does);
+  ImGui::TableNextColumn();
+  ui.hint(help);
+}
+
+void draw_scope(Scope scope, Ui& ui) {
+  ImGui::Spacing();
+  std::string title(scope_label(scope));
+  if (scope != Scope::everywhere) title += " (" + keys_of(focus_command(scope), ui) + ")";
+  ui.heading(title);
+  if (!begin_help_table(scope_label(scope).data(), ui)) return;
+  for (const Command& command : commands()) {
+    if (command.scope != scope) continue;
+    draw_help_row(keys_of(command, ui), command.label, command.help, ui);
+  }
+  ImGui::EndTable();
+}
+
+void draw_mouse(Ui& ui) {
+  ui.heading("The mouse");
+  if (!ImGui::BeginTable("mouse", 2, ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ui.px(324));
+  ImGui::TableSetupColumn("how", ImGuiTableColumnFlags_WidthStretch);
+  for (const MouseHelp& row : kMouse) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    draw_text(row.what);
+    ImGui::TableNextColumn();
+    ui.hint(row.how);
+  }
+  ImGui::EndTable();
+}
+
+void draw_player_keys(Ui& ui) {
+  ImGui::Spacing();
+  ui.heading("Players (of the exact solver), while it plays or after the play view was clicked");
+  if (!begin_help_table("players", ui)) return;
+  struct Row {
+    std::string_view keys, does, help;
+  };
+  constexpr std::array<Row, 2> kRows = {
+      {{kRunKeys, "Run", "Those that are held count in the next step, also when it is made by hand."},
+       {kJumpKeys, "Jump", "Let go early for a lower jump."}}};
+  for (const Row& row : kRows) draw_help_row(row.keys, row.does, row.help, ui);
+  ImGui::EndTable();
+}
+
+void draw_control_keys(Ui& ui) {
+  ImGui::Spacing();
+  ui.heading("In dialogs, menus, windows such as the settings, and tabs that the command palette went to");
+  if (!begin_help_table("controls", ui)) return;
+  draw_help_row("Arrows, Tab, Shift+Tab", "To the next control",
+                "It has a frame. In a list the arrows alone.", ui);
+  draw_help_row("Space, Enter", "Press it", "Enter also presses the highlighted answer of a dialog.", ui);
+  draw_help_row("Underlined letters", "Press a button", "While a text is typed, with Alt.", ui);
+  draw_help_row("Esc", "Cancel, close, end",
+                "First what is open; then an error that covers the view, or the mark of what was found; then "
+                "what is selected.",
+                ui);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
+  if (!ui.view.help_open) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(ui.px(880), window.x - ui.px(64)), window.y - ui.px(96)},
+                           ImGuiCond_Appearing);
+  if (ImGui::Begin("Keys and mouse", &ui.view.help_open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    draw_mouse(ui);
+    draw_player_keys(ui);
+    draw_control_keys(ui);
+    for (Scope scope : {Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites, Scope::input})
+      draw_scope(scope, ui);
+    ui.place("help/window", ImGui::GetWindowPos(),
+             {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+              ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+  }
+  ImGui::End();
+}
+
+}  // namespace talus

@@ -1,0 +1,92 @@
+// Every panel and its region.
+#include "panel_list.h"
+
+#include "help_panel.h"
+#include "menu_panel.h"
+#include "message_panel.h"
+#include "metrics_panel.h"
+#include "panels/canvas/canvas_panel.h"
+#include "panels/commands/command_palette_panel.h"
+#include "panels/commands/keys_panel.h"
+#include "panels/debugger/compare_panel.h"
+#include "panels/debugger/input_roll_panel.h"
+#include "panels/debugger/stops_panel.h"
+#include "panels/debugger/timeline_panel.h"
+#include "panels/debugger/transport_panel.h"
+#include "panels/debugger/tuning_panel.h"
+#include "panels/debugger/watch_panel.h"
+#include "panels/debugger/why_panel.h"
+#include "panels/files/export_panel.h"
+#include "panels/files/level_import_panel.h"
+#include "panels/files/picture_import_panel.h"
+#include "panels/files/reading_panel.h"
+#include "panels/inspector/inspector_panel.h"
+#include "panels/level/find_tiles_panel.h"
+#include "panels/level/history_panel.h"
+#include "panels/level/problems_panel.h"
+#include "panels/level/reach_panel.h"
+#include "panels/level/resize_panel.h"
+#include "panels/sprites/color_panel.h"
+#include "panels/sprites/palette_panel.h"
+#include "panels/sprites/pixel_panel.h"
+#include "panels/sprites/sheet_panel.h"
+#include "panels/tiles/brushes_panel.h"
+#include "panels/tiles/flag_search_panel.h"
+#include "panels/tiles/flags_panel.h"
+#include "panels/tiles/shape_panel.h"
+#include "question_panel.h"
+#include "settings_panel.h"
+#include "status_panel.h"
+
+namespace talus {
+namespace {
+
+template <class P>
+PanelPlace place(Region region) {
+  return {std::make_unique<P>(), region};
+}
+
+}  // namespace
+
+std::vector<PanelPlace> make_panels() {
+  std::vector<PanelPlace> panels;
+  panels.push_back(place<MenuPanel>(Region::menu));
+  panels.push_back(place<SheetPanel>(Region::sheet));
+  panels.push_back(place<PixelPanel>(Region::pixels));
+  panels.push_back(place<PalettePanel>(Region::palette));
+  panels.push_back(place<FlagsPanel>(Region::flags));
+  panels.push_back(place<ColorPanel>(Region::flags));
+  panels.push_back(place<CanvasPanel>(Region::canvas));
+  panels.push_back(place<InspectorPanel>(Region::right_top));
+  panels.push_back(place<WhyPanel>(Region::right_top));
+  panels.push_back(place<ShapePanel>(Region::right_top));
+  panels.push_back(place<TuningPanel>(Region::right_top));
+  panels.push_back(place<BrushesPanel>(Region::right_top));
+  panels.push_back(place<ProblemsPanel>(Region::right_bottom));
+  panels.push_back(place<HistoryPanel>(Region::right_bottom));
+  panels.push_back(place<FlagSearchPanel>(Region::right_bottom));
+  panels.push_back(place<InputRollPanel>(Region::dock));
+  panels.push_back(place<WatchPanel>(Region::dock));
+  panels.push_back(place<StopsPanel>(Region::dock));
+  panels.push_back(place<ComparePanel>(Region::dock));
+  panels.push_back(place<ReachPanel>(Region::dock));
+  panels.push_back(place<TimelinePanel>(Region::timeline));
+  panels.push_back(place<TransportPanel>(Region::transport));
+  panels.push_back(place<StatusPanel>(Region::status));
+  panels.push_back(place<HelpPanel>(Region::floating));
+  panels.push_back(place<MetricsPanel>(Region::floating));
+  panels.push_back(place<SettingsPanel>(Region::floating));
+  panels.push_back(place<KeysPanel>(Region::floating));
+  panels.push_back(place<FindTilesPanel>(Region::floating));
+  panels.push_back(place<ExportPanel>(Region::floating));
+  panels.push_back(place<ResizePanel>(Region::floating));
+  panels.push_back(place<CommandPalettePanel>(Region::floating));
+  panels.push_back(place<PictureImportPanel>(Region::floating));
+  panels.push_back(place<LevelImportPanel>(Region::floating));
+  panels.push_back(place<ReadingPanel>(Region::floating));
+  panels.push_back(place<QuestionPanel>(Region::floating));
+  panels.push_back(place<MessagePanel>(Region::floating));
+  return panels;
+}
+
+}  // namespace talus

@@ -1,0 +1,131 @@
+// A floating window of rows: a name at the left, a control at the right.
+#include "settings_panel.h"
+
+#include <array>
+
+#include "panels/canvas/overlay_painter.h"
+#include "panels/commands/commands.h"
+
+namespace talus {
+namespace {
+
+constexpr float kSettingNames = 150, kSettingWidth = 250, kCommandLineWidth = 300;  // px at scale 1
+constexpr std::array<double, 9> kSettingScales = {0, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+
+std::string scale_label(double scale) {
+  return scale == 0 ? "by the window's height" : std::to_string(static_cast<int>(scale * 100)) + " %";
+}
+
+void setting_row(std::string_view name, Ui& ui) {
+  ImGui::AlignTextToFramePadding();
+  draw_text(name);
+  ImGui::SameLine(ui.px(kSettingNames));
+}
+
+void draw_setting_switch(const char* widget, std::string_view id, const char* label, const Session& session,
+                         Actions& actions, Ui& ui) {
+  const Command& command = find_command(id);
+  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
+    command.run(session, actions, ui);
+}
+
+void draw_looks(const Session& session, Actions& actions, Ui& ui) {
+  Preferences& preferences = ui.view.preferences;
+  setting_row("Theme", ui);
+  for (const auto& [kind, label, widget] : {std::tuple{ThemeKind::dark, "Dark", "settings/dark"},
+                                            std::tuple{ThemeKind::light, "Light", "settings/light"}}) {
+    if (ui.text_button(widget, label, preferences.theme == kind, "The colours of the panels.",
+                       keys_of(find_command("view/light_theme"), ui), true, ui.px(72)))
+      preferences.theme = kind;
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+  setting_row("Size of everything", ui);
+  if (ui.begin_combo("settings/scale", scale_label(ui.view.ui_scale), ui.px(kSettingWidth),
+                     "How large text and controls are, for screens with many pixels.")) {
+    for (double scale : kSettingScales) {
+      if (selectable(scale_label(scale), {}, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+      ui.item("settings/scale/" + std::to_string(static_cast<int>(scale * 100)));
+    }
+    ImGui::EndCombo();
+  }
+  if (ui.view.ui_scale > ui.scale) {
+    setting_row("", ui);
+    ui.hint("This window has room for " + scale_label(ui.scale) + ".");
+  }
+  setting_row("Size of text", ui);
+  int size = static_cast<int>(preferences.font_size);
+  ImGui::SetNextItemWidth(ui.px(kSettingWidth));
+  if (ImGui::SliderInt("##font_size", &size, static_cast<int>(kMinFontSize), static_cast<int>(kMaxFontSize),
+                       "%d px"))
+    preferences.font_size = std::clamp<double>(size, kMinFontSize, kMaxFontSize);
+  ui.item("settings/font_size", "The height of text, in controls of the same size.");
+  setting_row("Overlays", ui);
+  draw_setting_switch("settings/safe_colours", "view/safe_colours", "Colours for colour-blind eyes", session,
+                      actions, ui);
+  ImGui::SetCursorPosX(ui.px(kSettingNames));
+  const float swatch = ui.px(14);
+  for (const OverlayInfo& info : overlay_infos()) {
+    paint_overlay_swatch(*ImGui::GetWindowDrawList(), info.id, ImGui::GetCursorScreenPos(), swatch,
+                         session.choices().overlay_palette);
+    ImGui::Dummy({swatch, swatch});
+    ui.tooltip(info.label);
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+}
+
+void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
+  setting_row("Layout", ui);
+  draw_setting_switch("settings/layout_draw", "view/layout_draw", "Draw", session, actions, ui);
+  ImGui::SameLine();
+  draw_setting_switch("settings/layout_play", "view/layout_play", "Play", session, actions, ui);
+  ImGui::SameLine();
+  draw_setting_switch("settings/layout_debug", "view/layout_debug", "Debug", session, actions, ui);
+  ImGui::SameLine();
+  draw_setting_switch("settings/reset_layout", "view/reset_layout", "Reset", session, actions, ui);
+  setting_row("Keys", ui);
+  draw_setting_switch("settings/keys", "edit/keys", "Change keys...", session, actions, ui);
+}
+
+}  // namespace
+
+void SettingsPanel::draw_programs(Ui& ui) {
+  Preferences& preferences = ui.view.preferences;
+  ui.heading("Other programs: {file} is the level's file, {folder} its folder");
+  for (const ProgramInfo& info : program_infos()) {
+    const auto index = static_cast<std::size_t>(info.id);
+    const std::string widget = "settings/" + std::string(info.key);
+    setting_row(info.label, ui);
+    ImGui::SetNextItemWidth(ui.px(kCommandLineWidth));
+    input_text(widget, "", typed_[index]);
+    if (ImGui::IsItemDeactivatedAfterEdit()) preferences.programs[index] = typed_[index];
+    if (!ImGui::IsItemActive()) typed_[index] = preferences.programs[index];
+    ui.item(widget, info.settings);
+    ImGui::SameLine();
+    if (ui.icon_button(widget + "_reset", Icon::restart, false, "Puts the first command back.", {},
+                       preferences.programs[index] != info.command))
+      preferences.programs[index] = std::string(info.command);
+  }
+}
+
+void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  bool& open = ui.view.program.settings_open;
+  if (!open) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (ImGui::Begin("Settings", &open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                       ImGuiWindowFlags_AlwaysAutoResize)) {
+    ui.begin_row();
+    draw_looks(session, actions, ui);
+    ImGui::Separator();
+    draw_layouts(session, actions, ui);
+    ImGui::Separator();
+    draw_programs(ui);
+    ui.end_row();
+  }
+  ImGui::End();
+}
+
+}  // namespace talus

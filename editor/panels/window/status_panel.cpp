@@ -1,0 +1,157 @@
+// One line at the bottom of the window.
+#include "status_panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "overlay/number_label.h"
+#include "panels/canvas/canvas_layers.h"
+#include "panels/level/problem_list.h"
+#include "panels/sprites/tile_number.h"
+
+namespace talus {
+namespace {
+
+constexpr float kStamp = 360;  // px at scale 1, where the stamp's part begins
+constexpr float kFile = 670;   // px at scale 1, where the file's part begins
+constexpr int kMostShown = 8;  // tiles of the stamp's picture in a row or column: more would be specks
+
+// " flags 0,2"; nothing without any.
+std::string flags_text(std::uint8_t flags) {
+  std::string text;
+  for (int flag = 0; flag < kFlagCount; ++flag)
+    if (has_flag(flags, flag)) text += (text.empty() ? " flags " : ",") + std::to_string(flag);
+  return text;
+}
+
+void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, std::string_view help) {
+  ImGui::SameLine(ui.px(x));
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
+  draw_text(text);
+  ImGui::PopStyleColor();
+  ui.tooltip(help);
+}
+
+std::string stamp_text(const Stamp& stamp) {
+  std::string text = "stamp: tile " + std::to_string(stamp.tiles.front());
+  if (stamp.tiles.size() == 1) return text;
+  return "stamp: " + std::to_string(stamp.w) + "x" + std::to_string(stamp.h) + " tiles from " +
+         std::to_string(stamp.tiles.front());
+}
+
+// A picture of the stamp as high as the line, then its words.
+void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
+  ImGui::SameLine(ui.px(x));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ImGui::GetTextLineHeight();
+  const CellRect shown{0, 0, std::min(stamp.w, kMostShown), std::min(stamp.h, kMostShown)};
+  const float zoom = side / static_cast<float>(std::max(shown.w, shown.h) * kTileSize);
+  const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, {at.x, at.y}, zoom};
+  draw_stamp(*ImGui::GetWindowDrawList(), stamp, shown, view, ui, 255);
+  ImGui::Dummy({side, side});
+  ui.item("status/stamp");
+  draw_part(ui, x + 20, stamp_text(stamp), theme::kMuted,
+            "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
+}
+
+// A bar in the place of the number of bodies.
+void draw_progress(const char* name, const std::string& text, double progress, float x, const char* help,
+                   Ui& ui) {
+  ImGui::SameLine(ui.px(x));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ui.px(88), ImGui::GetTextLineHeight()};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark));
+  list.AddRectFilled(at, {at.x + size.x * static_cast<float>(progress), at.y + size.y},
+                     theme::tone(theme::kAccent, 110));
+  add_text(list, {at.x + ui.px(4), at.y}, theme::tone(theme::kText), text);
+  ImGui::Dummy(size);
+  ui.item(name, help);
+}
+
+// Bodies are still on the ground as it was.
+void draw_compiling(double progress, float x, Ui& ui) {
+  draw_progress("status/compiling", "ground " + std::to_string(static_cast<int>(progress * 100)) + " %",
+                progress, x,
+                "The ground of a large level is being compiled; until it is, bodies move on it as it "
+                "was.",
+                ui);
+}
+
+void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
+  draw_progress("status/exporting", "exporting", progress.share, x,
+                "The level is being exported: File > Export shows how far it is, and ends it.", ui);
+}
+
+// The level's file, or why its changes are in none. before: the text at the line's end, which it leaves room
+// for.
+void draw_file(const Session& session, const std::string& before, Ui& ui) {
+  const std::string& problem = ui.view.program.autosave_problem;
+  const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");
+  const std::string text = problem.empty() ? name : "Not saved by itself: " + problem;
+  const bool warns = session.modified() || !problem.empty();
+  ImGui::SameLine(ui.px(kFile));
+  draw_short_text(text, ImGui::GetContentRegionAvail().x - size_of_text(before).x - ui.px(16),
+                  theme::tone(warns ? theme::kWarning : theme::kMuted));
+  if (!problem.empty())
+    ui.item("status/not-saved-by-itself", text + ". It is tried again until it succeeds.");
+  else
+    ui.item("status/file", session.path().empty() ? "Not in a file yet." : session.path());
+}
+
+}  // namespace
+
+std::string hover_text(const Session& session, const Hover& hover) {
+  if (hover.sprite)
+    return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
+           std::to_string(
+               pixel_at(session.level(), session.choices().area, hover.sprite->x, hover.sprite->y));
+  if (hover.tile) {
+    const SheetId sheet = session.choices().area.sheet;
+    return (sheet == SheetId::tiles ? "tile " : "sprite ") +
+           std::to_string(number_on_screen(sheet, *hover.tile));
+  }
+  if (!hover.pixel) return "";
+  std::string text = "outside the map   ";
+  if (hover.cell) {
+    const std::uint8_t tile = session.level().map.at(*hover.cell);
+    text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
+           std::to_string(tile) + flags_text(session.level().tile_flags(tile)) + "   ";
+  }
+  if (hover.dragged)
+    return text + std::to_string(hover.dragged->x) + "x" + std::to_string(hover.dragged->y) + " cells, " +
+           std::to_string(hover.dragged->x * kTileSize) + "x" + std::to_string(hover.dragged->y * kTileSize) +
+           " px";
+  return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
+}
+
+void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
+  const std::string hover = hover_text(session, ui.view.hover);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, {at.x + ui.px(kStamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
+  draw_text(hover.empty() ? "Point at the map, the sheet or the pixels" : hover);
+  ImGui::PopClipRect();
+  ui.item("status/mouse", hover.empty() ? "What the mouse is on." : hover);
+  draw_stamp_part(session.choices().stamp, kStamp, ui);
+  if (const auto progress = session.compile_progress()) {
+    draw_compiling(*progress, 570, ui);
+  } else if (const auto exporting = session.exporting().progress()) {
+    draw_exporting(*exporting, 570, ui);
+  } else if (session.playback().running && session.timeline().in_past()) {
+    draw_part(ui, 570, "replaying", theme::kAccent,
+              "What was recorded is shown again. Take over here, beside the timeline, goes on from the shown "
+              "frame instead.");
+    ui.item("status/replaying");
+  } else {
+    const std::size_t bodies = session.state().bodies.size();
+    draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
+              "Bodies of the simulation.");
+  }
+  const std::string problems = problems_text(session, ui);
+  draw_file(session, problems, ui);
+  ImGui::SameLine();
+  ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
+  ui.tooltip("See the Problems tab.");
+}
+
+}  // namespace talus
