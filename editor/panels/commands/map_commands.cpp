@@ -25,7 +25,7 @@ Command map_tool(std::string_view id, KeyChord key, std::string_view label, std:
   return toggle(id, key, label, help, choose_map_tool<tool>, is_map_tool<tool>);
 }
 
-bool has_selection(S session, const Ui&) { return session.choices().selection.has_value(); }
+bool has_selected_cells(S session, const Ui&) { return session.choices().selection.has_value(); }
 // In a drag the key cancels that alone.
 bool has_something_to_drop(S session, const Ui&) {
   if (ImGui::IsAnyMouseDown()) return false;
@@ -169,23 +169,23 @@ std::vector<Command> selection_commands() {
       command("map/select_none", KeyChord{kKeyEscape}, "Select nothing",
               "Lets go what was pasted; then removes the selection.", select_none, has_something_to_drop),
       command("map/cut", ctrl('x'), "Cut", "Copies the selected tiles, and paints tile 0 over them.",
-              cut_selection, has_selection),
+              cut_selection, has_selected_cells),
       command("map/copy", ctrl('c'), "Copy",
               "Copies the selected tiles to the clipboard, in the form that TIC-80's map editor reads.",
-              copy_selection, has_selection),
+              copy_selection, has_selected_cells),
       command("map/paste", ctrl('v'), "Paste",
               "Takes tiles from the clipboard, of TIC-80's map editor too: they hang at the mouse until a "
               "click puts them down.",
               paste_at_mouse),
       command("map/mirror_h", KeyChord{'h'}, "Mirror left and right",
               "Mirrors the selected tiles; slopes become the tiles that slope the other way.",
-              mirror_selection<MirrorAxis::horizontal>, has_selection),
+              mirror_selection<MirrorAxis::horizontal>, has_selected_cells),
       command("map/mirror_v", KeyChord{'v'}, "Mirror up and down",
               "Mirrors the selected tiles; floors become the tiles that are such ceilings.",
-              mirror_selection<MirrorAxis::vertical>, has_selection),
+              mirror_selection<MirrorAxis::vertical>, has_selected_cells),
       command("map/fill_selection", shift('f'), "Fill the selection",
               "Fills the selection with the stamp, repeated from its top-left corner.", fill_selection,
-              has_selection),
+              has_selected_cells),
   };
 }
 

@@ -33,7 +33,7 @@ void change_brush(S session, A actions, U) {
   actions.push_back(action::SetBrush{session.choices().brush + step});
 }
 
-bool has_selection(S session, const Ui&) { return session.choices().pixels.rect().has_value(); }
+bool has_selected_pixels(S session, const Ui&) { return session.choices().pixels.rect().has_value(); }
 
 void select_all_pixels(S session, A actions, U) {
   const SpriteArea& area = session.choices().area;
@@ -48,7 +48,7 @@ void turn_pixels(S, A actions, U) {
 
 bool can_rotate(S session, const Ui& ui) {
   const CellRect& tiles = session.choices().area.tiles;
-  return has_selection(session, ui) || tiles.w == tiles.h;
+  return has_selected_pixels(session, ui) || tiles.w == tiles.h;
 }
 
 // The selected pixels, else the tiles with their flags.
@@ -114,7 +114,7 @@ void cycle_color(S session, A actions, U ui) {
 // The selected pixels, else the selection on the sheet.
 template <int dx, int dy>
 void move_selection(S session, A actions, U ui) {
-  if (has_selection(session, ui)) {
+  if (has_selected_pixels(session, ui)) {
     actions.push_back(action::MovePixels{{dx, dy}});
     return;
   }
@@ -214,7 +214,7 @@ std::vector<Command> pixel_changes() {
               select_all_pixels),
       command(
           "pixels/deselect", KeyChord{kKeyEscape}, "Select no pixels", "Puts down what floats.",
-          [](S, A actions, U) { actions.push_back(action::SelectPixels{}); }, has_selection),
+          [](S, A actions, U) { actions.push_back(action::SelectPixels{}); }, has_selected_pixels),
   };
 }
 

@@ -14,8 +14,8 @@
 namespace talus {
 namespace {
 
-constexpr float kTextWidth = 520;  // px at scale 1
-constexpr float kMostLines = 8;    // of a list before it is scrolled
+constexpr float kReportWidth = 520;  // px at scale 1
+constexpr float kListLines = 8;      // of a list before it is scrolled
 
 // What was read, or why it cannot be, in sentences.
 std::string text_of(const LevelImport& import) {
@@ -61,8 +61,8 @@ void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void LevelImportPanel::draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui) {
   ImGui::TextUnformatted("A level has one layer of tiles. Take:");
   const int count = static_cast<int>(import.layers.size());
-  const float lines = std::min(static_cast<float>(count), kMostLines);
-  ImGui::BeginChild("layers", {ui.px(kTextWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,
+  const float lines = std::min(static_cast<float>(count), kListLines);
+  ImGui::BeginChild("layers", {ui.px(kReportWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,
                     ImGuiWindowFlags_NavFlattened);
   draw_rows(count, [&](int row) {
     const std::string number = std::to_string(row + 1);
@@ -91,7 +91,7 @@ void LevelImportPanel::draw_tiles(ImportChoices& choices, Ui& ui) {
 
 void LevelImportPanel::draw_report(const LevelImport& import, Ui& ui) {
   const std::string text = text_of(import);
-  draw_scrolled_text("report", text, {ui.px(kTextWidth), kMostLines * ImGui::GetTextLineHeight()},
+  draw_scrolled_text("report", text, {ui.px(kReportWidth), kListLines * ImGui::GetTextLineHeight()},
                      theme::tone(import.plan ? theme::kText : theme::kError));
   ui.item(import.plan ? "choose/report" : "choose/error");
   draw_copy_all("choose/copy_all", text, ui);

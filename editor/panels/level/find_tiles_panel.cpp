@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr float kLabel = 64;  // px at scale 1
+constexpr float kFindLabel = 64;  // px at scale 1
 
 std::uint8_t tile_of(int number) { return static_cast<std::uint8_t>(number); }
 
@@ -23,7 +23,7 @@ void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field
   if (field.tile != tile || ImGui::IsWindowAppearing()) field = {tile, tile};  // a command has chosen it
   ImGui::AlignTextToFramePadding();
   draw_text(label);
-  ImGui::SameLine(ui.px(kLabel));
+  ImGui::SameLine(ui.px(kFindLabel));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ui.px(theme::kButton);
   ImGui::Dummy({side, side});

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr float kField = 72, kPreviewWidth = 300, kPreviewHeight = 170, kLabel = 64;  // px at scale 1
+constexpr float kField = 72, kPreviewWidth = 300, kPreviewHeight = 170, kResizeLabel = 64;  // px at scale 1
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -67,7 +67,7 @@ std::string text_of_losses(const ResizedMap& result) {
 void number_field(const char* name, const char* label, int& value, const std::string& help, Ui& ui) {
   ImGui::AlignTextToFramePadding();
   draw_text(label);
-  ImGui::SameLine(ui.px(kLabel));
+  ImGui::SameLine(ui.px(kResizeLabel));
   ImGui::SetNextItemWidth(ui.px(kField));
   ImGui::InputInt((std::string("##") + name).c_str(), &value, 0);
   ui.item(name, help);
@@ -123,7 +123,7 @@ void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
 void ResizePanel::draw_anchors(const TileMap& map, Ui& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Keep");
-  ImGui::SameLine(ui.px(kLabel));
+  ImGui::SameLine(ui.px(kResizeLabel));
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ui.px(2)));
   for (int i = 0; i < 9; ++i) {

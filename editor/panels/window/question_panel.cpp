@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr float kQuestionWidth = 520;  // px at scale 1, at most
-constexpr float kMostLines = 12;       // of a question before it is scrolled
+constexpr float kQuestionLines = 12;   // of a question before it is scrolled
 
 struct AnswerChoice {
   const char* widget;
@@ -109,7 +109,7 @@ void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     if (asked) {
       draw_scrolled_text("text", question->text,
                          {has_list ? ImGui::GetContentRegionAvail().x : ui.px(kQuestionWidth),
-                          kMostLines * ImGui::GetTextLineHeight()},
+                          kQuestionLines * ImGui::GetTextLineHeight()},
                          theme::tone(theme::kText));
       ui.item("question/text");
       draw_copy_all("question/copy_all", question->text, ui);
