@@ -1,5 +1,5 @@
 // A folder for games with bump.lua: slopes as a response, the level, and an example for LÖVE.
-#include "../formats/png_sheet.h"
+#include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
 #include "lua_level.h"
 

@@ -1,8 +1,8 @@
 // TIC-80 cartridges whose code plays the level.
 #include <algorithm>
 
-#include "../formats/tic_cart.h"
-#include "../formats/tic_text.h"
+#include "../formats/tic80/tic_cart.h"
+#include "../formats/tic80/tic_text.h"
 #include "cart_files.h"
 #include "export_targets.h"
 #include "lua_level.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "../formats/companion.h"
+#include "../formats/native/companion.h"
 
 namespace talus {
 namespace {

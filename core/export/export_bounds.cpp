@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "../formats/real_path.h"
+#include "../formats/files/real_path.h"
 
 namespace talus {
 namespace {

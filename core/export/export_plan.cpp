@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "../formats/atomic_file.h"
-#include "../formats/companion.h"
-#include "../formats/real_path.h"
+#include "../formats/files/atomic_file.h"
+#include "../formats/files/real_path.h"
+#include "../formats/native/companion.h"
 
 namespace talus {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "../formats/content_hash.h"
+#include "../formats/text/content_hash.h"
 #include "exporter.h"
 
 namespace talus {

@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "../formats/atomic_file.h"
+#include "../formats/files/atomic_file.h"
 #include "export_targets.h"
 
 namespace talus {

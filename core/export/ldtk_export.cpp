@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../formats/number_text.h"
-#include "../formats/png_sheet.h"
+#include "../formats/pictures/png_sheet.h"
+#include "../formats/text/number_text.h"
 #include "../level/ground.h"
 #include "export_targets.h"
 #include "ldtk_shapes.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "../formats/number_text.h"
+#include "../formats/text/number_text.h"
 
 namespace talus {
 namespace {

@@ -1,5 +1,5 @@
 // What Talus reads back too: levels, carts, sheets and palettes.
-#include "../formats/png_sheet.h"
+#include "../formats/pictures/png_sheet.h"
 #include "cart_files.h"
 #include "export_targets.h"
 

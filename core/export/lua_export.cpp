@@ -1,5 +1,5 @@
 // Folders of Lua: for any game, and a game for LÖVE.
-#include "../formats/png_sheet.h"
+#include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
 #include "lua_level.h"
 #include "lua_runtime.h"

@@ -1,6 +1,6 @@
 #include "map_png.h"
 
-#include "../formats/png_picture.h"
+#include "../formats/pictures/png_picture.h"
 #include "export_targets.h"
 
 namespace talus {

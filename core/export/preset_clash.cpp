@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "../formats/companion.h"
+#include "../formats/native/companion.h"
 #include "export_plan.h"
 
 namespace talus {

@@ -3,9 +3,9 @@
 #include <sstream>
 #include <utility>
 
-#include "../formats/native.h"
-#include "../formats/number_text.h"
-#include "../formats/png_sheet.h"
+#include "../formats/native/native.h"
+#include "../formats/pictures/png_sheet.h"
+#include "../formats/text/number_text.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 #include "xml_text.h"

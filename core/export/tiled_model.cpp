@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "../formats/tiled_objects.h"
+#include "../formats/tiled/tiled_objects.h"
 
 namespace talus {
 namespace {

@@ -1,7 +1,7 @@
 // A level as a map of Tiled, for the writers of its three forms.
 #pragma once
 
-#include "../formats/tiled_map.h"
+#include "../formats/tiled/tiled_map.h"
 #include "exporter.h"
 
 namespace talus {

@@ -6,12 +6,12 @@
 #include <cctype>
 
 #include "last_catch.h"
-#include "native.h"
-#include "tic_cart.h"
-#include "tic_png.h"
-#include "tic_text.h"
-#include "tiled_format.h"
-#include "utf8_text.h"
+#include "native/native.h"
+#include "text/utf8_text.h"
+#include "tic80/tic_cart.h"
+#include "tic80/tic_png.h"
+#include "tic80/tic_text.h"
+#include "tiled/tiled_format.h"
 
 namespace talus {
 namespace {

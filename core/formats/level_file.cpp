@@ -3,13 +3,13 @@
 #include <cassert>
 #include <filesystem>
 
-#include "atomic_file.h"
-#include "companion.h"
-#include "content_hash.h"
+#include "files/atomic_file.h"
+#include "files/keep_aside.h"
+#include "files/real_path.h"
 #include "format.h"
-#include "keep_aside.h"
 #include "last_catch.h"
-#include "real_path.h"
+#include "native/companion.h"
+#include "text/content_hash.h"
 
 namespace talus {
 namespace {

@@ -9,8 +9,8 @@
 #include "command.h"
 #include "formats/format.h"
 #include "formats/last_catch.h"
-#include "formats/number_text.h"
-#include "formats/utf8_text.h"
+#include "formats/text/number_text.h"
+#include "formats/text/utf8_text.h"
 #include "progress_line.h"
 
 namespace talus {

@@ -9,7 +9,7 @@
 #include "export/preset_clash.h"
 #include "export_writer.h"
 #include "file_watch.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus {
 namespace {

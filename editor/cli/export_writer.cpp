@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <ostream>
 
-#include "formats/atomic_file.h"
-#include "formats/real_path.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/real_path.h"
 #include "output_file.h"
 #include "platform/asset_path.h"
 #include "platform/user_folder.h"

@@ -1,4 +1,4 @@
-// Recorded input as JSON lines: {"frame":8,"mouse":[x,y],"down":true}; see formats/input_entry.h.
+// Recorded input as JSON lines: {"frame":8,"mouse":[x,y],"down":true}; see formats/native/input_entry.h.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace talus {
 
-// Plays back what read_input_lines (formats/input_entry.h) gives: call at() with the frames 1, 2, 3...
+// Plays back what read_input_lines (formats/native/input_entry.h) gives: call at() with the frames 1, 2, 3...
 class InputPlayer {
  public:
   explicit InputPlayer(std::vector<RecordedInput> inputs) : inputs_(std::move(inputs)) {}

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formats/atomic_file.h"
-#include "formats/companion.h"
-#include "formats/png_picture.h"
-#include "formats/real_path.h"
-#include "formats/recording.h"
-#include "formats/tic_png.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/real_path.h"
+#include "formats/native/companion.h"
+#include "formats/native/recording.h"
+#include "formats/pictures/png_picture.h"
+#include "formats/tic80/tic_png.h"
 
 namespace talus {
 namespace {

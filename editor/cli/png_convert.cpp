@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "formats/atomic_file.h"
-#include "formats/number_text.h"
+#include "formats/files/atomic_file.h"
+#include "formats/text/number_text.h"
 #include "output_file.h"
 
 namespace talus {

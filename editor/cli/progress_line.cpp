@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "formats/utf8_text.h"
+#include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {

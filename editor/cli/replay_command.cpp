@@ -3,9 +3,9 @@
 #include <ostream>
 
 #include "command.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "formats/last_catch.h"
-#include "formats/replay.h"
+#include "formats/native/replay.h"
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include "cli/report/plots.h"
 #include "cli/report/table.h"
 #include "command.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "output_file.h"
 
 namespace talus {

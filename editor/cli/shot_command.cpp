@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "command.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "output_file.h"
 #include "platform/shot.h"
 #include "progress_line.h"

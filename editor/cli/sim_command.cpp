@@ -6,11 +6,11 @@
 #include <limits>
 #include <ostream>
 
-#include "formats/atomic_file.h"
-#include "formats/hard_case.h"
-#include "formats/input_entry.h"
+#include "formats/files/atomic_file.h"
 #include "formats/last_catch.h"
-#include "formats/number_text.h"
+#include "formats/native/hard_case.h"
+#include "formats/native/input_entry.h"
+#include "formats/text/number_text.h"
 #include "input_file.h"
 #include "level/ground.h"
 #include "progress_line.h"

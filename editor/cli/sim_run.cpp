@@ -5,8 +5,8 @@
 #include <ostream>
 
 #include "debug/branch_frames.h"
-#include "formats/atomic_file.h"
-#include "formats/recording.h"
+#include "formats/files/atomic_file.h"
+#include "formats/native/recording.h"
 #include "output_file.h"
 #include "progress_line.h"
 #include "sim/timeline.h"

@@ -17,12 +17,12 @@
 #include <system_error>
 #include <utility>
 
-#include "formats/atomic_file.h"
-#include "formats/held_file.h"
-#include "formats/json_text.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/held_file.h"
 #include "formats/last_catch.h"
-#include "formats/recording.h"
-#include "formats/utf8_text.h"
+#include "formats/native/recording.h"
+#include "formats/text/json_text.h"
+#include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {

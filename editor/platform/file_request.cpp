@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "formats/format.h"
-#include "formats/recording.h"
+#include "formats/native/recording.h"
 
 namespace talus {
 namespace {

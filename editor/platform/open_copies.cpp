@@ -7,8 +7,8 @@
 
 #include "asset_path.h"
 #include "export/export_plan.h"
-#include "formats/atomic_file.h"
-#include "formats/keep_aside.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/keep_aside.h"
 
 namespace talus {
 namespace {

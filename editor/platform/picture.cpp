@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "formats/atomic_file.h"
-#include "formats/png_picture.h"
+#include "formats/files/atomic_file.h"
+#include "formats/pictures/png_picture.h"
 
 namespace talus {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "formats/atomic_file.h"
-#include "formats/json_text.h"
+#include "formats/files/atomic_file.h"
+#include "formats/text/json_text.h"
 #include "preferences_json.h"
 #include "user_folder.h"
 

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "export/export_plan.h"
-#include "formats/atomic_file.h"
-#include "formats/held_file.h"
-#include "formats/native_exports.h"
-#include "formats/real_path.h"
-#include "formats/utf8_text.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/held_file.h"
+#include "formats/files/real_path.h"
+#include "formats/native/native_exports.h"
+#include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {

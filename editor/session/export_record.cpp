@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "formats/atomic_file.h"
-#include "formats/held_file.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/held_file.h"
 
 namespace talus {
 namespace {

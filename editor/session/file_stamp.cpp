@@ -7,8 +7,8 @@
 #include <functional>
 #include <string_view>
 
-#include "formats/atomic_file.h"
-#include "formats/companion.h"
+#include "formats/files/atomic_file.h"
+#include "formats/native/companion.h"
 
 namespace talus {
 namespace {

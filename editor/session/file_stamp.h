@@ -27,7 +27,7 @@ enum class FileChange { none, content, gone };
 // they are the same after all, `known` is brought up to the file.
 FileChange file_change(const std::string& path, FileStamp& known);
 
-// The files of a level: its own, and the companion beside it (see formats/companion.h).
+// The files of a level: its own, and the companion beside it (see formats/native/companion.h).
 struct LevelStamp {
   FileStamp file;
   std::optional<FileStamp> companion;  // none: there is none

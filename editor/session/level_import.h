@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/tiled_format.h"
+#include "formats/tiled/tiled_format.h"
 
 namespace talus {
 

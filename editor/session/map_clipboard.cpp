@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "formats/hex.h"
+#include "formats/text/hex.h"
 #include "level/tile_map.h"
 
 namespace talus {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "edit/edit.h"
-#include "formats/png_sheet.h"
+#include "formats/pictures/png_sheet.h"
 
 namespace talus {
 

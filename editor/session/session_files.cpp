@@ -4,13 +4,13 @@
 #include <memory>
 #include <utility>
 
-#include "formats/atomic_file.h"
-#include "formats/companion.h"
-#include "formats/hard_case.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/real_path.h"
 #include "formats/last_catch.h"
-#include "formats/png_picture.h"
-#include "formats/real_path.h"
-#include "formats/recording.h"
+#include "formats/native/companion.h"
+#include "formats/native/hard_case.h"
+#include "formats/native/recording.h"
+#include "formats/pictures/png_picture.h"
 #include "session_impl.h"
 
 namespace talus {

@@ -1,7 +1,7 @@
 // Session: pictures of the sheets and of the palette, out and in.
-#include "formats/atomic_file.h"
-#include "formats/real_path.h"
-#include "formats/tic_png.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/real_path.h"
+#include "formats/tic80/tic_png.h"
 #include "session_impl.h"
 
 namespace talus {

@@ -1,5 +1,5 @@
 // Companions of a small cart. Seeds: tests/fuzz/seeds/*.companion
-#include "formats/companion.h"
+#include "formats/native/companion.h"
 #include "round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "formats/format.h"
-#include "formats/hard_case.h"
-#include "formats/input_entry.h"
-#include "formats/native.h"
-#include "formats/recording.h"
-#include "formats/replay.h"
-#include "formats/tiled_format.h"
-#include "formats/utf8_text.h"
+#include "formats/native/hard_case.h"
+#include "formats/native/input_entry.h"
+#include "formats/native/native.h"
+#include "formats/native/recording.h"
+#include "formats/native/replay.h"
+#include "formats/text/utf8_text.h"
+#include "formats/tiled/tiled_format.h"
 
 namespace talus {
 

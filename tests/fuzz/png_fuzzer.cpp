@@ -1,5 +1,5 @@
 // Pictures and what becomes of their colours. Seeds: tests/fuzz/seeds/*.png
-#include "formats/png_sheet.h"
+#include "formats/pictures/png_sheet.h"
 #include "round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

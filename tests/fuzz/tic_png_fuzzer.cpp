@@ -1,5 +1,5 @@
 // PNG carts. Seeds: tests/fuzz/seeds/cart_*.png
-#include "formats/tic_png.h"
+#include "formats/tic80/tic_png.h"
 #include "round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

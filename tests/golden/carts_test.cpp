@@ -1,7 +1,7 @@
 // Real carts, each as cartridge and as text project: the same content, so each form gives the other exactly.
 #include <gtest/gtest.h>
 
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "formats/format.h"
 
 namespace talus::carts_test {

@@ -1,6 +1,6 @@
 // Replays the scenarios in replay/ and compares every answer with the recorded one of the reference, bit by
 // bit.
-#include "formats/replay.h"
+#include "formats/native/replay.h"
 
 #include <gtest/gtest.h>
 

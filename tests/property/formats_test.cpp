@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "formats/companion.h"
-#include "formats/native.h"
-#include "formats/tic_cart.h"
-#include "formats/tic_text.h"
+#include "formats/native/companion.h"
+#include "formats/native/native.h"
+#include "formats/tic80/tic_cart.h"
+#include "formats/tic80/tic_text.h"
 #include "unit/zipped.h"
 
 namespace talus::formats_test {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/tiled_objects.h"
-#include "formats/tiled_shapes.h"
+#include "formats/tiled/tiled_objects.h"
+#include "formats/tiled/tiled_shapes.h"
 
 namespace talus::tiled_shapes_property_test {
 

@@ -1,7 +1,7 @@
 // Dialogs, windows and panels without a mouse.
 #include <imgui_internal.h>
 
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "harness.h"
 #include "panels/commands/commands.h"
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "harness.h"
 
 namespace talus::export_panel_test {

@@ -2,7 +2,7 @@
 #include <fstream>
 
 #include "edit/map_rectangle.h"
-#include "formats/png_sheet.h"
+#include "formats/pictures/png_sheet.h"
 #include "harness.h"
 
 namespace talus::picture_test {

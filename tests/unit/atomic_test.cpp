@@ -15,7 +15,7 @@
 #include <fstream>
 
 #include "folder_test.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus::atomic_test {
 

@@ -7,7 +7,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/format.h"
-#include "formats/json_text.h"
+#include "formats/text/json_text.h"
 #include "level_text.h"
 #include "png_bytes.h"
 

@@ -5,7 +5,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/format.h"
-#include "formats/png_picture.h"
+#include "formats/pictures/png_picture.h"
 #include "png_bytes.h"
 
 namespace talus::cli_png_test {

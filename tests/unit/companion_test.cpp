@@ -1,14 +1,14 @@
 // Companions: what carts cannot hold, in a file beside them.
-#include "formats/companion.h"
+#include "formats/native/companion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "folder_test.h"
-#include "formats/content_hash.h"
-#include "formats/json_text.h"
-#include "formats/native.h"
+#include "formats/native/native.h"
+#include "formats/text/content_hash.h"
+#include "formats/text/json_text.h"
 
 namespace talus::companion_test {
 

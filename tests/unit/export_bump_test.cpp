@@ -3,7 +3,7 @@
 
 #include "export/export_targets.h"
 #include "export/lua_level.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus::export_bump_test {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "export/exporter.h"
-#include "formats/png_picture.h"
+#include "formats/pictures/png_picture.h"
 
 namespace talus::export_ldtk_test {
 

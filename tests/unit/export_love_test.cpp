@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "export/exporter.h"
-#include "formats/atomic_file.h"
-#include "formats/tic_cart.h"
-#include "formats/tic_text.h"
+#include "formats/files/atomic_file.h"
+#include "formats/tic80/tic_cart.h"
+#include "formats/tic80/tic_text.h"
 
 namespace talus::export_love_test {
 

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "folder_test.h"
-#include "formats/png_picture.h"
+#include "formats/pictures/png_picture.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
 

@@ -7,7 +7,7 @@
 
 #include "export/plain_data.h"
 #include "folder_test.h"
-#include "formats/native.h"
+#include "formats/native/native.h"
 #include "sim/scene.h"
 #include "sim/state.h"
 #include "unit/exported_level.h"

@@ -5,7 +5,7 @@
 
 #include "export/export_plan.h"
 #include "folder_test.h"
-#include "formats/tic_cart.h"
+#include "formats/tic80/tic_cart.h"
 #include "native_text.h"
 
 namespace talus::export_plan_test {

@@ -5,7 +5,7 @@
 
 #include "export/export_plan.h"
 #include "exported_level.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus::export_progress_test {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "formats/png_sheet.h"
+#include "formats/pictures/png_sheet.h"
 #include "tiled_files.h"
 
 namespace talus::export_tmj_test {

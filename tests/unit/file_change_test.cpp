@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "folder_test.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "session/file_stamp.h"
 #include "session/session.h"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus {
 

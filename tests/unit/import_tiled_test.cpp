@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "folder_test.h"
-#include "formats/png_picture.h"
-#include "formats/png_sheet.h"
-#include "formats/tiled_format.h"
+#include "formats/pictures/png_picture.h"
+#include "formats/pictures/png_sheet.h"
+#include "formats/tiled/tiled_format.h"
 #include "tiled_files.h"
 
 namespace talus::import_tiled_test {

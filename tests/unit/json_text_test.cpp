@@ -1,5 +1,5 @@
 // The one parser of all JSON.
-#include "formats/json_text.h"
+#include "formats/text/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "export/exporter.h"
 #include "export/lua_level.h"
 #include "folder_test.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "formats/format.h"
 #include "unit/program_output.h"
 

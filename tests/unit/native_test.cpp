@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "formats/format.h"
-#include "formats/tic_cart.h"
-#include "formats/tic_text.h"
+#include "formats/tic80/tic_cart.h"
+#include "formats/tic80/tic_text.h"
 #include "native_text.h"
 
 namespace talus::native_test {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "formats/native.h"
+#include "formats/native/native.h"
 
 namespace talus {
 

@@ -10,10 +10,10 @@
 #include "export/exporter.h"
 #include "export/lua_parts.h"
 #include "export/lua_runtime.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "formats/format.h"
-#include "formats/native.h"
-#include "formats/recording.h"
+#include "formats/native/native.h"
+#include "formats/native/recording.h"
 
 namespace talus::pages_test {
 

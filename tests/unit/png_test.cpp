@@ -1,7 +1,7 @@
 // PNG pictures of sheets and palettes, and the colours that a picture gets.
 #include <gtest/gtest.h>
 
-#include "formats/png_sheet.h"
+#include "formats/pictures/png_sheet.h"
 #include "png_bytes.h"
 
 namespace talus::png_test {

@@ -10,7 +10,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/format.h"
-#include "formats/recording.h"
+#include "formats/native/recording.h"
 
 namespace talus::progress_line_test {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "formats/native.h"
-#include "formats/recording.h"
-#include "formats/tiled_format.h"
+#include "formats/native/native.h"
+#include "formats/native/recording.h"
+#include "formats/tiled/tiled_format.h"
 #include "tiled_files.h"
 
 namespace talus::reading_progress_test {

@@ -1,5 +1,5 @@
 // Where paths lead, and what may be written there.
-#include "formats/real_path.h"
+#include "formats/files/real_path.h"
 
 #include <sys/stat.h>
 

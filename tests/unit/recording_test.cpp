@@ -1,5 +1,5 @@
 // Recordings as files: round trips, and what is refused.
-#include "formats/recording.h"
+#include "formats/native/recording.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

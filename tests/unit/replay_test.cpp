@@ -1,5 +1,5 @@
 // Scenarios: what is answered, what is refused, and what is not a scenario at all.
-#include "formats/replay.h"
+#include "formats/native/replay.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "edit/level_settings.h"
 #include "edit/map_stroke.h"
 #include "folder_test.h"
-#include "formats/tic_cart.h"
+#include "formats/tic80/tic_cart.h"
 #include "png_bytes.h"
 #include "session/session.h"
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formats/tic_cart.h"
-#include "formats/tic_text.h"
+#include "formats/tic80/tic_cart.h"
+#include "formats/tic80/tic_text.h"
 
 namespace talus::text_test {
 

@@ -1,10 +1,10 @@
 // TIC-80 cartridges in PNG pictures: in a chunk, and in the low bits of the pixels.
-#include "formats/tic_png.h"
+#include "formats/tic80/tic_png.h"
 
 #include <gtest/gtest.h>
 
-#include "formats/png_picture.h"
-#include "formats/tic_cart.h"
+#include "formats/pictures/png_picture.h"
+#include "formats/tic80/tic_cart.h"
 #include "png_bytes.h"
 
 namespace talus::tic_png_test {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formats/tic_cart.h"
+#include "formats/tic80/tic_cart.h"
 #include "zipped.h"
 
 namespace talus::tic_test {

@@ -1,5 +1,5 @@
 // Outlines of Tiled's tiles: those that are shapes, and what stands for the others.
-#include "formats/tiled_shapes.h"
+#include "formats/tiled/tiled_shapes.h"
 
 #include <gmock/gmock.h>
 

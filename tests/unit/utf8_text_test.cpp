@@ -1,5 +1,5 @@
 // Text of files, as it is shown.
-#include "formats/utf8_text.h"
+#include "formats/text/utf8_text.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <functional>
 
-#include "formats/number_text.h"
+#include "formats/text/number_text.h"
 
 extern char** environ;
 

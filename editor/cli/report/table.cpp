@@ -5,7 +5,7 @@
 #include <fstream>
 #include <functional>
 
-#include "formats/number_text.h"
+#include "formats/text/number_text.h"
 
 namespace talus {
 namespace {

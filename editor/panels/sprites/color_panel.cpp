@@ -9,7 +9,7 @@
 #include <string>
 
 #include "edit/level_settings.h"
-#include "formats/hex.h"
+#include "formats/text/hex.h"
 #include "panels/canvas/drag_cancel.h"
 #include "panels/commands/commands.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "formats/utf8_text.h"
+#include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {

@@ -1,0 +1,14 @@
+// Making room for a file without losing what is in its place.
+#pragma once
+
+#include <string>
+
+#include "../format.h"
+
+namespace talus {
+
+// Renames what is at `path`, whatever it is, to a name beside it that is free: "a.tic" to "a-kept1.tic". The
+// new path.
+FormatResult<std::string> keep_aside(const std::string& path);
+
+}  // namespace talus

@@ -1,0 +1,210 @@
+// The difference of two documents, and its way back.
+#include "companion.h"
+
+#include <algorithm>
+
+#include "../text/content_hash.h"
+#include "../text/hex.h"
+#include "native.h"
+#include "native_document.h"
+
+namespace talus {
+namespace {
+
+constexpr const char* kAbout = "companion";
+
+// The members of `whole` that are not in `part`, or are others there; null for those that `part` alone has.
+Json difference(const Json& whole, const Json& part) {
+  Json differing = Json::object();
+  for (const auto& [key, value] : whole.items()) {
+    const auto other = part.find(key);
+    if (other != part.end() && *other == value) continue;
+    const bool are_objects = other != part.end() && value.is_object() && other->is_object();
+    differing[key] = are_objects ? difference(value, *other) : value;
+  }
+  for (const auto& [key, value] : part.items()) {
+    if (!whole.contains(key)) differing[key] = nullptr;
+  }
+  return differing;
+}
+
+// Without its cart, which a file of such a format is.
+FormatResult<Json> document_without_cart(const Level& level) {
+  if (!level.cart) return native_document(level);
+  Level bare = level;
+  bare.cart.reset();
+  return native_document(bare);
+}
+
+std::string hash_of_member(const Json& document, const std::string& member) {
+  const auto found = document.find(member);
+  std::uint64_t hash = content_hash(
+      found == document.end() ? "" : found->dump(-1, ' ', false, Json::error_handler_t::replace));
+  std::string text;
+  for (int digit = 0; digit < 16; ++digit, hash <<= 4) text += kHexDigits[hash >> 60];
+  return text;
+}
+
+bool are_objects(const Json& list) {
+  return list.is_array() &&
+         std::all_of(list.begin(), list.end(), [](const Json& v) { return v.is_object(); });
+}
+
+// Puts the members of a companion over those of its file.
+class Joiner {
+ public:
+  void join(Json& document, Json added, const std::vector<std::string>& changed) {
+    for (const auto& [key, value] : added.items()) {
+      is_changed_ = std::find(changed.begin(), changed.end(), key) != changed.end();
+      is_roles_ = key == "roles";
+      put(document, key, value);
+    }
+  }
+  bool left_out() const { return left_out_; }
+
+ private:
+  void put(Json& object, const std::string& key, Json& value) {
+    const auto held = object.find(key);
+    if (held == object.end()) {
+      if (!(is_changed_ && value.is_null())) object[key] = std::move(value);
+    } else if (held->is_object() && value.is_object()) {
+      for (const auto& [name, member] : value.items()) put(*held, name, member);
+    } else if (is_changed_) {
+      keep(*held, value);
+    } else if (value.is_null() && !is_roles_) {
+      object.erase(held);
+    } else {
+      *held = std::move(value);
+    }
+  }
+
+  // The file has a value of its own, which may be newer.
+  void keep(Json& held, const Json& value) {
+    if (held == value) return;
+    if (!are_objects(held) || !are_objects(value)) {
+      left_out_ = true;
+      return;
+    }
+    for (const Json& entry : value) {
+      if (std::find(held.begin(), held.end(), entry) == held.end()) held.push_back(entry);
+    }
+  }
+
+  bool is_changed_ = false;  // the member of the document that is being joined, by another program
+  bool is_roles_ = false;
+  bool left_out_ = false;
+};
+
+// The size that the companion gives the map, but no smaller than the cells that the file fills. Takes it out
+// of `added`; whether it had to grow.
+bool join_map_size(Json& document, Json& added) {
+  const auto map = added.find("map");
+  if (map == added.end() || !map->is_object()) return false;
+  const Json& rows = document["map"]["rows"];
+  std::size_t width = 0;
+  for (const Json& row : rows) width = std::max(width, row.get_ref<const std::string&>().size() / 2);
+  bool has_grown = false;
+  const auto take = [&](const char* side, std::size_t least) {
+    const auto size = map->find(side);
+    if (size == map->end()) return;
+    const bool is_small = size->is_number_unsigned() && size->get<std::uint64_t>() < least;
+    document["map"][side] = is_small ? Json(least) : *size;
+    has_grown = has_grown || is_small;
+    map->erase(side);
+  };
+  take("width", width);
+  take("height", rows.size());
+  return has_grown;
+}
+
+// What is told of a file that was changed since.
+std::string change_note(const std::string& file, const Json& about, const std::vector<std::string>& changed,
+                        bool left_out, bool has_grown) {
+  const auto name = about.find("file");
+  const std::string own = file + std::string(kCompanionEnding);
+  std::string note = name != about.end() && *name == file
+                         ? file + " was changed since " + own + " was saved with it ("
+                         : file + " is not the file that " + own + " was saved with (other ";
+  for (const std::string& member : changed) note += (&member == changed.data() ? "" : ", ") + member;
+  note += left_out ? "); both are kept, but where they disagree, " + file + " counts"
+                   : "); all that was added is kept";
+  return note + (has_grown ? ", and the map is as large as its cells need" : "");
+}
+
+tl::unexpected<FormatError> no_companion(std::string message) {
+  return tl::unexpected(FormatError{"", std::move(message)});
+}
+
+// What the companion says about its file; takes it out.
+FormatResult<Json> take_about(Json& companion) {
+  if (!companion.is_object() || !companion.contains(kAbout))
+    return no_companion("is a file of its own, and none that goes with another one");
+  Json about = companion[kAbout];
+  companion.erase(kAbout);
+  if (!about.is_object()) return tl::unexpected(FormatError{"key companion", "must be an object"});
+  if (companion.contains("cart") && companion["cart"].is_object() && companion["cart"].contains("kind"))
+    return tl::unexpected(FormatError{"key cart", "is what the file beside it holds"});
+  return about;
+}
+
+std::vector<std::string> changed_members(const Json& document, const Json& about, const Format& format) {
+  const auto with = about.find("with");
+  std::vector<std::string> changed;
+  for (const std::string_view held : format.holds) {
+    const std::string member(held);
+    const bool fits = with != about.end() && with->is_object() &&
+                      with->value(member, Json()) == hash_of_member(document, member);
+    if (!fits) changed.push_back(member);
+  }
+  return changed;
+}
+
+}  // namespace
+
+std::string owner_of_companion(const std::string& path) {
+  if (!path.ends_with(kCompanionEnding)) return {};
+  std::string owner = path.substr(0, path.size() - kCompanionEnding.size());
+  return owner.empty() || owner.ends_with('/') ? std::string() : owner;
+}
+
+bool is_companion(std::string_view bytes) {
+  if (bytes.find("\"companion\"") == std::string_view::npos) return false;
+  const auto json = parse_json(bytes);
+  return json && json->is_object() && json->contains(kAbout);
+}
+
+FormatResult<std::string> write_companion(const Level& level, const Level& held, const Format& format,
+                                          const std::string& file, bool even_empty) {
+  const auto whole = document_without_cart(level), part = document_without_cart(held);
+  if (!whole) return tl::unexpected(whole.error());
+  if (!part) return tl::unexpected(part.error());
+  Json companion = difference(*whole, *part);
+  if (companion.empty() && !even_empty) return std::string();
+  companion["talus"] = kNativeVersion;
+  Json& about = companion[kAbout] = {{"file", file}};
+  for (const std::string_view member : format.holds)
+    about["with"][std::string(member)] = hash_of_member(*part, std::string(member));
+  return print_document(companion);
+}
+
+FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& held, const Format& format,
+                                         const std::string& file) {
+  auto companion = parse_json(bytes);
+  if (!companion) return tl::unexpected(companion.error());
+  const auto about = take_about(*companion);
+  if (!about) return tl::unexpected(about.error());
+  auto document = document_without_cart(held);
+  if (!document) return tl::unexpected(document.error());
+  const std::vector<std::string> changed = changed_members(*document, *about, format);
+  const bool has_grown = join_map_size(*document, *companion);
+  Joiner joiner;
+  joiner.join(*document, *std::move(companion), changed);
+  auto level = level_of_document(*std::move(document));
+  if (!level) return tl::unexpected(level.error());
+  level->cart = held.cart;
+  JoinedLevel joined{*std::move(level), "", !joiner.left_out()};
+  if (!changed.empty()) joined.note = change_note(file, *about, changed, joiner.left_out(), has_grown);
+  return joined;
+}
+
+}  // namespace talus

@@ -1,0 +1,30 @@
+// The right answer in a native level, under its key "hard_case".
+//
+// clang-format off
+//   "number"        of the list of hard cases, from 1. "title", "set_up", "right_answer": sentences.
+//   "frames"        steps of a run, 1..1000000.
+//   "input"         as `talus sim --input` reads it, as a list: {"frame", "mouse", "down", "keys"}.
+//   "floor"         lists of points [x, y], left to right, each list a line; and {"arc": [x, y, radius, x0, x1]}
+//                   (upper half), {"bowl": as "arc"} (lower half), {"sine": [x0, x1, middle, amplitude, wavelength,
+//                   origin]}.
+//   "checks"        objects with "measure", one of level/hard_case.h; "body" (1); "frame", or "frames": [a, b];
+//                   "x", "y", "right", "bottom"; "bound" (0).
+// clang-format on
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "../../level/hard_case.h"
+#include "../format.h"
+
+namespace talus {
+
+// The hard case that a level is; nothing if it is none. Errors are placed by key.
+FormatResult<std::optional<HardCase>> hard_case_of(const Level& level);
+
+// Its keys in the order in which they are written.
+std::span<const std::string_view> hard_case_keys();
+
+}  // namespace talus

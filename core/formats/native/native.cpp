@@ -1,0 +1,507 @@
+// Levels as JSON. Reading takes every key that it knows out of the document; what remains is kept as it is,
+// in its place, and put back when the level is written.
+#include "native.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "../../level/limits.h"
+#include "../text/hex.h"
+#include "../text/json_text.h"
+#include "hard_case.h"
+#include "native_brushes.h"
+#include "native_cart.h"
+#include "native_document.h"
+#include "native_exports.h"
+#include "native_flags.h"
+#include "native_members.h"
+#include "native_objects.h"
+
+namespace talus {
+namespace {
+
+constexpr std::array<const char*, 2> kSheetKeys = {"tiles", "sprites"};  // by SheetId
+constexpr const char* kNoTileNumber = "is no tile number from 0 to 255";
+
+// Reads on after an error, which harms nothing, and remembers the first.
+class Reader {
+ public:
+  explicit Reader(Progress progress) : progress_(std::move(progress)) {}
+
+  FormatResult<Level> read(Json document) {
+    read_version(document);
+    if (error_) return tl::unexpected(*error_);  // of a newer file nothing else can be trusted
+    take(document, "palette", [this](Json& v) { read_palette(v); });
+    take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
+    take(document, "flag_fields",
+         [this](Json& v) { keep(take_flag_fields(v, "flag_fields"), level_.flag_fields); });
+    take_object(document, "roles", "roles", [this](Json& v) { read_roles(v); });
+    take_object(document, "tuning", "tuning", [this](Json& v) { read_tuning(v); });
+    take(document, "spawns", [this](Json& v) { keep(take_spawns(v, "spawns"), level_.spawns); });
+    take(document, "brushes", [this](Json& v) { keep(take_brushes(v), level_.brushes); });
+    take_object(document, "auto_tiles", "auto_tiles",
+                [this](Json& v) { keep(take_auto_tiles(v), level_.auto_tiles); });
+    take(document, "exports", [this](Json& v) { keep(take_exports(v), level_.exports); });
+    take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
+      read_shapes(v, "flag_shapes", "is no flag from 0 to 7", level_.flag_shapes);
+    });
+    take_object(document, "tile_shapes", "tile_shapes",
+                [this](Json& v) { read_shapes(v, "tile_shapes", kNoTileNumber, level_.tile_shapes); });
+    for (std::size_t i = 0; i < kSheetKeys.size(); ++i) {
+      take_object(document, kSheetKeys[i], kSheetKeys[i],
+                  [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
+    }
+    take_object(document, "map", "map", [this](Json& v) { read_map(v); });
+    take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
+    take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
+    if (error_) return tl::unexpected(*error_);
+    if (!document.empty()) level_.extra = document.dump();
+    if (auto problem = problem_of_amounts(level_))
+      return tl::unexpected(FormatError{"", *std::move(problem)});
+    return std::move(level_);
+  }
+
+ private:
+  void fail(std::string place, std::string message) {
+    if (!error_) error_ = FormatError{std::move(place), std::move(message)};
+  }
+  void fail_key(const std::string& key, std::string message) { fail("key " + key, std::move(message)); }
+
+  template <class Value>
+  void keep(FormatResult<Value> read, Value& out) {
+    if (!read) return fail(read.error().place, read.error().message);
+    out = *std::move(read);
+  }
+
+  // Calls read(value) if the key is there, and takes the key away.
+  template <class Read>
+  void take(Json& object, const std::string& key, Read read) {
+    const auto found = object.find(key);
+    if (found == object.end()) return;
+    Json value = std::move(*found);
+    object.erase(found);
+    read(value);
+  }
+
+  // The same for an object, whose unknown members stay where they are.
+  template <class Read>
+  void take_object(Json& object, const std::string& key, const std::string& path, Read read) {
+    take(object, key, [&](Json& value) {
+      if (!value.is_object()) return fail_key(path, "must be an object");
+      read(value);
+      if (!value.empty()) object[key] = std::move(value);
+    });
+  }
+
+  void read_version(Json& document) {
+    if (!document.is_object()) return fail("", "is JSON, but no Talus level");
+    if (!document.contains("talus")) return fail_key("talus", "is missing, so this is no Talus level");
+    take(document, "talus", [this](const Json& value) {
+      constexpr std::int64_t kNewest = std::numeric_limits<std::int64_t>::max();
+      if (!is_whole(value, 1, kNewest))
+        return fail_key("talus", "must be the version, a whole number from 1");
+      if (value > kNativeVersion) {
+        fail_key("talus", "this level has version " + value.dump() + ", and this Talus reads up to version " +
+                              std::to_string(kNativeVersion));
+      }
+    });
+  }
+
+  void read_palette(const Json& colors) {
+    if (!colors.is_array() || colors.size() != kColorCount)
+      return fail_key("palette", "must be a list of 16 colours");
+    for (int i = 0; i < kColorCount; ++i) {
+      const std::string text = colors[i].is_string() ? colors[i].get<std::string>() : "";
+      const bool good =
+          text.size() == 6 && std::all_of(text.begin(), text.end(), [](char c) { return hex_value(c) >= 0; });
+      if (!good) return fail_key("palette[" + std::to_string(i) + "]", "must be a colour such as \"1a1c2c\"");
+      const auto channel = [&](int at) {
+        return static_cast<std::uint8_t>(hex_value(text[at]) << 4 | hex_value(text[at + 1]));
+      };
+      level_.palette[i] = {channel(0), channel(2), channel(4)};
+    }
+  }
+
+  void read_flag_names(const Json& names) {
+    const bool good =
+        names.is_array() && names.size() <= kFlagCount &&
+        std::all_of(names.begin(), names.end(), [](const Json& name) { return name.is_string(); });
+    if (!good) return fail_key("flag_names", "must be a list of up to 8 strings");
+    for (std::size_t i = 0; i < names.size(); ++i) level_.flag_names[i] = names[i].get<std::string>();
+  }
+
+  void read_roles(Json& roles) {
+    for (const FlagRoleInfo& info : flag_role_infos()) {
+      const std::string key(info.key);
+      take(roles, key, [&](const Json& flag) {
+        if (!flag.is_null() && !is_whole(flag, 0, kFlagCount - 1)) {
+          return fail_key("roles." + key, "must be a flag from 0 to 7, or null");
+        }
+        level_.roles.*info.flag = flag.is_null() ? FlagRoles::kUnused : flag.get<int>();
+      });
+    }
+  }
+
+  void read_tuning(Json& tuning) {
+    take(tuning, "solver", [this](const Json& json) {
+      const auto solver = solver_of_name(json.is_string() ? json.get<std::string>() : "");
+      if (!solver) return fail_key("tuning.solver", R"(must be "article", "bump" or "exact")");
+      level_.tuning.solver = *solver;
+    });
+    read_numbers(tuning, "");
+    for (const std::string_view group : kTuningGroups) {
+      take_object(tuning, std::string(group), "tuning." + std::string(group),
+                  [&](Json& numbers) { read_numbers(numbers, group); });
+    }
+  }
+
+  void read_numbers(Json& numbers, std::string_view group) {
+    for (const TuningField& field : tuning_fields()) {
+      if (field.group != group) continue;
+      take(numbers, std::string(field.key), [&](const Json& json) {
+        const double value = json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+        if (!field.accepts(value))
+          return fail_key("tuning." + field.path(),
+                          range_text(field.min, field.max, field.unit, field.whole));
+        field.in(level_.tuning) = value;
+      });
+    }
+  }
+
+  // Shapes by number; keys that are none are of the future and stay.
+  void read_shapes(Json& shapes, const std::string& path, const char* no_number, std::span<TileShape> out) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const std::string key = std::to_string(i), entry = path + "." + key;
+      take_object(shapes, key, entry, [&](Json& json) { keep(take_shape(json, entry), out[i]); });
+    }
+    check_numbers(shapes, path, no_number, out.size());
+  }
+
+  void read_sheet(Json& tiles, const std::string& path, Sheet& sheet) {
+    for (int tile = 0; tile < kTileCount; ++tile) {
+      const std::string key = std::to_string(tile), entry = path + "." + key;
+      take_object(tiles, key, entry, [&](Json& json) {
+        take(json, "flags",
+             [&](const Json& flags) { read_flags(flags, entry + ".flags", sheet.flags[tile]); });
+        take(json, "pixels",
+             [&](const Json& rows) { read_pixels(rows, entry + ".pixels", sheet.images[tile]); });
+      });
+    }
+    check_numbers(tiles, path, kNoTileNumber, kTileCount);
+  }
+
+  // What is left may have keys of the future, but no numbers that are out of range or written oddly.
+  void check_numbers(const Json& object, const std::string& path, const char* message, std::size_t count) {
+    for (auto it = object.begin(); it != object.end(); ++it) {
+      const std::string& key = it.key();
+      const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
+      const bool in_range = is_number && key.size() <= 3 && std::stoul(key) < count;
+      if (is_number && !(in_range && std::to_string(std::stoul(key)) == key))
+        fail_key(path + "." + key.substr(0, 8), message);
+    }
+  }
+
+  void read_flags(const Json& flags, const std::string& path, std::uint8_t& out) {
+    const bool good = flags.is_array() && std::all_of(flags.begin(), flags.end(), [](const Json& flag) {
+                        return is_whole(flag, 0, kFlagCount - 1);
+                      });
+    if (!good) return fail_key(path, "must be a list of flags from 0 to 7");
+    for (const Json& flag : flags) out = static_cast<std::uint8_t>(out | 1 << flag.get<int>());
+  }
+
+  void read_pixels(const Json& rows, const std::string& path, TileImage& image) {
+    std::string text = rows.is_string() ? rows.get<std::string>() : "";
+    std::erase(text, ' ');
+    const bool good = text.size() == image.size() && std::all_of(text.begin(), text.end(), [](char c) {
+                        return c == '.' || hex_value(c) >= 0;
+                      });
+    if (!good) return fail_key(path, "must be eight rows of eight hexadecimal digits");
+    std::transform(text.begin(), text.end(), image.begin(),
+                   [](char c) { return static_cast<std::uint8_t>(c == '.' ? 0 : hex_value(c)); });
+  }
+
+  void read_map(Json& map) {
+    int width = kTicMapWidth, height = kTicMapHeight;
+    const auto take_side = [&](const std::string& key, int& side) {
+      take(map, key, [&](const Json& value) {
+        if (!is_whole(value, 1, kMaxTerrainSide))
+          return fail_key("map." + key, "must be a whole number from 1 to 2097152");
+        side = value.get<int>();
+      });
+    };
+    take_side("width", width);
+    take_side("height", height);
+    if (error_) return;
+    if (!is_terrain_size(width, height))
+      return fail_key("map", "has a width times a height of more than 16777216 cells");
+    level_.map = TileMap(width, height);
+    take(map, "rows", [this](const Json& rows) { read_map_rows(rows); });
+  }
+
+  void read_map_rows(const Json& rows) {
+    TileMap& map = level_.map;
+    if (!rows.is_array()) return fail_key("map.rows", "must be a list");
+    if (rows.size() > static_cast<std::size_t>(map.height())) {
+      return fail_key("map.rows", "has " + std::to_string(rows.size()) +
+                                      " rows, more than the map's height of " + std::to_string(map.height()));
+    }
+    for (int y = 0; y < static_cast<int>(rows.size()) && !error_; ++y) {
+      if (!progress_.at(static_cast<std::size_t>(y), rows.size())) error_ = was_cancelled().value();
+      read_map_row(rows[y], y);
+    }
+  }
+
+  void read_map_row(const Json& row, int y) {
+    const std::string place = "map row " + std::to_string(y);
+    if (!row.is_string()) return fail(place, "must be a string");
+    const std::string& text = row.get_ref<const std::string&>();
+    if (text.size() > 2 * static_cast<std::size_t>(level_.map.width())) {
+      return fail(place,
+                  "is longer than the map's width of " + std::to_string(level_.map.width()) + " cells");
+    }
+    if (text.size() % 2 != 0) return fail(place, "must have two characters a cell");
+    for (int x = 0; 2 * x < static_cast<int>(text.size()); ++x) {
+      const char a = text[2 * x], b = text[2 * x + 1];
+      if (a == '.' && b == '.') continue;
+      const int high = hex_value(a), low = hex_value(b);
+      if (high < 0 || low < 0)
+        return fail(place, "has a cell, number " + std::to_string(x) + ", that is no two hexadecimal digits");
+      level_.map.set({x, y}, static_cast<std::uint8_t>(high << 4 | low));
+    }
+  }
+
+  void read_cart(Json& json) {
+    if (!json.contains("kind")) return;  // unknown keys that outlived their cart
+    auto cart = take_cart(json, level_);
+    if (!cart) return fail(cart.error().place, cart.error().message);
+    level_.cart = *std::move(cart);
+  }
+
+  Level level_;
+  std::optional<FormatError> error_;
+  Progress progress_;
+};
+
+// ---- Writing ----
+
+// The member, made an object if it is none.
+Json& object_in(Json& parent, const std::string& key) {
+  Json& member = parent[key];
+  if (!member.is_object()) member = Json::object();
+  return member;
+}
+
+Json json_of(const Palette& palette) {
+  Json colors = Json::array();
+  for (const Rgb& c : palette) {
+    const std::array<char, 3> bytes = {static_cast<char>(c.r), static_cast<char>(c.g),
+                                       static_cast<char>(c.b)};
+    colors.push_back(to_hex({bytes.data(), bytes.size()}));
+  }
+  return colors;
+}
+
+std::string pixel_rows(const TileImage& image) {
+  std::string text;
+  for (std::size_t p = 0; p < image.size(); ++p) {
+    if (p > 0 && p % kTileSize == 0) text += ' ';
+    text += image[p] == 0 ? '.' : kHexDigits[image[p] & 15];
+  }
+  return text;
+}
+
+void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const bool drawn = sheet.images[tile] != TileImage{};
+    if (!drawn && sheet.flags[tile] == 0) continue;
+    Json& json = object_in(object_in(document, key), std::to_string(tile));
+    if (drawn) json["pixels"] = pixel_rows(sheet.images[tile]);
+    for (int flag = 0; flag < kFlagCount; ++flag) {
+      if ((sheet.flags[tile] >> flag & 1) != 0) json["flags"].push_back(flag);
+    }
+  }
+}
+
+std::string map_row(std::span<const std::uint8_t> cells) {
+  while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
+  std::string row;
+  row.reserve(2 * cells.size());
+  for (const std::uint8_t tile : cells) {
+    row += tile == 0 ? '.' : kHexDigits[tile >> 4];
+    row += tile == 0 ? '.' : kHexDigits[tile & 15];
+  }
+  return row;
+}
+
+void put_map(const TileMap& map, Json& json) {
+  json["width"] = map.width();
+  json["height"] = map.height();
+  Json& rows = json["rows"] = Json::array();
+  std::span<const std::uint8_t> cells = map.cells();
+  while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
+  const auto width = static_cast<std::size_t>(map.width());
+  for (; !cells.empty(); cells = cells.subspan(std::min(width, cells.size()))) {
+    rows.push_back(map_row(cells.first(std::min(width, cells.size()))));
+  }
+}
+
+FormatResult<void> put_numbers(const Tuning& tuning, std::string_view group, Json& json) {
+  for (const TuningField& field : tuning_fields()) {
+    if (field.group != group) continue;
+    const double value = field.of(tuning);
+    if (!field.accepts(value)) {
+      return tl::unexpected(FormatError{"key tuning." + field.path(),
+                                        range_text(field.min, field.max, field.unit, field.whole)});
+    }
+    json[std::string(field.key)] = json_number(value);
+  }
+  return {};
+}
+
+bool is_standard(const Tuning& tuning, std::string_view group) {
+  const auto fields = tuning_fields();
+  return std::all_of(fields.begin(), fields.end(), [&](const TuningField& field) {
+    return field.group != group || field.of(tuning) == field.standard();
+  });
+}
+
+FormatResult<void> put_tuning(const Tuning& tuning, Json& json) {
+  json["solver"] = solver_name(tuning.solver);
+  if (const auto good = put_numbers(tuning, "", json); !good) return good;
+  for (const std::string_view group : kTuningGroups) {
+    if (is_standard(tuning, group)) continue;
+    if (const auto good = put_numbers(tuning, group, object_in(json, std::string(group))); !good) return good;
+  }
+  return {};
+}
+
+FormatResult<void> put_shapes(std::span<const TileShape> shapes, const std::string& key, Json& document) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i] == TileShape()) continue;
+    const std::string number = std::to_string(i);
+    Json& json = object_in(object_in(document, key), number);
+    if (const auto good = put_shape(shapes[i], key + "." + number, json); !good) return good;
+  }
+  return {};
+}
+
+// Sets a member to a list, unless it is empty.
+FormatResult<void> put_list(FormatResult<Json> list, const std::string& key, Json& document) {
+  if (!list) return tl::unexpected(list.error());
+  if (!list->empty()) document[key] = *std::move(list);
+  return {};
+}
+
+void put_roles(const FlagRoles& roles, Json& json) {
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const int flag = roles.*info.flag;
+    const std::string key(info.key);
+    if (flag != FlagRoles::kUnused)
+      json[key] = flag;
+    else if (FlagRoles().*info.flag != FlagRoles::kUnused)
+      json[key] = nullptr;
+  }
+}
+
+// What may be wrong with a level, in the order of the file.
+FormatResult<void> put_physics(const Level& level, Json& document) {
+  put_roles(level.roles, object_in(document, "roles"));
+  if (auto good = put_shapes(level.flag_shapes, "flag_shapes", document); !good) return good;
+  if (auto good = put_tuning(level.tuning, object_in(document, "tuning")); !good) return good;
+  if (auto good = put_list(json_of(level.spawns, "spawns"), "spawns", document); !good) return good;
+  if (auto good = put_list(json_of(level.curves, "curves", level.map), "curves", document); !good)
+    return good;
+  return put_shapes(level.tile_shapes, "tile_shapes", document);
+}
+
+// Of all objects at once: no two of them want a pair of keys in different orders.
+std::vector<std::string_view> key_order() {
+  std::vector<std::string_view> order = {
+      "talus",       "companion", "file",       "with",        "palette",     "flag_names",
+      "flag_fields", "name",      "first",      "bits",        "values",      "kind",
+      "side",        "faces",     "roles",      "solid",       "up_slope",    "down_slope",
+      "ball",        "one_way",   "ceiling",    "flag_shapes", "tuning",      "spawns",
+      "curves",      "brushes",   "auto_tiles", "exports",     "tile_shapes", "tiles",
+      "random",      "heights",   "sprites",    "map",         "cart",        "solver"};
+  for (const TuningField& field : tuning_fields()) order.push_back(field.key);
+  order.insert(
+      order.end(),
+      {"x",        "y",      "vx",     "vy",       "size",  "foot",   "from",   "to",        "from_slope",
+       "to_slope", "center", "radius", "x0",       "x1",    "upper",  "middle", "amplitude", "wavelength",
+       "origin",   "ys",     "flags",  "pixels",   "width", "height", "rows",   "comment",   "chunks",
+       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "parts",     "on_save"});
+  for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
+  const auto hard_case = hard_case_keys();
+  order.insert(order.end(), hard_case.begin(), hard_case.end());
+  return order;
+}
+
+}  // namespace
+
+bool accepts_native(std::string_view bytes, const FormatContext& context) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || bytes[first] != '{') return false;
+  return context.extension == "json" || bytes.find("\"talus\"") != std::string_view::npos;
+}
+
+FormatResult<Json> native_document(const Level& level) {
+  if (auto problem = problem_of_amounts(level)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  auto parsed = parse_extra(level.extra);
+  if (!parsed) return parsed;
+  Json& document = *parsed;
+  document["talus"] = kNativeVersion;
+  document["palette"] = json_of(level.palette);
+  const bool named =
+      std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });
+  if (named) document["flag_names"] = level.flag_names;
+  if (const auto good = put_list(json_of(level.flag_fields, "flag_fields"), "flag_fields", document); !good)
+    return tl::unexpected(good.error());
+  if (const auto good = put_physics(level, document); !good) return tl::unexpected(good.error());
+  if (const auto good = put_list(json_of(level.brushes), "brushes", document); !good)
+    return tl::unexpected(good.error());
+  if (!level.auto_tiles.empty()) put_auto_tiles(level.auto_tiles, object_in(document, "auto_tiles"));
+  if (const auto good = put_list(json_of(level.exports), "exports", document); !good)
+    return tl::unexpected(good.error());
+  for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
+  put_map(level.map, object_in(document, "map"));
+  if (level.cart) put_cart(level, object_in(document, "cart"));
+  return parsed;
+}
+
+FormatResult<Level> level_of_document(Json document, const Progress& progress) {
+  return Reader(progress).read(std::move(document));
+}
+
+FormatResult<std::string> print_document(const Json& document) {
+  try {
+    std::string text = print_json(document, key_order());
+    if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
+    return text;
+  } catch (const Json::exception&) {
+    return tl::unexpected(
+        FormatError{"", "a name of a flag, spawn, curve, brush or export is not valid UTF-8"});
+  }
+}
+
+FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context) {
+  constexpr double kParsed = 0.8;  // the share of the time
+  auto document = parse_json(bytes, context.progress.part(0, kParsed));
+  if (!document) return tl::unexpected(document.error());
+  if (document->is_object() && document->contains("companion"))
+    return tl::unexpected(FormatError{
+        "", "is no level of its own, but what Talus added to a cart: put it beside that, and open the cart"});
+  return level_of_document(*std::move(document), context.progress.part(kParsed, 1));
+}
+
+FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&) {
+  const auto document = native_document(level);
+  if (!document) return tl::unexpected(document.error());
+  auto text = print_document(*document);
+  if (!text) return tl::unexpected(text.error());
+  return WrittenLevel{*std::move(text), {}};
+}
+
+}  // namespace talus

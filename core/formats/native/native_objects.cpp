@@ -1,0 +1,183 @@
+// One list of members a kind of object, for reading and for writing.
+#include "native_objects.h"
+
+#include <array>
+
+#include "../../level/limits.h"
+#include "native_members.h"
+
+namespace talus {
+namespace {
+
+constexpr double kMaxSpawnNumber = 100'000'000;  // px and px/frame; six times the longest map
+
+constexpr std::array<std::string_view, 4> kShapeKinds = {"none", "solid", "slope", "profile"};
+constexpr std::array<std::string_view, 2> kSides = {"floor", "ceiling"};
+constexpr std::array<std::string_view, 6> kForms = {"segment", "arc",  "parabola",  // as Curve::form
+                                                    "cubic",   "sine", "polyline"};
+constexpr std::array<std::string_view, 3> kFaces = {"up", "down", "both"};
+constexpr std::array<std::string_view, 2> kBodyKinds = {"ball", "player"};
+constexpr std::array<std::string_view, 2> kFeet = {"box", "centre"};
+
+template <class Io>
+void list_members(Io& io, Segment& s) {
+  io("from", s.from);
+  io("to", s.to);
+}
+template <class Io>
+void list_members(Io& io, Arc& a) {
+  io("center", a.center);
+  io("radius", a.radius);
+  io("x0", a.x0);
+  io("x1", a.x1);
+}
+template <class Io>
+void list_members(Io& io, Parabola& p) {
+  io("from", p.from);
+  io("to", p.to);
+  io("control_y", p.control_y);
+}
+template <class Io>
+void list_members(Io& io, Cubic& c) {
+  io("from", c.from);
+  io("to", c.to);
+  io("from_slope", c.from_slope);
+  io("to_slope", c.to_slope);
+}
+template <class Io>
+void list_members(Io& io, Sine& s) {
+  io("x0", s.x0);
+  io("x1", s.x1);
+  io("middle", s.middle);
+  io("amplitude", s.amplitude);
+  io("wavelength", s.wavelength);
+  io("origin", s.origin);
+}
+template <class Io>
+void list_members(Io& io, Polyline& p) {
+  io("x0", p.x0);
+  io("x1", p.x1);
+  io("ys", p.ys);
+}
+
+template <std::size_t... I>
+void set_form(Curve& curve, std::size_t index, std::index_sequence<I...>) {
+  ((I == index ? void(curve.form.emplace<I>()) : void()), ...);
+}
+
+FormatResult<LevelCurve> take_curve(Json& json, const std::string& path, const TileMap& map) {
+  MemberTaker take(json, path);
+  LevelCurve curve;
+  take.optional("name", curve.name);
+  std::size_t form = 0;
+  if (!take.choice("kind", kForms, form)) take.fail("kind", choice_text(kForms));
+  set_form(curve.curve, form, std::make_index_sequence<std::variant_size_v<decltype(Curve::form)>>());
+  take.choice("faces", kFaces, curve.curve.faces);
+  std::visit([&](auto& members) { list_members(take, members); }, curve.curve.form);
+  if (Arc* arc = std::get_if<Arc>(&curve.curve.form)) take.optional("upper", arc->upper);
+  if (const auto bad = take.result(true); !bad) return tl::unexpected(bad.error());
+  curve.extra = take.rest();
+  auto problem = problem_of(curve.curve, map);
+  return take.result(std::move(curve), std::move(problem));
+}
+
+FormatResult<Json> json_of(const LevelCurve& curve, const std::string& path, const TileMap& map) {
+  if (auto problem = problem_of(curve.curve, map))
+    return tl::unexpected(FormatError{"key " + path, *std::move(problem)});
+  auto json = parse_extra(curve.extra);
+  if (!json) return json;
+  if (!curve.name.empty()) (*json)["name"] = curve.name;
+  (*json)["kind"] = kForms[curve.curve.form.index()];
+  if (curve.curve.faces != Curve::Faces::up)
+    (*json)["faces"] = kFaces[static_cast<std::size_t>(curve.curve.faces)];
+  MemberPutter put(*json);
+  auto form = curve.curve.form;  // a copy: one list of members serves readers, who change them
+  std::visit([&](auto& members) { list_members(put, members); }, form);
+  if (const Arc* arc = std::get_if<Arc>(&form); arc != nullptr && !arc->upper) (*json)["upper"] = false;
+  return json;
+}
+
+struct SpawnNumber {
+  const char* key;
+  Vec2 Spawn::*vector;
+  double Vec2::*part;
+};
+constexpr std::array<SpawnNumber, 4> kSpawnNumbers = {{{"x", &Spawn::position, &Vec2::x},
+                                                       {"y", &Spawn::position, &Vec2::y},
+                                                       {"vx", &Spawn::velocity, &Vec2::x},
+                                                       {"vy", &Spawn::velocity, &Vec2::y}}};
+
+FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
+  MemberTaker take(json, path);
+  Spawn spawn;
+  take.optional("name", spawn.name);
+  for (const SpawnNumber& n : kSpawnNumbers)
+    take.ranged(n.key, -kMaxSpawnNumber, kMaxSpawnNumber, "", spawn.*n.vector.*n.part);
+  take.choice("kind", kBodyKinds, spawn.kind);
+  take.size("size", spawn.size);
+  Foot foot = Foot::box;
+  if (take.choice("foot", kFeet, foot)) spawn.foot = foot;
+  spawn.extra = take.rest();
+  return take.result(std::move(spawn));
+}
+
+FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
+  auto json = parse_extra(spawn.extra);
+  if (!json) return json;
+  (*json)["name"] = spawn.name;
+  for (const SpawnNumber& n : kSpawnNumbers) (*json)[n.key] = json_number(spawn.*n.vector.*n.part);
+  if (spawn.kind != BodyKind::ball) (*json)["kind"] = kBodyKinds[static_cast<std::size_t>(spawn.kind)];
+  if (spawn.size != Spawn().size) MemberPutter{*json}("size", spawn.size);
+  if (spawn.foot) (*json)["foot"] = kFeet[static_cast<std::size_t>(*spawn.foot)];
+  Json copy = *json;  // what a reader would refuse is not written
+  if (const auto good = take_spawn(copy, path); !good) return tl::unexpected(good.error());
+  return json;
+}
+
+}  // namespace
+
+FormatResult<TileShape> take_shape(Json& json, const std::string& path) {
+  MemberTaker take(json, path);
+  TileShape shape;
+  take.choice("kind", kShapeKinds, shape.kind);
+  take.choice("side", kSides, shape.side);
+  take.optional("one_way", shape.one_way);
+  take.optional("tiles", shape.tiles);
+  take.optional("heights", shape.heights);
+  auto problem = problem_of(shape);
+  return take.result(std::move(shape), std::move(problem));
+}
+
+FormatResult<void> put_shape(const TileShape& shape, const std::string& path, Json& json) {
+  if (auto problem = problem_of(shape))
+    return tl::unexpected(FormatError{"key " + path, *std::move(problem)});
+  if (shape.kind != TileShape::Kind::none) json["kind"] = kShapeKinds[static_cast<std::size_t>(shape.kind)];
+  if (shape.side != TileShape::Side::floor) json["side"] = kSides[static_cast<std::size_t>(shape.side)];
+  if (shape.one_way) json["one_way"] = true;
+  if (shape.tiles != 1) json["tiles"] = shape.tiles;
+  if (!shape.heights.empty()) MemberPutter{json}("heights", shape.heights);
+  return {};
+}
+
+FormatResult<std::vector<LevelCurve>> take_curves(Json& list, const std::string& path, const TileMap& map) {
+  const auto take = [&](Json& json, const std::string& entry) { return take_curve(json, entry, map); };
+  return take_list<LevelCurve>(list, path, take, kMaxCurves, "must be a list of up to 16384 curves");
+}
+
+FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::string& path,
+                           const TileMap& map) {
+  return put_list(curves, path, [&](const LevelCurve& curve, const std::string& entry) {
+    return json_of(curve, entry, map);
+  });
+}
+
+FormatResult<std::vector<Spawn>> take_spawns(Json& list, const std::string& path) {
+  return take_list<Spawn>(list, path, take_spawn, kMaxSpawns, "must be a list of up to 65536 bodies");
+}
+
+FormatResult<Json> json_of(const std::vector<Spawn>& spawns, const std::string& path) {
+  return put_list(spawns, path,
+                  [](const Spawn& spawn, const std::string& entry) { return json_of(spawn, entry); });
+}
+
+}  // namespace talus

@@ -1,0 +1,389 @@
+// Recordings as JSON.
+#include "recording.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "../files/atomic_file.h"
+#include "../last_catch.h"
+#include "../text/hex.h"
+#include "input_entry.h"
+#include "native.h"
+#include "native_document.h"
+
+namespace talus {
+namespace {
+
+constexpr std::string_view kVersionKey = "talus_recording";
+constexpr std::size_t kHashDigits = 16;
+constexpr std::size_t kHashesInText = 8;
+// Entries of lists that the patches of all edits may move; ours move none.
+constexpr std::size_t kMostMovedEntries = 20'000'000;
+
+// Thrown within this file alone: a reader of nested values that stops at its first error.
+struct Wrong {
+  FormatError error;
+};
+[[noreturn]] void fail(const std::string& key, const std::string& message) {
+  throw Wrong{{"key " + key, message}};
+}
+
+std::string entry_path(const char* list, std::size_t i) {
+  return std::string(list) + "[" + std::to_string(i) + "]";
+}
+
+std::int64_t whole(const Json& object, const std::string& path, const char* key, std::int64_t min,
+                   std::int64_t max) {
+  const std::string place = path + key;
+  if (!object.contains(key)) fail(place, "is missing");
+  const Json& value = object[key];
+  if (!is_whole(value, min, max))
+    fail(place, "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+  return value.get<std::int64_t>();
+}
+
+const Json& list_in(const Json& object, const char* key) {
+  static const Json kNone = Json::array();
+  if (!object.contains(key)) return kNone;
+  if (!object[key].is_array()) fail(key, "must be a list");
+  return object[key];
+}
+
+void check_keys(const Json& object, const std::string& path, std::initializer_list<std::string_view> known) {
+  if (!object.is_object()) fail(path, "must be an object");
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      fail(path.empty() ? key : path + "." + key, "is not known in a recording");
+  }
+}
+
+Level level_in(const Json& json, const std::string& path) {
+  auto level = level_of_document(json);
+  if (!level) throw Wrong{{"key " + path + ", " + level.error().place, level.error().message}};
+  return *std::move(level);
+}
+
+// What the edits of a recording take together, which is reckoned alike where it is read and written.
+class EditAmounts {
+ public:
+  explicit EditAmounts(const LevelVersion& first) : bytes_(memory_of(first, nullptr)) {}
+
+  // Nothing: the edit from one version to the next, of this level, fits.
+  std::optional<FormatError> add(const LevelVersion& before, const LevelVersion& after, const Level& edited) {
+    read_ += size_of(edited);
+    bytes_ += memory_of(after, &before);
+    if (read_ <= kMaxEditedBytes && bytes_ <= kMaxVersionBytes) return std::nullopt;
+    return FormatError{"key edits", "has too many edits for a level of this size"};
+  }
+
+ private:
+  std::size_t read_ = 0, bytes_;
+};
+
+FormatError too_many_edits() {
+  return {"key edits", "has more than " + std::to_string(kMaxRecordedEdits) + " edits of the level"};
+}
+
+// ---- Reading ----
+
+class RecordingReader {
+ public:
+  explicit RecordingReader(Progress progress) : progress_(std::move(progress)) {}
+
+  Recording read(Json document) {
+    if (!document.is_object()) throw Wrong{{"", "is JSON, but no recording"}};
+    const std::string version_key(kVersionKey);
+    if (!document.contains(version_key)) fail(version_key, "is missing, so this is no recording");
+    if (whole(document, "", version_key.c_str(), 1, 1'000'000) > kRecordingVersion)
+      fail(version_key, "is of a newer Talus; this one reads version " + std::to_string(kRecordingVersion));
+    check_keys(document, "", {kVersionKey, "frames", "marks", "level", "edits", "input", "hashes"});
+    read_hashes(document);
+    read_marks(list_in(document, "marks"));
+    read_input(list_in(document, "input"));
+    if (!document.contains("level")) fail("level", "is missing");
+    recording_.level = level_in(document["level"], "level");
+    const Json& edits = list_in(document, "edits");
+    if (edits.size() > kMaxRecordedEdits) throw Wrong{too_many_edits()};
+    read_edits(edits, document["level"]);
+    return std::move(recording_);
+  }
+
+ private:
+  // They also tell how many frames there can be, before memory is taken for them.
+  void read_hashes(const Json& document) {
+    if (!document.contains("hashes")) fail("hashes", "is missing");
+    const Json& texts = list_in(document, "hashes");
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const std::string path = entry_path("hashes", i);
+      if (!texts[i].is_string()) fail(path, "must be a text");
+      read_hash_text(texts[i].get_ref<const std::string&>(), path);
+    }
+    const bool has_any = !recording_.hashes.empty();
+    const auto most = has_any ? static_cast<std::int64_t>(kMaxFileBytes) : kMostUnhashedFrames;
+    recording_.frames = whole(document, "", "frames", 0, most);
+    if (!has_any) return;
+    const auto wanted = static_cast<std::size_t>(recording_.frames) + 1;
+    if (recording_.hashes.size() != wanted) {
+      fail("hashes", "must hold " + std::to_string(wanted) + " hashes, one more than frames, not " +
+                         std::to_string(recording_.hashes.size()));
+    }
+  }
+
+  void read_hash_text(std::string_view text, const std::string& path) {
+    for (std::size_t at = 0; at < text.size(); at += kHashDigits + 1) {
+      std::uint64_t hash = 0;
+      const std::string_view digits = text.substr(at, kHashDigits);
+      bool good = digits.size() == kHashDigits;
+      for (const char c : digits) {
+        good = good && hex_value(c) >= 0;
+        hash = hash << 4 | static_cast<std::uint64_t>(hex_value(c) & 15);
+      }
+      const std::size_t end = at + kHashDigits;
+      if (!good || (end < text.size() && (text[end] != ' ' || end + 1 == text.size())))
+        fail(path, "must be hashes of 16 hexadecimal digits with a space between them");
+      recording_.hashes.push_back(hash);
+    }
+  }
+
+  void read_marks(const Json& marks) {
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const std::string path = entry_path("marks", i);
+      check_keys(marks[i], path, {"frame", "name"});
+      const std::int64_t frame = whole(marks[i], path + ".", "frame", 0, recording_.frames);
+      if (i > 0 && frame <= recording_.marks.back().frame)
+        fail(path + ".frame", "is not after the one before");
+      const Json name = marks[i].value("name", Json(""));
+      if (!name.is_string()) fail(path + ".name", "must be a text");
+      recording_.marks.push_back({frame, name.get<std::string>()});
+    }
+  }
+
+  void read_input(const Json& entries) {
+    RecordedInput held;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string path = entry_path("input", i);
+      const std::int64_t before = i == 0 ? 0 : held.frame;
+      if (const std::string wrong = take_input_entry(entries[i], held); !wrong.empty()) fail(path, wrong);
+      if (held.frame <= before) fail(path + ".frame", "is not after the one before");
+      if (held.frame > recording_.frames) fail(path + ".frame", "is after the last frame");
+      recording_.input.push_back(held);
+    }
+  }
+
+  void read_edits(const Json& edits, Json level) {
+    auto before = std::make_shared<const LevelVersion>(version_of(recording_.level));
+    EditAmounts amounts(*before);
+    std::int64_t last = 1;
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      if (!progress_.at(i, edits.size())) throw Wrong{was_cancelled().value()};
+      const std::string path = entry_path("edits", i);
+      check_keys(edits[i], path, {"frame", "patch"});
+      const std::int64_t frame = whole(edits[i], path + ".", "frame", 1, recording_.frames);
+      if (frame < last) fail(path + ".frame", "goes backwards");
+      last = frame;
+      if (!edits[i].contains("patch")) fail(path + ".patch", "is missing");
+      apply_patch(edits[i]["patch"], path + ".patch", level);
+      const Level edited = level_in(level, path);
+      auto after = std::make_shared<const LevelVersion>(version_of(edited, before.get()));
+      if (auto problem = amounts.add(*before, *after, edited)) throw Wrong{*std::move(problem)};
+      before = std::move(after);
+      recording_.edits.push_back({frame, before});
+    }
+  }
+
+  // Without "copy", with which a short patch could make a level that fills the memory.
+  void apply_patch(const Json& patch, const std::string& path, Json& level) {
+    if (!patch.is_array()) fail(path, "must be a list");
+    for (std::size_t i = 0; i < patch.size(); ++i) {
+      const Json operation = patch[i].is_object() ? patch[i].value("op", Json()) : Json();
+      if (operation != "add" && operation != "remove" && operation != "replace")
+        fail(path + "[" + std::to_string(i) + "]", R"(must have an "op": "add", "remove" or "replace")");
+    }
+    try {
+      for (const Json& operation : patch) {
+        count_moves(operation, path, level);
+        level.patch_inplace(Json::array({operation}));
+      }
+    } catch (const Json::exception&) {
+      fail(path, "does not fit the level before it");
+    }
+  }
+
+  // What is added to a list or removed from it moves all entries behind it. Json::exception: there is no
+  // place.
+  void count_moves(const Json& operation, const std::string& path, const Json& level) {
+    const Json::json_pointer place(operation.at("path").get_ref<const std::string&>());
+    if (operation["op"] == "replace" || place.empty() || place.back() == "-") return;
+    const Json& list = level.at(place.parent_pointer());
+    if (!list.is_array()) return;
+    std::size_t index = 0;
+    const std::string& digits = place.back();
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (problem == std::errc() && index < list.size()) moved_ += list.size() - index;
+    if (moved_ > kMostMovedEntries) fail(path, "moves too many entries of lists");
+  }
+
+  Recording recording_;
+  Progress progress_;
+  std::size_t moved_ = 0;  // entries of lists, by the patches so far
+};
+
+// ---- Writing ----
+
+std::string hash_digits(std::uint64_t hash) {
+  std::string text(kHashDigits, '0');
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4) *digit = kHexDigits[hash & 15];
+  return text;
+}
+
+Json hash_texts(const std::vector<std::uint64_t>& hashes) {
+  Json texts = Json::array();
+  for (std::size_t i = 0; i < hashes.size(); i += kHashesInText) {
+    std::string text = hash_digits(hashes[i]);
+    for (std::size_t j = i + 1; j < std::min(i + kHashesInText, hashes.size()); ++j)
+      text += " " + hash_digits(hashes[j]);
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+// The list with one line an entry.
+std::string input_text(const std::vector<RecordedInput>& input) {
+  std::string text = "[";
+  RecordedInput before;
+  for (const RecordedInput& entry : input) {
+    const Json json = input_entry(entry, before);
+    before = entry;
+    text += text.size() > 1 ? ",\n  {" : "\n  {";
+    for (const char* key : {"frame", "mouse", "down", "grab", "keys"}) {
+      if (!json.contains(key)) continue;
+      text.append(text.back() == '{' ? "\"" : ", \"").append(key).append("\": ").append(json[key].dump());
+    }
+    text += "}";
+  }
+  return text + (input.empty() ? "]\n" : "\n]\n");
+}
+
+// The patch from one native level to another. Of a list that lost or got entries the diff would name every
+// one behind them, so a long one is put there as a whole.
+Json patch_between(const Json& before, const Json& after) {
+  constexpr std::size_t kLong = 256;
+  Json patch = Json::array();
+  Json patched = before;
+  for (const auto& [key, value] : after.items()) {
+    const auto old = patched.find(key);
+    if (old == patched.end() || !value.is_array() || !old->is_array()) continue;
+    if (value.size() == old->size() || std::max(value.size(), old->size()) < kLong) continue;
+    patch.push_back({{"op", "replace"}, {"path", "/" + key}, {"value", value}});
+    *old = value;
+  }
+  for (Json& operation : Json::diff(patched, after)) patch.push_back(std::move(operation));
+  return patch;
+}
+
+// Why a reader would refuse the edits.
+std::optional<FormatError> problem_of_edits(const Recording& recording) {
+  if (recording.edits.size() > kMaxRecordedEdits) return too_many_edits();
+  Level level = recording.level;
+  LevelVersion version = version_of(level);
+  EditAmounts amounts(version);
+  for (const RecordedEdit& edit : recording.edits) {
+    put_version(*edit.version, level);
+    LevelVersion next = version_of(level, &version);
+    if (auto problem = amounts.add(version, next, level)) return problem;
+    version = std::move(next);
+  }
+  return std::nullopt;
+}
+
+FormatResult<Json> edits_of(const Recording& recording) {
+  if (auto problem = problem_of_edits(recording)) return tl::unexpected(*std::move(problem));
+  Json edits = Json::array();
+  auto before = native_document(recording.level);
+  if (!before) return before;
+  Level level = recording.level;
+  for (const RecordedEdit& edit : recording.edits) {
+    put_version(*edit.version, level);
+    auto after = native_document(level);
+    if (!after) return after;
+    edits.push_back({{"frame", edit.frame}, {"patch", patch_between(*before, *after)}});
+    before = std::move(after);
+  }
+  return edits;
+}
+
+Json marks_of(const std::vector<Mark>& marks) {
+  Json list = Json::array();
+  for (const Mark& mark : marks) list.push_back({{"frame", mark.frame}, {"name", mark.name}});
+  return list;
+}
+
+// A printed value as it stands in an object.
+std::string indented(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, text.size() - 1)) {  // without the line break at its end
+    out += c;
+    if (c == '\n') out += "  ";
+  }
+  return out;
+}
+
+}  // namespace
+
+bool is_recording(std::string_view bytes, const FormatContext& context) {
+  return context.extension == kRecordingExtension ||
+         bytes.substr(0, 200).find("\"" + std::string(kVersionKey) + "\"") != std::string_view::npos;
+}
+
+FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress) {
+  constexpr double kParsed = 0.2;  // the share of the time, where the level was edited
+  auto document = parse_json(bytes, progress.part(0, kParsed));
+  if (!document) return tl::unexpected(document.error());
+  try {
+    return RecordingReader(progress.part(kParsed, 1)).read(*std::move(document));
+  } catch (const Wrong& wrong) {
+    return tl::unexpected(wrong.error);
+  }
+}
+
+FormatResult<std::string> write_recording(const Recording& recording) {
+  const auto level = write_native(recording.level, {});
+  if (!level) return tl::unexpected(level.error());
+  const auto edits = edits_of(recording);
+  if (!edits) return tl::unexpected(edits.error());
+  constexpr std::array<std::string_view, 2> kOrder = {"frame", "op"};
+  std::string text = "{";
+  const auto add = [&](std::string_view key, std::string_view printed) {
+    text.append(text.size() > 1 ? ",\n  \"" : "\n  \"").append(key).append("\": ").append(indented(printed));
+  };
+  try {
+    add(kVersionKey, print_json(kRecordingVersion, kOrder));
+    add("frames", print_json(recording.frames, kOrder));
+    add("marks", print_json(marks_of(recording.marks), kOrder));
+    add("level", level->bytes);
+    add("edits", print_json(*edits, kOrder));
+    add("input", input_text(recording.input));
+    add("hashes", print_json(hash_texts(recording.hashes), kOrder));
+  } catch (const Json::exception&) {
+    return tl::unexpected(FormatError{"key marks", "has a name that is not valid UTF-8"});
+  }
+  text += "\n}\n";
+  if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  return text;
+}
+
+FormatResult<Recording> load_recording(const std::string& path, const Progress& progress) {
+  const auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return read_guarded([&] { return read_recording(*bytes, progress); });
+}
+
+FormatResult<void> save_recording(const Recording& recording, const std::string& path) {
+  const auto bytes = write_recording(recording);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return write_file_atomic(path, *bytes);
+}
+
+}  // namespace talus

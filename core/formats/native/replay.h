@@ -1,0 +1,29 @@
+// Replays a collision scenario: a list of operations on a World, each answered by one line of JSON.
+//
+//   {"cell_size":64,"ops":[{"op":"add","item":1,"rect":[0,0,8,8]},{"op":"move","item":1,"goal":[5,0]}]}
+//
+// answers {"ok":true} and {"x":5,"y":0,"cols":[]}. The operations:
+//   add {item, rect}, update {item, rect}, remove {item}, getRect {item},
+//   move {item, goal, filter}, check {item, goal, filter},
+//   queryRect {rect}, queryPoint {point},
+//   querySegment {from, to}, querySegmentWithCoords {from, to}, toCell {point}
+// An item is named by an integer, unique in the world. A rect is [x,y,w,h]; update keeps a size that is
+// missing or null. A filter maps the other item's name to "touch", "cross", "slide", "bounce" or null, which
+// ignores it, with "default" for the others; without a filter everything slides. What the world refuses, such
+// as a size of zero, is answered by {"error":".."} in bump's words and changes nothing.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "../format.h"
+
+namespace talus {
+
+// One answer an operation, without the line's end. The error's place is the byte of malformed JSON or the
+// operation, counted from 1: "op 12".
+tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_view json);
+
+}  // namespace talus

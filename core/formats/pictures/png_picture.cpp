@@ -1,0 +1,232 @@
+// PNG by stb. Its reader keeps nothing of a palette and unpacks whatever there is, so the chunks are looked
+// through first.
+#include "png_picture.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "../files/atomic_file.h"
+#include "../last_catch.h"
+#include "../text/unpack.h"
+
+namespace {
+// Of zlib: the best takes nine times as long for the picture of a map, which is 2 % smaller then.
+constexpr int kPngLevel = 7;
+
+// In stb's place, whose own compression gives files twice as large. Its caller frees the result.
+unsigned char* compress_for_png(unsigned char* data, int size, int* compressed_size, int) {
+  uLongf length = compressBound(static_cast<uLong>(size));
+  auto* compressed = static_cast<unsigned char*>(std::malloc(length));
+  if (compressed != nullptr &&
+      compress2(compressed, &length, data, static_cast<uLong>(size), kPngLevel) != Z_OK) {
+    std::free(compressed);
+    return nullptr;
+  }
+  *compressed_size = static_cast<int>(length);
+  return compressed;
+}
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS compress_for_png
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#include <stb_image.h>
+
+namespace talus {
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+constexpr int kHalfOpaque = 128;
+
+std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return value;
+}
+
+std::string size_text(std::uint32_t width, std::uint32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+// What a file has to say, apart from its pixels.
+struct Header {
+  std::uint32_t width = 0, height = 0;
+  std::vector<Rgb> palette;
+  std::string needed;  // the file again, with the chunks alone that make its pixels
+  std::string packed;  // the zlib stream of its rows, from all chunks
+};
+
+std::vector<Rgb> palette_of(std::string_view chunk) {
+  std::vector<Rgb> palette;
+  for (std::size_t i = 0; i + 3 <= chunk.size(); i += 3)
+    palette.push_back({static_cast<std::uint8_t>(chunk[i]), static_cast<std::uint8_t>(chunk[i + 1]),
+                       static_cast<std::uint8_t>(chunk[i + 2])});
+  return palette;
+}
+
+tl::unexpected<FormatError> error_at(std::size_t byte, std::string message) {
+  return tl::unexpected(FormatError{"byte " + std::to_string(byte), std::move(message)});
+}
+
+constexpr std::size_t kAround = 12, kHeaderSize = 13;  // bytes: of a chunk besides its content; of IHDR
+
+struct Chunk {
+  std::string_view whole, type, content;
+};
+
+FormatResult<Chunk> chunk_at(std::string_view bytes, std::size_t at) {
+  const std::size_t left = bytes.size() - at;
+  const std::size_t length = left < kAround ? left : u32_at(bytes, at);
+  if (left < kAround || length > left - kAround)
+    return error_at(at, "the picture ends in the middle of a chunk");
+  return Chunk{bytes.substr(at, length + kAround), bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
+}
+
+// Of pixels that are indices. stb reads beyond a short palette, so it gets a full one.
+void add_palette(std::string_view content, Header& header) {
+  constexpr std::size_t kFull = 3 * 256;
+  header.palette = palette_of(content);
+  std::string colors(content.substr(0, kFull));
+  colors.resize(kFull);
+  constexpr std::string_view kLength("\0\0\3\0", 4), kChecksum("\0\0\0\0", 4);  // which stb does not check
+  header.needed.append(kLength).append("PLTE").append(colors).append(kChecksum);
+}
+
+FormatResult<Header> read_header(std::string_view bytes) {
+  constexpr std::size_t kColorType = 9;  // in IHDR
+  constexpr char kIndexed = 3;
+  Header header;
+  header.needed = kSignature;
+  bool indexed = false;
+  for (std::size_t at = kSignature.size(); at < bytes.size();) {
+    const auto chunk = chunk_at(bytes, at);
+    if (!chunk) return tl::unexpected(chunk.error());
+    const bool first = at == kSignature.size();
+    if (first != (chunk->type == "IHDR") || (first && chunk->content.size() != kHeaderSize))
+      return error_at(at, "must be the picture's one header, and is not");
+    if (first) {
+      header.width = u32_at(chunk->content, 0);
+      header.height = u32_at(chunk->content, 4);
+      indexed = chunk->content[kColorType] == kIndexed;
+    }
+    if (chunk->type == "IDAT") header.packed += chunk->content;
+    const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();  // stb copies it to no memory
+    if (chunk->type == "PLTE" && indexed)
+      add_palette(chunk->content, header);
+    else if (first || (chunk->type == "IDAT" && !empty_data) || chunk->type == "tRNS" ||
+             chunk->type == "IEND")
+      header.needed += chunk->whole;
+    if (chunk->type == "IEND") break;
+    at += chunk->whole.size();
+  }
+  if (header.width == 0 || header.height == 0) return tl::unexpected(FormatError{"", "is an empty picture"});
+  return header;
+}
+
+// Of a picture that is not refused for its size.
+FormatResult<Header> read_small_header(std::string_view bytes) {
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  auto header = read_header(bytes);
+  if (header && (header->width > kMaxPngSide || header->height > kMaxPngSide)) {
+    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
+                                              " px, and pictures of up to 1024x1024 px are read"});
+  }
+  return header;
+}
+
+FormatResult<RgbaPicture> decode(const Header& header) {
+  // Eight bytes a pixel at most, and one before each row: interlaced, rows come in up to twice as many parts.
+  const std::size_t largest = (std::size_t{8} * header.width + 2) * header.height + 64;
+  const auto rows = unpack_zlib(header.packed, largest);
+  if (header.packed.size() > 2 * largest || (!rows && rows.error() == UnpackError::too_large))
+    return tl::unexpected(FormatError{"", "has more data than a picture of its size can have"});
+  if (!rows && !header.packed.empty())
+    return tl::unexpected(FormatError{"", "is a damaged PNG picture: its pixels cannot be unpacked"});
+  constexpr int kChannels = 4;
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> rgba(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(header.needed.data()),
+                            static_cast<int>(header.needed.size()), &width, &height, &channels, kChannels),
+      stbi_image_free);
+  if (!rgba)
+    return tl::unexpected(FormatError{"", std::string("is a damaged PNG picture: ") + stbi_failure_reason()});
+  const std::size_t count = std::size_t{kChannels} * header.width * header.height;
+  return RgbaPicture{width, height, {reinterpret_cast<const char*>(rgba.get()), count}};
+}
+
+// In pictures without a palette every colour may be.
+bool has_color(const PngPicture& picture, Rgb color) {
+  const auto& palette = picture.palette;
+  return palette.empty() || std::find(palette.begin(), palette.end(), color) != palette.end();
+}
+
+void append_bytes(void* text, void* data, int size) {
+  static_cast<std::string*>(text)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+bool is_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
+
+FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type) {
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  for (std::size_t at = kSignature.size(); at < bytes.size();) {
+    const auto chunk = chunk_at(bytes, at);
+    if (!chunk) return tl::unexpected(chunk.error());
+    if (chunk->type == type) return chunk->content;
+    if (chunk->type == "IEND") break;
+    at += chunk->whole.size();
+  }
+  return std::string_view();
+}
+
+FormatResult<RgbaPicture> read_rgba(std::string_view bytes) {
+  const auto header = read_small_header(bytes);
+  if (!header) return tl::unexpected(header.error());
+  return decode(*header);
+}
+
+FormatResult<PngPicture> read_png(std::string_view bytes) {
+  auto header = read_small_header(bytes);
+  if (!header) return tl::unexpected(header.error());
+  const auto rgba = decode(*header);
+  if (!rgba) return tl::unexpected(rgba.error());
+  PngPicture picture{rgba->width, rgba->height, {}, {}, std::move(header->palette)};
+  for (std::size_t i = 0; i < rgba->bytes.size(); i += 4) {
+    const auto* c = reinterpret_cast<const std::uint8_t*>(rgba->bytes.data()) + i;
+    const bool transparent = c[3] < kHalfOpaque;
+    picture.transparent.push_back(transparent);
+    picture.pixels.push_back(transparent ? Rgb{} : Rgb{c[0], c[1], c[2]});
+    if (!transparent && !has_color(picture, picture.pixels.back()))
+      return tl::unexpected(FormatError{"", "has a pixel of a colour beyond its palette"});
+  }
+  return picture;
+}
+
+FormatResult<PngPicture> load_png(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return read_guarded([&] { return read_png(*bytes); });
+}
+
+std::string encode_png(int width, int height, int channels, const std::uint8_t* bytes) {
+  std::string png;
+  stbi_write_force_png_filter = 0;  // flat colours pack best as they are
+  if (!stbi_write_png_to_func(append_bytes, &png, width, height, channels, bytes, width * channels))
+    return {};
+  return png;
+}
+
+}  // namespace talus

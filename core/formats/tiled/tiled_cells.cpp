@@ -1,0 +1,111 @@
+// CSV and Base64. Nothing is allocated before there is text for it.
+#include "tiled_cells.h"
+
+#include <charconv>
+
+#include "../text/unpack.h"
+
+namespace talus {
+namespace {
+
+using CellsResult = tl::expected<std::vector<std::uint32_t>, std::string>;
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+CellsResult decode_csv(std::string_view data) {
+  std::vector<std::uint32_t> cells;
+  const char* at = data.data();
+  const char* const end = at + data.size();
+  const auto skip_blanks = [&] {
+    while (at != end && is_blank(*at)) ++at;
+  };
+  for (skip_blanks(); at != end; skip_blanks()) {
+    if (!cells.empty() && *at++ != ',') break;
+    skip_blanks();
+    if (at == end) return cells;  // a comma after the last one
+    std::uint32_t cell = 0;
+    const auto [next, problem] = std::from_chars(at, end, cell);
+    if (problem != std::errc()) break;
+    cells.push_back(cell);
+    at = next;
+  }
+  if (at != end)
+    return tl::unexpected("has something else than a number in place of cell " +
+                          std::to_string(cells.size() + 1));
+  return cells;
+}
+
+// -1: no digit of Base64.
+int digit_of(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+tl::expected<std::string, std::string> decode_base64(std::string_view data) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int held = 0;  // bits that are not out yet
+  for (const char c : data) {
+    if (is_blank(c) || c == '=') continue;
+    const int digit = digit_of(c);
+    if (digit < 0) return tl::unexpected(std::string("has a character that is none of Base64"));
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> held & 0xff);
+  }
+  return bytes;
+}
+
+tl::expected<std::string, std::string> uncompressed(std::string bytes, std::string_view compression,
+                                                    std::size_t limit) {
+  if (compression.empty()) return bytes;
+  if (compression != "zlib" && compression != "gzip") {
+    return tl::unexpected("is compressed by " + std::string(compression) +
+                          ": choose another format of tile layers in Tiled, under Map > Map Properties");
+  }
+  auto content = unpack_zlib(bytes, limit);
+  if (content) return std::move(*content);
+  return tl::unexpected(std::string(content.error() == UnpackError::too_large
+                                        ? "unpacks to more cells than its size gives"
+                                        : "has compressed cells that are damaged"));
+}
+
+CellsResult cells_of_bytes(std::string_view bytes) {
+  if (bytes.size() % 4 != 0) return tl::unexpected(std::string("ends in the middle of a cell"));
+  std::vector<std::uint32_t> cells;
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t cell = 0;
+    for (std::size_t j = 4; j-- > 0;) cell = cell << 8 | static_cast<std::uint8_t>(bytes[i + j]);
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+}  // namespace
+
+CellsResult decode_tiled_cells(std::string_view data, std::string_view encoding, std::string_view compression,
+                               std::size_t count) {
+  CellsResult cells;
+  if (encoding == "csv") {
+    cells = decode_csv(data);
+  } else if (encoding == "base64") {
+    cells = decode_base64(data)
+                .and_then(
+                    [&](std::string bytes) { return uncompressed(std::move(bytes), compression, 4 * count); })
+                .and_then([](const std::string& bytes) { return cells_of_bytes(bytes); });
+  } else {
+    return tl::unexpected("has the unknown encoding \"" + std::string(encoding) + "\"");
+  }
+  if (cells && cells->size() != count) return tl::unexpected(tiled_count_problem(cells->size(), count));
+  return cells;
+}
+
+std::string tiled_count_problem(std::size_t cells, std::size_t count) {
+  return "has " + std::to_string(cells) + " cells, and its size gives " + std::to_string(count);
+}
+
+}  // namespace talus

@@ -1,0 +1,225 @@
+// The map's files: the map, its tilesets, their pictures.
+#include "tiled_format.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "../files/atomic_file.h"
+#include "../last_catch.h"
+#include "../text/utf8_text.h"
+#include "tiled_json.h"
+#include "tiled_level.h"
+#include "tiled_xml.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTiledParsed = 0.5, kTiledMapRead = 0.8;  // shares of the time
+
+char first_character(std::string_view bytes) {
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // byte order mark
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first == bytes.npos ? '\0' : bytes[first];
+}
+
+// An error in a file that another one names.
+tl::unexpected<FormatError> error_in(const std::string& file, const FormatError& error) {
+  return tl::unexpected(
+      FormatError{"file " + file + (error.place.empty() ? "" : ", " + error.place), error.message});
+}
+
+// `name` as the file has it. Absolute paths lead to other places on other machines, and devices nowhere.
+FormatResult<std::string> read_in(const std::string& folder, const std::string& name) {
+  std::error_code failure;
+  const fs::path path(name);
+  const bool is_drive = name.size() > 1 && name[1] == ':';
+  if (name.find('\0') != name.npos || path.is_absolute() || is_drive || name.find("://") != name.npos)
+    return error_in(name, {"", "is not looked for: only paths from the folder of the map are"});
+  const fs::path file = fs::path(folder) / path;
+  if (fs::exists(file, failure) && !fs::is_regular_file(file, failure))
+    return error_in(name, {"", "is no file"});
+  auto bytes = read_file(file.string());
+  if (!bytes) return error_in(name, bytes.error());
+  return bytes;
+}
+
+std::string with_slashes(std::string path) {
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return path;
+}
+
+FormatResult<Json> tiled_json_of(std::string_view bytes, const Progress& progress) {
+  return first_character(bytes) == '<' ? tiled_json_of_xml(bytes, progress) : parse_json(bytes, progress);
+}
+
+class TiledFiles {
+ public:
+  TiledFiles(const FormatContext& context, TiledDrops& drops) : context_(context), drops_(drops) {}
+
+  FormatResult<TiledMap> read_map(std::string_view bytes);
+  FormatResult<TiledPictures> read_pictures(const TiledMap& map);
+
+ private:
+  FormatResult<void> read_tileset(TiledTileset& tileset);
+  FormatResult<std::string> read_beside(const std::string& name);
+  FormatResult<TiledPicture> read_picture(const std::string& name);
+
+  const FormatContext& context_;
+  TiledDrops& drops_;
+  std::size_t bytes_ = 0;  // of the files beside the map, so far
+};
+
+// All of them together are as large as one file may be: a thousand tilesets could name one large file each.
+FormatResult<std::string> TiledFiles::read_beside(const std::string& name) {
+  auto bytes = read_in(context_.folder, name);
+  if (!bytes) return bytes;
+  bytes_ += bytes->size();
+  if (bytes_ > kMaxFileBytes) {
+    return error_in(name, {"", "is a file too many: those that a map names have up to " +
+                                   std::to_string(kMaxFileBytes >> 20) + " MiB together"});
+  }
+  return bytes;
+}
+
+// A tileset alone gets an empty map.
+FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
+  const auto json = tiled_json_of(bytes, context_.progress.part(0, kTiledParsed));
+  if (!json) return tl::unexpected(json.error());
+  const bool is_tileset = json->is_object() && json->value("type", Json()) == "tileset";
+  FormatResult<TiledMap> map;
+  if (is_tileset) {
+    auto tileset = read_tiled_tileset(*json, drops_);
+    if (!tileset) return tl::unexpected(tileset.error());
+    map->width = kTicMapWidth;
+    map->height = kTicMapHeight;
+    TiledLayer layer;
+    layer.has_tiles = true;
+    layer.cells.resize(kTicMapWidth * kTicMapHeight);
+    map->layers.push_back(std::move(layer));
+    map->tilesets.push_back(*std::move(tileset));
+  } else {
+    map = read_tiled_map(*json, drops_, context_.progress.part(kTiledParsed, kTiledMapRead));
+  }
+  if (!map) return map;
+  for (TiledTileset& tileset : map->tilesets) {
+    if (const auto read = read_tileset(tileset); !read) return tl::unexpected(read.error());
+  }
+  return map;
+}
+
+// One in a file of its own.
+FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
+  if (tileset.source.empty()) return {};
+  const std::string source = with_slashes(tileset.source);
+  if (context_.folder.empty())
+    return error_in(source, {"", "is a tileset beside the map, and where that is is not known"});
+  const auto bytes = read_beside(source);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto json = tiled_json_of(*bytes, {});
+  if (!json) return error_in(source, json.error());
+  auto read = read_tiled_tileset(*json, drops_);
+  if (!read) return error_in(source, read.error());
+  if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
+  read->first_gid = tileset.first_gid;
+  if (!read->image.empty())  // from the tileset's folder
+    read->image = (fs::path(source).parent_path() / with_slashes(read->image)).string();
+  tileset = *std::move(read);
+  return {};
+}
+
+FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
+  TiledPictures pictures;
+  std::map<std::string, std::shared_ptr<const TiledPicture>> by_name;
+  std::size_t pixels = 0;
+  for (const TiledTileset& tileset : map.tilesets) {
+    pictures.emplace_back();
+    if (tileset.image.empty() || context_.folder.empty()) {
+      drops_.add("the picture of the tileset \"" + tileset.name + "\"");
+      continue;
+    }
+    const std::string name = with_slashes(tileset.image);
+    std::shared_ptr<const TiledPicture>& shared = by_name[name];
+    if (shared == nullptr) {
+      auto picture = read_picture(name);
+      if (!picture) return tl::unexpected(picture.error());
+      pixels += picture->rgba.bytes.size() / 4;
+      if (pixels > kMaxTiledPixels) {
+        return error_in(name, {"", "is a picture too many: those that a map names have up to " +
+                                       std::to_string(kMaxTiledPixels) + " pixels together"});
+      }
+      shared = std::make_shared<const TiledPicture>(*std::move(picture));
+    }
+    pictures.back() = shared;
+  }
+  return pictures;
+}
+
+FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name) {
+  const auto bytes = read_beside(name);
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto rgba = read_rgba(*bytes);
+  if (!rgba) return error_in(name, rgba.error());
+  const auto chunk = find_png_chunk(*bytes, "PLTE");
+  TiledPicture picture{*std::move(rgba), {}};
+  for (std::size_t i = 0; chunk && i + 3 <= chunk->size(); i += 3)
+    picture.palette.push_back({static_cast<std::uint8_t>((*chunk)[i]),
+                               static_cast<std::uint8_t>((*chunk)[i + 1]),
+                               static_cast<std::uint8_t>((*chunk)[i + 2])});
+  return picture;
+}
+
+FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context, TiledDrops& drops) {
+  TiledFiles files(context, drops);
+  const auto map = files.read_map(bytes);
+  if (!map) return tl::unexpected(map.error());
+  const auto pictures = files.read_pictures(*map);
+  if (!pictures) return tl::unexpected(pictures.error());
+  return level_of_tiled(*map, *pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
+}
+
+}  // namespace
+
+bool accepts_tiled_json(std::string_view bytes, const FormatContext& context) {
+  if (first_character(bytes) != '{') return false;
+  if (context.extension == "tmj" || context.extension == "tsj") return true;
+  const auto has = [&](std::string_view key) { return bytes.find(key) != bytes.npos; };
+  return has("\"tilewidth\"") && !has("\"talus\"") && (has("\"tilesets\"") || has("\"tilecount\""));
+}
+
+bool accepts_tiled_xml(std::string_view bytes, const FormatContext& context) {
+  if (first_character(bytes) != '<') return false;
+  const bool is_named_so = context.extension == "tmx" || context.extension == "tsx";
+  return is_named_so || bytes.find("<map ") != bytes.npos || bytes.find("<tileset ") != bytes.npos;
+}
+
+std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const Progress& progress) {
+  std::vector<TiledLayerName> layers;
+  const auto bytes = read_file(path);
+  if (!bytes) return layers;
+  FormatContext context = context_for_file(path);
+  context.progress = progress;
+  TiledDrops drops;
+  const auto map = read_guarded([&] { return TiledFiles(context, drops).read_map(*bytes); });
+  if (!map) return layers;
+  for (const TiledLayer& layer : map->layers) {
+    if (!layer.has_tiles) continue;
+    const auto empty = std::count(layer.cells.begin(), layer.cells.end(), 0U);
+    layers.push_back({printable(layer.name), layer.cells.size() - static_cast<std::size_t>(empty)});
+  }
+  return layers;
+}
+
+FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context) {
+  TiledDrops drops;
+  auto level = read_files(bytes, context, drops);
+  if (level && context.dropped != nullptr) {
+    for (std::string& phrase : drops.phrases()) context.dropped->push_back(std::move(phrase));
+  }
+  return level;
+}
+
+}  // namespace talus

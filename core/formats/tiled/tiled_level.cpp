@@ -1,0 +1,484 @@
+// Puts a level together, from its own text in the map if there is one.
+#include "tiled_level.h"
+
+#include <algorithm>
+#include <bitset>
+#include <charconv>
+#include <cmath>
+#include <locale>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include "../../level/limits.h"
+#include "../native/native.h"
+#include "../native/native_objects.h"
+#include "../pictures/png_sheet.h"
+#include "../text/number_text.h"
+#include "tiled_objects.h"
+#include "tiled_shapes.h"
+
+namespace talus {
+namespace {
+
+double x_of(const Spawn* base) { return base->position.x; }
+double x_of(const std::pair<const LevelCurve*, TiledObject>& base) { return base.second.position.x; }
+
+// What may have the x of an object that Tiled has written. Of hostile maps that may be all, so it is cut.
+template <class Entry>
+std::span<const Entry> near_in_x(std::span<const Entry> by_x, double x) {
+  constexpr std::ptrdiff_t kMost = 512;
+  const double slack = 2 * tiled_slack(x);  // the larger number's counts
+  const auto first = std::lower_bound(by_x.begin(), by_x.end(), x - slack,
+                                      [](const Entry& entry, double least) { return x_of(entry) < least; });
+  const auto end = std::upper_bound(first, by_x.end(), x + slack,
+                                    [](double most, const Entry& entry) { return most < x_of(entry); });
+  return {first, first + std::min(end - first, kMost)};
+}
+
+template <class Entry>
+void sort_by_x(std::vector<Entry>& entries) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return x_of(a) < x_of(b); });
+}
+
+class TiledLevelMaker {
+ public:
+  TiledLevelMaker(const TiledMap& map, const TiledPictures& pictures, TiledDrops& drops,
+                  const Progress& progress)
+      : map_(map), pictures_(pictures), drops_(drops), progress_(progress) {}
+
+  FormatResult<Level> make(const ImportChoices& choices);
+
+ private:
+  FormatResult<const TiledLayer*> layer_of(const ImportChoices& choices) const;
+  FormatResult<void> read_base();
+  void forget_numbers();
+  void take_pixels();
+  void name_flags();
+  bool is_free(int flag) const;
+  bool knows_property(const TiledProperty& property) const;
+  void take_tile(std::uint8_t number);
+  std::uint8_t flags_of(const TiledTile& tile);
+  TileShape own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
+                         const TileShape& before);
+  TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects, bool one_way);
+  void tell_stale_words(const TiledTile& tile, const TileShape& shape);
+  void take_objects(const TiledLayer& layer);
+  void take_spawn(const TiledObject& object, Spawn spawn);
+  const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
+  void take_curve(const TiledObject& object);
+  void add_curve(const LevelCurve& curve);
+
+  const TiledTile* tile_of(const TiledSource& source) const {
+    return source.tileset < 0 ? nullptr
+                              : find_tile(map_.tilesets[static_cast<std::size_t>(source.tileset)], source.id);
+  }
+
+  const TiledMap& map_;
+  const TiledPictures& pictures_;
+  TiledDrops& drops_;
+  const Progress& progress_;
+  bool is_own_ = false;                    // the map was written by Talus
+  Level base_;                             // what it was then
+  std::vector<const Spawn*> spawns_by_x_;  // of base_
+  Level level_;
+  TiledTiles tiles_;
+  std::map<std::string, int> flags_;                                    // by the name of their bools
+  std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
+};
+
+std::string named(std::string_view what, const std::string& name) {
+  return std::string(what) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
+// Its number in the level, and where that is another one, in its tileset.
+std::string name_of_tile(int number, const TiledSource& source) {
+  const std::string name = "tile " + std::to_string(number);
+  return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
+}
+
+std::string area_text(double area) {
+  std::string text;
+  append_number(text, std::round(area * 10) / 10);
+  return text + " px\u00b2";
+}
+
+// How a shape differs from the outline that it stands for, as the end of a sentence.
+std::string text_of(const NearestShape& nearest) {
+  const TileShape& shape = nearest.shape;
+  if (shape.one_way) return "which hangs in the air: its upper line is kept, as a one-way floor";
+  const bool is_floor = shape.side == TileShape::Side::floor;
+  const bool is_full = shape.kind == TileShape::Kind::solid;
+  std::string text = "which is no floor or ceiling of a level: ";
+  text += is_full ? "a whole tile" : is_floor ? "the nearest floor" : "the nearest ceiling";
+  constexpr double kSeen = 0.05;  // px²
+  if (nearest.more < kSeen && nearest.less < kSeen)
+    return text + " stands for it, off by less than 0.1 px\u00b2";
+  text += " stands for it, with ";
+  if (nearest.more >= kSeen) text += area_text(nearest.more) + " of ground more";
+  if (nearest.less < kSeen) return text;
+  return text + (nearest.more >= kSeen ? " and " : "") + area_text(nearest.less) + " less";
+}
+
+// With the heights of the tile's words, where these give the same line: it may have more than its corners
+// need.
+TileShape as_in_words(const TileShape& shape, const TiledTile& tile) {
+  const auto* const text = find_property<std::string>(tile.properties, "shape_heights");
+  if (text == nullptr || shape.heights.empty()) return shape;
+  TileShape said = shape;
+  said.heights.clear();
+  std::istringstream words(*text);
+  words.imbue(std::locale::classic());
+  for (double height = 0; words >> height;) said.heights.push_back(height);
+  said.kind = said.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
+  const std::vector<TiledObject> outline = tiled_objects(said);
+  if (outline.empty()) return shape;
+  return tile_shape_of(outline_of(outline.front()), shape.one_way) == shape ? said : shape;
+}
+
+// That the text is, from 1; else 0.
+int number_in(const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, problem] = std::from_chars(text.data(), end, number);
+  return problem == std::errc() && stopped == end && number > 0 ? number : 0;
+}
+
+FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& choices) const {
+  std::vector<const TiledLayer*> layers;
+  std::string names;
+  for (const TiledLayer& layer : map_.layers) {
+    if (!layer.has_tiles) continue;
+    layers.push_back(&layer);
+    names += (names.empty() ? "\"" : ", \"") + layer.name + "\"";
+  }
+  const auto fail = [](std::string message, std::string remedy = {}) {
+    return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
+  };
+  if (layers.empty()) return fail("has no layer of tiles");
+  auto chosen = layers.begin();
+  const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
+  const auto by_number =
+      number > 0 && number <= static_cast<int>(layers.size()) ? layers.begin() + (number - 1) : layers.end();
+  if (choices.layer_number > 0) {
+    chosen = by_number;
+  } else if (!choices.layer.empty()) {
+    chosen = std::find_if(layers.begin(), layers.end(),
+                          [&](const TiledLayer* layer) { return layer->name == choices.layer; });
+    if (chosen == layers.end()) chosen = by_number;
+  } else if (layers.size() > 1) {
+    return fail("has the layers of tiles " + names + ", and a level has one",
+                "`talus import --layer NAME` takes the one of that name");
+  }
+  if (chosen == layers.end())
+    return fail("has no layer of tiles with the name \"" + choices.layer + "\", but " + names);
+  const TiledLayer* const taken = *chosen;
+  for (const TiledLayer* layer : layers) {
+    if (layer != taken)
+      drops_.add(layer->name.empty() ? "a layer without a name" : named("the layer", layer->name));
+  }
+  return taken;
+}
+
+// What Tiled has no place for.
+FormatResult<void> TiledLevelMaker::read_base() {
+  const auto* text = find_property<std::string>(map_.properties, kTiledLevelProperty);
+  if (text != nullptr) {
+    auto read = read_native(*text, {});
+    if (!read)
+      return tl::unexpected(FormatError{"property talus_level, " + read.error().place, read.error().message});
+    is_own_ = true;
+    base_ = *std::move(read);
+    for (const Spawn& spawn : base_.spawns) spawns_by_x_.push_back(&spawn);
+    sort_by_x(spawns_by_x_);
+    for (const LevelCurve& curve : base_.curves) {
+      if (auto object = tiled_object(curve)) curves_by_x_.emplace_back(&curve, *std::move(object));
+    }
+    sort_by_x(curves_by_x_);
+  }
+  level_ = base_;
+  level_.spawns.clear();
+  level_.curves.clear();
+  level_.sheet(SheetId::tiles) = {};
+  return {};
+}
+
+// What of the base speaks of tiles by their numbers, when these have changed.
+void TiledLevelMaker::forget_numbers() {
+  if (!level_.brushes.empty()) drops_.add("the brushes, as tiles have other numbers");
+  if (level_.auto_tiles != AutoTiles()) drops_.add("the tiles of painted ground, as they have other numbers");
+  level_.brushes.clear();
+  level_.auto_tiles = {};
+}
+
+void TiledLevelMaker::take_pixels() {
+  PngPicture picture = picture_of_tiles(tiles_, map_, pictures_);
+  const bool has_one = map_.tilesets.size() == 1 && pictures_[0];
+  if (has_one && !is_own_) picture.palette = pictures_[0]->palette;
+  if (const auto palette = palette_for(picture, level_.palette))
+    level_.palette = *palette;
+  else
+    drops_.add(
+        "the colours of the tileset, which has more than 16: each pixel got the nearest of the palette");
+  const MatchedPicture matched = match_colors(picture, level_.palette);
+  for (int i = 0; i < kSheetSide * kSheetSide; ++i) {
+    const int x = i % kSheetSide, y = i / kSheetSide;
+    const auto tile = static_cast<std::size_t>(y / kTileSize * kSheetColumns + x / kTileSize);
+    level_.sheet(SheetId::tiles)
+        .images[tile][static_cast<std::size_t>(y % kTileSize * kTileSize + x % kTileSize)] =
+        matched.indices[static_cast<std::size_t>(i)];
+  }
+}
+
+bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
+  constexpr std::array<std::string_view, 6> kKnown = {"flags",         "shape",      "shape_heights",
+                                                      "shape_one_way", "shape_side", "collidable"};
+  return flags_.contains(property.name) ||
+         std::find(kKnown.begin(), kKnown.end(), property.name) != kKnown.end();
+}
+
+// Bools that no flag has the name of name the flag that the same tiles have by number, or else one of which
+// nothing is known.
+void TiledLevelMaker::name_flags() {
+  const auto names = tiled_flag_names(level_);
+  for (int flag = 0; flag < kFlagCount; ++flag) flags_[names[static_cast<std::size_t>(flag)]] = flag;
+  using Tiles = std::bitset<kTileCount>;
+  std::map<std::string, Tiles> wanted;
+  std::array<Tiles, kFlagCount> by_number;
+  for (std::size_t number = 0; number < kTileCount; ++number) {
+    const TiledTile* const tile = tile_of(tiles_.sources[number]);
+    if (tile == nullptr) continue;
+    if (const auto* flags = find_property<std::int64_t>(tile->properties, "flags")) {
+      for (std::size_t flag = 0; flag < kFlagCount; ++flag)
+        by_number[flag][number] = (*flags >> flag & 1) != 0;
+    }
+    for (const TiledProperty& property : tile->properties) {
+      const bool* const is_on = std::get_if<bool>(&property.value);
+      const bool can_be_named = is_on != nullptr && *is_on && !property.name.empty();
+      if (can_be_named && !knows_property(property)) wanted[property.name].set(number);
+    }
+  }
+  for (const auto& [name, tiles] : wanted) {
+    int flag = 0;
+    while (flag < kFlagCount && !(is_free(flag) && by_number[static_cast<std::size_t>(flag)] == tiles))
+      ++flag;
+    for (int i = 0; i < kFlagCount && flag == kFlagCount; ++i) {
+      if (is_free(i) && by_number[static_cast<std::size_t>(i)].none()) flag = i;
+    }
+    if (flag == kFlagCount) continue;
+    level_.flag_names[static_cast<std::size_t>(flag)] = name;
+    flags_[name] = flag;
+  }
+}
+
+// Whether nothing gives the flag a meaning.
+bool TiledLevelMaker::is_free(int flag) const {
+  const auto infos = flag_role_infos();
+  const bool has_role = std::any_of(
+      infos.begin(), infos.end(), [&](const FlagRoleInfo& role) { return level_.roles.*role.flag == flag; });
+  return !has_role && field_of_flag(level_.flag_fields, flag) == nullptr &&
+         level_.flag_names[static_cast<std::size_t>(flag)].empty() &&
+         level_.flag_shapes[static_cast<std::size_t>(flag)].kind == TileShape::Kind::none;
+}
+
+std::uint8_t TiledLevelMaker::flags_of(const TiledTile& tile) {
+  std::uint8_t flags = 0;
+  for (const TiledProperty& property : tile.properties) {
+    if (property.name != "flags") continue;
+    const auto* const number = std::get_if<std::int64_t>(&property.value);
+    if (number != nullptr && *number >= 0 && *number <= 255)
+      flags = static_cast<std::uint8_t>(*number);
+    else
+      drops_.add("`flags` of a tile, which is no whole number from 0 to 255");
+  }
+  for (const TiledProperty& property : tile.properties) {
+    const auto flag = flags_.find(property.name);
+    const bool* const is_on = std::get_if<bool>(&property.value);
+    const bool is_false = is_on != nullptr && !*is_on;
+    if (flag != flags_.end() && is_on != nullptr) {
+      FlagPattern pattern = pattern_of_flag(flag->second);
+      if (is_false) pattern.bits = 0;
+      flags = pattern.put_in(flags);
+    } else if (!knows_property(property) && !is_false) {
+      drops_.add("the property \"" + property.name + "\" of a tile");
+    }
+  }
+  return flags;
+}
+
+void TiledLevelMaker::take_tile(std::uint8_t number) {
+  const TiledSource& source = tiles_.sources[number];
+  const TileShape before = std::exchange(level_.tile_shapes[number], {});
+  const TiledTile* const tile = tile_of(source);
+  if (tile == nullptr) return;
+  level_.sheet(SheetId::tiles).flags[number] = flags_of(*tile);
+  const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
+  TileShape own = own_shape_of(number, source, *tile, before);
+  if (own == before || own != of_flags) level_.tile_shapes[number] = std::move(own);
+  const TileShape shape = shape_of_tile(level_, number);
+  if (is_own_ && tile->objects.empty() && !tiled_objects(shape).empty() && source.turn == 0)
+    drops_.add("that a tile has no outline: its flags give it one");
+  tell_stale_words(*tile, shape);
+}
+
+// before: the tile's own shape in the base. It stays where the outline is still that of the tile.
+TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
+                                        const TileShape& before) {
+  const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
+  const TileShape expected = before.kind != TileShape::Kind::none ? before : of_flags;
+  const bool* const word = find_property<bool>(tile.properties, "shape_one_way");
+  const bool* const of_outline =
+      tile.objects.empty() ? nullptr : find_property<bool>(tile.objects.front().properties, "one_way");
+  const bool one_way = word != nullptr ? *word : of_outline != nullptr && *of_outline;
+  std::vector<TiledObject> objects = tile.objects;
+  if (objects.empty() && source.turn != 0) objects = tiled_objects(of_flags);
+  for (TiledObject& object : objects) object = turned(object, source.turn);
+  const std::vector<TiledObject> old = tiled_objects(expected);
+  const bool is_unchanged =
+      is_own_ && tiles_.keeps_numbers && one_way == expected.one_way &&
+      std::equal(old.begin(), old.end(), objects.begin(), objects.end(), is_same_outline);
+  if (is_unchanged) return before;
+  const bool* const collidable = find_property<bool>(tile.properties, "collidable");
+  const bool is_solid = collidable != nullptr && *collidable && of_flags.kind == TileShape::Kind::none;
+  const bool stops_one_way = one_way || (!is_own_ && of_flags.one_way);
+  if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = stops_one_way};
+  const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, stops_one_way);
+  return source.turn == 0 ? as_in_words(shape, tile) : shape;
+}
+
+// Of several outlines the first that is a shape of a level, or else what comes nearest to the first that is
+// over its tile.
+TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
+                                            bool one_way) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const TiledObject& object : objects) {
+    outlines.push_back(outline_of(object));
+    if (!outlines.back().empty()) continue;
+    drops_.add("a collision shape of " + tile + ", which is no box or polygon");
+    outlines.pop_back();
+  }
+  if (outlines.size() > 1) {
+    drops_.add("that " + tile + " has " + std::to_string(outlines.size()) +
+               " collision shapes: a level's has one");
+  }
+  for (const auto& outline : outlines) {
+    if (auto shape = tile_shape_of(outline, one_way)) return *std::move(shape);
+  }
+  for (const auto& outline : outlines) {
+    auto nearest = nearest_tile_shape(outline);
+    if (!nearest) continue;
+    drops_.add("the outline of " + tile + ", " + text_of(*nearest));
+    nearest->shape.one_way = nearest->shape.one_way || one_way;
+    return std::move(nearest->shape);
+  }
+  if (!outlines.empty())
+    drops_.add("the outline of " + tile + ", of which nothing is in the tile or up and right of it");
+  return {};
+}
+
+// The outline counts; words of Talus beside it that say otherwise do not.
+void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& shape) {
+  const TiledProperties words = tiled_properties(shape);
+  for (const TiledProperty& property : tile.properties) {
+    if (!property.name.starts_with("shape") || !knows_property(property) || flags_.contains(property.name))
+      continue;
+    if (property == TiledProperty{"shape_one_way", false}) continue;
+    if (std::find(words.begin(), words.end(), property) == words.end())
+      drops_.add("the property \"" + property.name + "\" of a tile, as its outline says otherwise");
+  }
+}
+
+void TiledLevelMaker::take_objects(const TiledLayer& layer) {
+  for (const TiledObject& object : layer.objects) {
+    if (auto spawn = spawn_of(object)) {
+      take_spawn(object, *std::move(spawn));
+    } else if (object.form == TiledObject::Form::polyline &&
+               (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {
+      take_curve(object);
+    } else {
+      drops_.add("an object of the layer \"" + layer.name + "\"");
+    }
+  }
+}
+
+void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
+  constexpr std::array<std::string_view, 3> kKnown = {"vx", "vy", "foot"};
+  for (const TiledProperty& property : object.properties) {
+    if (std::find(kKnown.begin(), kKnown.end(), property.name) == kKnown.end())
+      drops_.add("the property \"" + property.name + "\" of a body");
+  }
+  if (object.rotation != 0) drops_.add("the rotation of a body");
+  if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, as a level holds up to 65536");
+  if (const Spawn* const old = base_spawn_like(spawn, object)) return level_.spawns.push_back(*old);
+  if (const auto written = json_of(std::vector<Spawn>{spawn}, ""); !written)
+    drops_.add(named("the body", spawn.name) + ", as a number of it " + written.error().message);
+  else
+    level_.spawns.push_back(std::move(spawn));
+}
+
+// The one that Talus wrote as this object; null: none.
+const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObject& object) const {
+  const double y = object.position.y;
+  const auto near = near_in_x(std::span(spawns_by_x_), object.position.x);
+  const auto same = std::find_if(near.begin(), near.end(), [&](const Spawn* base) {
+    if (std::abs(base->position.y - y) > 2 * tiled_slack(y)) return false;
+    return base->name == spawn.name && base->kind == spawn.kind && base->velocity == spawn.velocity &&
+           base->used_foot() == spawn.used_foot() && is_same_outline(tiled_object(*base), object);
+  });
+  return same == near.end() ? nullptr : *same;
+}
+
+void TiledLevelMaker::take_curve(const TiledObject& object) {
+  std::vector<LevelCurve> curves = curves_of(object);
+  if (curves.empty()) return drops_.add(named("the curve", object.name));
+  const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x);
+  const auto same = std::find_if(near.begin(), near.end(), [&](const auto& old) {
+    return old.first->name == object.name && old.first->curve.faces == curves.front().curve.faces &&
+           is_same_outline(old.second, object);
+  });
+  if (same != near.end()) return add_curve(*same->first);
+  const auto* const kind = find_property<std::string>(object.properties, "kind");
+  if (kind != nullptr && *kind != "segment" && *kind != "polyline")
+    drops_.add("the exact form of a curve that was changed in Tiled: it has lines now");
+  for (const LevelCurve& curve : curves) add_curve(curve);
+}
+
+void TiledLevelMaker::add_curve(const LevelCurve& curve) {
+  if (level_.curves.size() == kMaxCurves)
+    drops_.add("a curve, as a level holds up to 16384");
+  else if (const auto problem = problem_of(curve.curve, level_.map))
+    drops_.add(named("the curve", curve.name) + ", which " + *problem);
+  else
+    level_.curves.push_back(curve);
+}
+
+FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
+  const auto layer = layer_of(choices);
+  if (!layer) return tl::unexpected(layer.error());
+  if (const auto read = read_base(); !read) return tl::unexpected(read.error());
+  auto tiles =
+      number_tiles(map_, **layer, pictures_, choices.used_tiles, level_.palette[0], drops_, progress_);
+  if (!tiles) return tl::unexpected(tiles.error());
+  tiles_ = *std::move(tiles);
+  level_.map = std::move(tiles_.map);
+  if (!tiles_.keeps_numbers) forget_numbers();
+  take_pixels();
+  name_flags();
+  for (int tile = 0; tile < kTileCount; ++tile) take_tile(static_cast<std::uint8_t>(tile));
+  for (const TiledLayer& objects : map_.layers) take_objects(objects);
+  if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
+    drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
+  if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  return std::move(level_);
+}
+
+}  // namespace
+
+FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
+                                   const ImportChoices& choices, TiledDrops& drops,
+                                   const Progress& progress) {
+  return TiledLevelMaker(map, pictures, drops, progress).make(choices);
+}
+
+}  // namespace talus

@@ -1,0 +1,121 @@
+// What a map of Tiled holds, as far as levels and maps have the same: the form between levels on the one side
+// and TMJ, TMX and Lua on the other.
+//
+// How a level looks there (tiled_objects.h makes the objects):
+//   one tileset   "tiles", 16 columns, its picture beside the map. A tile has the int `flags`, a bool for
+//   each
+//                 flag that is set (see tiled_flag_names), what its shape is (`shape`, `shape_side`,
+//                 `shape_one_way`, `shape_heights`), and the shape as a polygon or box,
+//                 with the bool `one_way` where it is so, as importers into engines look for it there
+//   background    the level's colour 0
+//   layer "map"   the tiles; cells with tile 0 are empty where tile 0 is blank
+//   "spawns"      boxes of the type "ball" or "player" with `vx`, `vy`, `foot`
+//   "curves"      polylines of the type "curve" no further than kTiledTolerance off, with the exact numbers
+//   `talus_level` a property of the map: the rest of the level as a native one in one line, without its cells
+//                 and its pixels. What Tiled rounds to six digits is taken from there again, as long as it
+//                 was not changed in Tiled.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "../../level/level.h"
+
+namespace talus {
+
+inline constexpr std::uint32_t kTiledIdBits =
+    0x0fffffff;  // of a cell's number; those above say how it is turned
+inline constexpr std::uint32_t kTiledFlipX = 0x80000000, kTiledFlipY = 0x40000000, kTiledFlipXY = 0x20000000;
+inline constexpr std::string_view kTiledLevelProperty = "talus_level";
+inline constexpr std::string_view kTiledSpawnLayer = "spawns", kTiledCurveLayer = "curves",
+                                  kTiledTileLayer = "map";
+inline constexpr std::string_view kTiledCurveType = "curve";
+
+// What a map that is read has at most, in all layers and tilesets together.
+inline constexpr std::size_t kMaxTiledCells = std::size_t{4} * kMaxTerrainCells;
+inline constexpr std::size_t kMaxTiledObjects = 262'144;
+inline constexpr std::size_t kMaxTiledPixels = std::size_t{1} << 25;  // of different pictures
+
+struct TiledProperty {
+  std::string name;
+  std::variant<bool, std::int64_t, double, std::string> value;
+  friend bool operator==(const TiledProperty&, const TiledProperty&) = default;
+};
+using TiledProperties = std::vector<TiledProperty>;
+
+// The value of that name, null when there is none or it is of another type.
+template <class Value>
+const Value* find_property(const TiledProperties& properties, std::string_view name) {
+  for (const TiledProperty& property : properties) {
+    if (property.name == name) return std::get_if<Value>(&property.value);
+  }
+  return nullptr;
+}
+
+struct TiledObject {
+  enum class Form : std::uint8_t {
+    box,  // also a point, without a size
+    polygon,
+    polyline,
+    other  // an ellipse, a text, a picture, a template: what no level holds
+  };
+  Form form = Form::box;
+  std::string name, type;
+  Vec2 position, size;       // px
+  double rotation = 0;       // degrees
+  std::vector<Vec2> points;  // px, from the position; of polygons and polylines
+  TiledProperties properties;
+  friend bool operator==(const TiledObject&, const TiledObject&) = default;
+};
+
+struct TiledTile {
+  int id = 0;  // in the tileset
+  TiledProperties properties;
+  std::vector<TiledObject> objects;  // its collision shapes
+};
+
+struct TiledTileset {
+  std::uint32_t first_gid = 1;  // number of its first tile in cells of the map
+  std::string name;
+  std::string source;  // its own file, from the map's folder; empty: it is in the map
+  std::string image;   // from the map's folder or that of its own file; empty: none
+  int columns = 0, tile_count = 0;
+  int spacing = 0, margin = 0;  // px, between and around the tiles in the picture
+  int image_width = 0, image_height = 0;
+  std::vector<TiledTile> tiles;  // those with something to say
+};
+
+struct TiledLayer {
+  bool has_tiles = false;  // else objects
+  bool is_hidden = false;  // of what is written; what is read counts all the same
+  std::string name;
+  std::vector<std::uint32_t> cells;  // row by row: 0 or a tile's number, with the bits of how it is turned
+  std::vector<TiledObject> objects;
+};
+
+struct TiledMap {
+  int width = 0, height = 0;  // cells
+  std::string background;     // colour, see tiled_color; empty: none
+  std::vector<TiledTileset> tilesets;
+  std::vector<TiledLayer> layers;  // groups are taken apart
+  TiledProperties properties;
+};
+
+std::string tiled_color(Rgb color);  // "#1a1c2c"
+
+// What was found and cannot be kept, each once.
+class TiledDrops {
+ public:
+  void add(const std::string& phrase) { ++counts_[phrase]; }
+  // In alphabetical order; what came several times with the number: "the animation of a tile (3 times)".
+  std::vector<std::string> phrases() const;
+
+ private:
+  std::map<std::string, int> counts_;
+};
+
+}  // namespace talus

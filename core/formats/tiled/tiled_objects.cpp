@@ -1,0 +1,243 @@
+// Geometry between levels and Tiled.
+#include "tiled_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "../../collision/outline_compiler.h"
+#include "../text/number_text.h"
+
+namespace talus {
+namespace {
+
+constexpr std::array<std::string_view, 3> kFaceWords = {"up", "down", "both"};
+constexpr double kOnGrid = 1.0 / 1024;  // px; nearer numbers are taken for the same
+
+bool is_near(double a, double b) { return std::abs(a - b) <= std::max(tiled_slack(a), tiled_slack(b)); }
+bool is_near(Vec2 a, Vec2 b) { return is_near(a.x, b.x) && is_near(a.y, b.y); }
+
+void add(TiledProperties& properties, std::string_view name, double value) {
+  properties.push_back({std::string(name), value});
+}
+
+struct CurveNumbers {
+  TiledProperties& to;
+  void ends(Vec2 from, Vec2 last) const {
+    add(to, "x0", from.x), add(to, "y0", from.y), add(to, "x1", last.x), add(to, "y1", last.y);
+  }
+  void operator()(const Segment& s) const { ends(s.from, s.to); }
+  void operator()(const Arc& a) const {
+    add(to, "x", a.center.x), add(to, "y", a.center.y), add(to, "radius", a.radius);
+    add(to, "x0", a.x0), add(to, "x1", a.x1);
+    to.push_back({"upper", a.upper});
+  }
+  void operator()(const Parabola& p) const {
+    ends(p.from, p.to);
+    add(to, "control_y", p.control_y);
+  }
+  void operator()(const Cubic& c) const {
+    ends(c.from, c.to);
+    add(to, "slope0", c.from_slope), add(to, "slope1", c.to_slope);
+  }
+  void operator()(const Sine& s) const {
+    add(to, "x0", s.x0), add(to, "x1", s.x1), add(to, "middle", s.middle), add(to, "amplitude", s.amplitude);
+    add(to, "wavelength", s.wavelength), add(to, "origin", s.origin);
+  }
+  void operator()(const Polyline& p) const { add(to, "x0", p.x0), add(to, "x1", p.x1); }
+};
+
+constexpr std::array<std::string_view, 6> kCurveKinds = {"segment", "arc",  "parabola",
+                                                         "cubic",   "sine", "polyline"};
+
+// A stretch bends to one side only, so that no point of it is more than twice as far from the chord as the
+// one in the middle.
+void append_stretch(const CurveStretch<double>& stretch, Vec2 from, Vec2 to, int depth,
+                    std::vector<Vec2>& points) {
+  const double x = from.x + (to.x - from.x) / 2;
+  const Vec2 middle = {x, stretch.y_at(x)};
+  if (depth > 0 && std::abs(middle.y - (from.y + to.y) / 2) > kTiledTolerance / 2) {
+    append_stretch(stretch, from, middle, depth - 1, points);
+    append_stretch(stretch, middle, to, depth - 1, points);
+  } else {
+    points.push_back(to);
+  }
+}
+
+std::vector<Vec2> points_along(Curve curve) {
+  if (const auto* line = std::get_if<Segment>(&curve.form)) return {line->from, line->to};
+  std::vector<Vec2> points;
+  if (const auto* line = std::get_if<Polyline>(&curve.form)) {
+    const auto last = static_cast<double>(line->ys.size() - 1);
+    for (std::size_t i = 0; i < line->ys.size(); ++i)
+      points.push_back({line->x0 + (line->x1 - line->x0) * (static_cast<double>(i) / last), line->ys[i]});
+    return points;
+  }
+  curve.faces = Curve::Faces::up;  // one piece a stretch
+  constexpr int kMaxDepth = 12;
+  const CurveOutline outline = cut_curves({&curve, 1});
+  for (const Piece<double>& piece : outline.pieces) {
+    if (piece.stretch == 0) continue;
+    const Vec2 from = {piece.x0, piece.y0}, to = {piece.x1, piece.y1};
+    if (points.empty()) points.push_back(from);
+    append_stretch(outline.stretches[piece.stretch - 1], from, to, kMaxDepth, points);
+  }
+  return points;
+}
+
+// Ends in the order that a curve wants them in.
+Segment segment_between(Vec2 a, Vec2 b) {
+  if (a.x > b.x || (a.x == b.x && a.y > b.y)) std::swap(a, b);
+  return {a, b};
+}
+
+bool goes_in_equal_steps(const std::vector<Vec2>& points) {
+  const double step = (points.back().x - points.front().x) / static_cast<double>(points.size() - 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!is_near(points[i].x, points.front().x + step * static_cast<double>(i))) return false;
+  }
+  return step > 2 * kOnGrid;
+}
+
+}  // namespace
+
+std::array<std::string, kFlagCount> tiled_flag_names(const Level& level) {
+  std::set<std::string> taken = {"flags", "shape", "shape_side", "shape_one_way", "shape_heights"};
+  std::array<std::string, kFlagCount> names;
+  for (std::size_t flag = 0; flag < kFlagCount; ++flag) taken.insert("flag" + std::to_string(flag));
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    std::string& name = names[static_cast<std::size_t>(flag)];
+    name = level.flag_names[static_cast<std::size_t>(flag)];
+    for (const FlagRoleInfo& role : flag_role_infos()) {
+      if (name.empty() && level.roles.*role.flag == flag) name = role.key;
+    }
+    if (name.empty() || !taken.insert(name).second) name = "flag" + std::to_string(flag);
+  }
+  return names;
+}
+
+std::vector<TiledObject> tiled_objects(const TileShape& shape) {
+  if (shape.kind == TileShape::Kind::none || problem_of(shape)) return {};
+  TiledObject object;
+  if (shape.one_way) object.properties.push_back({"one_way", true});
+  if (shape.kind == TileShape::Kind::solid) {
+    object.size = {kTileSize, kTileSize};
+    return {object};
+  }
+  object.form = TiledObject::Form::polygon;
+  const double width = shape.tiles * kTileSize;
+  const bool is_floor = shape.side == TileShape::Side::floor;
+  const double base = is_floor ? kTileSize : 0;
+  const auto last = static_cast<double>(shape.heights.size() - 1);
+  for (std::size_t i = 0; i < shape.heights.size(); ++i) {
+    const double h = shape.heights[i];
+    object.points.push_back({width * (static_cast<double>(i) / last), is_floor ? base - h : h});
+  }
+  if (object.points.back().y != base) object.points.push_back({width, base});
+  if (object.points.front().y != base) object.points.push_back({0, base});
+  if (object.points.size() < 3) return {};  // no height: there is nothing of it
+  return {object};
+}
+
+TiledProperties tiled_properties(const TileShape& shape) {
+  if (shape.kind == TileShape::Kind::none) return {};
+  const bool is_solid = shape.kind == TileShape::Kind::solid;
+  const char* const kind = is_solid ? "solid" : shape.kind == TileShape::Kind::slope ? "slope" : "profile";
+  TiledProperties properties = {{"shape", std::string(kind)}};
+  std::string heights;
+  for (const double height : shape.heights) {
+    if (!heights.empty()) heights += ' ';
+    append_number(heights, height);
+  }
+  if (!is_solid) properties.push_back({"shape_heights", heights});
+  if (shape.one_way) properties.push_back({"shape_one_way", true});
+  if (shape.side == TileShape::Side::ceiling) properties.push_back({"shape_side", std::string("ceiling")});
+  return properties;
+}
+
+TiledObject tiled_object(const Spawn& spawn) {
+  TiledObject object;
+  object.name = spawn.name;
+  object.type = spawn.kind == BodyKind::player ? "player" : "ball";
+  object.position = spawn.position;
+  object.size = spawn.size;
+  add(object.properties, "vx", spawn.velocity.x);
+  add(object.properties, "vy", spawn.velocity.y);
+  object.properties.push_back({"foot", std::string(spawn.used_foot() == Foot::centre ? "centre" : "box")});
+  return object;
+}
+
+std::optional<Spawn> spawn_of(const TiledObject& object) {
+  const bool is_player = object.type == "player";
+  if (object.form != TiledObject::Form::box || (!is_player && object.type != "ball")) return {};
+  Spawn spawn;
+  spawn.name = object.name;
+  spawn.kind = is_player ? BodyKind::player : BodyKind::ball;
+  spawn.position = object.position;
+  if (object.size != Vec2{0, 0}) spawn.size = object.size;
+  const auto number = [&](std::string_view name, double& value) {
+    if (const auto* real = find_property<double>(object.properties, name)) value = *real;
+    if (const auto* whole = find_property<std::int64_t>(object.properties, name))
+      value = static_cast<double>(*whole);
+  };
+  number("vx", spawn.velocity.x);
+  number("vy", spawn.velocity.y);
+  if (const auto* foot = find_property<std::string>(object.properties, "foot")) {
+    if (*foot == "box") spawn.foot = Foot::box;
+    if (*foot == "centre") spawn.foot = Foot::centre;
+  }
+  return spawn;
+}
+
+std::optional<TiledObject> tiled_object(const LevelCurve& level_curve) {
+  const Curve& curve = level_curve.curve;
+  if (problem_of(curve)) return {};
+  std::vector<Vec2> points = points_along(curve);
+  if (points.size() < 2) return {};
+  TiledObject object;
+  object.form = TiledObject::Form::polyline;
+  object.name = level_curve.name;
+  object.type = kTiledCurveType;
+  object.position = points.front();
+  for (const Vec2 p : points) object.points.push_back(p - object.position);
+  object.properties.push_back({"kind", std::string(kCurveKinds[curve.form.index()])});
+  object.properties.push_back({"faces", std::string(kFaceWords[static_cast<std::size_t>(curve.faces)])});
+  std::visit(CurveNumbers{object.properties}, curve.form);
+  return object;
+}
+
+std::vector<LevelCurve> curves_of(const TiledObject& object) {
+  if (object.form != TiledObject::Form::polyline || object.rotation != 0 || object.points.size() < 2)
+    return {};
+  std::vector<Vec2> points;
+  for (const Vec2 p : object.points) points.push_back(weld(object.position + p));
+  LevelCurve made;
+  made.name = object.name;
+  if (const auto* faces = find_property<std::string>(object.properties, "faces")) {
+    const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
+    if (word != kFaceWords.end()) made.curve.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
+  }
+  if (points.size() > 2 && goes_in_equal_steps(points)) {
+    Polyline line{points.front().x, points.back().x, {}};
+    for (const Vec2 p : points) line.ys.push_back(p.y);
+    made.curve.form = std::move(line);
+    return {made};
+  }
+  std::vector<LevelCurve> curves;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    made.curve.form = segment_between(points[i - 1], points[i]);
+    curves.push_back(made);
+  }
+  return curves;
+}
+
+double tiled_slack(double number) { return std::max(kOnGrid, 1e-5 * std::abs(number)); }
+
+bool is_same_outline(const TiledObject& a, const TiledObject& b) {
+  if (a.form != b.form || a.rotation != b.rotation || a.points.size() != b.points.size()) return false;
+  if (!is_near(a.position, b.position) || !is_near(a.size, b.size)) return false;
+  return std::equal(a.points.begin(), a.points.end(), b.points.begin(),
+                    [](Vec2 p, Vec2 q) { return is_near(p, q); });
+}
+
+}  // namespace talus

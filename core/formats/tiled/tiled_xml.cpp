@@ -1,0 +1,305 @@
+// Attributes become members, elements what Tiled's JSON has for them. The names of both are kept apart: what
+// elements make has a fixed set of names, which no attribute and no other element gets. pugixml reads no
+// file, no entity of others and no document type, and needs no stack for deep nesting.
+#include "tiled_xml.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <pugixml.hpp>
+#include <utility>
+
+#include "../text/utf8_text.h"
+#include "tiled_json.h"
+
+namespace talus {
+namespace {
+
+constexpr int kMaxGroups = 32;                   // levels of layers in layers, well below kMaxJsonDepth
+constexpr std::size_t kMaxXmlParts = 2'500'000;  // elements and attributes; of 4096x4096 cells CSV has none
+
+constexpr std::array<std::string_view, 21> kXmlNumbers = {
+    "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
+    "tileheight", "tilecount", "columns", "spacing", "margin",  "rotation",  "gid",
+    "infinite",   "visible",   "opacity", "offsetx", "offsety", "parallaxx", "parallaxy"};
+
+// Members that elements make: no attribute becomes one of these, so that lists are lists.
+constexpr std::array<std::string_view, 15> kElementMembers = {
+    "layers",      "tilesets", "tiles",       "objects",     "properties",
+    "objectgroup", "data",     "imagewidth",  "imageheight", "chunks",
+    "encoding",    "polygon",  "compression", "polyline",    "transparentcolor"};
+// Elements that become a member of their name, and of which it is enough to know that they are there.
+constexpr std::array<std::string_view, 12> kMarkElements = {
+    "image",      "ellipse", "point",    "text",         "capsule",        "animation",
+    "tileoffset", "grid",    "wangsets", "terraintypes", "editorsettings", "transformations"};
+
+template <std::size_t count>
+bool is_one_of(const std::array<std::string_view, count>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Finds text that is no UTF-8 any more now that references such as "&#xD800;" are characters.
+class BadText : public pugi::xml_tree_walker {
+ public:
+  pugi::xml_node where;  // null: all is good
+
+  bool for_each(pugi::xml_node& node) override {
+    bool good = is_utf8(node.value());
+    for (const pugi::xml_attribute attribute : node.attributes()) good = good && is_utf8(attribute.value());
+    if (!good) where = node;
+    return good;
+  }
+};
+
+std::size_t count_objects(std::string_view xml) {
+  constexpr std::string_view kTag = "<object";
+  std::size_t count = 0;
+  for (std::size_t at = xml.find(kTag); at != xml.npos; at = xml.find(kTag, at + 1))
+    count += xml.substr(at + kTag.size(), 1) != "g" ? 1 : 0;  // an objectgroup is none
+  return count;
+}
+
+// A number that JSON can hold; other text stays text, which the reader complains of.
+Json number_or_text(std::string_view text) {
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = problem == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return is_number ? json_number(number) : Json(text);
+}
+
+Json property_value(const pugi::xml_node& property) {
+  const std::string_view type = property.attribute("type").value();
+  const pugi::xml_attribute value = property.attribute("value");
+  const std::string_view text = value ? value.value() : property.child_value();  // of several lines
+  if (type == "bool") return text == "true";
+  if (type == "int" || type == "float") return number_or_text(text);
+  return text;
+}
+
+// "0,8 16,0.5": points. What is none ends up without numbers, as text.
+Json points_of_text(std::string_view text) {
+  Json points = Json::array();
+  while (!text.empty()) {
+    const std::string_view pair = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), pair.size() + 1));
+    const std::size_t comma = pair.find(',');
+    if (pair.empty()) continue;
+    points.push_back({{"x", number_or_text(pair.substr(0, comma))},
+                      {"y", number_or_text(comma == pair.npos ? "" : pair.substr(comma + 1))}});
+  }
+  return points;
+}
+
+std::string_view layer_type(std::string_view element) {
+  if (element == "layer") return "tilelayer";
+  const bool is_layer = element == "objectgroup" || element == "imagelayer" || element == "group";
+  return is_layer ? element : "";
+}
+
+// Thrown and caught within this file.
+struct XmlStopped {};
+
+class TiledXml {
+ public:
+  TiledXml(std::string_view text, const Progress& progress) : text_(text), progress_(progress) {}
+
+  FormatResult<Json> read() {
+    pugi::xml_document document;
+    const auto parsed =
+        document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!parsed)
+      return error_at_line(text_, static_cast<std::size_t>(parsed.offset), "this is not valid XML");
+    BadText bad;
+    document.traverse(bad);
+    if (bad.where) fail(bad.where, "refers to a character that there is not");
+    const pugi::xml_node root = document.document_element();
+    const std::string_view name = root.name();
+    if (!error_ && name != "map" && name != "tileset")
+      return tl::unexpected(FormatError{"", "is no map or tileset of Tiled"});
+    Json json;
+    if (!error_) json = name == "map" ? map(root) : tileset(root);
+    if (error_) return tl::unexpected(*error_);
+    json["type"] = name;
+    return json;
+  }
+
+ private:
+  // The attributes, with the line. Elements come in the order of the file, so that lines are counted once.
+  Json attributes(const pugi::xml_node& node) {
+    Json json = Json::object();
+    json[kTiledLineKey] = line_of(node);
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      std::string name = attribute.name();
+      const bool is_number = is_one_of(kXmlNumbers, name);
+      if (is_one_of(kElementMembers, name) || is_one_of(kMarkElements, name))
+        name += "=";  // as none is called
+      put_once(node, name, is_number ? number_or_text(attribute.value()) : Json(attribute.value()), json);
+    }
+    return json;
+  }
+
+  std::int64_t line_of(const pugi::xml_node& node) {
+    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    if (offset >= counted_ && offset <= text_.size()) {
+      lines_ += std::count(text_.begin() + static_cast<std::ptrdiff_t>(counted_),
+                           text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+      counted_ = offset;
+    }
+    if (!progress_.at(counted_, text_.size())) throw XmlStopped();
+    return lines_;
+  }
+
+  Json map(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    json["layers"] = json["tilesets"] = Json::array();
+    for (const pugi::xml_node child : node.children()) add_to_map(child, 0, json);
+    return json;
+  }
+
+  void add_to_map(const pugi::xml_node& child, int groups, Json& json) {
+    const std::string_view name = child.name();
+    if (name == "tileset" && groups == 0)
+      json["tilesets"].push_back(tileset(child));
+    else if (!layer_type(name).empty())
+      json["layers"].push_back(layer(child, groups));
+    else
+      add_common(child, json);
+  }
+
+  // Of elements that nobody reads the name is enough: the reader tells of it.
+  void add_common(const pugi::xml_node& child, Json& json) {
+    const std::string name = child.name();
+    if (name == "properties")
+      put_once(child, name, properties(child), json);
+    else if (child.type() == pugi::node_element)
+      json[is_one_of(kMarkElements, name) ? name : "<" + name + ">"] = true;
+  }
+
+  Json properties(const pugi::xml_node& node) {
+    Json list = Json::array();
+    for (const pugi::xml_node child : node.children("property")) {
+      Json json = {{"name", child.attribute("name").value()}, {"value", property_value(child)}};
+      json[kTiledLineKey] = line_of(child);
+      if (child.child("properties")) json.erase("value");  // a value with members
+      list.push_back(std::move(json));
+    }
+    return list;
+  }
+
+  Json tileset(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    json["tiles"] = Json::array();
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "image") {
+        put_once(child, "image", child.attribute("source").value(), json);
+        for (const char* side : {"width", "height"}) {
+          if (const auto length = child.attribute(side))
+            json[std::string("image") + side] = number_or_text(length.value());
+        }
+        if (child.attribute("trans")) json["transparentcolor"] = child.attribute("trans").value();
+      } else if (name == "tile") {
+        json["tiles"].push_back(tile(child));
+      } else {
+        add_common(child, json);
+      }
+    }
+    return json;
+  }
+
+  Json tile(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    for (const pugi::xml_node child : node.children()) {
+      if (std::string_view(child.name()) == "objectgroup")
+        put_once(child, "objectgroup", layer(child, 1), json);
+      else
+        add_common(child, json);
+    }
+    return json;
+  }
+
+  Json layer(const pugi::xml_node& node, int groups) {
+    Json json = attributes(node);
+    json["type"] = layer_type(node.name());
+    json["layers"] = json["objects"] = Json::array();
+    if (groups > kMaxGroups) {
+      fail(node, "is nested too deep in groups");
+      return json;
+    }
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "data")
+        add_data(child, json);
+      else if (name == "object")
+        json["objects"].push_back(object(child));
+      else
+        add_to_map(child, groups + 1, json);
+    }
+    return json;
+  }
+
+  void add_data(const pugi::xml_node& node, Json& json) {
+    line_of(node);
+    for (const char* key : {"encoding", "compression"}) {
+      if (node.attribute(key)) json[key] = node.attribute(key).value();
+    }
+    if (node.child("chunk")) json["chunks"] = true;
+    if (node.attribute("encoding")) return put_once(node, "data", node.child_value(), json);
+    Json cells = Json::array();
+    for (const pugi::xml_node cell : node.children("tile")) {
+      const pugi::xml_attribute gid = cell.attribute("gid");
+      cells.push_back(gid ? number_or_text(gid.value()) : Json(0));
+    }
+    put_once(node, "data", std::move(cells), json);
+  }
+
+  Json object(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "polygon" || name == "polyline")
+        put_once(child, child.name(), points_of_text(child.attribute("points").value()), json);
+      else
+        add_common(child, json);
+    }
+    return json;
+  }
+
+  // What is there twice is an error, as in JSON. node: whose line that has.
+  void put_once(const pugi::xml_node& node, const std::string& name, Json value, Json& json) {
+    if (json.contains(name)) return fail(node, "has \"" + name + "\" twice");
+    json[name] = std::move(value);
+  }
+
+  void fail(const pugi::xml_node& node, std::string message) {
+    if (!error_) error_ = FormatError{"line " + std::to_string(line_of(node)), std::move(message)};
+  }
+
+  std::string_view text_;
+  std::size_t counted_ = 0;  // bytes of the text whose lines are counted
+  std::int64_t lines_ = 1;
+  std::optional<FormatError> error_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress) {
+  const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
+  if (static_cast<std::size_t>(parts) > kMaxXmlParts)
+    return tl::unexpected(FormatError{"", "has too many elements"});
+  if (const std::size_t objects = count_objects(text); objects > kMaxTiledObjects) {
+    return tl::unexpected(FormatError{"", "has " + std::to_string(objects) +
+                                              " objects, and a map that is read has up to " +
+                                              std::to_string(kMaxTiledObjects)});
+  }
+  if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is no text in UTF-8"});
+  try {
+    return TiledXml(text, progress).read();
+  } catch (const XmlStopped&) {
+    return was_cancelled();
+  }
+}
+
+}  // namespace talus
