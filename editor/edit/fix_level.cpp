@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fix_parts.h"
-#include "level/lint_text.h"
+#include "level/lint/lint_text.h"
 #include "level/slope_tiles.h"
 #include "single_change.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fix_parts.h"
-#include "level/lint_parts.h"
-#include "level/lint_text.h"
+#include "level/lint/lint_parts.h"
+#include "level/lint/lint_text.h"
 #include "single_change.h"
 
 namespace talus {

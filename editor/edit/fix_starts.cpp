@@ -4,7 +4,7 @@
 
 #include "collision/ground_queries.h"
 #include "fix_parts.h"
-#include "level/lint_text.h"
+#include "level/lint/lint_text.h"
 #include "level/local_ground.h"
 #include "spawn_tools.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "fix_parts.h"
-#include "level/lint_parts.h"
+#include "level/lint/lint_parts.h"
 #include "single_change.h"
 
 namespace talus {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "edit.h"
-#include "level/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus {
 

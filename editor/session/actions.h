@@ -16,7 +16,7 @@
 #include "edit/sprite_area.h"
 #include "edit/sprite_shapes.h"
 #include "edit/stamp.h"
-#include "level/lint.h"
+#include "level/lint/lint.h"
 #include "overlay/overlay_id.h"
 #include "png_import.h"
 #include "sim/timeline.h"

@@ -15,7 +15,7 @@
 #include "file_reader.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
-#include "level/lint.h"
+#include "level/lint/lint.h"
 #include "level_import.h"
 #include "overlay/overlay_id.h"
 #include "png_import.h"

@@ -9,7 +9,7 @@
 #include "file_reader.h"
 #include "file_stamp.h"
 #include "handmade_runs.h"
-#include "level/lint_cache.h"
+#include "level/lint/lint_cache.h"
 #include "opened_file.h"
 #include "player.h"
 #include "scene_compiler.h"

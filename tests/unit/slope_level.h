@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "level/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus {
 

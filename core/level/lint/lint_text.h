@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "level.h"
+#include "../level.h"
 
 namespace talus {
 

@@ -3,12 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "../collision/ground_queries.h"
-#include "curve_span.h"
-#include "ground.h"
+#include "../../collision/ground_queries.h"
+#include "../curve_span.h"
+#include "../ground.h"
+#include "../local_ground.h"
 #include "lint_parts.h"
 #include "lint_text.h"
-#include "local_ground.h"
 
 namespace talus {
 namespace {
