@@ -12,7 +12,7 @@
 #include "platform/asset_path.h"
 #include "platform/user_folder.h"
 #include "progress_line.h"
-#include "session/export_record.h"
+#include "session/files/export_record.h"
 
 namespace talus {
 namespace {

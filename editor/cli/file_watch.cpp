@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "end_signals.h"
-#include "session/file_stamp.h"
+#include "session/files/file_stamp.h"
 
 namespace talus {
 namespace {

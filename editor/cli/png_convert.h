@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command.h"
-#include "session/png_import.h"
+#include "session/files/png_import.h"
 
 namespace talus {
 

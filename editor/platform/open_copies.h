@@ -7,8 +7,8 @@
 
 #include "export/exporter.h"
 #include "panels/window/programs.h"
-#include "session/export_record.h"
-#include "session/file_stamp.h"
+#include "session/files/export_record.h"
+#include "session/files/file_stamp.h"
 #include "session/session.h"
 
 namespace talus {

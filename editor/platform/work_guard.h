@@ -8,7 +8,7 @@
 
 #include "autosave.h"
 #include "recovery_dialog.h"
-#include "session/file_reader.h"
+#include "session/files/file_reader.h"
 
 namespace talus {
 

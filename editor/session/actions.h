@@ -18,10 +18,10 @@
 #include "edit/stamp.h"
 #include "level/lint/lint.h"
 #include "overlay/overlay_id.h"
-#include "png_import.h"
+#include "session/debugger/watches.h"
+#include "session/files/png_import.h"
+#include "session/run/variant_run.h"
 #include "sim/timeline.h"
-#include "variant_run.h"
-#include "watches.h"
 
 namespace talus {
 

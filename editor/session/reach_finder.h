@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "session/run/work_share.h"
 #include "sim/reach.h"
-#include "work_share.h"
 
 namespace talus {
 

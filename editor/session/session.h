@@ -9,20 +9,20 @@
 #include <string>
 
 #include "actions.h"
-#include "debugger.h"
 #include "edit/undo_stack.h"
-#include "exporting.h"
-#include "file_reader.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
 #include "level/lint/lint.h"
-#include "level_import.h"
 #include "overlay/overlay_id.h"
-#include "png_import.h"
 #include "reach_finder.h"
+#include "session/debugger/debugger.h"
+#include "session/files/exporting.h"
+#include "session/files/file_reader.h"
+#include "session/files/level_import.h"
+#include "session/files/png_import.h"
+#include "session/run/step_times.h"
+#include "session/run/trail.h"
 #include "sim/solver.h"
-#include "step_times.h"
-#include "trail.h"
 
 namespace talus {
 

@@ -5,15 +5,15 @@
 #include <variant>
 
 #include "collision/function_ref.h"
-#include "debugger.h"
-#include "file_reader.h"
-#include "file_stamp.h"
-#include "handmade_runs.h"
 #include "level/lint/lint_cache.h"
-#include "opened_file.h"
-#include "player.h"
-#include "scene_compiler.h"
 #include "session.h"
+#include "session/debugger/debugger.h"
+#include "session/files/file_reader.h"
+#include "session/files/file_stamp.h"
+#include "session/files/opened_file.h"
+#include "session/run/handmade_runs.h"
+#include "session/run/player.h"
+#include "session/run/scene_compiler.h"
 
 namespace talus {
 

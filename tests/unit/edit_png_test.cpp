@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "png_bytes.h"
-#include "session/png_import.h"
+#include "session/files/png_import.h"
 
 namespace talus::edit_png_test {
 

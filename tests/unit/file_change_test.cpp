@@ -9,7 +9,7 @@
 
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
-#include "session/file_stamp.h"
+#include "session/files/file_stamp.h"
 #include "session/session.h"
 
 namespace talus::file_change_test {

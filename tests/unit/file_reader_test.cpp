@@ -1,5 +1,5 @@
 // Files read beside the editor: finished at once or later, cancelled, and replaced by another.
-#include "session/file_reader.h"
+#include "session/files/file_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "folder_test.h"
 #include "level_text.h"
+#include "session/run/work_share.h"
 #include "session/session.h"
-#include "session/work_share.h"
 
 namespace talus::session_slow_steps_test {
 

@@ -1,5 +1,5 @@
 // How much work is done between two looks at the clock.
-#include "session/work_share.h"
+#include "session/run/work_share.h"
 
 #include <gtest/gtest.h>
 

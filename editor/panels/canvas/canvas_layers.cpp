@@ -13,7 +13,7 @@
 #include "overlay/visible.h"
 #include "overlay/visible_items.h"
 #include "overlay_painter.h"
-#include "session/scene_compiler.h"
+#include "session/run/scene_compiler.h"
 
 namespace talus {
 namespace {

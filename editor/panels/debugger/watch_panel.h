@@ -6,7 +6,7 @@
 
 #include "expression_field.h"
 #include "panels/panel.h"
-#include "session/watches.h"
+#include "session/debugger/watches.h"
 
 namespace talus {
 

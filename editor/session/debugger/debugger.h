@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "debug/compare.h"
-#include "shown_frame.h"
-#include "side_by_side.h"
+#include "session/run/shown_frame.h"
+#include "session/run/side_by_side.h"
+#include "session/run/work_share.h"
 #include "stops.h"
 #include "watches.h"
-#include "work_share.h"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "collision/function_ref.h"
-#include "session.h"
+#include "session/session.h"
 #include "step_times.h"
 #include "work_share.h"
 
