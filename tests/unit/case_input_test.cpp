@@ -56,6 +56,21 @@ TEST_F(SessionHardCase, PlaysWithItsInputWhenItIsRecovered) {
   EXPECT_NEAR(session.state().bodies[0].box.right(), 96, 1e-9);
 }
 
+TEST_F(SessionHardCase, PlaysWithItsInputWhenItIsReadAgain) {
+  const std::string file = path("case.talus.json");
+  Level level = load_level(kRamp).value().level;
+  const Level whole = level;
+  level.extra.clear();
+  ASSERT_TRUE(save_level(level, *format_for_file(file), file));
+  Session session;
+  session.apply(act::OpenFile{file});
+  ASSERT_TRUE(save_level(whole, *format_for_file(file), file));
+  session.apply(act::CheckFile{});
+  session.apply(act::ResetPlay{});
+  for (int i = 0; i < 120; ++i) session.apply(act::StepFrame{});
+  EXPECT_NEAR(session.state().bodies[0].box.right(), 96, 1e-9);
+}
+
 TEST_F(SessionHardCase, KeysOfTheUserAreAdded) {
   Session session;
   session.apply(act::OpenFile{kRamp, true});

@@ -126,6 +126,36 @@ TEST(Stages, OfAStepInPartsTellWhatIsLeftOfEach) {
   EXPECT_EQ(on->motion, *contact.after);
 }
 
+// 3 px above the floor: the first part meets nothing.
+TEST(Stages, OfALaterPartBeginWhereItBegan) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  level.tuning.exact.substeps = 2;
+  level.tuning.exact.gravity = 0;
+  level.tuning.article.fall_blend = 0;
+  place(level, {10, 77}, {0, 4});
+  const std::vector<Stage> stages = stages_of(frame_after(level, 1), 1);
+  ASSERT_GT(stages.size(), 2u);
+  ASSERT_EQ(stages[1].kind, StageKind::searched);
+  EXPECT_EQ(stages[1].box, (Rect{10, 79, 8, 8}));
+}
+
+TEST(Stages, OfABallOnASlopePutItOnTheSlopesFloor) {
+  Level level = level_with_a_slope(SolverKind::article);
+  place(level, {40, 68}, {0, 2});
+  int placed = 0;
+  for (int steps = 1; steps < 40; ++steps) {
+    const Frame frame = frame_after(level, steps);
+    for (const Stage& stage : stages_of(frame, 1)) {
+      if (stage.kind != StageKind::placed || !stage.sentence.starts_with("put on the slope's floor"))
+        continue;
+      ++placed;
+      const ContactRecord& contact = frame.record.contacts[static_cast<std::size_t>(stage.contact)];
+      EXPECT_EQ(stage.box.position(), (Vec2{frame.record.paths[0].to.x, contact.slope->placed_y}));
+    }
+  }
+  EXPECT_GT(placed, 0);
+}
+
 TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
   Level level = level_with_a_slope(SolverKind::exact);
   place(level, {10, 79}, {0, 4});

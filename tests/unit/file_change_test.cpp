@@ -88,6 +88,15 @@ TEST_F(FileChangeTest, WhatIsNotReadToItsEndIsNoLongerSaved) {
   EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
 }
 
+TEST_F(FileChangeTest, OfARecoveredLevelWhoseFileIsGoneNothingIsSaved) {
+  fs::remove(file());
+  session_.apply(action::RecoverLevel{std::make_shared<const Level>(level_with(3)), file(), "level"});
+  EXPECT_EQ(first_tile(), 3);
+  EXPECT_TRUE(session_.modified());
+  session_.apply(action::Undo{});
+  EXPECT_TRUE(session_.modified()) << "no file has what was before either";
+}
+
 TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndKeeps) {
   edit(3);
   write(level_with(7));
