@@ -244,7 +244,9 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     bytes += file.bytes.size();
   }
   if (progress && !progress(paths.size(), bytes)) return was_cancelled();
-  for (std::size_t i = 0; i < staged.size(); ++i) {
+  // A file comes before those that it names, such as its picture: they are put first, so that a killed
+  // process leaves none that names what is missing.
+  for (std::size_t i = staged.size(); i-- > 0;) {
     if (const auto put = staged[i].put(); !put)
       return tl::unexpected(FormatError{exported.files[i].name, put.error().message});
   }
