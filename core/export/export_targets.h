@@ -45,8 +45,8 @@ FormatResult<Exported> export_svg(const ExportRequest& request);
 // Curves are dropped.
 FormatResult<Exported> export_bump(const ExportRequest& request);
 
-// Maps of Tiled with their picture beside them (see formats/tiled/tiled_map.h): as JSON, as XML, and as the Lua
-// that Simple Tiled Implementation and its plugin for bump.lua load. There a full tile has the property
+// Maps of Tiled with their picture beside them (see formats/tiled/tiled_map.h): as JSON, as XML, and as the
+// Lua that Simple Tiled Implementation and its plugin for bump.lua load. There a full tile has the property
 // `collidable`, and other ground is in the layer "slopes", whose objects are the boxes that bump_slopes.lua
 // adds for it: each is `collidable`, and where a line goes across it, it has `slope` ("floor" or "ceiling")
 // with the heights `h0` and `h1` at its left and right side, in px from its bottom or top, and `one_way`

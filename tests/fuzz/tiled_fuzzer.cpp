@@ -1,4 +1,5 @@
-// Maps and tilesets of Tiled, without the files beside them. Seeds: tests/fuzz/seeds/*.tmj, *.tsj, *.tmx, *.tsx
+// Maps and tilesets of Tiled, without the files beside them. Seeds: tests/fuzz/seeds/*.tmj, *.tsj, *.tmx,
+// *.tsx
 #include "document_checks.h"
 #include "round_trip.h"
 
