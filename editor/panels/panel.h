@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "panels/panel_ids.h"
 #include "panels/ui/ui.h"
 #include "session/session.h"
 

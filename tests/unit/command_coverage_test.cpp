@@ -165,8 +165,16 @@ TEST(CommandCoverage, IdsAreDifferentAndHelpIsThere) {
   }
 }
 
+TEST(CommandCoverage, MenusOfCommandsAreInTheBar) {
+  for (const Command& command : commands()) {
+    const std::string_view menu = command.menu.menu, bar = menu.substr(0, menu.find('/'));
+    EXPECT_TRUE(menu.empty() || std::ranges::find(kMenus, bar) != kMenus.end()) << command.id;
+    EXPECT_GE(command.menu.section, 0) << command.id;
+  }
+}
+
 // The command that is found first.
-std::string_view found_by(std::string_view typed) {
+std::string found_by(std::string_view typed) {
   const Command* best = nullptr;
   std::optional<int> most;
   for (const Command& command : commands()) {

@@ -13,18 +13,6 @@
 namespace talus {
 namespace {
 
-struct ToolButton {
-  std::string_view command;
-  Icon icon;
-};
-
-void draw_mode(std::string_view widget, std::string_view label, std::string_view id, const Session& session,
-               Actions& actions, Ui& ui) {
-  const Command& command = find_command(id);
-  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
-    command.run(session, actions, ui);
-}
-
 // Short enough for the toolbar.
 std::string short_label(const Level& level, FlagPattern pattern) {
   const bool is_flag = pattern == pattern_of_flag(pattern.lowest_flag());
@@ -77,36 +65,29 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
 void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
   // Half the usual gap, so that all of it has room in two lines of a window 1152 px wide.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
-  draw_mode("canvas/map", "Map", "canvas/map", session, actions, ui);
+  command_text_button("canvas/map", session, actions, ui, "Map");
   ImGui::SameLine();
-  draw_mode("canvas/play", "Play", "canvas/play", session, actions, ui);
+  command_text_button("canvas/play", session, actions, ui, "Play");
   ImGui::SameLine();
-  draw_mode("canvas/both", "Both", "canvas/both", session, actions, ui);
+  command_text_button("canvas/both", session, actions, ui, "Both");
   ImGui::SameLine();
-  draw_mode("canvas/two_maps", "Maps", "canvas/two_maps", session, actions, ui);
-  constexpr ToolButton kTools[] = {
-      {"map/stamp", Icon::stamp},     {"map/pan", Icon::pan},     {"map/select", Icon::select},
-      {"map/fill", Icon::fill},       {"map/line", Icon::line},   {"map/rectangle", Icon::rectangle},
-      {"map/ellipse", Icon::ellipse}, {"map/slope", Icon::slope}, {"map/segment", Icon::segment},
-      {"map/curve", Icon::curve},     {"map/body", Icon::body},   {"map/ground", Icon::ground},
-      {"map/erase", Icon::erase},     {"map/pick", Icon::pick}};
+  command_text_button("canvas/two_maps", session, actions, ui, "Maps");
+  constexpr std::string_view kTools[] = {
+      "map/stamp", "map/pan",     "map/select", "map/fill", "map/line",   "map/rectangle", "map/ellipse",
+      "map/slope", "map/segment", "map/curve",  "map/body", "map/ground", "map/erase",     "map/pick"};
   const float button = ui.px(theme::kButton);
-  for (const ToolButton& tool : kTools) {
+  for (const std::string_view& tool : kTools) {
     ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);
-    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
+    command_button(tool, session, actions, ui);
   }
-  constexpr ToolButton kView[] = {{"canvas/zoom_out", Icon::zoom_out},
-                                  {"canvas/zoom_in", Icon::zoom_in},
-                                  {"map/random", Icon::dice},
-                                  {"map/minimap", Icon::minimap},
-                                  {"canvas/grid", Icon::grid},
-                                  {"canvas/borders", Icon::borders},
-                                  {"canvas/paint_in_play", Icon::pencil}};
-  for (const ToolButton& tool : kView) {
+  constexpr std::string_view kView[] = {"canvas/zoom_out",     "canvas/zoom_in", "map/random",
+                                        "map/minimap",         "canvas/grid",    "canvas/borders",
+                                        "canvas/paint_in_play"};
+  for (const std::string_view& tool : kView) {
     const bool has_play = ui.view.canvas == CanvasMode::play || ui.view.canvas == CanvasMode::both;
-    if (tool.command == "canvas/paint_in_play" && !has_play) continue;
+    if (tool == "canvas/paint_in_play" && !has_play) continue;
     ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
-    command_button(tool.command, tool.command, tool.icon, session, actions, ui);
+    command_button(tool, session, actions, ui);
   }
   ui.same_line_if_fits(ui.px(84));
   draw_flag_tint_choice(session, actions, ui);

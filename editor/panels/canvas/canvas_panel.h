@@ -8,7 +8,7 @@ namespace talus {
 
 class CanvasPanel : public Panel {
  public:
-  std::string_view id() const override { return "canvas"; }
+  std::string_view id() const override { return panel_id::kCanvas; }
   std::string_view title() const override { return "Level"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -20,7 +20,7 @@ void save_brush(S session, A actions, U ui) {
   const Level& level = session.level();
   const Choices& choices = session.choices();
   const Stamp stamp = choices.selection ? stamp_of_map(level, *choices.selection) : choices.stamp;
-  ui.view.wants_tab = "brushes";
+  ui.view.wants_tab = panel_id::kBrushes;
   emit_edit(actions, add_brush(level, brush_of_stamp(stamp, free_brush_name(level), choices.random_stamp)));
 }
 
@@ -43,7 +43,7 @@ void propose_ground(S session, A actions, U ui) {
     std::iota(among.begin(), among.end(), std::uint8_t{0});
   }
   const AutoTiles tiles = proposed_auto_tiles(session.level(), among);
-  ui.view.wants_tab = "brushes";
+  ui.view.wants_tab = panel_id::kBrushes;
   if (tiles.empty()) {
     actions.push_back(action::ShowMessage{
         "None of these tiles is solid: give one the solid flag, so that it can be the inside of the ground.",
@@ -63,31 +63,57 @@ std::vector<Command> brush_commands() {
   return in_scope(
       Scope::map,
       {
-          toggle(
-              "map/ground", KeyChord{'g'}, "Ground",
-              "Paints ground: each cell gets the tile that fits its neighbours. With Ctrl it is taken away, "
-              "with Shift a rectangle is filled. Its tiles are chosen under Brushes.",
-              choose_map_tool<MapTool::ground>, is_map_tool<MapTool::ground>),
-          toggle("map/random", KeyChord{'d'}, "Tiles at random",
-                 "The stamp and the rectangle put one tile of the stamp, taken at random, into each cell.",
-                 toggle_random, [](S session, const Ui&) { return session.choices().random_stamp; }),
-          command("map/shuffle", shift('d'), "Other tiles at random",
-                  "What is painted at random from now on takes other tiles.", shuffle),
-          command("brushes/add", shift('b'), "Save as a brush",
-                  "Keeps the stamp, or the selected tiles of the map, in the level, under a name.",
-                  save_brush),
-          command(
-              "ground/propose", shift('g'), "Propose tiles for ground",
-              "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or, if one "
-              "alone is selected, all tiles of the sheet.",
-              propose_ground),
-          command("ground/clear", {}, "Clear the tiles for ground", "Chooses no tiles for ground.",
-                  clear_ground, [](S session, const Ui&) { return !session.level().auto_tiles.empty(); }),
-          toggle(
-              "map/minimap", KeyChord{'o'}, "Minimap",
-              "Shows the whole map in a corner of the map; a click or a drag there moves the view.",
-              [](S, A, U ui) { ui.view.minimap = !ui.view.minimap; },
-              [](S, const Ui& ui) { return ui.view.minimap; }),
+          {.id = "map/ground",
+           .label = "Ground",
+           .help =
+               "Paints ground: each cell gets the tile that fits its neighbours. With Ctrl it is taken away, "
+               "with Shift a rectangle is filled. Its tiles are chosen under Brushes.",
+           .key = KeyChord{'g'},
+           .menu = {"Map"},
+           .icon = Icon::ground,
+           .run = choose_map_tool(MapTool::ground),
+           .checked = is_map_tool(MapTool::ground)},
+          {.id = "map/random",
+           .label = "Tiles at random",
+           .help = "The stamp and the rectangle put one tile of the stamp, taken at random, into each cell.",
+           .key = KeyChord{'d'},
+           .menu = {"Map", 2},
+           .icon = Icon::dice,
+           .run = toggle_random,
+           .checked = [](S session, const Ui&) { return session.choices().random_stamp; }},
+          {.id = "map/shuffle",
+           .label = "Other tiles at random",
+           .help = "What is painted at random from now on takes other tiles.",
+           .key = shift('d'),
+           .menu = {"Map", 2},
+           .run = shuffle},
+          {.id = "brushes/add",
+           .label = "Save as a brush",
+           .help = "Keeps the stamp, or the selected tiles of the map, in the level, under a name.",
+           .key = shift('b'),
+           .menu = {"Map", 2},
+           .run = save_brush},
+          {.id = "ground/propose",
+           .label = "Propose tiles for ground",
+           .help =
+               "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or, if one "
+               "alone is selected, all tiles of the sheet.",
+           .key = shift('g'),
+           .menu = {"Map", 2},
+           .run = propose_ground},
+          {.id = "ground/clear",
+           .label = "Clear the tiles for ground",
+           .help = "Chooses no tiles for ground.",
+           .run = clear_ground,
+           .enabled = [](S session, const Ui&) { return !session.level().auto_tiles.empty(); }},
+          {.id = "map/minimap",
+           .label = "Minimap",
+           .help = "Shows the whole map in a corner of the map; a click or a drag there moves the view.",
+           .key = KeyChord{'o'},
+           .menu = {"View", 2},
+           .icon = Icon::minimap,
+           .run = [](S, A, U ui) { ui.view.minimap = !ui.view.minimap; },
+           .checked = [](S, const Ui& ui) { return ui.view.minimap; }},
       });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "panels/panel_ids.h"
 
 namespace talus {
 
@@ -33,13 +34,11 @@ void emit(const Session&, Actions& actions, Ui&) {
 }
 
 // What the map's canvas does with the mouse.
-template <MapTool tool>
-void choose_map_tool(const Session&, Actions& actions, Ui&) {
-  actions.push_back(action::SetMapTool{tool});
+inline CommandRun choose_map_tool(MapTool tool) {
+  return [tool](const Session&, Actions& actions, Ui&) { actions.push_back(action::SetMapTool{tool}); };
 }
-template <MapTool tool>
-bool is_map_tool(const Session& session, const Ui&) {
-  return session.choices().map_tool == tool;
+inline CommandTest is_map_tool(MapTool tool) {
+  return [tool](const Session& session, const Ui&) { return session.choices().map_tool == tool; };
 }
 
 // An edit that changes nothing is none.
@@ -47,27 +46,6 @@ inline void emit_edit(Actions& actions, Edit edit) {
   if (!edit.empty() || edit.selection) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
-inline Command command(std::string_view id, KeyChord key, std::string_view label, std::string_view help,
-                       decltype(Command::run) run, decltype(Command::enabled) enabled = nullptr) {
-  return {id, label, help, Scope::everywhere, key, {}, false, run, enabled, nullptr};
-}
-// One that is on or off, or one of several of which one is on.
-inline Command toggle(std::string_view id, KeyChord key, std::string_view label, std::string_view help,
-                      decltype(Command::run) run, decltype(Command::checked) checked) {
-  return {id, label, help, Scope::everywhere, key, {}, false, run, nullptr, checked};
-}
-inline Command also_on(KeyChord other_key, Command command) {
-  command.other_key = other_key;
-  return command;
-}
-inline Command also_called(std::string_view words, Command command) {
-  command.words = words;
-  return command;
-}
-inline Command repeating(Command command) {
-  command.repeats = true;
-  return command;
-}
 inline std::vector<Command> in_scope(Scope scope, std::vector<Command> commands) {
   for (Command& command : commands) command.scope = scope;
   return commands;

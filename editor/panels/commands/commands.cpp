@@ -98,19 +98,22 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
   return true;
 }
 
-void command_button(std::string_view widget, std::string_view id, Icon icon, const Session& session,
-                    Actions& actions, Ui& ui) {
+void command_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
+                    std::string_view widget) {
   const Command& command = find_command(id);
-  if (ui.icon_button(widget, icon, command.is_checked(session, ui), command.help, keys_of(command, ui),
+  const bool on = command.is_checked(session, ui);
+  const Icon icon = on && command.checked_icon != Icon::none ? command.checked_icon : command.icon;
+  if (ui.icon_button(widget.empty() ? id : widget, icon, on, command.help, keys_of(command, ui),
                      command.is_enabled(session, ui)))
     command.run(session, actions, ui);
 }
 
-void command_text_button(std::string_view widget, std::string_view id, const Session& session,
-                         Actions& actions, Ui& ui) {
+void command_text_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
+                         std::string_view label, std::string_view widget) {
   const Command& command = find_command(id);
-  if (ui.text_button(widget, command.label, command.is_checked(session, ui), command.help,
-                     keys_of(command, ui), command.is_enabled(session, ui)))
+  if (ui.text_button(widget.empty() ? id : widget, label.empty() ? command.label : label,
+                     command.is_checked(session, ui), command.help, keys_of(command, ui),
+                     command.is_enabled(session, ui)))
     command.run(session, actions, ui);
 }
 

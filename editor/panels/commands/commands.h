@@ -1,7 +1,10 @@
-// Commands: everything that has a key, in one table. The shortcuts, the menus, the tooltips, the help window
-// and the command palette are all made from it.
+// Commands: everything that a key, a menu or a button does, in one table with a row each (see
+// command_table.h). The keys, the menus, the buttons, their tooltips, the help window and the command palette
+// are made from it.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,18 +18,36 @@ namespace talus {
 // Where a command's keys work. cursor: while the keyboard's cursor is shown, and before those of all others.
 enum class Scope { everywhere, sprites, map, input, cursor };
 
+// The menus of the bar, from left to right.
+inline constexpr std::array<std::string_view, 8> kMenus = {"File", "Edit", "Map",   "Sprites",
+                                                           "View", "Play", "Debug", "Help"};
+
+// Where a command is in the menus.
+struct MenuPlace {
+  std::string_view menu =
+      {};           // "Map", or "Debug/Timeline" for a menu in a menu; empty: in "All commands" alone
+  int section = 0;  // from 0; lines part the sections of a menu. Within one, the order is the table's
+};
+
+using CommandRun = std::function<void(const Session&, Actions&, Ui&)>;
+using CommandTest = std::function<bool(const Session&, const Ui&)>;
+
 struct Command {
-  std::string_view id;     // "play/step", also the name of its widgets
-  std::string_view label;  // in menus and the help: "Step one frame"
-  std::string_view help;   // one sentence for the tooltip
+  std::string id = {};      // "play/step", also the name of its widgets; no two are the same
+  std::string label = {};   // in menus and the help: "Step one frame"
+  std::string help = {};    // one sentence for the tooltip
+  KeyChord key = {};        // none: no key, until the user gives it one
+  KeyChord other_key = {};  // a second one, as other programs have it
   Scope scope = Scope::everywhere;
-  KeyChord key, other_key;  // other_key: a second one, as other programs have it
-  bool repeats = false;     // held down, it runs again and again
-  void (*run)(const Session&, Actions&, Ui&) = nullptr;
-  bool (*enabled)(const Session&, const Ui&) = nullptr;  // null: always
-  bool (*checked)(const Session&, const Ui&) = nullptr;  // null: no switch
-  bool any_modifiers = false;   // its keys work whether Ctrl, Shift and Alt are held or not
-  std::string_view words = {};  // other words that the command palette finds it by, with blanks between
+  MenuPlace menu = {};
+  Icon icon = Icon::none;          // of its button in a toolbar
+  Icon checked_icon = Icon::none;  // in its place while it is on; none: the same one
+  CommandRun run = {};             // never empty
+  CommandTest enabled = {};        // empty: always
+  CommandTest checked = {};        // empty: the command is no switch
+  bool repeats = false;            // held down, its key runs it again and again
+  bool any_modifiers = false;      // its keys work whether Ctrl, Shift and Alt are held or not
+  std::string words = {};          // other words that the command palette finds it by, with blanks between
 
   bool is_enabled(const Session& session, const Ui& ui) const { return !enabled || enabled(session, ui); }
   bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }
@@ -48,11 +69,12 @@ bool has_focus(const Command& command, const View& view);
 // Runs the command of a key, if there is one where the focus is. True when there was.
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui);
 
-// A button that runs a command and shows its state, help and keys.
-void command_button(std::string_view widget, std::string_view command, Icon icon, const Session& session,
-                    Actions& actions, Ui& ui);
-// The same with the command's label.
-void command_text_button(std::string_view widget, std::string_view command, const Session& session,
-                         Actions& actions, Ui& ui);
+// A button with the command's icon, which runs it and shows its state, help and keys. widget: the button's
+// name; empty: the command's id.
+void command_button(std::string_view command, const Session& session, Actions& actions, Ui& ui,
+                    std::string_view widget = {});
+// The same with a text. label: empty: the command's.
+void command_text_button(std::string_view command, const Session& session, Actions& actions, Ui& ui,
+                         std::string_view label = {}, std::string_view widget = {});
 
 }  // namespace talus

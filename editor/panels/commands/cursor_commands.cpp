@@ -24,50 +24,62 @@ void end_cursor(S, A, U ui) {
     ui.view.cursor.hide();
 }
 
-template <int dx, int dy, Stride stride>
-void move_cursor(S, A, U ui) {
-  ui.view.cursor.move({dx, dy}, stride);
+CommandRun move_cursor(int dx, int dy, Stride stride) {
+  return [dx, dy, stride](S, A, U ui) { ui.view.cursor.move({dx, dy}, stride); };
 }
 
-template <int button>
-void press_button(S, A, U ui) {
-  ui.view.cursor.press(button);
+CommandRun press_button(int button) {
+  return [button](S, A, U ui) { ui.view.cursor.press(button); };
 }
 
-template <Stride stride>
-std::vector<Command> arrows(const std::string_view (&ids)[4], const std::string_view (&labels)[4],
-                            KeyChord (*chord)(int), std::string_view help) {
-  return {
-      repeating(command(ids[0], chord(kKeyLeft), labels[0], help, move_cursor<-1, 0, stride>)),
-      repeating(command(ids[1], chord(kKeyRight), labels[1], help, move_cursor<1, 0, stride>)),
-      repeating(command(ids[2], chord(kKeyUp), labels[2], help, move_cursor<0, -1, stride>)),
-      repeating(command(ids[3], chord(kKeyDown), labels[3], help, move_cursor<0, 1, stride>)),
+// The four commands of the arrow keys: "cursor/far_" and "Cursor far " with "left" and so on.
+std::vector<Command> arrows(const std::string& id, const std::string& label, Stride stride,
+                            KeyChord (*chord)(int), const std::string& help) {
+  struct Arrow {
+    const char* name;
+    int key, dx, dy;
   };
+  constexpr Arrow kArrows[] = {
+      {"left", kKeyLeft, -1, 0}, {"right", kKeyRight, 1, 0}, {"up", kKeyUp, 0, -1}, {"down", kKeyDown, 0, 1}};
+  std::vector<Command> all;
+  for (const Arrow& arrow : kArrows)
+    all.push_back({.id = id + arrow.name,
+                   .label = label + arrow.name,
+                   .help = help,
+                   .key = chord(arrow.key),
+                   .run = move_cursor(arrow.dx, arrow.dy, stride),
+                   .repeats = true});
+  return all;
 }
 
 KeyChord alone(int key) { return KeyChord{key}; }
 
-Command with_any_modifiers(Command command) {
-  command.any_modifiers = true;
-  return command;
-}
-
 std::vector<Command> cursor_keys() {
   return {
-      with_any_modifiers(command("cursor/press", KeyChord{' '}, "Press the left button",
-                                 "Does what the left button does there, until the key goes up; with Ctrl, "
-                                 "Shift and Alt as with the mouse.",
-                                 press_button<KeyCursor::kLeft>)),
-      with_any_modifiers(command("cursor/press_right", KeyChord{kKeyBackspace}, "Press the right button",
-                                 "Does what the right button does there, until the key goes up.",
-                                 press_button<KeyCursor::kRight>)),
-      command("cursor/next", ctrl(kKeyTab), "To the next canvas",
-              "Takes it to the next of the map, the play view, the sheet, the pixels and the shape.",
-              [](S, A, U ui) { ui.view.cursor.go_to_next(); }),
-      command("cursor/end", KeyChord{kKeyEscape}, "Pen up, or end",
-              "Takes the pen up, and its drag back; then gives the arrows back to the view and to what is "
-              "selected. So does a move of the mouse.",
-              end_cursor),
+      {.id = "cursor/press",
+       .label = "Press the left button",
+       .help = "Does what the left button does there, until the key goes up; with Ctrl, "
+               "Shift and Alt as with the mouse.",
+       .key = KeyChord{' '},
+       .run = press_button(KeyCursor::kLeft),
+       .any_modifiers = true},
+      {.id = "cursor/press_right",
+       .label = "Press the right button",
+       .help = "Does what the right button does there, until the key goes up.",
+       .key = KeyChord{kKeyBackspace},
+       .run = press_button(KeyCursor::kRight),
+       .any_modifiers = true},
+      {.id = "cursor/next",
+       .label = "To the next canvas",
+       .help = "Takes it to the next of the map, the play view, the sheet, the pixels and the shape.",
+       .key = ctrl(kKeyTab),
+       .run = [](S, A, U ui) { ui.view.cursor.go_to_next(); }},
+      {.id = "cursor/end",
+       .label = "Pen up, or end",
+       .help = "Takes the pen up, and its drag back; then gives the arrows back to the view and to what is "
+               "selected. So does a move of the mouse.",
+       .key = KeyChord{kKeyEscape},
+       .run = end_cursor},
   };
 }
 
@@ -75,25 +87,26 @@ std::vector<Command> cursor_keys() {
 
 std::vector<Command> cursor_commands() {
   std::vector<Command> all = {
-      with_any_modifiers(toggle("view/cursor", KeyChord{kKeyEnter}, "Keyboard's cursor, pen down and up",
-                                "Shows a cursor on the map or the pixels that the arrows move, and where "
-                                "Space does what the left button "
-                                "does. While it is shown, takes the pen down, which holds that button, and "
-                                "up again: so one hand draws.",
-                                show_or_draw, [](S, const Ui& ui) { return ui.view.cursor.on(); }))};
-  const std::vector<Command> own = in_scope(
-      Scope::cursor,
-      joined({arrows<Stride::cell>({"cursor/left", "cursor/right", "cursor/up", "cursor/down"},
-                                   {"Cursor left", "Cursor right", "Cursor up", "Cursor down"}, alone,
-                                   "Goes to the next cell or pixel, and the view with it."),
-              arrows<Stride::far>({"cursor/far_left", "cursor/far_right", "cursor/far_up", "cursor/far_down"},
-                                  {"Cursor far left", "Cursor far right", "Cursor far up", "Cursor far down"},
-                                  shift, "Goes over eight cells or pixels at once."),
-              arrows<Stride::unit>(
-                  {"cursor/px_left", "cursor/px_right", "cursor/px_up", "cursor/px_down"},
-                  {"Cursor 1 px left", "Cursor 1 px right", "Cursor 1 px up", "Cursor 1 px down"}, ctrl_shift,
-                  "Goes a px of the level, for the ends of lines and the places of bodies."),
-              cursor_keys()}));
+      {.id = "view/cursor",
+       .label = "Keyboard's cursor, pen down and up",
+       .help = "Shows a cursor on the map or the pixels that the arrows move, and where "
+               "Space does what the left button "
+               "does. While it is shown, takes the pen down, which holds that button, and "
+               "up again: so one hand draws.",
+       .key = KeyChord{kKeyEnter},
+       .menu = {"View"},
+       .run = show_or_draw,
+       .checked = [](S, const Ui& ui) { return ui.view.cursor.on(); },
+       .any_modifiers = true}};
+  const std::vector<Command> own =
+      in_scope(Scope::cursor,
+               joined({arrows("cursor/", "Cursor ", Stride::cell, alone,
+                              "Goes to the next cell or pixel, and the view with it."),
+                       arrows("cursor/far_", "Cursor far ", Stride::far, shift,
+                              "Goes over eight cells or pixels at once."),
+                       arrows("cursor/px_", "Cursor 1 px ", Stride::unit, ctrl_shift,
+                              "Goes a px of the level, for the ends of lines and the places of bodies."),
+                       cursor_keys()}));
   return joined({all, own});
 }
 

@@ -22,21 +22,18 @@ void choose_curve_tool(S session, A actions, U) {
   actions.push_back(action::SetMapTool{MapTool::curve});
 }
 
-template <CurveKind kind>
-void draw_kind(S, A actions, U) {
-  actions.push_back(action::SetCurveKind{kind});
-  actions.push_back(action::SetPasted{});
-  actions.push_back(action::SetMapTool{MapTool::curve});
+CommandRun draw_kind(CurveKind kind) {
+  return [kind](S, A actions, U) {
+    actions.push_back(action::SetCurveKind{kind});
+    actions.push_back(action::SetPasted{});
+    actions.push_back(action::SetMapTool{MapTool::curve});
+  };
 }
 
-template <CurveKind kind>
-bool draws_kind(S session, const Ui&) {
-  return session.choices().map_tool == MapTool::curve && session.choices().curve_kind == kind;
-}
-
-template <CurveKind kind>
-Command curve_kind(std::string_view id, std::string_view label, std::string_view help) {
-  return toggle(id, KeyChord{}, label, help, draw_kind<kind>, draws_kind<kind>);
+CommandTest draws_kind(CurveKind kind) {
+  return [kind](S session, const Ui&) {
+    return session.choices().map_tool == MapTool::curve && session.choices().curve_kind == kind;
+  };
 }
 
 bool can_duplicate(S session, const Ui&) {
@@ -64,23 +61,49 @@ std::vector<Command> curve_commands() {
   return in_scope(
       Scope::map,
       {
-          toggle(
-              "map/curve", KeyChord{'c'}, "Draw curves",
-              "Drag from end to end: an arc, a parabola and so on; press the key again for the next kind. "
-              "Drag a line to move it, a chosen one's handles to bend it; with Shift, a drag always draws. "
-              "Ends snap; Ctrl: to half pixels, Alt: not at all.",
-              choose_curve_tool, is_map_tool<MapTool::curve>),
-          curve_kind<CurveKind::arc>("map/curve_arc", "Draw an arc", "A part of a circle between two ends."),
-          curve_kind<CurveKind::parabola>("map/curve_parabola", "Draw a parabola",
-                                          "A hill or a bowl whose control point is half way."),
-          curve_kind<CurveKind::cubic>("map/curve_cubic", "Draw a cubic",
-                                       "A curve with a slope at each end."),
-          curve_kind<CurveKind::sine>("map/curve_sine", "Draw a sine", "Waves between two ends."),
-          curve_kind<CurveKind::polyline>("map/curve_polyline", "Draw a polyline",
-                                          "A line through heights at equal distances."),
-          command("map/duplicate", ctrl('d'), "Duplicate",
-                  "Copies the chosen body, with the body tool, or the chosen curve, a tile further on.",
-                  duplicate, can_duplicate),
+          {.id = "map/curve",
+           .label = "Draw curves",
+           .help =
+               "Drag from end to end: an arc, a parabola and so on; press the key again for the next kind. "
+               "Drag a line to move it, a chosen one's handles to bend it; with Shift, a drag always draws. "
+               "Ends snap; Ctrl: to half pixels, Alt: not at all.",
+           .key = KeyChord{'c'},
+           .menu = {"Map"},
+           .icon = Icon::curve,
+           .run = choose_curve_tool,
+           .checked = is_map_tool(MapTool::curve)},
+          {.id = "map/curve_arc",
+           .label = "Draw an arc",
+           .help = "A part of a circle between two ends.",
+           .run = draw_kind(CurveKind::arc),
+           .checked = draws_kind(CurveKind::arc)},
+          {.id = "map/curve_parabola",
+           .label = "Draw a parabola",
+           .help = "A hill or a bowl whose control point is half way.",
+           .run = draw_kind(CurveKind::parabola),
+           .checked = draws_kind(CurveKind::parabola)},
+          {.id = "map/curve_cubic",
+           .label = "Draw a cubic",
+           .help = "A curve with a slope at each end.",
+           .run = draw_kind(CurveKind::cubic),
+           .checked = draws_kind(CurveKind::cubic)},
+          {.id = "map/curve_sine",
+           .label = "Draw a sine",
+           .help = "Waves between two ends.",
+           .run = draw_kind(CurveKind::sine),
+           .checked = draws_kind(CurveKind::sine)},
+          {.id = "map/curve_polyline",
+           .label = "Draw a polyline",
+           .help = "A line through heights at equal distances.",
+           .run = draw_kind(CurveKind::polyline),
+           .checked = draws_kind(CurveKind::polyline)},
+          {.id = "map/duplicate",
+           .label = "Duplicate",
+           .help = "Copies the chosen body, with the body tool, or the chosen curve, a tile further on.",
+           .key = ctrl('d'),
+           .menu = {"Map", 2},
+           .run = duplicate,
+           .enabled = can_duplicate},
       });
 }
 

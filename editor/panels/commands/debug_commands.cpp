@@ -32,31 +32,32 @@ void toggle_mark(S session, A actions, U) {
   }
 }
 
-template <bool forwards>
-void jump_to_mark(S, A actions, U) {
-  actions.push_back(action::JumpToMark{forwards});
+CommandRun jump_to_mark(bool forwards) {
+  return [forwards](S, A actions, U) { actions.push_back(action::JumpToMark{forwards}); };
 }
 
-template <int direction>
-void change_stage(S session, A, U ui) {
-  const int last = static_cast<int>(session.stages().size()) - 1;
-  const int now = std::min(ui.view.stage, last);
-  ui.view.wants_tab = "why";
-  ui.view.stage = direction > 0 ? std::min(now + 1, last) : std::max(now - 1, -1);
+CommandRun change_stage(int direction) {
+  return [direction](S session, A, U ui) {
+    const int last = static_cast<int>(session.stages().size()) - 1;
+    const int now = std::min(ui.view.stage, last);
+    ui.view.wants_tab = panel_id::kWhy;
+    ui.view.stage = direction > 0 ? std::min(now + 1, last) : std::max(now - 1, -1);
+  };
 }
 
-template <int by>
-void seek_by(S session, A actions, U) {
-  actions.push_back(action::SeekFrame{session.state().frame + by});
+CommandRun seek_by(int by) {
+  return [by](S session, A actions, U) { actions.push_back(action::SeekFrame{session.state().frame + by}); };
 }
 
-template <int by>
-void change_branch(S session, A actions, U) {
-  const auto& branches = session.timeline().branches();
-  const auto count = static_cast<int>(branches.size());
-  int now = 0;
-  while (branches[static_cast<std::size_t>(now)].id != session.timeline().current().id) ++now;
-  actions.push_back(action::SwitchBranch{branches[static_cast<std::size_t>((now + by + count) % count)].id});
+CommandRun change_branch(int by) {
+  return [by](S session, A actions, U) {
+    const auto& branches = session.timeline().branches();
+    const auto count = static_cast<int>(branches.size());
+    int now = 0;
+    while (branches[static_cast<std::size_t>(now)].id != session.timeline().current().id) ++now;
+    actions.push_back(
+        action::SwitchBranch{branches[static_cast<std::size_t>((now + by + count) % count)].id});
+  };
 }
 bool has_branches(S session, const Ui&) { return session.timeline().branches().size() > 1; }
 
@@ -112,108 +113,229 @@ bool has_other(S session, const Ui&) { return is_compared(session); }
 
 std::vector<Command> seek_commands() {
   return {
-      command("timeline/start", KeyChord{kKeyHome}, "To the first frame",
-              "Shows frame 0 of what is recorded.", emit<action::SeekStart>, after_start),
-      command("timeline/end", KeyChord{kKeyEnd}, "To the last frame", "Shows the last recorded frame.",
-              emit<action::SeekEnd>, in_past),
-      repeating(command("timeline/back", shift(kKeyF10), "Step back one frame",
-                        "Pauses and shows the frame before this one.", emit<action::StepBack>, after_start)),
-      repeating(command("timeline/back_10", ctrl(kKeyLeft), "Back 10 frames",
-                        "Pauses and shows the frame 10 before this one.", seek_by<-10>, after_start)),
-      repeating(command("timeline/on_10", ctrl(kKeyRight), "On 10 frames",
-                        "Pauses and shows the recorded frame 10 after this one.", seek_by<10>, in_past)),
-      command(
-          "timeline/go_to", ctrl(kKeyF10), "Go to frame...", "Shows the frame whose number is typed.",
-          [](S, A, U ui) { ui.view.wants_text = "transport/frame"; }, has_frames),
-      also_called("bookmark", command("timeline/mark", ctrl('m'), "Mark this frame",
-                                      "Sets a mark at the shown frame, or takes it away.", toggle_mark)),
-      command("timeline/next_mark", alt(kKeyRight), "Next mark", "Shows the next marked frame.",
-              jump_to_mark<true>, has_marks),
-      command("timeline/previous_mark", alt(kKeyLeft), "Previous mark",
-              "Shows the marked frame before this one.", jump_to_mark<false>, has_marks),
+      {.id = "timeline/start",
+       .label = "To the first frame",
+       .help = "Shows frame 0 of what is recorded.",
+       .key = KeyChord{kKeyHome},
+       .menu = {"Debug/Timeline"},
+       .icon = Icon::first_frame,
+       .run = emit<action::SeekStart>,
+       .enabled = after_start},
+      {.id = "timeline/end",
+       .label = "To the last frame",
+       .help = "Shows the last recorded frame.",
+       .key = KeyChord{kKeyEnd},
+       .menu = {"Debug/Timeline"},
+       .icon = Icon::last_frame,
+       .run = emit<action::SeekEnd>,
+       .enabled = in_past},
+      {.id = "timeline/back",
+       .label = "Step back one frame",
+       .help = "Pauses and shows the frame before this one.",
+       .key = shift(kKeyF10),
+       .menu = {"Debug/Timeline"},
+       .icon = Icon::step_back,
+       .run = emit<action::StepBack>,
+       .enabled = after_start,
+       .repeats = true},
+      {.id = "timeline/back_10",
+       .label = "Back 10 frames",
+       .help = "Pauses and shows the frame 10 before this one.",
+       .key = ctrl(kKeyLeft),
+       .menu = {"Debug/Timeline"},
+       .run = seek_by(-10),
+       .enabled = after_start,
+       .repeats = true},
+      {.id = "timeline/on_10",
+       .label = "On 10 frames",
+       .help = "Pauses and shows the recorded frame 10 after this one.",
+       .key = ctrl(kKeyRight),
+       .menu = {"Debug/Timeline"},
+       .run = seek_by(10),
+       .enabled = in_past,
+       .repeats = true},
+      {.id = "timeline/go_to",
+       .label = "Go to frame...",
+       .help = "Shows the frame whose number is typed.",
+       .key = ctrl(kKeyF10),
+       .menu = {"Debug/Timeline"},
+       .run = [](S, A, U ui) { ui.view.wants_text = "transport/frame"; },
+       .enabled = has_frames},
+      {.id = "timeline/mark",
+       .label = "Mark this frame",
+       .help = "Sets a mark at the shown frame, or takes it away.",
+       .key = ctrl('m'),
+       .menu = {"Debug/Timeline", 1},
+       .run = toggle_mark,
+       .words = "bookmark"},
+      {.id = "timeline/next_mark",
+       .label = "Next mark",
+       .help = "Shows the next marked frame.",
+       .key = alt(kKeyRight),
+       .menu = {"Debug/Timeline", 1},
+       .run = jump_to_mark(true),
+       .enabled = has_marks},
+      {.id = "timeline/previous_mark",
+       .label = "Previous mark",
+       .help = "Shows the marked frame before this one.",
+       .key = alt(kKeyLeft),
+       .menu = {"Debug/Timeline", 1},
+       .run = jump_to_mark(false),
+       .enabled = has_marks},
   };
 }
 
-template <int steps>
-void zoom_timeline(S session, A, U ui) {
-  zoom_frames(ui.view.debugger.frames, static_cast<double>(session.state().frame), steps,
-              session.timeline().last_frame());
+CommandRun zoom_timeline(float steps) {
+  return [steps](S session, A, U ui) {
+    zoom_frames(ui.view.debugger.frames, static_cast<double>(session.state().frame), steps,
+                session.timeline().last_frame());
+  };
 }
 
 std::vector<Command> frame_zoom_commands() {
   return {
-      repeating(command("timeline/zoom_in", alt('='), "Zoom the timeline in",
-                        "Shows fewer frames in the timeline and the plots; the wheel does it at the mouse.",
-                        zoom_timeline<3>, has_frames)),
-      repeating(command("timeline/zoom_out", alt('-'), "Zoom the timeline out",
-                        "Shows more frames in the timeline and the plots; the wheel does it at the mouse.",
-                        zoom_timeline<-3>, has_frames)),
-      command(
-          "timeline/fit", alt('0'), "Fit the timeline", "Shows all frames in the timeline and the plots.",
-          [](S, A, U ui) { ui.view.debugger.frames = {}; },
-          [](S, const Ui& ui) { return ui.view.debugger.frames != FrameZoom{}; }),
+      {.id = "timeline/zoom_in",
+       .label = "Zoom the timeline in",
+       .help = "Shows fewer frames in the timeline and the plots; the wheel does it at the mouse.",
+       .key = alt('='),
+       .menu = {"Debug/Timeline", 2},
+       .run = zoom_timeline(3),
+       .enabled = has_frames,
+       .repeats = true},
+      {.id = "timeline/zoom_out",
+       .label = "Zoom the timeline out",
+       .help = "Shows more frames in the timeline and the plots; the wheel does it at the mouse.",
+       .key = alt('-'),
+       .menu = {"Debug/Timeline", 2},
+       .run = zoom_timeline(-3),
+       .enabled = has_frames,
+       .repeats = true},
+      {.id = "timeline/fit",
+       .label = "Fit the timeline",
+       .help = "Shows all frames in the timeline and the plots.",
+       .key = alt('0'),
+       .menu = {"Debug/Timeline", 2},
+       .run = [](S, A, U ui) { ui.view.debugger.frames = {}; },
+       .enabled = [](S, const Ui& ui) { return ui.view.debugger.frames != FrameZoom{}; }},
   };
 }
 
 std::vector<Command> branch_commands() {
   return {
-      command("timeline/fork", ctrl('b'), "New branch from here",
-              "Leaves the recording at the shown frame: what is played next goes on from there.",
-              emit<action::TakeOver>, in_past),
-      command("timeline/next_branch", alt(kKeyDown), "Next branch", "Shows the next run.", change_branch<1>,
-              has_branches),
-      command("timeline/previous_branch", alt(kKeyUp), "Previous branch", "Shows the run before.",
-              change_branch<-1>, has_branches),
-      command(
-          "timeline/drop_branch", alt(kKeyDelete), "Drop this branch", "Forgets the run that is shown.",
-          [](S session, A actions, U) {
-            actions.push_back(action::DropBranch{session.timeline().current().id});
-          },
-          has_frames),
-      command("timeline/edit_rule", alt('e'), "Next rule for edits",
-              "What an edit does with the recording: goes on from the shown frame, or runs it again.",
-              next_edit_rule),
-      command(
-          "timeline/rerun", ctrl_shift('r'), "Run again from frame 0",
-          "Makes the whole run again with the recorded input, on the level as it is now.",
-          [](S, A actions, U) { actions.push_back(action::Rerun{0}); }, after_start),
-      command(
-          "timeline/cancel", shift(kKeyF5), "Stop running again or searching",
-          "The branch ends where it has come to; a search leaves the shown frame; a comparison whose other "
-          "side is still being run ends.",
-          cancel,
-          [](S session, const Ui&) {
-            return session.debugger().searching() || session.timeline().behind() ||
-                   session.debugger().comparing_progress(session.timeline()).has_value();
-          }),
-      command(
-          "file/save_recording", ctrl_shift('e'), "Save recording...",
-          "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
-          [](S, A, U ui) { ui.view.dialog = FileDialog::save_recording; }, has_frames),
+      {.id = "timeline/fork",
+       .label = "New branch from here",
+       .help = "Leaves the recording at the shown frame: what is played next goes on from there.",
+       .key = ctrl('b'),
+       .menu = {"Debug/Branches"},
+       .run = emit<action::TakeOver>,
+       .enabled = in_past},
+      {.id = "timeline/next_branch",
+       .label = "Next branch",
+       .help = "Shows the next run.",
+       .key = alt(kKeyDown),
+       .menu = {"Debug/Branches"},
+       .run = change_branch(1),
+       .enabled = has_branches},
+      {.id = "timeline/previous_branch",
+       .label = "Previous branch",
+       .help = "Shows the run before.",
+       .key = alt(kKeyUp),
+       .menu = {"Debug/Branches"},
+       .run = change_branch(-1),
+       .enabled = has_branches},
+      {.id = "timeline/drop_branch",
+       .label = "Drop this branch",
+       .help = "Forgets the run that is shown.",
+       .key = alt(kKeyDelete),
+       .menu = {"Debug/Branches"},
+       .run = [](S session, A actions,
+                 U) { actions.push_back(action::DropBranch{session.timeline().current().id}); },
+       .enabled = has_frames},
+      {.id = "timeline/edit_rule",
+       .label = "Next rule for edits",
+       .help = "What an edit does with the recording: goes on from the shown frame, or runs it again.",
+       .key = alt('e'),
+       .run = next_edit_rule},
+      {.id = "timeline/rerun",
+       .label = "Run again from frame 0",
+       .help = "Makes the whole run again with the recorded input, on the level as it is now.",
+       .key = ctrl_shift('r'),
+       .menu = {"Debug/Branches", 1},
+       .run = [](S, A actions, U) { actions.push_back(action::Rerun{0}); },
+       .enabled = after_start},
+      {.id = "timeline/cancel",
+       .label = "Stop running again or searching",
+       .help =
+           "The branch ends where it has come to; a search leaves the shown frame; a comparison whose other "
+           "side is still being run ends.",
+       .key = shift(kKeyF5),
+       .menu = {"Debug/Branches", 1},
+       .run = cancel,
+       .enabled =
+           [](S session, const Ui&) {
+             return session.debugger().searching() || session.timeline().behind() ||
+                    session.debugger().comparing_progress(session.timeline()).has_value();
+           }},
+      {.id = "file/save_recording",
+       .label = "Save recording...",
+       .help =
+           "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
+       .key = ctrl_shift('e'),
+       .menu = {"Debug", 2},
+       .run = [](S, A, U ui) { ui.view.dialog = FileDialog::save_recording; },
+       .enabled = has_frames},
   };
 }
 
 std::vector<Command> stop_commands() {
   return {
-      command(
-          "stops/forwards", KeyChord{kKeyF9}, "Run to the next breakpoint",
-          "Goes on, through what is recorded and beyond, until a breakpoint stops it.",
-          [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::forwards}); },
-          has_stops),
-      command(
-          "stops/back", shift(kKeyF9), "Run back to a breakpoint",
-          "Shows the last frame before this one at which a breakpoint stops.",
-          [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::backwards}); },
-          has_stops),
-      command("stops/new", ctrl(kKeyF9), "New breakpoint...", "Opens the breakpoints, to type a condition.",
-              [](S, A, U ui) { type_into("stops", "stops/new", ui); }),
-      command("stops/switch_all", ctrl_shift(kKeyF9), "Breakpoints off or on",
-              "Switches all breakpoints off, or, when all are off, on.", switch_all_stops, has_stops),
-      repeating(command("why/next", KeyChord{kKeyF11}, "Next stage of the step",
-                        "Draws the next stage of the chosen body's step in the play view.", change_stage<1>,
-                        has_stages)),
-      repeating(command("why/before", shift(kKeyF11), "Stage before",
-                        "Draws the stage before; before the first, none.", change_stage<-1>, has_stages)),
+      {.id = "stops/forwards",
+       .label = "Run to the next breakpoint",
+       .help = "Goes on, through what is recorded and beyond, until a breakpoint stops it.",
+       .key = KeyChord{kKeyF9},
+       .menu = {"Debug/Breakpoints"},
+       .icon = Icon::run_on,
+       .run = [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::forwards}); },
+       .enabled = has_stops},
+      {.id = "stops/back",
+       .label = "Run back to a breakpoint",
+       .help = "Shows the last frame before this one at which a breakpoint stops.",
+       .key = shift(kKeyF9),
+       .menu = {"Debug/Breakpoints"},
+       .icon = Icon::run_back,
+       .run = [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::backwards}); },
+       .enabled = has_stops},
+      {.id = "stops/new",
+       .label = "New breakpoint...",
+       .help = "Opens the breakpoints, to type a condition.",
+       .key = ctrl(kKeyF9),
+       .menu = {"Debug/Breakpoints", 1},
+       .run = [](S, A, U ui) { type_into(panel_id::kStops, "stops/new", ui); }},
+      {.id = "stops/switch_all",
+       .label = "Breakpoints off or on",
+       .help = "Switches all breakpoints off, or, when all are off, on.",
+       .key = ctrl_shift(kKeyF9),
+       .menu = {"Debug/Breakpoints", 2},
+       .run = switch_all_stops,
+       .enabled = has_stops},
+      {.id = "why/next",
+       .label = "Next stage of the step",
+       .help = "Draws the next stage of the chosen body's step in the play view.",
+       .key = KeyChord{kKeyF11},
+       .menu = {"Debug", 1},
+       .icon = Icon::step,
+       .run = change_stage(1),
+       .enabled = has_stages,
+       .repeats = true},
+      {.id = "why/before",
+       .label = "Stage before",
+       .help = "Draws the stage before; before the first, none.",
+       .key = shift(kKeyF11),
+       .menu = {"Debug", 1},
+       .icon = Icon::step_back,
+       .run = change_stage(-1),
+       .enabled = has_stages,
+       .repeats = true},
   };
 }
 
@@ -224,7 +346,7 @@ void choose_in(std::string_view panel, std::string_view control, U ui) {
 }
 
 void pick_cell(S, A actions, U ui) {
-  type_into("stops", "", ui);
+  type_into(panel_id::kStops, "", ui);
   bool& picks = ui.view.debugger.picks_cell;
   picks = !picks;
   if (picks) actions.push_back(action::ShowMessage{"Click a cell on the map or the play view; Esc: none."});
@@ -232,64 +354,99 @@ void pick_cell(S, A actions, U ui) {
 
 std::vector<Command> choice_commands() {
   return {
-      command("stops/kind", alt('k'), "What to stop at...",
-              "Opens the list of what a breakpoint can stop at; Tab goes on to its numbers.",
-              [](S, A, U ui) { type_into("stops", "stops/kind", ui); }),
-      command("stops/add", alt('a'), "Add the chosen breakpoint",
-              "Adds a breakpoint of the kind and with the numbers that are chosen in its panel.",
-              [](S, A, U ui) { type_into("stops", "stops/add", ui); }),
-      toggle("stops/pick", alt('i'), "Pick a breakpoint's cell on the map",
-             "The next click on the map or the play view chooses the cell that a breakpoint is about.",
-             pick_cell, [](S, const Ui& ui) { return ui.view.debugger.picks_cell; }),
-      command("tuning/solver", alt_shift('t'), "Choose the solver...", "Opens the list of solvers.",
-              [](S, A, U ui) { choose_in("tuning", "tuning/solver", ui); }),
-      also_called(
-          "gravity friction physics speed",
-          command("tuning/fields", alt('t'), "Change the tuning...",
-                  "Gives the keys to the first number of the tuning; Tab goes to the next.",
-                  [](S, A, U ui) { choose_in("tuning", "tuning/" + tuning_fields()[0].path(), ui); })),
+      {.id = "stops/kind",
+       .label = "What to stop at...",
+       .help = "Opens the list of what a breakpoint can stop at; Tab goes on to its numbers.",
+       .key = alt('k'),
+       .menu = {"Debug/Breakpoints", 1},
+       .run = [](S, A, U ui) { type_into(panel_id::kStops, "stops/kind", ui); }},
+      {.id = "stops/add",
+       .label = "Add the chosen breakpoint",
+       .help = "Adds a breakpoint of the kind and with the numbers that are chosen in its panel.",
+       .key = alt('a'),
+       .menu = {"Debug/Breakpoints", 1},
+       .run = [](S, A, U ui) { type_into(panel_id::kStops, "stops/add", ui); }},
+      {.id = "stops/pick",
+       .label = "Pick a breakpoint's cell on the map",
+       .help = "The next click on the map or the play view chooses the cell that a breakpoint is about.",
+       .key = alt('i'),
+       .menu = {"Debug/Breakpoints", 1},
+       .icon = Icon::pick,
+       .run = pick_cell,
+       .checked = [](S, const Ui& ui) { return ui.view.debugger.picks_cell; }},
+      {.id = "tuning/solver",
+       .label = "Choose the solver...",
+       .help = "Opens the list of solvers.",
+       .key = alt_shift('t'),
+       .menu = {"Debug/Tuning"},
+       .run = [](S, A, U ui) { choose_in(panel_id::kTuning, "tuning/solver", ui); }},
+      {.id = "tuning/fields",
+       .label = "Change the tuning...",
+       .help = "Gives the keys to the first number of the tuning; Tab goes to the next.",
+       .key = alt('t'),
+       .menu = {"Debug/Tuning"},
+       .run = [](S, A, U ui) { choose_in(panel_id::kTuning, "tuning/" + tuning_fields()[0].path(), ui); },
+       .words = "gravity friction physics speed"},
   };
 }
 
 std::vector<Command> watch_commands() {
   return {
-      toggle(
-          "view/debugger", KeyChord{kKeyF4}, "Debugger",
-          "Shows the panels of the debugger: input, plots, breakpoints and comparison.",
-          [](S, A, U ui) { ui.view.dock_open = !ui.view.dock_open; },
-          [](S, const Ui& ui) { return ui.view.dock_open; }),
-      command("watch/new_watch", ctrl(kKeyF8), "Watch an expression...",
-              "Opens the plots, to type an expression.",
-              [](S, A, U ui) { type_into("watch", "watch/new", ui); }),
-      toggle(
-          "watch/choose_times", ctrl_shift(kKeyF8), "Plot the time of a step",
-          "Plots how long the steps take.", [](S, A, U ui) { ui.view.shows_times = !ui.view.shows_times; },
-          [](S, const Ui& ui) { return ui.view.shows_times; }),
-      command(
-          "compare/next", shift(kKeyF7), "Compare with the next",
-          "The same input through exact, its single precision, bump and article, then the other branches, "
-          "then nothing.",
-          compare_with_next),
-      toggle(
-          "compare/split", KeyChord{kKeyF7}, "Two views",
-          "Shows the other side of a comparison in a view of its own, instead of as ghosts.",
-          [](S, A, U ui) { ui.view.split_compared = !ui.view.split_compared; },
-          [](S, const Ui& ui) { return ui.view.split_compared; }),
-      command(
-          "compare/first", ctrl(kKeyF7), "First parting frame",
-          "Shows the first frame in which a body is further than that from its other self.",
-          [](S session, A actions, U) {
-            actions.push_back(action::FindParting{session.debugger().parting()});
-          },
-          has_other),
-      command(
-          "compare/stop", ctrl_shift(kKeyF7), "Stop where they part",
-          "Adds a breakpoint that stops a run where they part.",
-          [](S session, A actions, U) {
-            actions.push_back(
-                action::SetBreakpoint{{.condition = parting_condition(session.debugger().parting())}});
-          },
-          has_other),
+      {.id = "view/debugger",
+       .label = "Debugger",
+       .help = "Shows the panels of the debugger: input, plots, breakpoints and comparison.",
+       .key = KeyChord{kKeyF4},
+       .menu = {"Debug"},
+       .run = [](S, A, U ui) { ui.view.dock_open = !ui.view.dock_open; },
+       .checked = [](S, const Ui& ui) { return ui.view.dock_open; }},
+      {.id = "watch/new_watch",
+       .label = "Watch an expression...",
+       .help = "Opens the plots, to type an expression.",
+       .key = ctrl(kKeyF8),
+       .menu = {"Debug/Plots"},
+       .run = [](S, A, U ui) { type_into(panel_id::kWatch, "watch/new", ui); }},
+      {.id = "watch/choose_times",
+       .label = "Plot the time of a step",
+       .help = "Plots how long the steps take.",
+       .key = ctrl_shift(kKeyF8),
+       .menu = {"Debug/Plots"},
+       .run = [](S, A, U ui) { ui.view.shows_times = !ui.view.shows_times; },
+       .checked = [](S, const Ui& ui) { return ui.view.shows_times; }},
+      {.id = "compare/next",
+       .label = "Compare with the next",
+       .help =
+           "The same input through exact, its single precision, bump and article, then the other branches, "
+           "then nothing.",
+       .key = shift(kKeyF7),
+       .menu = {"Debug/Compare"},
+       .run = compare_with_next},
+      {.id = "compare/split",
+       .label = "Two views",
+       .help = "Shows the other side of a comparison in a view of its own, instead of as ghosts.",
+       .key = KeyChord{kKeyF7},
+       .menu = {"Debug/Compare"},
+       .icon = Icon::split,
+       .run = [](S, A, U ui) { ui.view.split_compared = !ui.view.split_compared; },
+       .checked = [](S, const Ui& ui) { return ui.view.split_compared; }},
+      {.id = "compare/first",
+       .label = "First parting frame",
+       .help = "Shows the first frame in which a body is further than that from its other self.",
+       .key = ctrl(kKeyF7),
+       .menu = {"Debug/Compare", 1},
+       .run = [](S session, A actions,
+                 U) { actions.push_back(action::FindParting{session.debugger().parting()}); },
+       .enabled = has_other},
+      {.id = "compare/stop",
+       .label = "Stop where they part",
+       .help = "Adds a breakpoint that stops a run where they part.",
+       .key = ctrl_shift(kKeyF7),
+       .menu = {"Debug/Compare", 1},
+       .run =
+           [](S session, A actions, U) {
+             actions.push_back(
+                 action::SetBreakpoint{{.condition = parting_condition(session.debugger().parting())}});
+           },
+       .enabled = has_other},
   };
 }
 

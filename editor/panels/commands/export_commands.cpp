@@ -12,29 +12,36 @@ using U = Ui&;
 
 std::vector<Command> export_commands() {
   return {
-      toggle(
-          "file/export", ctrl_shift('x'), "Export...",
-          "Shows what the level is exported to, what will be written, and how large it is.",
-          [](S, A, U ui) { ui.view.exports.open = !ui.view.exports.open; },
-          [](S, const Ui& ui) { return ui.view.exports.open; }),
-      also_called(
-          "build publish",
-          command("file/export_all", ctrl_shift('w'), "Export all again",
-                  "Writes all presets of the level as it is now; without any, shows where they are made.",
-                  [](S session, A actions, U ui) {
-                    if (session.level().exports.empty())
-                      ui.view.exports.open = true;
-                    else
-                      actions.push_back(action::RunExports{});
-                  })),
-      command("file/export_cancel", {}, "Cancel the export",
-              "Ends the export, or the preview of one, within a moment. What has not been written yet stays "
-              "as it "
-              "was.",
-              emit<action::CancelExport>,
-              [](S session, const Ui&) {
-                return session.exporting().running() || session.exporting().previewing();
-              }),
+      {.id = "file/export",
+       .label = "Export...",
+       .help = "Shows what the level is exported to, what will be written, and how large it is.",
+       .key = ctrl_shift('x'),
+       .menu = {"File", 3},
+       .run = [](S, A, U ui) { ui.view.exports.open = !ui.view.exports.open; },
+       .checked = [](S, const Ui& ui) { return ui.view.exports.open; }},
+      {.id = "file/export_all",
+       .label = "Export all again",
+       .help = "Writes all presets of the level as it is now; without any, shows where they are made.",
+       .key = ctrl_shift('w'),
+       .menu = {"File", 3},
+       .run =
+           [](S session, A actions, U ui) {
+             if (session.level().exports.empty())
+               ui.view.exports.open = true;
+             else
+               actions.push_back(action::RunExports{});
+           },
+       .words = "build publish"},
+      {.id = "file/export_cancel",
+       .label = "Cancel the export",
+       .help = "Ends the export, or the preview of one, within a moment. What has not been written yet stays "
+               "as it "
+               "was.",
+       .run = emit<action::CancelExport>,
+       .enabled =
+           [](S session, const Ui&) {
+             return session.exporting().running() || session.exporting().previewing();
+           }},
   };
 }
 

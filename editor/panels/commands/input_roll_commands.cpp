@@ -14,22 +14,25 @@ using U = Ui&;
 bool has_input(S session, const Ui&) { return session.state().frame > 0; }
 bool has_next(S session, const Ui&) { return session.timeline().in_past(); }
 
-template <int by>
-void go(S session, A actions, U ui) {
-  ui.view.input_range.reset();
-  actions.push_back(action::SeekFrame{session.state().frame + by});
+CommandRun go(int by) {
+  return [by](S session, A actions, U ui) {
+    ui.view.input_range.reset();
+    actions.push_back(action::SeekFrame{session.state().frame + by});
+  };
 }
 
-template <int by>
-void extend(S session, A actions, U ui) {
-  if (!ui.view.input_range) ui.view.input_range = session.state().frame;
-  actions.push_back(action::SeekFrame{std::max<std::int64_t>(session.state().frame + by, 1)});
+CommandRun extend(int by) {
+  return [by](S session, A actions, U ui) {
+    if (!ui.view.input_range) ui.view.input_range = session.state().frame;
+    actions.push_back(action::SeekFrame{std::max<std::int64_t>(session.state().frame + by, 1)});
+  };
 }
 
-template <int by>
-void change_row(S, A, U ui) {
-  const int last = static_cast<int>(kInputRows.size()) - 1;
-  ui.view.input_row = std::clamp(ui.view.input_row + by, 0, last);
+CommandRun change_row(int by) {
+  return [by](S, A, U ui) {
+    const int last = static_cast<int>(kInputRows.size()) - 1;
+    ui.view.input_row = std::clamp(ui.view.input_row + by, 0, last);
+  };
 }
 
 void toggle_key(S session, A actions, U ui) {
@@ -41,7 +44,7 @@ void toggle_key(S session, A actions, U ui) {
 
 void give_keys(S, A, U ui) {
   ui.view.dock_open = true;
-  ui.view.wants_tab = "input_roll";
+  ui.view.wants_tab = panel_id::kInputRoll;
   ui.view.focus = Focus::input;
 }
 
@@ -49,34 +52,69 @@ void give_keys(S, A, U ui) {
 
 std::vector<Command> input_roll_commands() {
   return joined(
-      {{toggle("view/input", KeyChord{kKeyF6}, "Input roll",
-               "Shows the keys and the mouse of every frame, and gives the keys to that strip.", give_keys,
-               [](S, const Ui& ui) { return ui.view.focus == Focus::input; })},
+      {{{.id = "view/input",
+         .label = "Input roll",
+         .help = "Shows the keys and the mouse of every frame, and gives the keys to that strip.",
+         .key = KeyChord{kKeyF6},
+         .menu = {"Debug"},
+         .run = give_keys,
+         .checked = [](S, const Ui& ui) { return ui.view.focus == Focus::input; }}},
        in_scope(
            Scope::input,
            {
-               repeating(command("roll/back", KeyChord{kKeyLeft}, "Frame before", "Shows the frame before.",
-                                 go<-1>, has_input)),
-               repeating(command("roll/on", KeyChord{kKeyRight}, "Next frame",
-                                 "Shows the next recorded frame.", go<1>, has_next)),
-               repeating(command("roll/extend_back", shift(kKeyLeft), "Choose the frame before, too",
-                                 "Makes the range longer, or shorter, and shows its end.", extend<-1>,
-                                 has_input)),
-               repeating(command("roll/extend_on", shift(kKeyRight), "Choose the next frame, too",
-                                 "Makes the range longer, or shorter, and shows its end.", extend<1>,
-                                 has_next)),
-               repeating(
-                   command("roll/up", KeyChord{kKeyUp}, "Key above", "Chooses another row.", change_row<-1>)),
-               repeating(command("roll/down", KeyChord{kKeyDown}, "Key below", "Chooses another row.",
-                                 change_row<1>)),
-               command("roll/toggle", KeyChord{' '}, "Press or let go",
-                       "Presses the chosen key in the chosen frames, or lets it go, and makes the run again "
-                       "from there.",
-                       toggle_key, has_input),
-               command(
-                   "roll/mouse", KeyChord{'m'}, "Type the mouse's place",
-                   "Goes to the field of the mouse's x; Tab goes on to its y.",
-                   [](S, A, U ui) { ui.view.wants_text = "input_roll/mouse_x"; }, has_input),
+               {.id = "roll/back",
+                .label = "Frame before",
+                .help = "Shows the frame before.",
+                .key = KeyChord{kKeyLeft},
+                .run = go(-1),
+                .enabled = has_input,
+                .repeats = true},
+               {.id = "roll/on",
+                .label = "Next frame",
+                .help = "Shows the next recorded frame.",
+                .key = KeyChord{kKeyRight},
+                .run = go(1),
+                .enabled = has_next,
+                .repeats = true},
+               {.id = "roll/extend_back",
+                .label = "Choose the frame before, too",
+                .help = "Makes the range longer, or shorter, and shows its end.",
+                .key = shift(kKeyLeft),
+                .run = extend(-1),
+                .enabled = has_input,
+                .repeats = true},
+               {.id = "roll/extend_on",
+                .label = "Choose the next frame, too",
+                .help = "Makes the range longer, or shorter, and shows its end.",
+                .key = shift(kKeyRight),
+                .run = extend(1),
+                .enabled = has_next,
+                .repeats = true},
+               {.id = "roll/up",
+                .label = "Key above",
+                .help = "Chooses another row.",
+                .key = KeyChord{kKeyUp},
+                .run = change_row(-1),
+                .repeats = true},
+               {.id = "roll/down",
+                .label = "Key below",
+                .help = "Chooses another row.",
+                .key = KeyChord{kKeyDown},
+                .run = change_row(1),
+                .repeats = true},
+               {.id = "roll/toggle",
+                .label = "Press or let go",
+                .help = "Presses the chosen key in the chosen frames, or lets it go, and makes the run again "
+                        "from there.",
+                .key = KeyChord{' '},
+                .run = toggle_key,
+                .enabled = has_input},
+               {.id = "roll/mouse",
+                .label = "Type the mouse's place",
+                .help = "Goes to the field of the mouse's x; Tab goes on to its y.",
+                .key = KeyChord{'m'},
+                .run = [](S, A, U ui) { ui.view.wants_text = "input_roll/mouse_x"; },
+                .enabled = has_input},
            })});
 }
 

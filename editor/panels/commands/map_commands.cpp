@@ -20,11 +20,6 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-template <MapTool tool>
-Command map_tool(std::string_view id, KeyChord key, std::string_view label, std::string_view help) {
-  return toggle(id, key, label, help, choose_map_tool<tool>, is_map_tool<tool>);
-}
-
 bool has_selected_cells(S session, const Ui&) { return session.choices().selection.has_value(); }
 // In a drag the key cancels that alone.
 bool has_something_to_drop(S session, const Ui&) {
@@ -68,12 +63,13 @@ void paste_at_mouse(S, A actions, U) {
   actions.push_back(action::SetPasted{*std::move(tiles)});
 }
 
-template <MirrorAxis axis>
-void mirror_selection(S session, A actions, U) {
-  MirroredCells mirrored = mirror_cells(session.level(), *session.choices().selection, axis);
-  const std::string missing = text_of_missing(mirrored);
-  if (!missing.empty()) actions.push_back(action::ShowMessage{missing, mirrored.without_partner > 0});
-  emit_edit(actions, std::move(mirrored.edit));
+CommandRun mirror_selection(MirrorAxis axis) {
+  return [axis](S session, A actions, U) {
+    MirroredCells mirrored = mirror_cells(session.level(), *session.choices().selection, axis);
+    const std::string missing = text_of_missing(mirrored);
+    if (!missing.empty()) actions.push_back(action::ShowMessage{missing, mirrored.without_partner > 0});
+    emit_edit(actions, std::move(mirrored.edit));
+  };
 }
 
 void fill_selection(S session, A actions, U) {
@@ -81,15 +77,16 @@ void fill_selection(S session, A actions, U) {
 }
 
 // With the selection tool the arrows move what is selected; else, and without any, the view.
-template <int dx, int dy>
-void move_or_scroll(S session, A actions, U ui) {
-  if (session.choices().selection && session.choices().map_tool == MapTool::select) {
-    const MovedCells moved = move_selection(session.level(), session.history(), *session.choices().selection,
-                                            {dx, dy}, session.next_stroke());
-    actions.push_back(action::EditLevel{moved.edit, moved.stroke});
-  } else {
-    ui.view.scroll_by = ui.view.scroll_by + Vec2{dx * 64.0, dy * 64.0};
-  }
+CommandRun move_or_scroll(int dx, int dy) {
+  return [dx, dy](S session, A actions, U ui) {
+    if (session.choices().selection && session.choices().map_tool == MapTool::select) {
+      const MovedCells moved = move_selection(session.level(), session.history(),
+                                              *session.choices().selection, {dx, dy}, session.next_stroke());
+      actions.push_back(action::EditLevel{moved.edit, moved.stroke});
+    } else {
+      ui.view.scroll_by = ui.view.scroll_by + Vec2{dx * 64.0, dy * 64.0};
+    }
+  };
 }
 
 void erase_hovered(S session, A actions, U ui) {
@@ -115,77 +112,185 @@ void erase_hovered(S session, A actions, U ui) {
 
 std::vector<Command> map_tool_commands() {
   return {
-      map_tool<MapTool::stamp>("map/stamp", KeyChord{'1'}, "Stamp", "Paints the selected tiles."),
-      map_tool<MapTool::pan>("map/pan", KeyChord{'2'}, "Move the view",
-                             "Drags the view; so do the right button, and Space where it is no player's."),
-      map_tool<MapTool::select>("map/select", KeyChord{'3'}, "Select",
-                                "Selects a dragged rectangle of cells. Drag inside it, or press the arrows, "
-                                "to move its tiles; with "
-                                "Ctrl, a drag leaves a copy behind. A click elsewhere selects nothing."),
-      also_called("bucket flood",
-                  map_tool<MapTool::fill>(
-                      "map/fill", KeyChord{'4'}, "Fill",
-                      "Fills an area of equal tiles with the stamp; with Ctrl, that tile everywhere. "
-                      "Stays inside the selection.")),
-      map_tool<MapTool::line>("map/line", KeyChord{'5'}, "Line", "Paints the stamp along a dragged line."),
-      map_tool<MapTool::rectangle>("map/rectangle", KeyChord{'6'}, "Rectangle",
-                                   "Fills a dragged rectangle with the stamp; with Shift, only its outline."),
-      map_tool<MapTool::ellipse>("map/ellipse", KeyChord{'7'}, "Ellipse",
-                                 "Fills the ellipse in a dragged rectangle with the stamp; with Shift, only "
-                                 "its outline."),
-      map_tool<MapTool::slope>(
-          "map/slope", KeyChord{'8'}, "Lay a slope",
-          "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn."),
-      also_called(
-          "line edge collision",
-          map_tool<MapTool::segment>(
-              "map/segment", KeyChord{'9'}, "Add a segment",
-              "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
-              "ceiling. For the exact solver. Drag one that is there to move it, a chosen one's ends to turn "
-              "it; "
-              "with Shift, a drag always draws. Ends snap; Ctrl: to half pixels, Alt: not at all.")),
-      also_called("spawn object entity player start",
-                  map_tool<MapTool::body>(
-                      "map/body", KeyChord{'0'}, "Place bodies",
-                      "Places a ball or a player, as the inspector says, or moves one that is there; the "
-                      "chosen one's arrow is its velocity at the start.")),
-      map_tool<MapTool::erase>("map/erase", KeyChord{'e'}, "Erase", "Paints tile 0."),
-      also_called(
-          "eyedropper sample",
-          map_tool<MapTool::pick>("map/pick", KeyChord{'i'}, "Pick tiles",
-                                  "Takes the tiles of a dragged rectangle as the stamp; so does the middle "
-                                  "button with any tool.")),
-      repeating(command("map/delete", KeyChord{kKeyDelete}, "Delete",
-                        "Paints tile 0 over the selection, or else under the mouse, as large as the stamp; "
-                        "with the body tool, removes the chosen body, and with those that draw curves, the "
-                        "one under the mouse, or the chosen one.",
-                        erase_hovered)),
+      {.id = "map/stamp",
+       .label = "Stamp",
+       .help = "Paints the selected tiles.",
+       .key = KeyChord{'1'},
+       .menu = {"Map"},
+       .icon = Icon::stamp,
+       .run = choose_map_tool(MapTool::stamp),
+       .checked = is_map_tool(MapTool::stamp)},
+      {.id = "map/pan",
+       .label = "Move the view",
+       .help = "Drags the view; so do the right button, and Space where it is no player's.",
+       .key = KeyChord{'2'},
+       .menu = {"Map"},
+       .icon = Icon::pan,
+       .run = choose_map_tool(MapTool::pan),
+       .checked = is_map_tool(MapTool::pan)},
+      {.id = "map/select",
+       .label = "Select",
+       .help = "Selects a dragged rectangle of cells. Drag inside it, or press the arrows, "
+               "to move its tiles; with "
+               "Ctrl, a drag leaves a copy behind. A click elsewhere selects nothing.",
+       .key = KeyChord{'3'},
+       .menu = {"Map"},
+       .icon = Icon::select,
+       .run = choose_map_tool(MapTool::select),
+       .checked = is_map_tool(MapTool::select)},
+      {.id = "map/fill",
+       .label = "Fill",
+       .help = "Fills an area of equal tiles with the stamp; with Ctrl, that tile everywhere. "
+               "Stays inside the selection.",
+       .key = KeyChord{'4'},
+       .menu = {"Map"},
+       .icon = Icon::fill,
+       .run = choose_map_tool(MapTool::fill),
+       .checked = is_map_tool(MapTool::fill),
+       .words = "bucket flood"},
+      {.id = "map/line",
+       .label = "Line",
+       .help = "Paints the stamp along a dragged line.",
+       .key = KeyChord{'5'},
+       .menu = {"Map"},
+       .icon = Icon::line,
+       .run = choose_map_tool(MapTool::line),
+       .checked = is_map_tool(MapTool::line)},
+      {.id = "map/rectangle",
+       .label = "Rectangle",
+       .help = "Fills a dragged rectangle with the stamp; with Shift, only its outline.",
+       .key = KeyChord{'6'},
+       .menu = {"Map"},
+       .icon = Icon::rectangle,
+       .run = choose_map_tool(MapTool::rectangle),
+       .checked = is_map_tool(MapTool::rectangle)},
+      {.id = "map/ellipse",
+       .label = "Ellipse",
+       .help = "Fills the ellipse in a dragged rectangle with the stamp; with Shift, only "
+               "its outline.",
+       .key = KeyChord{'7'},
+       .menu = {"Map"},
+       .icon = Icon::ellipse,
+       .run = choose_map_tool(MapTool::ellipse),
+       .checked = is_map_tool(MapTool::ellipse)},
+      {.id = "map/slope",
+       .label = "Lay a slope",
+       .help = "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn.",
+       .key = KeyChord{'8'},
+       .menu = {"Map"},
+       .icon = Icon::slope,
+       .run = choose_map_tool(MapTool::slope),
+       .checked = is_map_tool(MapTool::slope)},
+      {.id = "map/segment",
+       .label = "Add a segment",
+       .help =
+           "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
+           "ceiling. For the exact solver. Drag one that is there to move it, a chosen one's ends to turn "
+           "it; "
+           "with Shift, a drag always draws. Ends snap; Ctrl: to half pixels, Alt: not at all.",
+       .key = KeyChord{'9'},
+       .menu = {"Map"},
+       .icon = Icon::segment,
+       .run = choose_map_tool(MapTool::segment),
+       .checked = is_map_tool(MapTool::segment),
+       .words = "line edge collision"},
+      {.id = "map/body",
+       .label = "Place bodies",
+       .help = "Places a ball or a player, as the inspector says, or moves one that is there; the "
+               "chosen one's arrow is its velocity at the start.",
+       .key = KeyChord{'0'},
+       .menu = {"Map"},
+       .icon = Icon::body,
+       .run = choose_map_tool(MapTool::body),
+       .checked = is_map_tool(MapTool::body),
+       .words = "spawn object entity player start"},
+      {.id = "map/erase",
+       .label = "Erase",
+       .help = "Paints tile 0.",
+       .key = KeyChord{'e'},
+       .menu = {"Map"},
+       .icon = Icon::erase,
+       .run = choose_map_tool(MapTool::erase),
+       .checked = is_map_tool(MapTool::erase)},
+      {.id = "map/pick",
+       .label = "Pick tiles",
+       .help = "Takes the tiles of a dragged rectangle as the stamp; so does the middle "
+               "button with any tool.",
+       .key = KeyChord{'i'},
+       .menu = {"Map"},
+       .icon = Icon::pick,
+       .run = choose_map_tool(MapTool::pick),
+       .checked = is_map_tool(MapTool::pick),
+       .words = "eyedropper sample"},
   };
 }
 
 std::vector<Command> selection_commands() {
   return {
-      command("map/select_all", ctrl('a'), "Select all", "Selects the whole map.", select_all),
-      command("map/select_none", KeyChord{kKeyEscape}, "Select nothing",
-              "Lets go what was pasted; then removes the selection.", select_none, has_something_to_drop),
-      command("map/cut", ctrl('x'), "Cut", "Copies the selected tiles, and paints tile 0 over them.",
-              cut_selection, has_selected_cells),
-      command("map/copy", ctrl('c'), "Copy",
-              "Copies the selected tiles to the clipboard, in the form that TIC-80's map editor reads.",
-              copy_selection, has_selected_cells),
-      command("map/paste", ctrl('v'), "Paste",
-              "Takes tiles from the clipboard, of TIC-80's map editor too: they hang at the mouse until a "
-              "click puts them down.",
-              paste_at_mouse),
-      command("map/mirror_h", KeyChord{'h'}, "Mirror left and right",
-              "Mirrors the selected tiles; slopes become the tiles that slope the other way.",
-              mirror_selection<MirrorAxis::horizontal>, has_selected_cells),
-      command("map/mirror_v", KeyChord{'v'}, "Mirror up and down",
-              "Mirrors the selected tiles; floors become the tiles that are such ceilings.",
-              mirror_selection<MirrorAxis::vertical>, has_selected_cells),
-      command("map/fill_selection", shift('f'), "Fill the selection",
-              "Fills the selection with the stamp, repeated from its top-left corner.", fill_selection,
-              has_selected_cells),
+      {.id = "map/cut",
+       .label = "Cut",
+       .help = "Copies the selected tiles, and paints tile 0 over them.",
+       .key = ctrl('x'),
+       .menu = {"Map", 1},
+       .run = cut_selection,
+       .enabled = has_selected_cells},
+      {.id = "map/copy",
+       .label = "Copy",
+       .help = "Copies the selected tiles to the clipboard, in the form that TIC-80's map editor reads.",
+       .key = ctrl('c'),
+       .menu = {"Map", 1},
+       .run = copy_selection,
+       .enabled = has_selected_cells},
+      {.id = "map/paste",
+       .label = "Paste",
+       .help = "Takes tiles from the clipboard, of TIC-80's map editor too: they hang at the mouse until a "
+               "click puts them down.",
+       .key = ctrl('v'),
+       .menu = {"Map", 1},
+       .run = paste_at_mouse},
+      {.id = "map/delete",
+       .label = "Delete",
+       .help = "Paints tile 0 over the selection, or else under the mouse, as large as the stamp; "
+               "with the body tool, removes the chosen body, and with those that draw curves, the "
+               "one under the mouse, or the chosen one.",
+       .key = KeyChord{kKeyDelete},
+       .menu = {"Map", 1},
+       .run = erase_hovered,
+       .repeats = true},
+      {.id = "map/mirror_h",
+       .label = "Mirror left and right",
+       .help = "Mirrors the selected tiles; slopes become the tiles that slope the other way.",
+       .key = KeyChord{'h'},
+       .menu = {"Map", 1},
+       .run = mirror_selection(MirrorAxis::horizontal),
+       .enabled = has_selected_cells},
+      {.id = "map/mirror_v",
+       .label = "Mirror up and down",
+       .help = "Mirrors the selected tiles; floors become the tiles that are such ceilings.",
+       .key = KeyChord{'v'},
+       .menu = {"Map", 1},
+       .run = mirror_selection(MirrorAxis::vertical),
+       .enabled = has_selected_cells},
+      {.id = "map/fill_selection",
+       .label = "Fill the selection",
+       .help = "Fills the selection with the stamp, repeated from its top-left corner.",
+       .key = shift('f'),
+       .menu = {"Map", 1},
+       .run = fill_selection,
+       .enabled = has_selected_cells},
+      {.id = "map/select_all",
+       .label = "Select all",
+       .help = "Selects the whole map.",
+       .key = ctrl('a'),
+       .menu = {"Map", 1},
+       .run = select_all},
+      {.id = "map/select_none",
+       .label = "Select nothing",
+       .help = "Lets go what was pasted; then removes the selection.",
+       .key = KeyChord{kKeyEscape},
+       .menu = {"Map", 1},
+       .run = select_none,
+       .enabled = has_something_to_drop},
   };
 }
 
@@ -195,57 +300,87 @@ void open_find_tiles(S session, A, U ui) {
   ui.view.find_tile = session.choices().stamp.tiles.front();
 }
 
-template <FindDirection direction>
-void find_next_tile(S session, A actions, U ui) {
-  if (!ui.view.find_tiles_open) ui.view.find_tile = session.choices().stamp.tiles.front();
-  const auto tile = static_cast<std::uint8_t>(ui.view.find_tile);
-  const auto cell =
-      find_tile(session.level().map, tile, ui.view.search_start(), direction, session.choices().selection);
-  if (!cell) {
-    const std::string place = session.choices().selection ? "selection" : "map";
-    actions.push_back(action::ShowMessage{"The " + place + " has no tile " + std::to_string(tile) + "."});
-    return;
-  }
-  ui.view.centre_on = ui.view.marked_cell = cell;
-  if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
+CommandRun find_next_tile(FindDirection direction) {
+  return [direction](S session, A actions, U ui) {
+    if (!ui.view.find_tiles_open) ui.view.find_tile = session.choices().stamp.tiles.front();
+    const auto tile = static_cast<std::uint8_t>(ui.view.find_tile);
+    const auto cell =
+        find_tile(session.level().map, tile, ui.view.search_start(), direction, session.choices().selection);
+    if (!cell) {
+      const std::string place = session.choices().selection ? "selection" : "map";
+      actions.push_back(action::ShowMessage{"The " + place + " has no tile " + std::to_string(tile) + "."});
+      return;
+    }
+    ui.view.centre_on = ui.view.marked_cell = cell;
+    if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
+  };
 }
 
 std::vector<Command> whole_map_commands() {
   return {
-      also_called("search swap count",
-                  command("map/find", ctrl('h'), "Find and replace tiles...",
-                          "Finds the chosen tile on the map, counts it and replaces it.", open_find_tiles)),
-      repeating(command("map/find_next", KeyChord{'n'}, "Next such tile",
-                        "Shows the next cell with the tile that is looked for, or else with the chosen one.",
-                        find_next_tile<FindDirection::next>)),
-      repeating(
-          command("map/find_previous", shift('n'), "Previous such tile",
-                  "Shows the cell before with the tile that is looked for, or else with the chosen one.",
-                  find_next_tile<FindDirection::previous>)),
-      also_called("resize map dimensions width height crop extend shift larger smaller",
-                  command("map/resize", ctrl('e'), "Size of the map...",
-                          "Makes the map larger or smaller, or shifts everything on it.",
-                          [](S, A, U ui) { ui.view.resize_open = true; })),
+      {.id = "map/find",
+       .label = "Find and replace tiles...",
+       .help = "Finds the chosen tile on the map, counts it and replaces it.",
+       .key = ctrl('h'),
+       .menu = {"Map", 3},
+       .run = open_find_tiles,
+       .words = "search swap count"},
+      {.id = "map/find_next",
+       .label = "Next such tile",
+       .help = "Shows the next cell with the tile that is looked for, or else with the chosen one.",
+       .key = KeyChord{'n'},
+       .menu = {"Map", 3},
+       .run = find_next_tile(FindDirection::next),
+       .repeats = true},
+      {.id = "map/find_previous",
+       .label = "Previous such tile",
+       .help = "Shows the cell before with the tile that is looked for, or else with the chosen one.",
+       .key = shift('n'),
+       .menu = {"Map", 3},
+       .run = find_next_tile(FindDirection::previous),
+       .repeats = true},
+      {.id = "map/resize",
+       .label = "Size of the map...",
+       .help = "Makes the map larger or smaller, or shifts everything on it.",
+       .key = ctrl('e'),
+       .menu = {"Map", 3},
+       .run = [](S, A, U ui) { ui.view.resize_open = true; },
+       .words = "resize map dimensions width height crop extend shift larger smaller"},
   };
 }
 
 std::vector<Command> map_view_commands() {
   return {
-      command("map/fit", KeyChord{kKeyTab}, "World view",
-              "Shows the whole map, or goes back to where you were.",
-              [](S, A, U ui) { ui.view.fit_map = true; }),
-      repeating(command("map/left", KeyChord{kKeyLeft}, "Left",
-                        "Moves the selected tiles by a cell, with the selection tool; else the view.",
-                        move_or_scroll<-1, 0>)),
-      repeating(command("map/right", KeyChord{kKeyRight}, "Right",
-                        "Moves the selected tiles by a cell, with the selection tool; else the view.",
-                        move_or_scroll<1, 0>)),
-      repeating(command("map/up", KeyChord{kKeyUp}, "Up",
-                        "Moves the selected tiles by a cell, with the selection tool; else the view.",
-                        move_or_scroll<0, -1>)),
-      repeating(command("map/down", KeyChord{kKeyDown}, "Down",
-                        "Moves the selected tiles by a cell, with the selection tool; else the view.",
-                        move_or_scroll<0, 1>)),
+      {.id = "map/fit",
+       .label = "World view",
+       .help = "Shows the whole map, or goes back to where you were.",
+       .key = KeyChord{kKeyTab},
+       .menu = {"View", 2},
+       .run = [](S, A, U ui) { ui.view.fit_map = true; }},
+      {.id = "map/left",
+       .label = "Left",
+       .help = "Moves the selected tiles by a cell, with the selection tool; else the view.",
+       .key = KeyChord{kKeyLeft},
+       .run = move_or_scroll(-1, 0),
+       .repeats = true},
+      {.id = "map/right",
+       .label = "Right",
+       .help = "Moves the selected tiles by a cell, with the selection tool; else the view.",
+       .key = KeyChord{kKeyRight},
+       .run = move_or_scroll(1, 0),
+       .repeats = true},
+      {.id = "map/up",
+       .label = "Up",
+       .help = "Moves the selected tiles by a cell, with the selection tool; else the view.",
+       .key = KeyChord{kKeyUp},
+       .run = move_or_scroll(0, -1),
+       .repeats = true},
+      {.id = "map/down",
+       .label = "Down",
+       .help = "Moves the selected tiles by a cell, with the selection tool; else the view.",
+       .key = KeyChord{kKeyDown},
+       .run = move_or_scroll(0, 1),
+       .repeats = true},
   };
 }
 

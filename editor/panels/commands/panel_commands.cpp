@@ -12,122 +12,172 @@ using U = Ui&;
 // Where a panel is: beside the map, where it is always shown, or among those of the debugger.
 enum class PanelIn { window, debugger };
 
-template <const std::string_view& panel, PanelIn place>
-void give_keys_to_panel(S, A, U ui) {
-  if (place == PanelIn::debugger) ui.view.dock_open = true;
-  ui.view.wants_tab = ui.view.wants_keys = panel;
+CommandRun give_keys_to_panel(std::string_view panel, PanelIn place = PanelIn::window) {
+  return [panel, place](S, A, U ui) {
+    if (place == PanelIn::debugger) ui.view.dock_open = true;
+    ui.view.wants_tab = ui.view.wants_keys = panel;
+  };
 }
-
-template <const std::string_view& panel, PanelIn place = PanelIn::window>
-Command panel_command(std::string_view id, std::string_view label, std::string_view help,
-                      std::string_view words) {
-  return also_called(words, command(id, {}, label, help, give_keys_to_panel<panel, place>));
-}
-
-// Ids of panels.
-constexpr std::string_view kFlagsPanel = "flags", kColorPanel = "color", kInspectorPanel = "inspector",
-                           kWhyPanel = "why", kShapePanel = "shape", kTuningPanel = "tuning",
-                           kBrushesPanel = "brushes", kProblemsPanel = "problems", kHistoryPanel = "history",
-                           kFlagSearchPanel = "flag_search", kInputRollPanel = "input_roll",
-                           kWatchPanel = "watch", kStopsPanel = "stops", kComparePanel = "compare",
-                           kReachPanel = "reach", kSheetPanel = "sheet", kPixelsPanel = "pixels",
-                           kCanvasPanel = "canvas", kTransportPanel = "transport";
-constexpr PanelIn kInDebugger = PanelIn::debugger;
 
 std::vector<Command> tab_commands() {
   return {
-      panel_command<kFlagsPanel>("tabs/flags", "Tab: Flags",
-                                 "The lamps of the selected tiles; the arrows go from one to the next.",
-                                 "bits lamps properties role field"),
-      panel_command<kColorPanel>("tabs/color", "Tab: Colour", "The chosen colour's red, green and blue.",
-                                 "color palette rgb sliders"),
-      panel_command<kInspectorPanel>("tabs/inspector", "Tab: Inspector",
-                                     "The chosen body's or curve's numbers, and its contacts.",
-                                     "body spawn object properties contacts position velocity curve"),
-      panel_command<kWhyPanel>("tabs/why", "Tab: Why", "The stages of the chosen body's step.",
-                               "explain reason stage"),
-      panel_command<kShapePanel>("tabs/shape", "Tab: Shape", "The ground that the selected tile is.",
-                                 "slope profile collision heights one-way ceiling"),
-      panel_command<kTuningPanel>("tabs/tuning", "Tab: Tuning", "The solver and its numbers.",
-                                  "physics gravity friction speed solver settings"),
-      panel_command<kBrushesPanel>("tabs/brushes", "Tab: Brushes",
-                                   "The named brushes and the ground's tiles.",
-                                   "stamps auto-tile ground pattern"),
-      panel_command<kProblemsPanel>("tabs/problems", "Tab: Problems", "What the level has that may be wrong.",
-                                    "lint warnings errors seams check"),
-      panel_command<kHistoryPanel>("tabs/history", "Tab: History", "All changes; Enter goes back to one.",
-                                   "undo steps changes"),
-      panel_command<kFlagSearchPanel>("tabs/flag_search", "Tab: Find flags", "The tiles that have a flag.",
-                                      "search tiles bits"),
-      panel_command<kInputRollPanel, kInDebugger>(
-          "tabs/input_roll", "Tab: Input", "The keys and the mouse of every frame.", "recording roll keys"),
-      panel_command<kWatchPanel, kInDebugger>(
-          "tabs/watch", "Tab: Plots", "Expressions as curves over the frames.", "watch expression graph"),
-      panel_command<kStopsPanel, kInDebugger>("tabs/stops", "Tab: Breakpoints", "What a run stops at.",
-                                              "stop condition pause"),
-      panel_command<kComparePanel, kInDebugger>("tabs/compare", "Tab: Compare", "The run beside another one.",
-                                                "difference solver ghosts parting"),
-      panel_command<kReachPanel, kInDebugger>("tabs/reach", "Tab: Reach", "Where the player gets to.",
-                                              "reachable jump explore"),
+      {.id = "tabs/flags",
+       .label = "Tab: Flags",
+       .help = "The lamps of the selected tiles; the arrows go from one to the next.",
+       .run = give_keys_to_panel(panel_id::kFlags),
+       .words = "bits lamps properties role field"},
+      {.id = "tabs/color",
+       .label = "Tab: Colour",
+       .help = "The chosen colour's red, green and blue.",
+       .run = give_keys_to_panel(panel_id::kColor),
+       .words = "color palette rgb sliders"},
+      {.id = "tabs/inspector",
+       .label = "Tab: Inspector",
+       .help = "The chosen body's or curve's numbers, and its contacts.",
+       .run = give_keys_to_panel(panel_id::kInspector),
+       .words = "body spawn object properties contacts position velocity curve"},
+      {.id = "tabs/why",
+       .label = "Tab: Why",
+       .help = "The stages of the chosen body's step.",
+       .run = give_keys_to_panel(panel_id::kWhy),
+       .words = "explain reason stage"},
+      {.id = "tabs/shape",
+       .label = "Tab: Shape",
+       .help = "The ground that the selected tile is.",
+       .run = give_keys_to_panel(panel_id::kShape),
+       .words = "slope profile collision heights one-way ceiling"},
+      {.id = "tabs/tuning",
+       .label = "Tab: Tuning",
+       .help = "The solver and its numbers.",
+       .run = give_keys_to_panel(panel_id::kTuning),
+       .words = "physics gravity friction speed solver settings"},
+      {.id = "tabs/brushes",
+       .label = "Tab: Brushes",
+       .help = "The named brushes and the ground's tiles.",
+       .run = give_keys_to_panel(panel_id::kBrushes),
+       .words = "stamps auto-tile ground pattern"},
+      {.id = "tabs/problems",
+       .label = "Tab: Problems",
+       .help = "What the level has that may be wrong.",
+       .run = give_keys_to_panel(panel_id::kProblems),
+       .words = "lint warnings errors seams check"},
+      {.id = "tabs/history",
+       .label = "Tab: History",
+       .help = "All changes; Enter goes back to one.",
+       .run = give_keys_to_panel(panel_id::kHistory),
+       .words = "undo steps changes"},
+      {.id = "tabs/flag_search",
+       .label = "Tab: Find flags",
+       .help = "The tiles that have a flag.",
+       .run = give_keys_to_panel(panel_id::kFlagSearch),
+       .words = "search tiles bits"},
+      {.id = "tabs/input_roll",
+       .label = "Tab: Input",
+       .help = "The keys and the mouse of every frame.",
+       .run = give_keys_to_panel(panel_id::kInputRoll, PanelIn::debugger),
+       .words = "recording roll keys"},
+      {.id = "tabs/watch",
+       .label = "Tab: Plots",
+       .help = "Expressions as curves over the frames.",
+       .run = give_keys_to_panel(panel_id::kWatch, PanelIn::debugger),
+       .words = "watch expression graph"},
+      {.id = "tabs/stops",
+       .label = "Tab: Breakpoints",
+       .help = "What a run stops at.",
+       .run = give_keys_to_panel(panel_id::kStops, PanelIn::debugger),
+       .words = "stop condition pause"},
+      {.id = "tabs/compare",
+       .label = "Tab: Compare",
+       .help = "The run beside another one.",
+       .run = give_keys_to_panel(panel_id::kCompare, PanelIn::debugger),
+       .words = "difference solver ghosts parting"},
+      {.id = "tabs/reach",
+       .label = "Tab: Reach",
+       .help = "Where the player gets to.",
+       .run = give_keys_to_panel(panel_id::kReach, PanelIn::debugger),
+       .words = "reachable jump explore"},
   };
 }
 
 std::vector<Command> bar_commands() {
   return {
-      panel_command<kSheetPanel>("panels/sheet", "Keys to the sheet's buttons",
-                                 "The arrows and Tab go over what is above the sheet; Esc ends.",
-                                 "tiles sprites spritesheet"),
-      panel_command<kPixelsPanel>("panels/pixels", "Keys to the pixels' buttons",
-                                  "The arrows and Tab go over the tools and sizes of the pixels; Esc ends.",
-                                  "toolbar brush canvas size"),
-      panel_command<kCanvasPanel>("panels/canvas", "Keys to the map's buttons",
-                                  "The arrows and Tab go over what is above and below the map; Esc ends.",
-                                  "toolbar tools overlays"),
-      panel_command<kTransportPanel>("panels/transport", "Keys to the buttons of play",
-                                     "The arrows and Tab go over what plays, steps and goes back; Esc ends.",
-                                     "toolbar transport speed frame"),
-      command("view/dismiss", {}, "Dismiss the message", "Closes the note over the map; Esc does it, too.",
-              emit<action::DismissMessage>,
-              [](S session, const Ui&) { return session.message().has_value(); }),
+      {.id = "panels/sheet",
+       .label = "Keys to the sheet's buttons",
+       .help = "The arrows and Tab go over what is above the sheet; Esc ends.",
+       .run = give_keys_to_panel(panel_id::kSheet),
+       .words = "tiles sprites spritesheet"},
+      {.id = "panels/pixels",
+       .label = "Keys to the pixels' buttons",
+       .help = "The arrows and Tab go over the tools and sizes of the pixels; Esc ends.",
+       .run = give_keys_to_panel(panel_id::kPixels),
+       .words = "toolbar brush canvas size"},
+      {.id = "panels/canvas",
+       .label = "Keys to the map's buttons",
+       .help = "The arrows and Tab go over what is above and below the map; Esc ends.",
+       .run = give_keys_to_panel(panel_id::kCanvas),
+       .words = "toolbar tools overlays"},
+      {.id = "panels/transport",
+       .label = "Keys to the buttons of play",
+       .help = "The arrows and Tab go over what plays, steps and goes back; Esc ends.",
+       .run = give_keys_to_panel(panel_id::kTransport),
+       .words = "toolbar transport speed frame"},
+      {.id = "view/dismiss",
+       .label = "Dismiss the message",
+       .help = "Closes the note over the map; Esc does it, too.",
+       .run = emit<action::DismissMessage>,
+       .enabled = [](S session, const Ui&) { return session.message().has_value(); }},
   };
 }
 
-template <const std::string_view& menu>
-void open_menu(S, A, U ui) {
-  leave_windows();
-  ui.view.wants_text = menu;
+CommandRun open_menu(std::string_view menu) {
+  return [menu](S, A, U ui) {
+    leave_windows();
+    ui.view.wants_text = menu;
+  };
 }
-
-template <const std::string_view& menu>
-Command menu_command(std::string_view id, std::string_view label) {
-  return also_called("menu bar",
-                     command(id, {}, label, "Opens it; the arrows go through it, Enter takes what is chosen.",
-                             open_menu<menu>));
-}
-
-// Widgets of menus.
-constexpr std::string_view kFileMenu = "menu/File", kEditMenu = "menu/Edit", kMapMenu = "menu/Map",
-                           kSpritesMenu = "menu/Sprites", kViewMenu = "menu/View", kPlayMenu = "menu/Play",
-                           kDebugMenu = "menu/Debug", kHelpMenu = "menu/Help";
 
 std::vector<Command> menu_commands() {
   return {
-      also_called("menu bar recent files hard cases",
-                  command("menus/file", {}, "Menu: File",
-                          "Opens it, with the recent files and the hard cases; the arrows go through it.",
-                          open_menu<kFileMenu>)),
-      menu_command<kEditMenu>("menus/edit", "Menu: Edit"),
-      menu_command<kMapMenu>("menus/map", "Menu: Map"),
-      menu_command<kSpritesMenu>("menus/sprites", "Menu: Sprites"),
-      also_called("menu bar size of text scale zoom",
-                  command("menus/view", {}, "Menu: View",
-                          "Opens it, with the overlays and the size of text; the arrows go through it.",
-                          open_menu<kViewMenu>)),
-      menu_command<kPlayMenu>("menus/play", "Menu: Play"),
-      also_called("menu bar when the level is edited rule",
-                  command("menus/debug", {}, "Menu: Debug", "Opens it; the arrows go through it.",
-                          open_menu<kDebugMenu>)),
-      menu_command<kHelpMenu>("menus/help", "Menu: Help"),
+      {.id = "menus/file",
+       .label = "Menu: File",
+       .help = "Opens it, with the recent files and the hard cases; the arrows go through it.",
+       .run = open_menu("menu/File"),
+       .words = "menu bar recent files hard cases"},
+      {.id = "menus/edit",
+       .label = "Menu: Edit",
+       .help = "Opens it; the arrows go through it, Enter takes what is chosen.",
+       .run = open_menu("menu/Edit"),
+       .words = "menu bar"},
+      {.id = "menus/map",
+       .label = "Menu: Map",
+       .help = "Opens it; the arrows go through it, Enter takes what is chosen.",
+       .run = open_menu("menu/Map"),
+       .words = "menu bar"},
+      {.id = "menus/sprites",
+       .label = "Menu: Sprites",
+       .help = "Opens it; the arrows go through it, Enter takes what is chosen.",
+       .run = open_menu("menu/Sprites"),
+       .words = "menu bar"},
+      {.id = "menus/view",
+       .label = "Menu: View",
+       .help = "Opens it, with the overlays and the size of text; the arrows go through it.",
+       .run = open_menu("menu/View"),
+       .words = "menu bar size of text scale zoom"},
+      {.id = "menus/play",
+       .label = "Menu: Play",
+       .help = "Opens it; the arrows go through it, Enter takes what is chosen.",
+       .run = open_menu("menu/Play"),
+       .words = "menu bar"},
+      {.id = "menus/debug",
+       .label = "Menu: Debug",
+       .help = "Opens it; the arrows go through it.",
+       .run = open_menu("menu/Debug"),
+       .words = "menu bar when the level is edited rule"},
+      {.id = "menus/help",
+       .label = "Menu: Help",
+       .help = "Opens it; the arrows go through it, Enter takes what is chosen.",
+       .run = open_menu("menu/Help"),
+       .words = "menu bar"},
   };
 }
 

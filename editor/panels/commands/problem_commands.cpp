@@ -21,44 +21,67 @@ bool is_way_at_mouse(S session, const Ui& ui) {
 void find_reach(S, A actions, U ui) {
   actions.push_back(action::FindReach{});
   ui.view.dock_open = true;
-  ui.view.wants_tab = "reach";
+  ui.view.wants_tab = panel_id::kReach;
 }
 
 }  // namespace
 
 std::vector<Command> problem_commands() {
   return {
-      repeating(command(
-          "problems/next", KeyChord{kKeyF8}, "Next problem", "Shows the next problem of those listed.",
-          [](S session, A actions, U ui) { go_to_next_problem(1, session, actions, ui); }, has_problems)),
-      repeating(command(
-          "problems/previous", shift(kKeyF8), "Problem before", "Shows the problem before of those listed.",
-          [](S session, A actions, U ui) { go_to_next_problem(-1, session, actions, ui); }, has_problems)),
-      command(
-          "problems/fix", alt(kKeyF8), "Fix this problem", "Does what the problem's Fix button says.",
-          [](S session, A actions, U ui) { fix_problem(*chosen_problem(ui), session, actions); }, has_chosen),
-      command(
-          "problems/fix_kind", alt_shift(kKeyF8), "Fix all of this kind",
-          "Fixes every listed problem of the chosen one's kind, as one change that can be undone.",
-          [](S session, A actions, U ui) {
-            fix_all_problems(chosen_problem(ui)->code, session, actions, ui);
-          },
-          has_chosen),
-      also_called(
-          "reachable explore jump",
-          command(
-              "reach/find", KeyChord{kKeyF12}, "Find where the player gets to",
-              "Lets the solver play every combination of keys from the player's start, and marks the cells "
-              "that it gets to.",
-              find_reach)),
-      command("reach/cancel", shift(kKeyF12), "Stop finding where the player gets to",
-              "Keeps the cells that were found so far.", emit<action::CancelReach>,
-              [](S session, const Ui&) { return session.reach().running(); }),
-      command(
-          "reach/show_way", KeyChord{'w'}, "Play the way to this cell",
-          "Plays how the player gets to the marked cell under the mouse, as a new branch of the timeline.",
-          [](S, A actions, U ui) { actions.push_back(action::ShowWay{*ui.view.hover.cell}); },
-          is_way_at_mouse),
+      {.id = "problems/next",
+       .label = "Next problem",
+       .help = "Shows the next problem of those listed.",
+       .key = KeyChord{kKeyF8},
+       .menu = {"Edit", 3},
+       .run = [](S session, A actions, U ui) { go_to_next_problem(1, session, actions, ui); },
+       .enabled = has_problems,
+       .repeats = true},
+      {.id = "problems/previous",
+       .label = "Problem before",
+       .help = "Shows the problem before of those listed.",
+       .key = shift(kKeyF8),
+       .menu = {"Edit", 3},
+       .run = [](S session, A actions, U ui) { go_to_next_problem(-1, session, actions, ui); },
+       .enabled = has_problems,
+       .repeats = true},
+      {.id = "problems/fix",
+       .label = "Fix this problem",
+       .help = "Does what the problem's Fix button says.",
+       .key = alt(kKeyF8),
+       .menu = {"Edit", 3},
+       .run = [](S session, A actions, U ui) { fix_problem(*chosen_problem(ui), session, actions); },
+       .enabled = has_chosen},
+      {.id = "problems/fix_kind",
+       .label = "Fix all of this kind",
+       .help = "Fixes every listed problem of the chosen one's kind, as one change that can be undone.",
+       .key = alt_shift(kKeyF8),
+       .menu = {"Edit", 3},
+       .run = [](S session, A actions,
+                 U ui) { fix_all_problems(chosen_problem(ui)->code, session, actions, ui); },
+       .enabled = has_chosen},
+      {.id = "reach/find",
+       .label = "Find where the player gets to",
+       .help = "Lets the solver play every combination of keys from the player's start, and marks the cells "
+               "that it gets to.",
+       .key = KeyChord{kKeyF12},
+       .menu = {"Debug/Reach"},
+       .run = find_reach,
+       .words = "reachable explore jump"},
+      {.id = "reach/cancel",
+       .label = "Stop finding where the player gets to",
+       .help = "Keeps the cells that were found so far.",
+       .key = shift(kKeyF12),
+       .menu = {"Debug/Reach"},
+       .run = emit<action::CancelReach>,
+       .enabled = [](S session, const Ui&) { return session.reach().running(); }},
+      {.id = "reach/show_way",
+       .label = "Play the way to this cell",
+       .help =
+           "Plays how the player gets to the marked cell under the mouse, as a new branch of the timeline.",
+       .key = KeyChord{'w'},
+       .menu = {"Debug/Reach"},
+       .run = [](S, A actions, U ui) { actions.push_back(action::ShowWay{*ui.view.hover.cell}); },
+       .enabled = is_way_at_mouse},
   };
 }
 

@@ -54,15 +54,25 @@ void give(const Session& session, Actions& actions, Ui&) {
 
 std::vector<Command> shape_commands() {
   return {
-      command("shape/suggest", KeyChord{}, "Suggest the shape from pixels",
-              "Proposes a shape from the opaque pixels of each selected tile; colour 0 is clear. One undo "
-              "takes it back.",
-              suggest, has_tiles),
-      command("shape/give", KeyChord{}, "Give the shape to all selected",
-              "Gives the shape of the first selected tile to all selected ones.", give, has_many_tiles),
-      also_called("ramp half part owner",
-                  command("shape/owner", KeyChord{}, "Go to the tile whose shape reaches over this one",
-                          "Selects it: a ramp's shape is that of its left tile.", go_to_owner, has_owner)),
+      {.id = "shape/suggest",
+       .label = "Suggest the shape from pixels",
+       .help = "Proposes a shape from the opaque pixels of each selected tile; colour 0 is clear. One undo "
+               "takes it back.",
+       .menu = {"Edit", 1},
+       .run = suggest,
+       .enabled = has_tiles},
+      {.id = "shape/give",
+       .label = "Give the shape to all selected",
+       .help = "Gives the shape of the first selected tile to all selected ones.",
+       .menu = {"Edit", 1},
+       .run = give,
+       .enabled = has_many_tiles},
+      {.id = "shape/owner",
+       .label = "Go to the tile whose shape reaches over this one",
+       .help = "Selects it: a ramp's shape is that of its left tile.",
+       .run = go_to_owner,
+       .enabled = has_owner,
+       .words = "ramp half part owner"},
   };
 }
 

@@ -13,24 +13,18 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-template <SpriteTool tool>
-void choose_sprite_tool(S, A actions, U) {
-  actions.push_back(action::SetSpriteTool{tool});
+CommandRun choose_sprite_tool(SpriteTool tool) {
+  return [tool](S, A actions, U) { actions.push_back(action::SetSpriteTool{tool}); };
 }
 
-template <SpriteTool tool>
-bool is_sprite_tool(S session, const Ui&) {
-  return session.choices().sprite_tool == tool;
+CommandTest is_sprite_tool(SpriteTool tool) {
+  return [tool](S session, const Ui&) { return session.choices().sprite_tool == tool; };
 }
 
-template <SpriteTool tool>
-Command sprite_tool(std::string_view id, KeyChord key, std::string_view label, std::string_view help) {
-  return toggle(id, key, label, help, choose_sprite_tool<tool>, is_sprite_tool<tool>);
-}
-
-template <int step>
-void change_brush(S session, A actions, U) {
-  actions.push_back(action::SetBrush{session.choices().brush + step});
+CommandRun change_brush(int step) {
+  return [step](S session, A actions, U) {
+    actions.push_back(action::SetBrush{session.choices().brush + step});
+  };
 }
 
 bool has_selected_pixels(S session, const Ui&) { return session.choices().pixels.rect().has_value(); }
@@ -41,9 +35,8 @@ void select_all_pixels(S session, A actions, U) {
   actions.push_back(action::SelectPixels{CellRect{0, 0, area.width(), area.height()}});
 }
 
-template <PixelTurn turn>
-void turn_pixels(S, A actions, U) {
-  actions.push_back(action::TurnPixels{turn});
+CommandRun turn_pixels(PixelTurn turn) {
+  return [turn](S, A actions, U) { actions.push_back(action::TurnPixels{turn}); };
 }
 
 bool can_rotate(S session, const Ui& ui) {
@@ -104,31 +97,26 @@ void paste_colors(S session, A actions, U ui) {
   emit_paste(actions, paste_palette(session.level(), ui.view.palette_color, clipboard_text()));
 }
 
-template <int step, bool secondary>
-void cycle_color(S session, A actions, U ui) {
-  const int now = secondary ? session.choices().secondary_color : session.choices().color;
-  ui.view.palette_color = (now + step + kColorCount) % kColorCount;
-  actions.push_back(action::SetColor{ui.view.palette_color, secondary});
+CommandRun cycle_color(int step, bool secondary) {
+  return [step, secondary](S session, A actions, U ui) {
+    const int now = secondary ? session.choices().secondary_color : session.choices().color;
+    ui.view.palette_color = (now + step + kColorCount) % kColorCount;
+    actions.push_back(action::SetColor{ui.view.palette_color, secondary});
+  };
 }
 
 // The selected pixels, else the selection on the sheet.
-template <int dx, int dy>
-void move_selection(S session, A actions, U ui) {
-  if (has_selected_pixels(session, ui)) {
-    actions.push_back(action::MovePixels{{dx, dy}});
-    return;
-  }
-  SpriteArea area = session.choices().area;
-  area.tiles.x = std::clamp(area.tiles.x + dx, 0, kSheetColumns - area.tiles.w);
-  area.tiles.y = std::clamp(area.tiles.y + dy, 0, kSheetColumns - area.tiles.h);
-  actions.push_back(action::SelectTiles{area});
-}
-
-template <int dx, int dy>
-Command arrow(std::string_view id, int key, std::string_view label) {
-  return repeating(command(id, KeyChord{key}, label,
-                           "Moves the selection on the sheet, or the selected pixels.",
-                           move_selection<dx, dy>));
+CommandRun move_selection(int dx, int dy) {
+  return [dx, dy](S session, A actions, U ui) {
+    if (has_selected_pixels(session, ui)) {
+      actions.push_back(action::MovePixels{{dx, dy}});
+      return;
+    }
+    SpriteArea area = session.choices().area;
+    area.tiles.x = std::clamp(area.tiles.x + dx, 0, kSheetColumns - area.tiles.w);
+    area.tiles.y = std::clamp(area.tiles.y + dy, 0, kSheetColumns - area.tiles.h);
+    actions.push_back(action::SelectTiles{area});
+  };
 }
 
 void switch_sheet(S session, A actions, U) {
@@ -139,110 +127,276 @@ void switch_sheet(S session, A actions, U) {
 
 std::vector<Command> pixel_tools() {
   return {
-      sprite_tool<SpriteTool::pencil>("pixels/pencil", KeyChord{'1'}, "Pencil",
-                                      "Draws pixels; the right button draws the other colour."),
-      also_called("eyedropper sample", sprite_tool<SpriteTool::pick>(
-                                           "pixels/pick", KeyChord{'2'}, "Pick colour",
-                                           "Takes the colour under the mouse; so does the middle button.")),
-      sprite_tool<SpriteTool::select>(
-          "pixels/select", KeyChord{'3'}, "Select pixels",
-          "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over what is there. "
-          "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it."),
-      also_called("bucket flood", sprite_tool<SpriteTool::fill>(
-                                      "pixels/fill", KeyChord{'4'}, "Fill",
-                                      "Fills an area of one colour; with Ctrl, that colour everywhere.")),
-      sprite_tool<SpriteTool::line>("pixels/line", KeyChord{'l'}, "Line",
-                                    "Drag a line; with Shift, level, upright or diagonal."),
-      sprite_tool<SpriteTool::rectangle>("pixels/rectangle", KeyChord{'r'}, "Rectangle",
-                                         "Drag a rectangle; with Shift a square, with Ctrl filled."),
-      sprite_tool<SpriteTool::ellipse>("pixels/ellipse", KeyChord{'e'}, "Ellipse",
-                                       "Drag an ellipse; with Shift a circle, with Ctrl filled."),
-      repeating(command("pixels/smaller_brush", KeyChord{'-'}, "Smaller brush", "One px less, down to 1.",
-                        change_brush<-1>, [](S s, const Ui&) { return s.choices().brush > 1; })),
-      repeating(command("pixels/larger_brush", KeyChord{'='}, "Larger brush", "One px more, up to 4.",
-                        change_brush<1>, [](S s, const Ui&) { return s.choices().brush < kMaxBrush; })),
-      toggle(
-          "pixels/neighbours", KeyChord{'n'}, "Neighbours on the map",
-          "Shows the tiles around, as at the place on the map where the mouse was last, else the commonest, "
-          "and the lines of slopes.",
-          [](S, A, U ui) { ui.view.pixels.neighbours = !ui.view.pixels.neighbours; },
-          [](S, const Ui& ui) { return ui.view.pixels.neighbours; }),
-      toggle(
-          "pixels/enlarge", KeyChord{'z'}, "Enlarge the pixels",
-          "Shows the pixel canvas above the map and the play view, instead of below the sheet.",
-          [](S, A, U ui) { ui.view.pixels.enlarged = !ui.view.pixels.enlarged; },
-          [](S, const Ui& ui) { return ui.view.pixels.enlarged; }),
+      {.id = "pixels/pencil",
+       .label = "Pencil",
+       .help = "Draws pixels; the right button draws the other colour.",
+       .key = KeyChord{'1'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::pencil,
+       .run = choose_sprite_tool(SpriteTool::pencil),
+       .checked = is_sprite_tool(SpriteTool::pencil)},
+      {.id = "pixels/pick",
+       .label = "Pick colour",
+       .help = "Takes the colour under the mouse; so does the middle button.",
+       .key = KeyChord{'2'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::pick,
+       .run = choose_sprite_tool(SpriteTool::pick),
+       .checked = is_sprite_tool(SpriteTool::pick),
+       .words = "eyedropper sample"},
+      {.id = "pixels/select",
+       .label = "Select pixels",
+       .help =
+           "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over what is there. "
+           "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it.",
+       .key = KeyChord{'3'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::select,
+       .run = choose_sprite_tool(SpriteTool::select),
+       .checked = is_sprite_tool(SpriteTool::select)},
+      {.id = "pixels/fill",
+       .label = "Fill",
+       .help = "Fills an area of one colour; with Ctrl, that colour everywhere.",
+       .key = KeyChord{'4'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::fill,
+       .run = choose_sprite_tool(SpriteTool::fill),
+       .checked = is_sprite_tool(SpriteTool::fill),
+       .words = "bucket flood"},
+      {.id = "pixels/line",
+       .label = "Line",
+       .help = "Drag a line; with Shift, level, upright or diagonal.",
+       .key = KeyChord{'l'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::line,
+       .run = choose_sprite_tool(SpriteTool::line),
+       .checked = is_sprite_tool(SpriteTool::line)},
+      {.id = "pixels/rectangle",
+       .label = "Rectangle",
+       .help = "Drag a rectangle; with Shift a square, with Ctrl filled.",
+       .key = KeyChord{'r'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::frame,
+       .run = choose_sprite_tool(SpriteTool::rectangle),
+       .checked = is_sprite_tool(SpriteTool::rectangle)},
+      {.id = "pixels/ellipse",
+       .label = "Ellipse",
+       .help = "Drag an ellipse; with Shift a circle, with Ctrl filled.",
+       .key = KeyChord{'e'},
+       .menu = {"Sprites", 1},
+       .icon = Icon::ellipse,
+       .run = choose_sprite_tool(SpriteTool::ellipse),
+       .checked = is_sprite_tool(SpriteTool::ellipse)},
+      {.id = "pixels/smaller_brush",
+       .label = "Smaller brush",
+       .help = "One px less, down to 1.",
+       .key = KeyChord{'-'},
+       .menu = {"Sprites", 1},
+       .run = change_brush(-1),
+       .enabled = [](S s, const Ui&) { return s.choices().brush > 1; },
+       .repeats = true},
+      {.id = "pixels/larger_brush",
+       .label = "Larger brush",
+       .help = "One px more, up to 4.",
+       .key = KeyChord{'='},
+       .menu = {"Sprites", 1},
+       .run = change_brush(1),
+       .enabled = [](S s, const Ui&) { return s.choices().brush < kMaxBrush; },
+       .repeats = true},
+      {.id = "pixels/neighbours",
+       .label = "Neighbours on the map",
+       .help =
+           "Shows the tiles around, as at the place on the map where the mouse was last, else the commonest, "
+           "and the lines of slopes.",
+       .key = KeyChord{'n'},
+       .menu = {"Sprites", 4},
+       .icon = Icon::neighbours,
+       .run = [](S, A, U ui) { ui.view.pixels.neighbours = !ui.view.pixels.neighbours; },
+       .checked = [](S, const Ui& ui) { return ui.view.pixels.neighbours; }},
+      {.id = "pixels/enlarge",
+       .label = "Enlarge the pixels",
+       .help = "Shows the pixel canvas above the map and the play view, instead of below the sheet.",
+       .key = KeyChord{'z'},
+       .menu = {"Sprites", 4},
+       .icon = Icon::enlarge,
+       .run = [](S, A, U ui) { ui.view.pixels.enlarged = !ui.view.pixels.enlarged; },
+       .checked = [](S, const Ui& ui) { return ui.view.pixels.enlarged; }},
   };
-}
-
-template <PixelTurn how>
-Command shift_command(std::string_view id, int key, std::string_view label) {
-  return repeating(
-      command(id, shift(key), label,
-              "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in "
-              "at the other side.",
-              turn_pixels<how>));
 }
 
 std::vector<Command> pixel_changes() {
   return {
-      command("pixels/flip_h", KeyChord{'5'}, "Flip left and right",
-              "Mirrors the selected pixels, or all of the canvas, left to right.",
-              turn_pixels<PixelTurn::flip_horizontal>),
-      command("pixels/flip_v", KeyChord{'6'}, "Flip up and down",
-              "Mirrors the selected pixels, or all of the canvas, top to bottom.",
-              turn_pixels<PixelTurn::flip_vertical>),
-      command("pixels/rotate", KeyChord{'7'}, "Rotate",
-              "Turns the selected pixels, or all of a square canvas, by a quarter, clockwise.",
-              turn_pixels<PixelTurn::rotate>, can_rotate),
-      also_on(KeyChord{kKeyDelete},
-              command("pixels/clear", KeyChord{'8'}, "Clear",
-                      "Fills the selected pixels with the right button's colour, or all of the canvas, whose "
-                      "flags go too.",
-                      clear_sprite)),
-      shift_command<PixelTurn::shift_left>("pixels/shift_left", kKeyLeft, "Shift pixels left"),
-      shift_command<PixelTurn::shift_right>("pixels/shift_right", kKeyRight, "Shift pixels right"),
-      shift_command<PixelTurn::shift_up>("pixels/shift_up", kKeyUp, "Shift pixels up"),
-      shift_command<PixelTurn::shift_down>("pixels/shift_down", kKeyDown, "Shift pixels down"),
-      command("pixels/cut", ctrl('x'), "Cut", "Copies, then clears.", cut_sprite),
-      command("pixels/copy", ctrl('c'), "Copy",
-              "Copies the selected pixels, or the tiles with their flags, as TIC-80 does.", copy_sprite),
-      command("pixels/paste", ctrl('v'), "Paste",
-              "Puts in pixels, which float, or as many tiles as are selected, also from TIC-80.",
-              paste_sprite),
-      command("pixels/select_all", ctrl('a'), "Select all pixels", "Selects all of the canvas.",
-              select_all_pixels),
-      command(
-          "pixels/deselect", KeyChord{kKeyEscape}, "Select no pixels", "Puts down what floats.",
-          [](S, A actions, U) { actions.push_back(action::SelectPixels{}); }, has_selected_pixels),
+      {.id = "pixels/flip_h",
+       .label = "Flip left and right",
+       .help = "Mirrors the selected pixels, or all of the canvas, left to right.",
+       .key = KeyChord{'5'},
+       .menu = {"Sprites", 2},
+       .icon = Icon::flip_horizontal,
+       .run = turn_pixels(PixelTurn::flip_horizontal)},
+      {.id = "pixels/flip_v",
+       .label = "Flip up and down",
+       .help = "Mirrors the selected pixels, or all of the canvas, top to bottom.",
+       .key = KeyChord{'6'},
+       .menu = {"Sprites", 2},
+       .icon = Icon::flip_vertical,
+       .run = turn_pixels(PixelTurn::flip_vertical)},
+      {.id = "pixels/rotate",
+       .label = "Rotate",
+       .help = "Turns the selected pixels, or all of a square canvas, by a quarter, clockwise.",
+       .key = KeyChord{'7'},
+       .menu = {"Sprites", 2},
+       .icon = Icon::rotate,
+       .run = turn_pixels(PixelTurn::rotate),
+       .enabled = can_rotate},
+      {.id = "pixels/clear",
+       .label = "Clear",
+       .help = "Fills the selected pixels with the right button's colour, or all of the canvas, whose "
+               "flags go too.",
+       .key = KeyChord{'8'},
+       .other_key = KeyChord{kKeyDelete},
+       .menu = {"Sprites", 2},
+       .icon = Icon::clear,
+       .run = clear_sprite},
+      {.id = "pixels/shift_left",
+       .label = "Shift pixels left",
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+               "other side.",
+       .key = shift(kKeyLeft),
+       .menu = {"Sprites", 2},
+       .run = turn_pixels(PixelTurn::shift_left),
+       .repeats = true},
+      {.id = "pixels/shift_right",
+       .label = "Shift pixels right",
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+               "other side.",
+       .key = shift(kKeyRight),
+       .menu = {"Sprites", 2},
+       .run = turn_pixels(PixelTurn::shift_right),
+       .repeats = true},
+      {.id = "pixels/shift_up",
+       .label = "Shift pixels up",
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+               "other side.",
+       .key = shift(kKeyUp),
+       .menu = {"Sprites", 2},
+       .run = turn_pixels(PixelTurn::shift_up),
+       .repeats = true},
+      {.id = "pixels/shift_down",
+       .label = "Shift pixels down",
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+               "other side.",
+       .key = shift(kKeyDown),
+       .menu = {"Sprites", 2},
+       .run = turn_pixels(PixelTurn::shift_down),
+       .repeats = true},
+      {.id = "pixels/cut",
+       .label = "Cut",
+       .help = "Copies, then clears.",
+       .key = ctrl('x'),
+       .menu = {"Sprites"},
+       .run = cut_sprite},
+      {.id = "pixels/copy",
+       .label = "Copy",
+       .help = "Copies the selected pixels, or the tiles with their flags, as TIC-80 does.",
+       .key = ctrl('c'),
+       .menu = {"Sprites"},
+       .run = copy_sprite},
+      {.id = "pixels/paste",
+       .label = "Paste",
+       .help = "Puts in pixels, which float, or as many tiles as are selected, also from TIC-80.",
+       .key = ctrl('v'),
+       .menu = {"Sprites"},
+       .run = paste_sprite},
+      {.id = "pixels/select_all",
+       .label = "Select all pixels",
+       .help = "Selects all of the canvas.",
+       .key = ctrl('a'),
+       .menu = {"Sprites"},
+       .run = select_all_pixels},
+      {.id = "pixels/deselect",
+       .label = "Select no pixels",
+       .help = "Puts down what floats.",
+       .key = KeyChord{kKeyEscape},
+       .menu = {"Sprites"},
+       .run = [](S, A actions, U) { actions.push_back(action::SelectPixels{}); },
+       .enabled = has_selected_pixels},
   };
 }
 
 std::vector<Command> palette_commands() {
   return {
-      repeating(command("palette/previous", KeyChord{'['}, "Previous colour",
-                        "The left button's colour, one back.", cycle_color<-1, false>)),
-      repeating(command("palette/next", KeyChord{']'}, "Next colour", "The left button's colour, one on.",
-                        cycle_color<1, false>)),
-      repeating(command("palette/previous_right", shift('['), "Previous right colour",
-                        "The right button's colour, one back.", cycle_color<-1, true>)),
-      repeating(command("palette/next_right", shift(']'), "Next right colour",
-                        "The right button's colour, one on.", cycle_color<1, true>)),
-      command("palette/copy", ctrl_shift('c'), "Copy the palette",
-              "Copies all sixteen colours as 96 hex digits, as TIC-80 does.", copy_palette),
-      command("palette/paste", ctrl_shift('v'), "Paste the palette",
-              "Puts in sixteen colours, also from TIC-80, or RRGGBB for the chosen one.", paste_colors),
+      {.id = "palette/previous",
+       .label = "Previous colour",
+       .help = "The left button's colour, one back.",
+       .key = KeyChord{'['},
+       .run = cycle_color(-1, false),
+       .repeats = true},
+      {.id = "palette/next",
+       .label = "Next colour",
+       .help = "The left button's colour, one on.",
+       .key = KeyChord{']'},
+       .run = cycle_color(1, false),
+       .repeats = true},
+      {.id = "palette/previous_right",
+       .label = "Previous right colour",
+       .help = "The right button's colour, one back.",
+       .key = shift('['),
+       .run = cycle_color(-1, true),
+       .repeats = true},
+      {.id = "palette/next_right",
+       .label = "Next right colour",
+       .help = "The right button's colour, one on.",
+       .key = shift(']'),
+       .run = cycle_color(1, true),
+       .repeats = true},
+      {.id = "palette/copy",
+       .label = "Copy the palette",
+       .help = "Copies all sixteen colours as 96 hex digits, as TIC-80 does.",
+       .key = ctrl_shift('c'),
+       .menu = {"Sprites", 3},
+       .run = copy_palette},
+      {.id = "palette/paste",
+       .label = "Paste the palette",
+       .help = "Puts in sixteen colours, also from TIC-80, or RRGGBB for the chosen one.",
+       .key = ctrl_shift('v'),
+       .menu = {"Sprites", 3},
+       .run = paste_colors},
   };
 }
 
 std::vector<Command> sheet_commands() {
   return {
-      also_called("spritesheet bank", command("sheet/switch", KeyChord{kKeyTab}, "Tiles or sprites",
-                                              "Switches between the two sheets.", switch_sheet)),
-      arrow<-1, 0>("sheet/left", kKeyLeft, "To the left"),
-      arrow<1, 0>("sheet/right", kKeyRight, "To the right"),
-      arrow<0, -1>("sheet/up", kKeyUp, "Up"),
-      arrow<0, 1>("sheet/down", kKeyDown, "Down"),
+      {.id = "sheet/switch",
+       .label = "Tiles or sprites",
+       .help = "Switches between the two sheets.",
+       .key = KeyChord{kKeyTab},
+       .menu = {"Sprites", 4},
+       .run = switch_sheet,
+       .words = "spritesheet bank"},
+      {.id = "sheet/left",
+       .label = "To the left",
+       .help = "Moves the selection on the sheet, or the selected pixels.",
+       .key = KeyChord{kKeyLeft},
+       .run = move_selection(-1, 0),
+       .repeats = true},
+      {.id = "sheet/right",
+       .label = "To the right",
+       .help = "Moves the selection on the sheet, or the selected pixels.",
+       .key = KeyChord{kKeyRight},
+       .run = move_selection(1, 0),
+       .repeats = true},
+      {.id = "sheet/up",
+       .label = "Up",
+       .help = "Moves the selection on the sheet, or the selected pixels.",
+       .key = KeyChord{kKeyUp},
+       .run = move_selection(0, -1),
+       .repeats = true},
+      {.id = "sheet/down",
+       .label = "Down",
+       .help = "Moves the selection on the sheet, or the selected pixels.",
+       .key = KeyChord{kKeyDown},
+       .run = move_selection(0, 1),
+       .repeats = true},
   };
 }
 

@@ -54,7 +54,7 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  command_button("compare/split", "compare/split", Icon::split, session, actions, ui);
+  command_button("compare/split", session, actions, ui);
   ui.end_row();
 }
 
@@ -72,9 +72,9 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("px");
   ImGui::SameLine();
-  command_text_button("compare/first", "compare/first", session, actions, ui);
+  command_text_button("compare/first", session, actions, ui);
   ImGui::SameLine();
-  command_text_button("compare/stop", "compare/stop", session, actions, ui);
+  command_text_button("compare/stop", session, actions, ui);
   ui.end_row();
   if (const Series* series = session.debugger().parting_series())
     draw_timeline_plot("compare/plot", "How far the chosen body is from its other self, px. ", series,
@@ -87,7 +87,7 @@ void ComparePanel::draw_missing(const Session& session, Actions& actions, Ui& ui
   ui.item("compare/missing");
   ImGui::SameLine();
   if (session.debugger().comparing_progress(session.timeline()))
-    command_text_button("compare/cancel", "timeline/cancel", session, actions, ui);
+    command_text_button("timeline/cancel", session, actions, ui, {}, "compare/cancel");
   else if (ui.text_button("compare/end", "Show its last frame", false,
                           "Shows the last frame that both sides have."))
     actions.push_back(action::SeekFrame{session.debugger().other_end().value_or(0)});

@@ -7,7 +7,7 @@ namespace talus {
 
 class ComparePanel final : public Panel {
  public:
-  std::string_view id() const override { return "compare"; }
+  std::string_view id() const override { return panel_id::kCompare; }
   std::string_view title() const override { return "Compare"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

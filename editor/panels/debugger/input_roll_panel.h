@@ -9,7 +9,7 @@ namespace talus {
 
 class InputRollPanel final : public Panel {
  public:
-  std::string_view id() const override { return "input_roll"; }
+  std::string_view id() const override { return panel_id::kInputRoll; }
   std::string_view title() const override { return "Input"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -55,9 +55,9 @@ void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
   const Stops& stops = session.debugger().stops();
-  command_button("stops/back", "stops/back", Icon::run_back, session, actions, ui);
+  command_button("stops/back", session, actions, ui);
   ImGui::SameLine();
-  command_button("stops/forwards", "stops/forwards", Icon::run_on, session, actions, ui);
+  command_button("stops/forwards", session, actions, ui);
   ImGui::SameLine();
   if (session.debugger().searching()) {
     const int percent = static_cast<int>(session.debugger().search_progress() * 100);
@@ -137,7 +137,7 @@ void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, A
   }
   if (!is_about_place(kind_)) return;
   ui.same_line_if_fits(ui.px(theme::kButton));
-  command_button("stops/pick", "stops/pick", Icon::pick, session, actions, ui);
+  command_button("stops/pick", session, actions, ui);
 }
 
 // A kind begins with its defaults; one about a place with what is selected or was clicked last.

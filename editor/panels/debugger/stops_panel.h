@@ -12,7 +12,7 @@ namespace talus {
 
 class StopsPanel final : public Panel {
  public:
-  std::string_view id() const override { return "stops"; }
+  std::string_view id() const override { return panel_id::kStops; }
   std::string_view title() const override { return "Breakpoints"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

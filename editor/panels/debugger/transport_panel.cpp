@@ -33,18 +33,17 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
 }  // namespace
 
 void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  command_button("transport/reset", "play/reset", Icon::restart, session, actions, ui);
+  command_button("play/reset", session, actions, ui, "transport/reset");
   ImGui::SameLine();
-  command_button("transport/first", "timeline/start", Icon::first_frame, session, actions, ui);
+  command_button("timeline/start", session, actions, ui, "transport/first");
   ImGui::SameLine();
-  command_button("transport/back", "timeline/back", Icon::step_back, session, actions, ui);
+  command_button("timeline/back", session, actions, ui, "transport/back");
   ImGui::SameLine();
-  command_button("transport/play", "play/toggle", session.playback().running ? Icon::pause : Icon::play,
-                 session, actions, ui);
+  command_button("play/toggle", session, actions, ui, "transport/play");
   ImGui::SameLine();
-  command_button("transport/step", "play/step", Icon::step, session, actions, ui);
+  command_button("play/step", session, actions, ui, "transport/step");
   ImGui::SameLine();
-  command_button("transport/last", "timeline/end", Icon::last_frame, session, actions, ui);
+  command_button("timeline/end", session, actions, ui, "transport/last");
   ImGui::SameLine();
   draw_frame(session, actions, ui);
   ImGui::SameLine();

@@ -7,7 +7,7 @@ namespace talus {
 
 class TransportPanel : public Panel {
  public:
-  std::string_view id() const override { return "transport"; }
+  std::string_view id() const override { return panel_id::kTransport; }
   std::string_view title() const override { return "Play"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

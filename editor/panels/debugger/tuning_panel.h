@@ -7,7 +7,7 @@ namespace talus {
 
 class TuningPanel : public Panel {
  public:
-  std::string_view id() const override { return "tuning"; }
+  std::string_view id() const override { return panel_id::kTuning; }
   std::string_view title() const override { return "Tuning"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -12,7 +12,7 @@ namespace talus {
 
 class WatchPanel final : public Panel {
  public:
-  std::string_view id() const override { return "watch"; }
+  std::string_view id() const override { return panel_id::kWatch; }
   std::string_view title() const override { return "Plots"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -73,9 +73,9 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_lines(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
              theme::tone(theme::kText));
   ImGui::Spacing();
-  command_button("why/before", "why/before", Icon::step_back, session, actions, ui);
+  command_button("why/before", session, actions, ui);
   ImGui::SameLine();
-  command_button("why/next", "why/next", Icon::step, session, actions, ui);
+  command_button("why/next", session, actions, ui);
   ImGui::SameLine();
   const auto count = static_cast<int>(session.stages().size());
   ui.label(ui.view.stage < 0 || ui.view.stage >= count

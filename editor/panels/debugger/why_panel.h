@@ -7,7 +7,7 @@ namespace talus {
 
 class WhyPanel final : public Panel {
  public:
-  std::string_view id() const override { return "why"; }
+  std::string_view id() const override { return panel_id::kWhy; }
   std::string_view title() const override { return "Why"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -127,7 +127,7 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::PopStyleColor();
     ui.item("inspector/curve_problem");
   }
-  command_text_button("inspector/curve_duplicate", "map/duplicate", session, actions, ui);
+  command_text_button("map/duplicate", session, actions, ui, {}, "inspector/curve_duplicate");
   ImGui::SameLine();
   if (ui.text_button("inspector/curve_remove", "Remove", false, "Takes the curve out of the level.", "Del")) {
     actions.push_back(action::EditLevel{remove_curve(session.level(), curve)});

@@ -10,7 +10,7 @@ namespace talus {
 
 class InspectorPanel : public Panel {
  public:
-  std::string_view id() const override { return "inspector"; }
+  std::string_view id() const override { return panel_id::kInspector; }
   std::string_view title() const override { return "Inspector"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -7,7 +7,7 @@ namespace talus {
 
 class HistoryPanel : public Panel {
  public:
-  std::string_view id() const override { return "history"; }
+  std::string_view id() const override { return panel_id::kHistory; }
   std::string_view title() const override { return "History"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

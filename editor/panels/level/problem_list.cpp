@@ -1,6 +1,8 @@
 // Filtering, going to, and fixing what is listed.
 #include "problem_list.h"
 
+#include "panels/panel_ids.h"
+
 #include <algorithm>
 
 #include "edit/fixes.h"
@@ -51,7 +53,7 @@ const Problem* chosen_problem(const Ui& ui) {
 }
 
 void go_to_next_problem(int direction, const Session& session, Actions& actions, Ui& ui) {
-  ui.view.wants_tab = "problems";
+  ui.view.wants_tab = panel_id::kProblems;
   const std::vector<std::size_t> rows = listed_rows(ui);
   if (rows.empty()) return;
   const auto count = static_cast<std::ptrdiff_t>(rows.size());

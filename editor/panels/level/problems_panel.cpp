@@ -53,10 +53,8 @@ void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
   ui.begin_row();
   draw_kinds(ui);
   const auto button = [&](std::string_view id, std::string_view label) {
-    const Command& command = find_command(id);
     ImGui::SameLine();
-    if (ui.text_button(id, label, false, command.help, keys_of(command, ui), command.is_enabled(session, ui)))
-      command.run(session, actions, ui);
+    command_text_button(id, session, actions, ui, label);
   };
   button("problems/previous", "<");
   button("problems/next", ">");

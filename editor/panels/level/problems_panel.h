@@ -12,7 +12,7 @@ namespace talus {
 
 class ProblemsPanel : public Panel {
  public:
-  std::string_view id() const override { return "problems"; }
+  std::string_view id() const override { return panel_id::kProblems; }
   std::string_view title() const override { return "Problems"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -17,19 +17,12 @@ std::string found_text(const ReachSearch& found) {
          " up to " + count_text(static_cast<std::size_t>(found.frames()), "frame") + " from the start.";
 }
 
-void text_button(std::string_view id, const Session& session, Actions& actions, Ui& ui) {
-  const Command& command = find_command(id);
-  if (ui.text_button(id, command.label, false, command.help, keys_of(command, ui),
-                     command.is_enabled(session, ui)))
-    command.run(session, actions, ui);
-}
-
 }  // namespace
 
 void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const ReachFinder& reach = session.reach();
   const ReachSearch* found = reach.found();
-  text_button(reach.running() ? "reach/cancel" : "reach/find", session, actions, ui);
+  command_text_button(reach.running() ? "reach/cancel" : "reach/find", session, actions, ui);
   if (found == nullptr) {
     ui.hint(
         "Marks the cells that a player gets to from its start, by every combination of its keys. A body "

@@ -7,7 +7,7 @@ namespace talus {
 
 class ReachPanel : public Panel {
  public:
-  std::string_view id() const override { return "reach"; }
+  std::string_view id() const override { return panel_id::kReach; }
   std::string_view title() const override { return "Reach"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

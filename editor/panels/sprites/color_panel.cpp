@@ -90,14 +90,6 @@ void draw_swatch(Rgb color, int number, Ui& ui) {
   ui.tooltip("Colour " + std::to_string(number) + ", which is edited here: click another one above.");
 }
 
-void draw_clipboard(std::string_view id, const char* label, const Session& session, Actions& actions,
-                    Ui& ui) {
-  const Command& command = find_command(id);
-  ImGui::SameLine();
-  if (button(label, {}, {0, ui.px(kRow)})) command.run(session, actions, ui);
-  ui.item(id, command.help, keys_of(command, ui));
-}
-
 }  // namespace
 
 void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -107,8 +99,10 @@ void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_swatch(session.level().palette[static_cast<std::size_t>(color)], color, ui);
   ImGui::SameLine();
   const Rgb now = draw_hex(session, actions, ui);
-  draw_clipboard("palette/copy", "Copy", session, actions, ui);
-  draw_clipboard("palette/paste", "Paste", session, actions, ui);
+  ImGui::SameLine();
+  command_text_button("palette/copy", session, actions, ui, "Copy");
+  ImGui::SameLine();
+  command_text_button("palette/paste", session, actions, ui, "Paste");
   std::array<int, 3> rgb = {now.r, now.g, now.b};
   Touched touched;
   for (std::size_t i = 0; i < kChannels.size(); ++i) touched |= draw_channel(kChannels[i], rgb[i], ui);

@@ -9,7 +9,7 @@ namespace talus {
 
 class ColorPanel : public Panel {
  public:
-  std::string_view id() const override { return "color"; }
+  std::string_view id() const override { return panel_id::kColor; }
   std::string_view title() const override { return "Colour"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -47,7 +47,7 @@ void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
       actions.push_back(action::SetColor{color, right});
       ui.view.palette_color = color;
     }
-    if (hovered && ImGui::IsMouseDoubleClicked(0)) ui.view.wants_tab = "color";
+    if (hovered && ImGui::IsMouseDoubleClicked(0)) ui.view.wants_tab = panel_id::kColor;
     ui.item("palette/color" + number,
             "Colour " + number +
                 ": click for the left button, right click for the right one; a double click edits it.",

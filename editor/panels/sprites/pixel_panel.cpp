@@ -16,22 +16,9 @@ constexpr int kToolColumns = 4;
 constexpr float kToolGap = 2;                        // px at scale 1, between the tools
 constexpr std::array<int, 4> kSizes = {1, 2, 4, 8};  // tiles, of the canvas
 
-struct Tool {
-  std::string_view command;
-  Icon icon;
-};
-constexpr std::array<Tool, 12> kTools = {{{"pixels/pencil", Icon::pencil},
-                                          {"pixels/pick", Icon::pick},
-                                          {"pixels/select", Icon::select},
-                                          {"pixels/fill", Icon::fill},
-                                          {"pixels/line", Icon::line},
-                                          {"pixels/rectangle", Icon::frame},
-                                          {"pixels/ellipse", Icon::ellipse},
-                                          {"pixels/clear", Icon::clear},
-                                          {"pixels/flip_h", Icon::flip_horizontal},
-                                          {"pixels/flip_v", Icon::flip_vertical},
-                                          {"pixels/rotate", Icon::rotate},
-                                          {"pixels/neighbours", Icon::neighbours}}};
+constexpr std::array<std::string_view, 12> kTools = {
+    "pixels/pencil",  "pixels/pick",  "pixels/select", "pixels/fill",   "pixels/line",   "pixels/rectangle",
+    "pixels/ellipse", "pixels/clear", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/neighbours"};
 
 // A square of so many tiles at the area's place, or inside it about a pixel of the canvas.
 SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
@@ -95,7 +82,7 @@ void PixelPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void PixelPanel::draw_tools(const Session& session, Actions& actions, Ui& ui) {
   for (std::size_t i = 0; i < kTools.size(); ++i) {
     if (i % kToolColumns != 0) ImGui::SameLine();
-    command_button(kTools[i].command, kTools[i].command, kTools[i].icon, session, actions, ui);
+    command_button(kTools[i], session, actions, ui);
   }
 }
 

@@ -9,7 +9,7 @@ namespace talus {
 
 class PixelPanel : public Panel {
  public:
-  std::string_view id() const override { return "pixels"; }
+  std::string_view id() const override { return panel_id::kPixels; }
   std::string_view title() const override { return "Pixels"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -104,7 +104,7 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     }
     ImGui::SameLine();
   }
-  command_button("pixels/enlarge", "pixels/enlarge", Icon::enlarge, session, actions, ui);
+  command_button("pixels/enlarge", session, actions, ui);
   ImGui::SameLine();
   ui.right_aligned(selection_text(area), theme::color(theme::kMuted));
   ui.tooltip("The selected tile, and how many tiles wide and high the selection is.");

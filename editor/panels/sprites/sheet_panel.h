@@ -11,7 +11,7 @@ namespace talus {
 
 class SheetPanel : public Panel {
  public:
-  std::string_view id() const override { return "sheet"; }
+  std::string_view id() const override { return panel_id::kSheet; }
   std::string_view title() const override { return "Sheet"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -51,14 +51,6 @@ void push(Edit edit, Actions& actions) {
   if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
-void draw_command(std::string_view id, std::string_view label, const Session& session, Actions& actions,
-                  Ui& ui) {
-  const Command& command = find_command(id);
-  if (ui.text_button(std::string(id) + "_button", label, command.is_checked(session, ui), command.help,
-                     keys_of(command, ui), command.is_enabled(session, ui)))
-    command.run(session, actions, ui);
-}
-
 // Where the parts lie in the table: ground as it looks, then the slopes.
 struct PartPlace {
   GroundPart part;
@@ -116,11 +108,11 @@ void BrushesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void BrushesPanel::draw_buttons(const Session& session, Actions& actions, Ui& ui) const {
-  draw_command("brushes/add", "Save", session, actions, ui);
+  command_text_button("brushes/add", session, actions, ui, "Save", "brushes/add_button");
   ImGui::SameLine();
-  draw_command("map/random", "Random", session, actions, ui);
+  command_text_button("map/random", session, actions, ui, "Random", "map/random_button");
   ImGui::SameLine();
-  draw_command("map/shuffle", "Shuffle", session, actions, ui);
+  command_text_button("map/shuffle", session, actions, ui, "Shuffle", "map/shuffle_button");
 }
 
 void BrushesPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
@@ -195,11 +187,11 @@ void BrushesPanel::draw_ground(const Session& session, Actions& actions, Ui& ui)
   const float x = at.x + 6 * step;
   const float line = ImGui::GetFrameHeight() + ui.px(2);
   ImGui::SetCursorScreenPos({x, at.y});
-  draw_command("map/ground", "Paint", session, actions, ui);
+  command_text_button("map/ground", session, actions, ui, "Paint", "map/ground_button");
   ImGui::SetCursorScreenPos({x, at.y + line});
-  draw_command("ground/propose", "Propose", session, actions, ui);
+  command_text_button("ground/propose", session, actions, ui, "Propose", "ground/propose_button");
   ImGui::SetCursorScreenPos({x, at.y + 2 * line});
-  draw_command("ground/clear", "Clear", session, actions, ui);
+  command_text_button("ground/clear", session, actions, ui, "Clear", "ground/clear_button");
   ImGui::SetCursorScreenPos({at.x, at.y + std::max(3 * step, 3 * line) + ui.px(4)});
   if (session.level().auto_tiles.empty())
     ui.hint("Propose finds them on the sheet; or select a tile there and click its place here.");

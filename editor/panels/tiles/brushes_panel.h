@@ -9,7 +9,7 @@ namespace talus {
 
 class BrushesPanel : public Panel {
  public:
-  std::string_view id() const override { return "brushes"; }
+  std::string_view id() const override { return panel_id::kBrushes; }
   std::string_view title() const override { return "Brushes"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

@@ -8,7 +8,7 @@ namespace talus {
 
 class FlagSearchPanel : public Panel {
  public:
-  std::string_view id() const override { return "flag_search"; }
+  std::string_view id() const override { return panel_id::kFlagSearch; }
   std::string_view title() const override { return "Find flags"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

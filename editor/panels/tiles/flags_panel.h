@@ -10,7 +10,7 @@ namespace talus {
 
 class FlagsPanel : public Panel {
  public:
-  std::string_view id() const override { return "flags"; }
+  std::string_view id() const override { return panel_id::kFlags; }
   std::string_view title() const override { return "Flags"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

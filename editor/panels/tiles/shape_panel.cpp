@@ -54,16 +54,15 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::BeginChild("shape");
   draw_kind(session, actions, ui, tile);
   ui.same_line_if_fits(ui.px(196));
-  command_text_button("shape/suggest", "shape/suggest", session, actions, ui);
+  command_text_button("shape/suggest", session, actions, ui);
   // What the shape changes the height of is below the canvas, which stands still under a held mouse.
   draw_canvas(session, actions, ui, tile);
   ui.hint(origin_text(session.level(), tile));
   if (const int count = area.tiles.w * area.tiles.h; count > 1)
     ui.hint("What changes here changes in all " + std::to_string(count) + " selected tiles.");
-  if (tile_reaching_over(session.level(), tile))
-    command_text_button("shape/owner", "shape/owner", session, actions, ui);
+  if (tile_reaching_over(session.level(), tile)) command_text_button("shape/owner", session, actions, ui);
   draw_fields(session, actions, ui, tile);
-  command_text_button("shape/give", "shape/give", session, actions, ui);
+  command_text_button("shape/give", session, actions, ui);
   draw_copy(session, actions, ui, tile);
   ImGui::EndChild();
 }

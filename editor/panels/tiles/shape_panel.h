@@ -10,7 +10,7 @@ namespace talus {
 
 class ShapePanel : public Panel {
  public:
-  std::string_view id() const override { return "shape"; }
+  std::string_view id() const override { return panel_id::kShape; }
   std::string_view title() const override { return "Shape"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 

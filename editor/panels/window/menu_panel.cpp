@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 
 #include "panels/commands/commands.h"
 
@@ -18,203 +17,98 @@ std::string keys_from_here(const Command& command, const Ui& ui) {
   return keys_of(focus_command(command.scope), ui) + ", " + key;
 }
 
-void draw_command(std::string_view id, const Session& session, Actions& actions, Ui& ui) {
-  const Command& command = find_command(id);
-  const std::string label(command.label), keys = "    " + keys_from_here(command, ui);  // apart from labels
+void draw_command(const Command& command, const Session& session, Actions& actions, Ui& ui) {
+  const std::string keys = "    " + keys_from_here(command, ui);  // apart from labels
   const bool enabled = command.is_enabled(session, ui);
-  if (menu_item(label, {}, keys, command.is_checked(session, ui), enabled)) command.run(session, actions, ui);
-  ui.item("menu/" + std::string(id), command.help, {}, enabled);
-}
-
-// An empty id draws a line between the commands.
-void draw_commands(std::initializer_list<std::string_view> ids, const Session& session, Actions& actions,
-                   Ui& ui) {
-  for (std::string_view id : ids) {
-    if (id.empty())
-      ImGui::Separator();
-    else
-      draw_command(id, session, actions, ui);
-  }
+  if (menu_item(command.label, {}, keys, command.is_checked(session, ui), enabled))
+    command.run(session, actions, ui);
+  ui.item("menu/" + command.id, command.help, {}, enabled);
 }
 
 // The part of an id before the slash: "map".
-std::string_view group_of(const Command& command) { return command.id.substr(0, command.id.find('/')); }
+std::string_view group_of(const Command& command) {
+  return std::string_view(command.id).substr(0, command.id.find('/'));
+}
 
-bool begin_menu(const char* label, Ui& ui) {
-  const std::string widget = std::string("menu/") + label;
+// path: "Debug/Timeline"; its last part is the label.
+bool begin_menu_of(const std::string& path, Ui& ui) {
+  const std::string label = path.substr(path.rfind('/') + 1), widget = "menu/" + label;
   if (ui.view.wants_text == widget) {  // by a command
     ui.view.wants_text.clear();
-    ImGui::OpenPopup(label);
+    ImGui::OpenPopup(label.c_str());
   }
-  const bool open = ImGui::BeginMenu(label);
+  const bool open = begin_menu(label);
   ui.item(widget);
   return open;
+}
+
+// In the order of their sections, and within one in that of the table.
+std::vector<const Command*> commands_of_menu(std::string_view path) {
+  std::vector<const Command*> found;
+  for (const Command& command : commands())
+    if (command.menu.menu == path) found.push_back(&command);
+  std::ranges::stable_sort(found, {}, [](const Command* command) { return command->menu.section; });
+  return found;
+}
+
+// The menus within a menu, in the order in which the table names them first.
+std::vector<std::string> menus_of_menu(std::string_view path) {
+  std::vector<std::string> found;
+  for (const Command& command : commands()) {
+    const std::string_view menu = command.menu.menu;
+    const bool is_within = menu.size() > path.size() && menu.starts_with(path) && menu[path.size()] == '/';
+    if (is_within && std::ranges::find(found, menu) == found.end()) found.emplace_back(menu);
+  }
+  return found;
 }
 
 }  // namespace
 
 void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!ImGui::BeginMenuBar()) return;
-  if (begin_menu("File", ui)) {
-    draw_commands({"file/new", "file/open"}, session, actions, ui);
-    draw_recent_files(actions, ui);
-    draw_hard_cases(actions, ui);
-    draw_commands({"", "file/save", "file/save_as", "file/recover", "", "program/tic80", "program/love",
-                   "program/tiled", ""},
-                  session, actions, ui);
-    draw_commands({"file/export", "file/export_all", "", "picture/import", "picture/export_tiles",
-                   "picture/export_sprites", "picture/export_palette", "", "file/quit"},
-                  session, actions, ui);
-    ImGui::EndMenu();
+  for (std::string_view menu : kMenus) draw_menu(std::string(menu), session, actions, ui);
+  draw_title(session, ui);
+  ImGui::EndMenuBar();
+}
+
+void MenuPanel::draw_menu(const std::string& path, const Session& session, Actions& actions, Ui& ui) {
+  if (!begin_menu_of(path, ui)) return;
+  int section = 0;
+  for (const Command* command : commands_of_menu(path)) {
+    if (command->menu.section != section) {
+      draw_end_of_section(path, section, session, actions, ui);
+      ImGui::Separator();
+      section = command->menu.section;
+    }
+    draw_command(*command, session, actions, ui);
   }
-  if (begin_menu("Edit", ui)) {
-    draw_commands({"edit/undo", "edit/redo", "", "shape/suggest", "shape/give", "", "flags/brush",
-                   "flags/find", "flags/next", "flags/previous", "", "problems/next", "problems/previous",
-                   "problems/fix", "problems/fix_kind", "", "edit/settings", "edit/keys"},
-                  session, actions, ui);
-    ImGui::EndMenu();
+  draw_end_of_section(path, section, session, actions, ui);
+  ImGui::EndMenu();
+}
+
+// What is in the menus and no command: menus within them, and lists.
+void MenuPanel::draw_end_of_section(const std::string& menu, int section, const Session& session,
+                                    Actions& actions, Ui& ui) {
+  if (section == 0) {
+    const std::vector<std::string> menus = menus_of_menu(menu);
+    if (!menus.empty()) ImGui::Separator();
+    for (const std::string& path : menus) draw_menu(path, session, actions, ui);
   }
-  if (begin_menu("Map", ui)) {
-    draw_commands({"map/stamp",
-                   "map/pan",
-                   "map/select",
-                   "map/fill",
-                   "map/line",
-                   "map/rectangle",
-                   "map/ellipse",
-                   "map/slope",
-                   "map/segment",
-                   "map/body",
-                   "map/erase",
-                   "map/pick",
-                   "map/curve",
-                   "map/ground",
-                   "",
-                   "map/cut",
-                   "map/copy",
-                   "map/paste",
-                   "map/delete",
-                   "map/fill_selection",
-                   "map/mirror_h",
-                   "map/mirror_v",
-                   "map/select_all",
-                   "map/select_none",
-                   "",
-                   "map/duplicate",
-                   "map/random",
-                   "map/shuffle",
-                   "brushes/add",
-                   "ground/propose",
-                   "",
-                   "map/find",
-                   "map/find_next",
-                   "map/find_previous",
-                   "map/resize"},
-                  session, actions, ui);
-    ImGui::EndMenu();
-  }
-  if (begin_menu("Sprites", ui)) {
-    draw_commands({"pixels/cut",
-                   "pixels/copy",
-                   "pixels/paste",
-                   "pixels/select_all",
-                   "pixels/deselect",
-                   "",
-                   "pixels/pencil",
-                   "pixels/pick",
-                   "pixels/select",
-                   "pixels/fill",
-                   "pixels/line",
-                   "pixels/rectangle",
-                   "pixels/ellipse",
-                   "pixels/smaller_brush",
-                   "pixels/larger_brush",
-                   "",
-                   "pixels/flip_h",
-                   "pixels/flip_v",
-                   "pixels/rotate",
-                   "pixels/shift_left",
-                   "pixels/shift_right",
-                   "pixels/shift_up",
-                   "pixels/shift_down",
-                   "pixels/clear",
-                   "",
-                   "palette/copy",
-                   "palette/paste",
-                   "",
-                   "sheet/switch",
-                   "pixels/neighbours",
-                   "pixels/enlarge"},
-                  session, actions, ui);
-    ImGui::EndMenu();
-  }
-  if (begin_menu("View", ui)) {
-    draw_commands({"view/sprites",
-                   "view/map",
-                   "view/cursor",
-                   "",
-                   "canvas/map",
-                   "canvas/play",
-                   "canvas/both",
-                   "canvas/two_maps",
-                   "",
-                   "canvas/zoom_in",
-                   "canvas/zoom_out",
-                   "map/fit",
-                   "map/minimap",
-                   "",
-                   "canvas/grid",
-                   "canvas/borders",
-                   "canvas/flag_tint",
-                   "",
-                   "view/layout_draw",
-                   "view/layout_play",
-                   "view/layout_debug",
-                   "view/reset_layout",
-                   "",
-                   "view/light_theme",
-                   "view/safe_colours",
-                   "view/metrics"},
-                  session, actions, ui);
-    draw_scale_choice(ui);
-    ImGui::EndMenu();
-  }
-  if (begin_menu("Play", ui)) {
-    draw_commands({"play/toggle", "play/step", "play/run", "play/reset", "", "play/slower", "play/faster", "",
-                   "canvas/paint_in_play", "canvas/follow", "play/no_body", "", "canvas/legend"},
-                  session, actions, ui);
-    for (const OverlayInfo& info : overlay_infos())
-      draw_command("overlay/" + std::string(info.key), session, actions, ui);
-    ImGui::EndMenu();
-  }
-  if (begin_menu("Debug", ui)) {
-    draw_commands({"view/debugger", "view/input", ""}, session, actions, ui);
-    const auto draw_menu = [&](const char* label, std::initializer_list<std::string_view> ids) {
-      if (!begin_menu(label, ui)) return;
-      draw_commands(ids, session, actions, ui);
-      ImGui::EndMenu();
-    };
-    draw_menu("Timeline",
-              {"timeline/start", "timeline/back_10", "timeline/back", "play/step", "timeline/on_10",
-               "timeline/end", "timeline/go_to", "", "timeline/mark", "timeline/previous_mark",
-               "timeline/next_mark", "", "timeline/zoom_in", "timeline/zoom_out", "timeline/fit"});
-    draw_menu("Branches", {"timeline/fork", "timeline/previous_branch", "timeline/next_branch",
-                           "timeline/drop_branch", "", "timeline/rerun", "timeline/cancel"});
-    draw_menu("Compare", {"compare/next", "compare/split", "", "compare/first", "compare/stop"});
-    draw_menu("Plots", {"watch/new_watch", "watch/choose_times"});
-    draw_menu("Reach", {"reach/find", "reach/cancel", "reach/show_way"});
-    draw_menu("Breakpoints", {"stops/forwards", "stops/back", "", "stops/new", "stops/kind", "stops/pick",
-                              "stops/add", "", "stops/switch_all"});
-    draw_menu("Tuning", {"tuning/solver", "tuning/fields"});
-    draw_commands({"", "why/next", "why/before", "", "file/save_recording"}, session, actions, ui);
-    draw_edit_rule(session, actions, ui);
-    ImGui::EndMenu();
-  }
-  if (begin_menu("Help", ui)) {
-    draw_commands({"help/keys", "help/commands"}, session, actions, ui);
-    draw_all_commands(session, actions, ui);
-    ImGui::EndMenu();
-  }
+  struct List {
+    std::string_view menu;
+    int section;
+    void (MenuPanel::*draw)(const Session&, Actions&, Ui&);
+  };
+  constexpr List kLists[] = {{"File", 0, &MenuPanel::draw_recent_files},
+                             {"File", 0, &MenuPanel::draw_hard_cases},
+                             {"View", 5, &MenuPanel::draw_scale_choice},
+                             {"Debug", 2, &MenuPanel::draw_edit_rule},
+                             {"Help", 0, &MenuPanel::draw_all_commands}};
+  for (const List& list : kLists)
+    if (list.menu == menu && list.section == section) (this->*list.draw)(session, actions, ui);
+}
+
+void MenuPanel::draw_title(const Session& session, Ui& ui) {
   const std::string title = session.file_names() + (session.modified() ? " *" : "");
   const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
   const float solver_at = ImGui::GetWindowWidth() - size_of_text(solver).x - ui.px(8);
@@ -224,7 +118,6 @@ void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine(solver_at);
   ui.heading(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
-  ImGui::EndMenuBar();
 }
 
 // So that the mouse alone reaches every command, whichever menus leave it out.
@@ -242,13 +135,13 @@ void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& 
     ui.item("menu/all/" + std::string(group));
     if (!group_open) continue;
     for (const Command& command : commands())
-      if (group_of(command) == group) draw_command(command.id, session, actions, ui);
+      if (group_of(command) == group) draw_command(command, session, actions, ui);
     ImGui::EndMenu();
   }
   ImGui::EndMenu();
 }
 
-void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {
+void MenuPanel::draw_recent_files(const Session&, Actions& actions, Ui& ui) {
   const auto& files = ui.view.recent_files;
   const bool open = ImGui::BeginMenu("Recent files", !files.empty());
   ui.item("menu/recent", "The files that were open before.");
@@ -261,7 +154,7 @@ void MenuPanel::draw_recent_files(Actions& actions, Ui& ui) {
   ImGui::EndMenu();
 }
 
-void MenuPanel::draw_hard_cases(Actions& actions, Ui& ui) {
+void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
   const auto& files = ui.view.hard_cases;
   const bool open = ImGui::BeginMenu("Hard cases", !files.empty());
   ui.item("menu/hard_cases",
@@ -297,7 +190,7 @@ void MenuPanel::draw_edit_rule(const Session& session, Actions& actions, Ui& ui)
   ImGui::EndMenu();
 }
 
-void MenuPanel::draw_scale_choice(Ui& ui) {
+void MenuPanel::draw_scale_choice(const Session&, Actions&, Ui& ui) {
   const bool open = ImGui::BeginMenu("Size of text");
   ui.item("menu/scale", "How large text and controls are; automatic follows the window's height.");
   if (!open) return;

@@ -22,13 +22,6 @@ void setting_row(std::string_view name, Ui& ui) {
   ImGui::SameLine(ui.px(kSettingNames));
 }
 
-void draw_setting_switch(const char* widget, std::string_view id, const char* label, const Session& session,
-                         Actions& actions, Ui& ui) {
-  const Command& command = find_command(id);
-  if (ui.text_button(widget, label, command.is_checked(session, ui), command.help, keys_of(command, ui)))
-    command.run(session, actions, ui);
-}
-
 void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   Preferences& preferences = ui.view.preferences;
   setting_row("Theme", ui);
@@ -61,8 +54,7 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
     preferences.font_size = std::clamp<double>(size, kMinFontSize, kMaxFontSize);
   ui.item("settings/font_size", "The height of text, in controls of the same size.");
   setting_row("Overlays", ui);
-  draw_setting_switch("settings/safe_colours", "view/safe_colours", "Colours for colour-blind eyes", session,
-                      actions, ui);
+  command_text_button("view/safe_colours", session, actions, ui, {}, "settings/safe_colours");
   ImGui::SetCursorPosX(ui.px(kSettingNames));
   const float swatch = ui.px(14);
   for (const OverlayInfo& info : overlay_infos()) {
@@ -77,15 +69,15 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
 
 void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
   setting_row("Layout", ui);
-  draw_setting_switch("settings/layout_draw", "view/layout_draw", "Draw", session, actions, ui);
+  command_text_button("view/layout_draw", session, actions, ui, "Draw", "settings/layout_draw");
   ImGui::SameLine();
-  draw_setting_switch("settings/layout_play", "view/layout_play", "Play", session, actions, ui);
+  command_text_button("view/layout_play", session, actions, ui, "Play", "settings/layout_play");
   ImGui::SameLine();
-  draw_setting_switch("settings/layout_debug", "view/layout_debug", "Debug", session, actions, ui);
+  command_text_button("view/layout_debug", session, actions, ui, "Debug", "settings/layout_debug");
   ImGui::SameLine();
-  draw_setting_switch("settings/reset_layout", "view/reset_layout", "Reset", session, actions, ui);
+  command_text_button("view/reset_layout", session, actions, ui, "Reset", "settings/reset_layout");
   setting_row("Keys", ui);
-  draw_setting_switch("settings/keys", "edit/keys", "Change keys...", session, actions, ui);
+  command_text_button("edit/keys", session, actions, ui, "Change keys...", "settings/keys");
 }
 
 }  // namespace
