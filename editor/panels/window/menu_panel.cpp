@@ -37,7 +37,7 @@ bool begin_menu_of(const std::string& path, Ui& ui) {
     ui.view.wants_text.clear();
     ImGui::OpenPopup(label.c_str());
   }
-  const bool open = begin_menu(label);
+  const bool open = ImGui::BeginMenu(label.c_str());
   ui.item(widget);
   return open;
 }
