@@ -155,12 +155,6 @@ std::vector<Command> view_commands() {
              ui.view.pixels.enlarged = false;
              ui.view.canvas = CanvasMode::both;
            }},
-      {.id = "help/commands",
-       .label = "Find a command...",
-       .help = "Lists every command; type to find one.",
-       .key = ctrl('p'),
-       .menu = {"Help"},
-       .run = [](S, A, U ui) { ui.view.command_palette_open = true; }},
       {.id = "help/keys",
        .label = "Keys and mouse",
        .help = "Shows every key.",
@@ -168,6 +162,12 @@ std::vector<Command> view_commands() {
        .menu = {"Help"},
        .run = [](S, A, U ui) { ui.view.help_open = !ui.view.help_open; },
        .checked = [](S, const Ui& ui) { return ui.view.help_open; }},
+      {.id = "help/commands",
+       .label = "Find a command...",
+       .help = "Lists every command; type to find one.",
+       .key = ctrl('p'),
+       .menu = {"Help"},
+       .run = [](S, A, U ui) { ui.view.command_palette_open = true; }},
   };
 }
 
