@@ -2,6 +2,8 @@
 #pragma once
 
 #include <initializer_list>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,19 @@ std::vector<Command> input_roll_commands();  // work in the input roll, and give
 template <class T>
 void emit(const Session&, Actions& actions, Ui&) {
   actions.push_back(T{});
+}
+
+// Where a panel is: beside the map, where it is always shown, or among those of the debugger.
+enum class PanelIn { window, debugger };
+
+// Shows the tab of a panel, and gives the keys to a field or a list of it, by the widget's name; empty: to
+// none.
+inline CommandRun go_to_field(std::string_view panel, std::string field, PanelIn place = PanelIn::window) {
+  return [panel, field = std::move(field), place](const Session&, Actions&, Ui& ui) {
+    if (place == PanelIn::debugger) ui.view.dock_open = true;
+    ui.view.wants_tab = panel;
+    ui.view.wants_text = field;
+  };
 }
 
 // What the map's canvas does with the mouse.

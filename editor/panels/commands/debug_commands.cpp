@@ -84,13 +84,6 @@ void next_edit_rule(S session, A actions, U) {
   actions.push_back(action::ShowMessage{text});
 }
 
-// Opens a panel of the debugger, and gives the keys to its field.
-void type_into(std::string_view panel, std::string_view field, U ui) {
-  ui.view.dock_open = true;
-  ui.view.wants_tab = panel;
-  ui.view.wants_text = field;
-}
-
 void switch_all_stops(S session, A actions, U) {
   const auto& all = session.debugger().stops().breakpoints();
   const bool any = std::any_of(all.begin(), all.end(), [](const Breakpoint& b) { return b.enabled; });
@@ -310,7 +303,7 @@ std::vector<Command> stop_commands() {
        .help = "Opens the breakpoints, to type a condition.",
        .key = ctrl(kKeyF9),
        .menu = {"Debug/Breakpoints", 1},
-       .run = [](S, A, U ui) { type_into(panel_id::kStops, "stops/new", ui); }},
+       .run = go_to_field(panel_id::kStops, "stops/new", PanelIn::debugger)},
       {.id = "stops/switch_all",
        .label = "Breakpoints off or on",
        .help = "Switches all breakpoints off, or, when all are off, on.",
@@ -339,14 +332,8 @@ std::vector<Command> stop_commands() {
   };
 }
 
-// Gives the keys to a control of a panel that is always there.
-void choose_in(std::string_view panel, std::string_view control, U ui) {
-  ui.view.wants_tab = panel;
-  ui.view.wants_text = control;
-}
-
-void pick_cell(S, A actions, U ui) {
-  type_into(panel_id::kStops, "", ui);
+void pick_cell(S session, A actions, U ui) {
+  go_to_field(panel_id::kStops, "", PanelIn::debugger)(session, actions, ui);
   bool& picks = ui.view.debugger.picks_cell;
   picks = !picks;
   if (picks) actions.push_back(action::ShowMessage{"Click a cell on the map or the play view; Esc: none."});
@@ -359,13 +346,13 @@ std::vector<Command> choice_commands() {
        .help = "Opens the list of what a breakpoint can stop at; Tab goes on to its numbers.",
        .key = alt('k'),
        .menu = {"Debug/Breakpoints", 1},
-       .run = [](S, A, U ui) { type_into(panel_id::kStops, "stops/kind", ui); }},
+       .run = go_to_field(panel_id::kStops, "stops/kind", PanelIn::debugger)},
       {.id = "stops/add",
        .label = "Add the chosen breakpoint",
        .help = "Adds a breakpoint of the kind and with the numbers that are chosen in its panel.",
        .key = alt('a'),
        .menu = {"Debug/Breakpoints", 1},
-       .run = [](S, A, U ui) { type_into(panel_id::kStops, "stops/add", ui); }},
+       .run = go_to_field(panel_id::kStops, "stops/add", PanelIn::debugger)},
       {.id = "stops/pick",
        .label = "Pick a breakpoint's cell on the map",
        .help = "The next click on the map or the play view chooses the cell that a breakpoint is about.",
@@ -379,13 +366,13 @@ std::vector<Command> choice_commands() {
        .help = "Opens the list of solvers.",
        .key = alt_shift('t'),
        .menu = {"Debug/Tuning"},
-       .run = [](S, A, U ui) { choose_in(panel_id::kTuning, "tuning/solver", ui); }},
+       .run = go_to_field(panel_id::kTuning, "tuning/solver")},
       {.id = "tuning/fields",
        .label = "Change the tuning...",
        .help = "Gives the keys to the first number of the tuning; Tab goes to the next.",
        .key = alt('t'),
        .menu = {"Debug/Tuning"},
-       .run = [](S, A, U ui) { choose_in(panel_id::kTuning, "tuning/" + tuning_fields()[0].path(), ui); },
+       .run = go_to_field(panel_id::kTuning, "tuning/" + tuning_fields()[0].path()),
        .words = "gravity friction physics speed"},
   };
 }
@@ -404,7 +391,7 @@ std::vector<Command> watch_commands() {
        .help = "Opens the plots, to type an expression.",
        .key = ctrl(kKeyF8),
        .menu = {"Debug/Plots"},
-       .run = [](S, A, U ui) { type_into(panel_id::kWatch, "watch/new", ui); }},
+       .run = go_to_field(panel_id::kWatch, "watch/new", PanelIn::debugger)},
       {.id = "watch/choose_times",
        .label = "Plot the time of a step",
        .help = "Plots how long the steps take.",

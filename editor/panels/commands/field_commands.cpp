@@ -11,14 +11,6 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-// Of a panel beside the map.
-CommandRun go_to_field(std::string_view panel, std::string_view field) {
-  return [panel, field](S, A, U ui) {
-    ui.view.wants_tab = panel;
-    ui.view.wants_text = field;
-  };
-}
-
 std::vector<Command> color_fields() {
   return {
       {.id = "palette/type",
@@ -229,22 +221,12 @@ std::vector<Command> other_fields() {
       {.id = "compare/type_parting",
        .label = "Type how far apart counts as parted...",
        .help = "Goes to the px by which bodies are apart when the sides have parted.",
-       .run =
-           [](S, A, U ui) {
-             ui.view.dock_open = true;
-             ui.view.wants_tab = panel_id::kCompare;
-             ui.view.wants_text = "compare/threshold";
-           },
+       .run = go_to_field(panel_id::kCompare, "compare/threshold", PanelIn::debugger),
        .words = "parting threshold difference"},
       {.id = "compare/choose",
        .label = "Compare with...",
        .help = "Opens the list of what there is to compare with.",
-       .run =
-           [](S, A, U ui) {
-             ui.view.dock_open = true;
-             ui.view.wants_tab = panel_id::kCompare;
-             ui.view.wants_text = "compare/with";
-           },
+       .run = go_to_field(panel_id::kCompare, "compare/with", PanelIn::debugger),
        .words = "solver branch difference"},
   };
 }

@@ -133,11 +133,7 @@ std::vector<Command> commands_of_all_flags() {
       {.id = "flags/type_byte",
        .label = "Type the flags as a byte...",
        .help = "Goes to the field of all eight flags, as two hexadecimal digits; Enter sets them.",
-       .run =
-           [](const Session&, Actions&, Ui& ui) {
-             ui.view.wants_tab = panel_id::kFlags;
-             ui.view.wants_text = "flags/byte";
-           },
+       .run = go_to_field(panel_id::kFlags, "flags/byte"),
        .words = "hex bits byte lamps"},
   };
 }

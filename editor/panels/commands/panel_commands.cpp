@@ -9,9 +9,6 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-// Where a panel is: beside the map, where it is always shown, or among those of the debugger.
-enum class PanelIn { window, debugger };
-
 CommandRun give_keys_to_panel(std::string_view panel, PanelIn place = PanelIn::window) {
   return [panel, place](S, A, U ui) {
     if (place == PanelIn::debugger) ui.view.dock_open = true;
