@@ -22,8 +22,9 @@ fail() {
   exit 1
 }
 
-# Xvfb picks a free display and writes its number.
-Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+# Xvfb picks a free display and writes its number. Without -noreset it starts anew when its only client leaves, as each
+# search does, and turns away the editor that comes meanwhile.
+Xvfb -displayfd 3 -noreset -screen 0 1400x900x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
 for _ in $(seq 100); do
   [ -s "$folder/display" ] && break
   sleep 0.1
