@@ -52,6 +52,23 @@ void UiTest::start(const std::string& file, int width, int height) {
   frames(3);
 }
 
+void UiTest::start_by_the_machines_clock(const std::string& file) {
+  stop();
+  AppOptions options;
+  options.file = file;
+  options.width = 1280;
+  options.height = 720;
+  options.offscreen = true;
+  auto app = App::start(std::move(options));
+  ASSERT_TRUE(app) << app.error();
+  app_ = std::move(*app);
+}
+
+void UiTest::turn_for(double seconds) {
+  const Uint64 end = SDL_GetTicks64() + static_cast<Uint64>(seconds * 1000);
+  while (SDL_GetTicks64() < end) app_->turn();
+}
+
 Level UiTest::test_level() {
   Level level;
   level.tuning.solver = SolverKind::article;

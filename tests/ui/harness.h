@@ -27,6 +27,9 @@ class UiTest : public ::testing::Test {
   // The same on test_level().
   void start() { start(save_test_level("level.talus.json")); }
   void stop() { app_.reset(); }
+  // The same by the machine's clock, for what the window does while nobody touches it. Empty: without a file.
+  void start_by_the_machines_clock(const std::string& file);
+  void turn_for(double seconds);
 
   // 30x17 cells with a floor in row 16. Tiles: 1 solid, 2 ball, 3 and 4 up-slope, 5 and 6 down-slope. A ball
   // lies in cell (5,10). The solver is the article's.

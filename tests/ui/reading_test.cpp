@@ -70,27 +70,17 @@ TEST_F(UiReading, QuittingMeanwhileWorksAndWhatIsReadToTheEndIsOpened) {
 
 // What came of it is measured in the first frame and seen in later ones, also when nobody moves the mouse.
 TEST_F(UiReading, TheWindowIsDrawnOnAfterALargeFileWasRead) {
-  stop();
-  AppOptions options;
-  options.width = 1280;
-  options.height = 720;
-  options.offscreen = true;
-  auto app = App::start(std::move(options));  // by the machine's clock
-  ASSERT_TRUE(app);
-  const auto turns_for = [&](double seconds) {
-    const Uint64 end = SDL_GetTicks64() + static_cast<Uint64>(seconds * 1000);
-    while (SDL_GetTicks64() < end) (*app)->turn();
-  };
-  turns_for(1);  // what the start leaves to do
+  start_by_the_machines_clock("");
+  turn_for(1);  // what the start leaves to do
   const std::string broken = save_large_map();
   std::filesystem::resize_file(broken, std::filesystem::file_size(broken) - 10);
-  (*app)->session().apply(action::OpenFile{broken});
-  ASSERT_TRUE((*app)->session().reading());
-  while ((*app)->session().reading()) (*app)->turn();
-  ASSERT_TRUE((*app)->session().message());
-  const int before = (*app)->drawn_frames();
-  turns_for(0.3);
-  EXPECT_GT((*app)->drawn_frames(), before + 1);
+  session().apply(action::OpenFile{broken});
+  ASSERT_TRUE(session().reading());
+  while (session().reading()) app().turn();
+  ASSERT_TRUE(session().message());
+  const int before = app().drawn_frames();
+  turn_for(0.3);
+  EXPECT_GT(app().drawn_frames(), before + 1);
 }
 
 }  // namespace talus::reading_test

@@ -314,27 +314,15 @@ TEST_F(UiRecovery, NoQuestionComesInTheMiddleOfAStroke) {
 }
 
 TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
-  stop();
-  AppOptions options;
-  options.file = level_file();
-  options.width = 1280;
-  options.height = 720;
-  options.offscreen = true;
-  auto app = App::start(std::move(options));  // by the machine's clock
-  ASSERT_TRUE(app);
-  const auto turns_for = [&](double seconds) {
-    const Uint64 end = SDL_GetTicks64() + static_cast<Uint64>(seconds * 1000);
-    while (SDL_GetTicks64() < end) (*app)->turn();
-  };
-  turns_for(2.2);  // what the start leaves to do
-  const int before = (*app)->drawn_frames();
+  start_by_the_machines_clock(level_file());
+  turn_for(2.2);  // what the start leaves to do
+  const int before = app().drawn_frames();
   EXPECT_GT(before, 0);
-  turns_for(2.2);
-  EXPECT_EQ((*app)->drawn_frames(), before);
+  turn_for(2.2);
+  EXPECT_EQ(app().drawn_frames(), before);
   std::ofstream(level_file()) << "{ not a level";
-  turns_for(1.2);
-  EXPECT_GT((*app)->drawn_frames(), before + 5)
-      << "the changed file is told, in a dialog in its later frames";
+  turn_for(1.2);
+  EXPECT_GT(app().drawn_frames(), before + 5) << "the changed file is told, in a dialog in its later frames";
 }
 
 }  // namespace talus::recovery_test
