@@ -49,6 +49,11 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
 
 tl::unexpected<FormatError> was_cancelled() { return tl::unexpected(FormatError{"", "was cancelled"}); }
 
+FormatError error_within(const std::string& place, FormatError error) {
+  error.place = error.place.empty() ? place : place + ", " + error.place;
+  return error;
+}
+
 std::string to_string(const FormatError& error, std::string_view file) {
   constexpr std::size_t kMostShown = 2000;  // bytes, of the place and of the message
   return printable_line(

@@ -23,6 +23,9 @@ struct FormatError {
   std::string remedy = {};
 };
 
+// An error of what lies at a place, whose own place is counted from there.
+FormatError error_within(const std::string& place, FormatError error);
+
 // "FILE:PLACE: error: MESSAGE: REMEDY", without what is empty: one line, see printable_line (utf8_text.h),
 // however long the names are that the file has.
 std::string to_string(const FormatError& error, std::string_view file);

@@ -141,6 +141,7 @@ TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
            [&](json& d) { d["hashes"][0] = text; });
   }
   expect("key level: is missing", [](json& d) { d.erase("level"); });
+  expect("key level: is JSON, but no Talus level", [](json& d) { d["level"] = nullptr; });
   expect("key level, key tuning.solver: must be \"article\", \"bump\" or \"exact\"",
          [](json& d) { d["level"]["tuning"]["solver"] = "best"; });
   expect("key marks[0].frame: must be a whole number from 0 to 40",

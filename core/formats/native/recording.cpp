@@ -61,7 +61,7 @@ void check_keys(const Json& object, const std::string& path, std::initializer_li
 
 Level level_in(const Json& json, const std::string& path) {
   auto level = level_of_document(json);
-  if (!level) throw Wrong{{"key " + path + ", " + level.error().place, level.error().message}};
+  if (!level) throw Wrong{error_within("key " + path, level.error())};
   return *std::move(level);
 }
 

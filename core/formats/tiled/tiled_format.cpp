@@ -28,8 +28,7 @@ char first_character(std::string_view bytes) {
 
 // An error in a file that another one names.
 tl::unexpected<FormatError> error_in(const std::string& file, const FormatError& error) {
-  return tl::unexpected(
-      FormatError{"file " + file + (error.place.empty() ? "" : ", " + error.place), error.message});
+  return tl::unexpected(error_within("file " + file, error));
 }
 
 // `name` as the file has it. Absolute paths lead to other places on other machines, and devices nowhere.

@@ -186,8 +186,7 @@ FormatResult<void> TiledLevelMaker::read_base() {
   const auto* text = find_property<std::string>(map_.properties, kTiledLevelProperty);
   if (text != nullptr) {
     auto read = read_native(*text, {});
-    if (!read)
-      return tl::unexpected(FormatError{"property talus_level, " + read.error().place, read.error().message});
+    if (!read) return tl::unexpected(error_within("property talus_level", read.error()));
     is_own_ = true;
     base_ = *std::move(read);
     for (const Spawn& spawn : base_.spawns) spawns_by_x_.push_back(&spawn);
