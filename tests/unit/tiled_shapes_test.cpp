@@ -108,6 +108,15 @@ TEST(TiledShapes, OtherOutlinesGetTheNearestAndAreToldByTile) {
             "that tile 5 has 2 collision shapes: a level's has one");
 }
 
+// Millions of them took many seconds.
+TEST(TiledShapes, OutlinesOfThousandsOfCornersAreToldAndLeftOut) {
+  std::string points;
+  for (int i = 0; i < 1024; ++i) points += std::to_string(i / 128.0) + (i % 2 == 0 ? ",2 " : ",4 ");
+  EXPECT_EQ(told_of(polygon(points + "8,8")),
+            "a collision shape of tile 5 with 1025 corners, of which up to 1024 are looked at");
+  EXPECT_THAT(told_of(polygon(points)), testing::StartsWith("the outline of tile 5, "));
+}
+
 TEST(TiledShapes, WordsOfTheSameLineGiveItsHeights) {
   const std::string words = R"(<property name="shape" value="profile"/>)"
                             R"(<property name="shape_heights" value="2 3 4"/>)";

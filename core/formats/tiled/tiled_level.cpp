@@ -21,6 +21,8 @@
 namespace talus {
 namespace {
 
+constexpr std::size_t kMostCorners = 1024;  // of a collision shape, far more than 64 px can show
+
 double x_of(const Spawn* base) { return base->position.x; }
 double x_of(const std::pair<const LevelCurve*, TiledObject>& base) { return base.second.position.x; }
 
@@ -353,8 +355,12 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
   std::vector<std::vector<Vec2>> outlines;
   for (const TiledObject& object : objects) {
     outlines.push_back(outline_of(object));
-    if (!outlines.back().empty()) continue;
-    drops_.add("a collision shape of " + tile + ", which is no box or polygon");
+    const std::size_t corners = outlines.back().size();
+    if (corners > 0 && corners <= kMostCorners) continue;
+    drops_.add("a collision shape of " + tile +
+               (corners == 0 ? std::string(", which is no box or polygon")
+                             : " with " + std::to_string(corners) + " corners, of which up to " +
+                                   std::to_string(kMostCorners) + " are looked at"));
     outlines.pop_back();
   }
   if (outlines.size() > 1) {
