@@ -354,7 +354,7 @@ FormatResult<Exported> export_c(const ExportRequest& request) {
         FormatError{"", "the map is over 1048575 cells long, more px than 24.8 fixed point holds"});
   std::vector<std::string> dropped = dropped_curves(request.level);
   for (std::string& phrase : dropped_numbers(request.level.spawns)) dropped.push_back(std::move(phrase));
-  return Exported{{{"", CHeader(request.level, c_name(request.stem())).take()}}, std::move(dropped)};
+  return exported_file(CHeader(request.level, c_name(request.stem())).take(), std::move(dropped));
 }
 
 }  // namespace talus

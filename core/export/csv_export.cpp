@@ -98,10 +98,12 @@ std::string sprite_table(const Level& level) {
   return table.take();
 }
 
-std::string polygon_table(const Level& level, const Progress& progress) {
+FormatResult<std::string> polygon_table(const Level& level, const Progress& progress) {
   TerrainSource ground = ground_of(level);
   ground.progress = progress.part(0, 0.7).function();
-  const std::vector<GroundPolygon> polygons = ground_polygons(ground);
+  const FormatResult<std::vector<GroundPolygon>> found = ground_polygons(ground);
+  if (!found) return tl::unexpected(found.error());
+  const std::vector<GroundPolygon>& polygons = *found;
   const Progress writing = progress.part(0.7, 1);
   CsvTable table("polygon,hole,point,x,y");
   for (std::size_t n = 0; n < polygons.size() && writing.at(n, polygons.size()); ++n) {
@@ -163,15 +165,21 @@ std::string body_table(const Level& level) {
 FormatResult<Exported> export_csv(const ExportRequest& request) {
   const Level& level = request.level;
   const Progress& progress = request.progress;
-  return Exported{{{"map.csv", map_table(level.map, progress.part(0, 0.1))},
-                   {"flags.csv", tile_table(level)},
-                   {"sprite_flags.csv", sprite_table(level)},
-                   {"polygons.csv", polygon_table(level, progress.part(0.1, 0.8))},
-                   {"lines.csv", line_table(plain_lines(level, progress.part(0.8, 1)))},
-                   {"bodies.csv", body_table(level)},
-                   {"roles.csv", role_table(level.roles)},
-                   {"tuning.csv", tuning_table(level.tuning)}},
-                  {}};
+  Exported exported;
+  const auto add = [&](const char* name, std::string bytes) {
+    exported.files.push_back({name, std::move(bytes)});
+  };
+  add("map.csv", map_table(level.map, progress.part(0, 0.1)));
+  add("flags.csv", tile_table(level));
+  add("sprite_flags.csv", sprite_table(level));
+  FormatResult<std::string> polygons = polygon_table(level, progress.part(0.1, 0.8));
+  if (!polygons) return tl::unexpected(polygons.error());
+  add("polygons.csv", *std::move(polygons));
+  add("lines.csv", line_table(plain_lines(level, progress.part(0.8, 1))));
+  add("bodies.csv", body_table(level));
+  add("roles.csv", role_table(level.roles));
+  add("tuning.csv", tuning_table(level.tuning));
+  return exported;
 }
 
 }  // namespace talus

@@ -13,11 +13,15 @@ FormatResult<Exported> export_lua(const ExportRequest& request) {
 -- holes the other way. lines: what stops bodies on their left hand side alone, and curves.
 -- bodies: all that move, at their start; `tile` where a tile of the map is one, which is not to be drawn then.
 )";
-  return Exported{{{"", head + plain_text(request.level, Dialect::lua, request.progress)}}, {}};
+  auto text = plain_text(request.level, Dialect::lua, request.progress);
+  if (!text) return tl::unexpected(text.error());
+  return exported_file(head + *text);
 }
 
 FormatResult<Exported> export_json(const ExportRequest& request) {
-  return Exported{{{"", plain_text(request.level, Dialect::json, request.progress)}}, {}};
+  auto text = plain_text(request.level, Dialect::json, request.progress);
+  if (!text) return tl::unexpected(text.error());
+  return exported_file(*std::move(text));
 }
 
 }  // namespace talus

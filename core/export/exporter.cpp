@@ -41,6 +41,13 @@ constexpr Names<8> kCsvFiles = {"map.csv",   "flags.csv",  "sprite_flags.csv", "
 
 }  // namespace
 
+Exported exported_file(std::string bytes, std::vector<std::string> dropped) {
+  Exported exported;
+  exported.files.push_back({"", std::move(bytes)});
+  exported.dropped = std::move(dropped);
+  return exported;
+}
+
 std::string ExportRequest::stem() const {
   const std::string first = name.substr(0, name.find('.'));
   return first.empty() || first == "-" ? "level" : first;

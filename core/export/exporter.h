@@ -33,6 +33,9 @@ struct Exported {
   std::optional<std::size_t> code_bytes = {};
 };
 
+// Of the named file alone. Its bytes are moved, which those of a list in braces are not.
+Exported exported_file(std::string bytes, std::vector<std::string> dropped = {});
+
 inline constexpr std::size_t kMostTicCode = 65'536;  // bytes of code that TIC-80's free version holds
 
 // The text of one of the files that come with the program, such as "runtime/base.lua".

@@ -74,12 +74,16 @@ class Merger {
       if (outlines_[tile].line) widest_ = std::max(widest_, static_cast<int>(outlines_[tile].columns.size()));
   }
 
-  EdgeColumns merge() {
+  FormatResult<EdgeColumns> merge() {
     const int columns = ground_.width + widest_;
     EdgeColumns merged;
     for (column_ = 0; column_ < columns; ++column_) {
-      if (ground_.progress && !ground_.progress(kMergeShare * column_ / columns)) return {};
+      if (ground_.progress && !ground_.progress(kMergeShare * column_ / columns)) return EdgeColumns();
       merge_column(column_);
+      if (sides_ > kMaxGroundSides)
+        return tl::unexpected(FormatError{
+            "", "has ground whose outline has more than " + std::to_string(kMaxGroundSides) +
+                    " sides, and no more are written: join tiles that stand alone, or make the map smaller"});
       std::stable_sort(edges_.begin(), edges_.end(),
                        [](const Edge& a, const Edge& b) { return lies_before(a.from, b.from); });
       merged.emplace_back(edges_.begin(), edges_.end());
@@ -187,17 +191,19 @@ class Merger {
     return sides;
   }
 
-  // Where lines of two bodies cross, all being straight from x0 to x1.
+  // Where lines of two bodies, which come from the top down, cross, all being straight from x0 to x1.
   static std::vector<double> crossings_between(std::span<const Body> bodies, double x0, double x1) {
     struct Line {
       double y0, y1;
       std::size_t body;
+      double lowest;  // of the body
     };
     std::vector<Line> lines;
     std::vector<double> crossings;
     for (std::size_t body = 0; body < bodies.size(); ++body) {
+      std::erase_if(lines, [&](const Line& above) { return above.lowest <= bodies[body].highest; });
       for (const OutlineLine& line : lines_at(bodies[body], (x0 + x1) / 2)) {
-        const Line here{line.at(x0), line.at(x1), body};
+        const Line here{line.at(x0), line.at(x1), body, bodies[body].lowest};
         for (const Line& other : lines) {
           const double before = here.y0 - other.y0, after = here.y1 - other.y1;
           if (other.body == body || !(before * after < 0)) continue;
@@ -257,7 +263,7 @@ class Merger {
     return {line.base_x, line.base_y, line.slope, line.slope_rest};
   }
   void put_edge(const Edge& edge) {
-    if (edge.from == edge.to) return;
+    if (edge.from == edge.to || ++sides_ > kMaxGroundSides) return;
     const bool is_here = column_of(edge.from.x) == static_cast<std::size_t>(column_);
     (is_here ? edges_ : next_edges_).push_back(edge);
   }
@@ -267,6 +273,7 @@ class Merger {
   int widest_ = 1;                 // tiles
   std::vector<OutlineLine> flat_;  // the top of a full tile, alone
   std::vector<Turn> right_side_;
+  std::size_t sides_ = 0;                 // so far; those over the limit are not kept
   int column_ = 0;                        // the one that is merged
   std::vector<Edge> edges_, next_edges_;  // that begin in it, and at its right side
 };
@@ -354,8 +361,10 @@ bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
   return in.x * out.y == in.y * out.x && dot(in, out) > 0;
 }
 
-std::vector<GroundPolygon> ground_polygons(const TerrainSource& ground) {
-  return RingLinker(Merger(ground).merge()).link(ground.progress);
+FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground) {
+  FormatResult<EdgeColumns> sides = Merger(ground).merge();
+  if (!sides) return tl::unexpected(sides.error());
+  return RingLinker(*std::move(sides)).link(ground.progress);
 }
 
 }  // namespace talus

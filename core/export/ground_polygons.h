@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../collision/terrain.h"
+#include "../formats/format.h"
 
 namespace talus {
 
@@ -21,8 +22,10 @@ struct GroundPolygon {
 //
 // Points are exact but where lines cross: those are rounded to 1/256 px. Parts that touch in a corner alone
 // are polygons of their own, or one whose outline comes by that corner twice. By their leftmost points, then
-// the topmost. The ground's progress is told; when it says so, there are none.
-std::vector<GroundPolygon> ground_polygons(const TerrainSource& ground);
+// the topmost. The ground's progress is told; when it says so, there are none. An error: they would have more
+// sides than kMaxGroundSides, as of millions of tiles that stand alone, which would take gigabytes.
+FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground);
+inline constexpr std::size_t kMaxGroundSides = std::size_t{1} << 23;  // cut at the sides of cells
 
 // Whether b lies on the straight way from a to c, exactly.
 bool is_straight(Vec2 a, Vec2 b, Vec2 c);

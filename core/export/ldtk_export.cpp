@@ -10,6 +10,7 @@
 // All keys that LDtk's schema requires are there, though its loader does without many: other programs do not.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/number_text.h"
@@ -233,6 +234,8 @@ void put_int_grid(const Level& level, const LdtkShapes::Grid& grid, std::string&
   text += ']';
 }
 
+constexpr std::size_t kMostOfTile = 96;  // bytes of a tile's object
+
 void put_grid_tiles(const Level& level, const Progress& progress, std::string& text) {
   std::array<bool, kTileCount> blank{};
   for (int tile = 0; tile < kTileCount; ++tile)
@@ -243,6 +246,11 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
     append_number(text += ',', row * kTileSize);
     text += ']';
   };
+  const std::span<const std::uint8_t> cells = level.map.cells();
+  const auto shown =
+      std::count_if(cells.begin(), cells.end(), [&](std::uint8_t tile) { return !blank[tile]; });
+  // Text that grows by doubling takes three times as much, of what can be a GB.
+  text.reserve(text.size() + static_cast<std::size_t>(shown) * kMostOfTile);
   text += '[';
   bool first = true;
   for (Cell c; c.y < level.map.height() && progress.at(c.y, level.map.height()); ++c.y) {
@@ -387,9 +395,9 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request) {
   if (const std::size_t cells = project.overlaps(); cells > 0)
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
                       " that two shapes reach into");
-  return Exported{
-      {{"", project.text()}, {request.sheet_name(), write_png_part(request.level, PngPart::tiles)}},
-      std::move(dropped)};
+  Exported exported = exported_file(project.text(), std::move(dropped));
+  exported.files.push_back({request.sheet_name(), write_png_part(request.level, PngPart::tiles)});
+  return exported;
 }
 
 }  // namespace talus

@@ -7,7 +7,7 @@ namespace talus {
 namespace {
 
 FormatResult<Exported> export_part(const ExportRequest& request, PngPart part) {
-  return Exported{{{"", write_png_part(request.level, part)}}, {}};
+  return exported_file(write_png_part(request.level, part));
 }
 
 }  // namespace
@@ -16,7 +16,7 @@ FormatResult<Exported> export_native(const ExportRequest& request) {
   FormatResult<WrittenLevel> written =
       find_format("native")->write(request.level, context_for_file(request.name));
   if (!written) return tl::unexpected(written.error());
-  return Exported{{{"", std::move(written->bytes)}}, std::move(written->dropped)};
+  return exported_file(std::move(written->bytes), std::move(written->dropped));
 }
 FormatResult<Exported> export_tic(const ExportRequest& request) { return tic_files(request, request.level); }
 FormatResult<Exported> export_tic_text(const ExportRequest& request) {

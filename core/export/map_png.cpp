@@ -41,7 +41,7 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress) 
 FormatResult<Exported> export_png(const ExportRequest& request) {
   FormatResult<std::string> png = map_png(request.level, request.progress);
   if (!png) return tl::unexpected(png.error());
-  return Exported{{{"", std::move(*png)}}, {}};
+  return exported_file(*std::move(png));
 }
 
 }  // namespace talus

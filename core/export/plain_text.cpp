@@ -215,7 +215,7 @@ OrderedJson plain_body_json(const PlainBody& body) {
   return members;
 }
 
-std::string plain_text(const Level& level, Dialect dialect, const Progress& progress) {
+FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const Progress& progress) {
   TerrainSource ground = ground_of(level);
   const std::span<const std::uint8_t> cells = ground.cells;
   const auto width = static_cast<std::size_t>(ground.width);
@@ -230,9 +230,10 @@ std::string plain_text(const Level& level, Dialect dialect, const Progress& prog
   printer.put("roles", roles_of(level));
   printer.put("shapes", shapes_of(ground));
   ground.progress = progress.part(0.1, 0.6).function();
-  const std::vector<GroundPolygon> polygons = ground_polygons(ground);
-  printer.put_list("polygons", polygons.size(), progress.part(0.6, 0.8),
-                   [&](std::size_t i) { printer.print(polygons[i]); });
+  const FormatResult<std::vector<GroundPolygon>> polygons = ground_polygons(ground);
+  if (!polygons) return tl::unexpected(polygons.error());
+  printer.put_list("polygons", polygons->size(), progress.part(0.6, 0.8),
+                   [&](std::size_t i) { printer.print((*polygons)[i]); });
   const std::vector<PlainLine> lines = plain_lines(level, progress.part(0.8, 0.95));
   printer.put_list("lines", lines.size(), progress.part(0.95, 1),
                    [&](std::size_t i) { printer.print(lines[i]); });

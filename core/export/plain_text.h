@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../formats/format.h"
 #include "../level/level.h"
 #include "../level/progress.h"
 #include "plain_data.h"
@@ -21,7 +22,8 @@ OrderedJson plain_body_json(const PlainBody& body);
 enum class Dialect { json, lua };
 
 // A member of the whole a line, and of a list of lists or objects in it an entry a line; in Lua with the
-// `return` before it, and, where lists are too long for LuaJIT, with a function that joins their parts.
-std::string plain_text(const Level& level, Dialect dialect, const Progress& progress = {});
+// `return` before it, and, where lists are too long for LuaJIT, with a function that joins their parts. An
+// error: that of ground_polygons().
+FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const Progress& progress = {});
 
 }  // namespace talus

@@ -202,7 +202,9 @@ FormatResult<Exported> export_svg(const ExportRequest& request) {
   TerrainSource ground = ground_of(level);
   ground.progress = request.progress.part(0.7, 0.85).function();
   SvgPath outline, one_way, curves, normals;
-  for (const GroundPolygon& polygon : ground_polygons(ground)) {
+  const FormatResult<std::vector<GroundPolygon>> polygons = ground_polygons(ground);
+  if (!polygons) return tl::unexpected(polygons.error());
+  for (const GroundPolygon& polygon : *polygons) {
     outline.polyline(polygon.points);
     outline("Z");
     normals.ticks(polygon.points, true);
@@ -221,7 +223,7 @@ FormatResult<Exported> export_svg(const ExportRequest& request) {
   add_spawns(root, level.spawns);
   std::ostringstream text;
   document.save(text, " ");
-  return Exported{{{"", text.str()}}, {}};
+  return exported_file(text.str());
 }
 
 }  // namespace talus

@@ -21,10 +21,14 @@ std::string text_of(const GroundPolygon& polygon) {
   return text;
 }
 
+std::vector<GroundPolygon> polygons_of(const TerrainSource& ground) {
+  return ground_polygons(ground).value();
+}
+
 std::vector<std::string> polygons(const std::vector<std::string>& rows) {
   const TestMap map(rows);
   std::vector<std::string> texts;
-  for (const GroundPolygon& polygon : ground_polygons(map.source())) texts.push_back(text_of(polygon));
+  for (const GroundPolygon& polygon : polygons_of(map.source())) texts.push_back(text_of(polygon));
   return texts;
 }
 
@@ -73,8 +77,8 @@ TEST(GroundPolygons, WhereLinesCrossIsRoundedTo256ths) {
   ground.shapes[1] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {8, 0}};
   map.cells = {1, kUp, 0, 0};
   ground.cells = map.cells;
-  ASSERT_EQ(ground_polygons(ground).size(), 1U);
-  EXPECT_EQ(text_of(ground_polygons(ground)[0]), "0,0 10.66796875,5.33203125 16,0 16,8 0,8");
+  ASSERT_EQ(polygons_of(ground).size(), 1U);
+  EXPECT_EQ(text_of(polygons_of(ground)[0]), "0,0 10.66796875,5.33203125 16,0 16,8 0,8");
 }
 
 TEST(GroundPolygons, ShapesReachOverTheMapsEdge) { EXPECT_EQ(polygons({"5"}), Texts{"0,8 24,0 24,8"}); }
@@ -114,7 +118,7 @@ TEST(GroundPolygons, HoldThePointsThatAreInTheGround) {
     for (std::uint8_t& cell : map.cells)
       cell = dice.one_in(2) ? static_cast<std::uint8_t>(dice.up_to(12)) : 0;
     const Terrain ground = map.compile();
-    const std::vector<GroundPolygon> rings = ground_polygons(map.source());
+    const std::vector<GroundPolygon> rings = polygons_of(map.source());
     for (int i = 0; i < 200; ++i) {
       const Vec2 p{dice.in(0, 72), dice.in(0, 56)};
       if (distance(rings, p) < 0.05) continue;
@@ -125,6 +129,29 @@ TEST(GroundPolygons, HoldThePointsThatAreInTheGround) {
   }
   EXPECT_GT(inside, 5000);
   EXPECT_GT(outside, 5000);
+}
+
+// A map of 4096x4096 tiles that stand alone took 3 GB. A profile of many heights has as many sides.
+TEST(GroundPolygons, OfMillionsOfSidesAreRefused) {
+  TestMap map(4096, 32);
+  std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
+  TerrainSource ground = map.source();
+  ground.shapes[1] = {.kind = TileShape::Kind::profile};
+  for (int i = 0; i < kMaxShapeHeights; ++i) ground.shapes[1].heights.push_back(i % 2 == 0 ? 2 : 6);
+  const auto polygons = ground_polygons(ground);
+  ASSERT_FALSE(polygons);
+  EXPECT_EQ(polygons.error().message,
+            "has ground whose outline has more than 8388608 sides, and no more are written: join tiles that "
+            "stand alone, or make the map smaller");
+}
+
+// Lines of ground that does not overlap are not compared: a column of 100000 slopes took minutes.
+TEST(GroundPolygons, OfATallColumnOfSlopesTakeNoLonger) {
+  TestMap map(1, 100'000);
+  std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
+  TerrainSource ground = map.source();
+  ground.shapes[1] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  EXPECT_EQ(polygons_of(ground).size(), 100'000u);
 }
 
 }  // namespace talus::ground_polygons_test
