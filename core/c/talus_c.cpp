@@ -51,7 +51,7 @@ FormatResult<std::unique_ptr<talus_game>> game_of(FormatResult<LoadedLevel> load
   const auto hard = hard_case_of(game->level);
   if (!hard) return tl::unexpected(hard.error());
   if (*hard) game->script = (*hard)->input;
-  if (const auto problem = boxes_problem(game->level))
+  if (const auto problem = ground_problem(game->level))
     return tl::unexpected(FormatError{"", "the level " + *problem});
   game->scene = std::make_shared<const Scene>(compile_scene(game->level));
   game->solver = make_solver(game->scene);

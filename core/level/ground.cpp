@@ -1,9 +1,40 @@
 #include "ground.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "bump_boxes.h"
 
 namespace talus {
+namespace {
+
+// The sum over all cells of what a tile counts. Maps are large, so that most are not gone through: what no
+// tile counts is not in their sum.
+template <class Count>
+std::size_t sum_over_map(const Level& level, const Count& count) {
+  std::array<std::size_t, kTileCount> counts{};
+  bool any = false;
+  for (std::size_t tile = 0; tile < counts.size(); ++tile) {
+    counts[tile] = count(static_cast<std::uint8_t>(tile));
+    any = any || counts[tile] != 0;
+  }
+  std::size_t sum = 0;
+  if (any)
+    for (const std::uint8_t tile : level.map.cells()) sum += counts[tile];
+  return sum;
+}
+
+// Of the solvers article, which makes a box or two of a tile that it knows, and bump.
+std::size_t ground_boxes(const Level& level) {
+  return sum_over_map(level, [&](std::uint8_t tile) -> std::size_t {
+    const TileShape shape = shape_of_tile(level, tile);
+    if (shape.kind == TileShape::Kind::none) return 0;
+    if (level.tuning.solver != SolverKind::bump || problem_of(shape)) return 1;
+    return bump_boxes(shape).size();
+  });
+}
+
+}  // namespace
 
 TerrainSource ground_of(const Level& level) {
   TerrainSource source;
@@ -20,19 +51,29 @@ TerrainSource ground_of(const Level& level) {
   return source;
 }
 
-std::optional<std::string> boxes_problem(const Level& level) {
-  const std::span<const std::uint8_t> cells = level.map.cells();
-  if (level.tuning.solver == SolverKind::exact || cells.size() <= kMaxBoxedTiles) return std::nullopt;
-  std::array<bool, kTileCount> is_ground{};
-  for (int tile = 0; tile < kTileCount; ++tile)
-    is_ground[static_cast<std::size_t>(tile)] =
-        shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind != TileShape::Kind::none;
-  const auto tiles = static_cast<std::size_t>(
-      std::count_if(cells.begin(), cells.end(), [&](std::uint8_t tile) { return is_ground[tile]; }));
-  if (tiles <= kMaxBoxedTiles) return std::nullopt;
-  return "has " + std::to_string(tiles) + " tiles of ground, and the solver " +
-         std::string(solver_name(level.tuning.solver)) + " can take " + std::to_string(kMaxBoxedTiles) +
-         ": choose the solver exact";
+std::size_t ground_lines(const TileShape& shape) {
+  if (shape.kind == TileShape::Kind::none || problem_of(shape)) return 0;
+  if (shape.kind == TileShape::Kind::solid) return shape.one_way ? 1 : 0;
+  const std::vector<double>& heights = shape.heights;
+  double cells = (heights.front() + heights.back()) / kTileSide;  // of the walls at its sides
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    cells += 1 + std::abs(heights[i] - heights[i - 1]) / kTileSide;
+  return static_cast<std::size_t>(std::ceil(cells));
+}
+
+std::size_t ground_lines(const Level& level) {
+  return sum_over_map(level, [&](std::uint8_t tile) { return ground_lines(shape_of_tile(level, tile)); });
+}
+
+std::optional<std::string> ground_problem(const Level& level) {
+  const bool is_exact = level.tuning.solver == SolverKind::exact;
+  const std::size_t has = is_exact ? ground_lines(level) : ground_boxes(level);
+  const std::size_t most = is_exact ? kMaxGroundLines : kMaxGroundBoxes;
+  if (has <= most) return std::nullopt;
+  return "has ground of " + std::to_string(has) + (is_exact ? " lines" : " boxes") + ", and the solver " +
+         std::string(solver_name(level.tuning.solver)) + " can take " + std::to_string(most) +
+         (is_exact ? ": fewer slopes and profiles, or simpler ones, make it smaller"
+                   : ": choose the solver exact");
 }
 
 }  // namespace talus

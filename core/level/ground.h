@@ -13,10 +13,19 @@ namespace talus {
 // and curves that cannot be used are left out; lint tells of them.
 TerrainSource ground_of(const Level& level);
 
-// The solvers article and bump make a box of each tile of ground, which takes some hundred bytes. A level
-// with more tiles than this has no ground for them.
-inline constexpr std::size_t kMaxBoxedTiles = std::size_t{1} << 21;
-// That it has, one sentence without a subject; nothing: it has not, or its solver needs no boxes.
-std::optional<std::string> boxes_problem(const Level& level);
+// The solvers article and bump make boxes of each tile of ground, which take some hundred bytes each, and
+// exact keeps the lines of slopes and the like by cell, which take as much. A level with more of them than
+// this has no ground for its solver.
+inline constexpr std::size_t kMaxGroundBoxes = std::size_t{1} << 21;
+inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 23;
+
+// About how many lines a shape has, counted again in each cell that they pass. 0 of a full tile, which needs
+// none, and of what is no shape or none that can be used.
+std::size_t ground_lines(const TileShape& shape);
+// Of all tiles of the map together.
+std::size_t ground_lines(const Level& level);
+
+// That a level has too much ground for its solver, one sentence without a subject; nothing: it has not.
+std::optional<std::string> ground_problem(const Level& level);
 
 }  // namespace talus

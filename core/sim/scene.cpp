@@ -101,6 +101,8 @@ void note_bodies(Scene& scene) {
 void compile_ground(const Level& level, const std::function<bool(double)>& progress, Scene& scene) {
   TerrainSource source = ground_of(level);
   source.progress = progress;
+  scene.ground_lines = ground_lines(level);
+  if (scene.ground_lines > kMaxGroundLines) source.shapes = {};
   if (level.tuning.exact.single_precision != 0) {
     scene.single_ground = std::make_shared<const BasicTerrain<float>>(source);
   } else {
@@ -119,6 +121,17 @@ std::shared_ptr<const Ground> with_cells(const Ground& ground, const TileMap& ma
   return next;
 }
 
+// Scene::ground_lines of an edited level, which differs from the scene's in these cells, each there once.
+std::size_t lines_after(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
+  std::size_t lines = scene.ground_lines;
+  for (const Cell cell : changed) {
+    const std::uint8_t old = scene.ground ? scene.ground->tile_at(cell) : scene.single_ground->tile_at(cell);
+    lines += ground_lines(shape_of_tile(edited, edited.map.at(cell)));
+    lines -= ground_lines(shape_of_tile(edited, old));
+  }
+  return lines;
+}
+
 void add_spawns(const Level& level, std::vector<SceneItem>& items) {
   for (std::size_t i = 0; i < level.spawns.size(); ++i) {
     const Spawn& spawn = level.spawns[i];
@@ -134,7 +147,7 @@ void add_spawns(const Level& level, std::vector<SceneItem>& items) {
 
 Scene make_scene(const Level& level, const std::function<bool(double)>& progress) {
   std::array<TileBoxes, kTileCount> boxes = tile_boxes(level);
-  if (level.tuning.solver == SolverKind::exact || boxes_problem(level)) {
+  if (level.tuning.solver == SolverKind::exact || ground_problem(level)) {
     for (TileBoxes& tile : boxes) tile = body_of(tile);
   }
   const TileMap& map = level.map;
@@ -184,15 +197,19 @@ bool is_same_ground(const Tuning& a, const Tuning& b) {
 Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
   if (edited.tuning.solver != SolverKind::exact || !is_same_ground(scene.tuning, edited.tuning))
     return compile_scene(edited);
-  Scene next = scene;
-  next.tuning = edited.tuning;
-  if (scene.ground) next.ground = with_cells(*scene.ground, edited.map, changed);
-  if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, edited.map, changed);
-
   const auto in_map_order = [](Cell a, Cell b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::vector<Cell> cells(changed.begin(), changed.end());
   std::sort(cells.begin(), cells.end(), in_map_order);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  const std::size_t lines = lines_after(scene, edited, cells);
+  if (std::max(lines, scene.ground_lines) > kMaxGroundLines) return compile_scene(edited);
+
+  Scene next = scene;
+  next.tuning = edited.tuning;
+  next.ground_lines = lines;
+  if (scene.ground) next.ground = with_cells(*scene.ground, edited.map, changed);
+  if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, edited.map, changed);
+
   std::erase_if(next.items, [&](const SceneItem& item) {
     return item.spawn >= 0 || std::binary_search(cells.begin(), cells.end(), item.cell, in_map_order);
   });

@@ -62,12 +62,14 @@ struct Scene {
   std::shared_ptr<const Terrain> ground;
   std::shared_ptr<const BasicTerrain<float>> single_ground;
   std::vector<std::string> curve_names;  // of the ground's curves, by their numbers; may be empty
+  // For the exact solver, of the level's ground, see ground.h; where they are too many, there is none of it.
+  std::size_t ground_lines = 0;
   SceneFeatures features;
   Tuning tuning;
 };
 bool operator==(const Scene& a, const Scene& b);  // grounds are compared by their cells and outlines
 
-// The scene of a level. Tiles outside the map are empty; so are all of a level with a boxes_problem().
+// The scene of a level. Tiles outside the map are empty; so are all of a level with a ground_problem().
 Scene compile_scene(const Level& level);
 // The same, for a large level: `progress` is called now and then with the part that is done, 0..1. Nothing:
 // it said false, which gives up.

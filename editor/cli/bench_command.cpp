@@ -30,7 +30,7 @@ void bench(CommandContext& context, const BenchOptions& options) {
   if (!level) return;
   level->tuning.article.balls_block = options.pairs ? 1 : 0;
   apply_physics(options.physics, level->tuning);
-  if (const auto problem = boxes_problem(*level))
+  if (const auto problem = ground_problem(*level))
     return fail(context, options.file, "", "the level " + *problem);
   if (!spawn_balls(*level, options.bodies, options.seed)) {
     return fail(context, options.file, "",

@@ -61,7 +61,7 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
   apply_physics(options.physics, level->tuning);
-  if (const auto problem = boxes_problem(*level))
+  if (const auto problem = ground_problem(*level))
     return fail(context, options.file, "", "the level " + *problem);
   if (options.verify) return verify(context, options, *level);
   std::optional<std::vector<RecordedInput>> inputs = load_input(context, options.input);

@@ -95,18 +95,53 @@ TEST(Scene, OfTooMuchGroundForItsSolverHasNone) {
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
   level.spawns.resize(1);
   level.tuning.solver = SolverKind::exact;
-  EXPECT_FALSE(boxes_problem(level));
+  EXPECT_FALSE(ground_problem(level));
   for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
     level.tuning.solver = solver;
-    EXPECT_EQ(boxes_problem(level), "has 2099200 tiles of ground, and the solver " +
-                                        std::string(solver_name(solver)) +
-                                        " can take 2097152: choose the solver exact");
+    EXPECT_EQ(ground_problem(level), "has ground of 2099200 boxes, and the solver " +
+                                         std::string(solver_name(solver)) +
+                                         " can take 2097152: choose the solver exact");
     EXPECT_EQ(compile_scene(level).items.size(), 1u);
   }
   level.map.set({0, 0}, 0);
   level.map.cells()[0] = 0;
   std::fill_n(level.map.cells().begin(), 2048, std::uint8_t{0});
-  EXPECT_FALSE(boxes_problem(level));
+  EXPECT_FALSE(ground_problem(level));
+}
+
+// A few tiles of many heights are as much as a map full of others.
+TEST(Scene, GroundIsReckonedByTheHeightsOfItsTiles) {
+  Level level;
+  level.map = TileMap(400, 400);
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  std::vector<double> heights;
+  for (int i = 0; i < kMaxShapeHeights; ++i) heights.push_back(i % 2 == 0 ? 0 : 8);
+  level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .one_way = true, .heights = heights};
+  level.spawns.resize(1);
+  level.tuning.solver = SolverKind::bump;
+  EXPECT_EQ(ground_problem(level),
+            "has ground of 10240000 boxes, and the solver bump can take 2097152: choose the solver exact");
+  EXPECT_EQ(compile_scene(level).items.size(), 1u);
+  level.tuning.solver = SolverKind::exact;
+  EXPECT_EQ(ground_problem(level),
+            "has ground of 20480000 lines, and the solver exact can take 8388608: fewer slopes and profiles, "
+            "or simpler ones, make it smaller");
+  const Scene scene = compile_scene(level);
+  EXPECT_FALSE(scene.ground->has_pieces());
+
+  // Edits that take it away, and bring it back.
+  Level edited = level;
+  edited.map = TileMap(400, 400);
+  edited.map.set({3, 3}, 1);
+  std::vector<Cell> changed;
+  for (Cell c; c.y < 400; ++c.y)
+    for (c.x = 0; c.x < 400; ++c.x) changed.push_back(c);
+  EXPECT_FALSE(ground_problem(edited));
+  const Scene fewer = recompile_scene(scene, edited, changed);
+  EXPECT_TRUE(fewer == compile_scene(edited));
+  EXPECT_TRUE(fewer.ground->has_pieces());
+  EXPECT_EQ(fewer.ground_lines, 128u);
+  EXPECT_FALSE(recompile_scene(fewer, level, changed).ground->has_pieces());
 }
 
 // Cells far smaller than the boxes would take gigabytes: the solver's own are larger then, and nothing else

@@ -33,7 +33,7 @@ std::span<const LintRule> lint_rules() {
       {"curve-leaves-map", "curve that leaves the map"},
       {"curves-need-exact", "curves without their solver"},
       {"ground-not-in-article", "ground that the article does not know"},
-      {"too-many-boxes", "too much ground for its solver"},
+      {"too-much-ground", "too much ground for its solver"},
       {"spawn-too-fast", "body that is too fast"},
       {"shared-flag", "flag with two meanings"},
   }};

@@ -25,8 +25,8 @@ class LevelLinter {
     check_shapes();
     check_curves();
     check_article();
-    if (const auto problem = boxes_problem(level_))
-      add(Severity::error, "too-many-boxes", "the level " + *problem);
+    if (const auto problem = ground_problem(level_))
+      add(Severity::error, "too-much-ground", "the level " + *problem);
     for (int i = 0; i < static_cast<int>(level_.spawns.size()); ++i) check_spawn(i);
     if (!has_balls && level_.spawns.empty()) {
       add(Severity::warning, "no-balls",
