@@ -302,7 +302,8 @@ class Printer {
 
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line) {
   if (const std::size_t excess = value_too_many(text); excess != text.npos)
-    return tl::unexpected(FormatError{line_of(text, excess, first_line), "JSON has too many values"});
+    return tl::unexpected(FormatError{line_of(text, excess, first_line),
+                                      "JSON has more than " + std::to_string(kMaxJsonValues) + " values"});
   Reading reading{text, progress};
   const ReadingIterator begin(reading, text.data()), end(reading, text.data() + text.size());
   StrictBuilder builder;
