@@ -429,6 +429,28 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
       << "as steep as it is";
 }
 
+TEST(ImportTiled, SaysWhatIsNeitherXmlNorJson) {
+  using namespace std::string_literals;
+  EXPECT_EQ(error_of("", "tmx"), "map: error: is empty");
+  EXPECT_EQ(error_of("", "tmj"), "map: error: is empty");
+  EXPECT_EQ(error_of("[1]", "tmx"), "map: error: is no XML, which begins with \"<\"");
+  EXPECT_EQ(error_of("{", "tmx"), "map:line 1, column 2: error: this is not valid JSON, and no XML either");
+  EXPECT_EQ(error_of("{", "tmj"), "map:line 1, column 2: error: this is not valid JSON");
+  for (const std::string& text : {"\xff\xfe<\0m\0"s, "\xfe\xff\0<\0m"s, "<\0m\0"s, "\0<\0m"s})
+    EXPECT_EQ(error_of(text, "tmx"), "map: error: is text in UTF-16, and only UTF-8 is read");
+}
+
+// A million of them took 54 MB in the window's message.
+TEST(ImportTiled, TellsOfTheFirstThousandThingsThatAreDropped) {
+  std::string text = map_text({});
+  std::string keys;
+  for (int i = 0; i < 1005; ++i) keys += "\"later" + std::to_string(i) + "\":0,";
+  text.insert(1, keys);
+  const LoadedLevel loaded = read(text);
+  ASSERT_EQ(loaded.dropped.size(), 1001u);
+  EXPECT_EQ(loaded.dropped.back(), "and 6 more");
+}
+
 TEST(ImportTiled, TakesALayerByItsNumberWhereNoneHasThatName) {
   const std::string text =
       map_text({.layers = R"(,{"type":"tilelayer","name":"ground","width":2,"height":2,"data":[3,3,3,3]})"});

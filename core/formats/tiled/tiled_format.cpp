@@ -51,8 +51,27 @@ std::string with_slashes(std::string path) {
   return path;
 }
 
-FormatResult<Json> tiled_json_of(std::string_view bytes, const Progress& progress) {
-  return first_character(bytes) == '<' ? tiled_json_of_xml(bytes, progress) : parse_json(bytes, progress);
+bool is_xml_name(const std::string& extension) { return extension == "tmx" || extension == "tsx"; }
+
+bool is_utf16(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  const std::string_view start = bytes.substr(0, 2);
+  return start == "\xff\xfe"sv || start == "\xfe\xff"sv || start == "<\0"sv || start == "\0<"sv;
+}
+
+// Either form may have either name.
+FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& extension,
+                                 const Progress& progress) {
+  const auto wrong = [](std::string message) { return tl::unexpected(FormatError{"", std::move(message)}); };
+  if (bytes.empty()) return wrong("is empty");
+  if (is_utf16(bytes)) return wrong("is text in UTF-16, and only UTF-8 is read");
+  if (first_character(bytes) == '<') return tiled_json_of_xml(bytes, progress);
+  if (is_xml_name(extension) && first_character(bytes) != '{')
+    return wrong("is no XML, which begins with \"<\"");
+  auto json = parse_json(bytes, progress);
+  if (!json && is_xml_name(extension) && !json.error().place.empty())
+    json.error().message += ", and no XML either";
+  return json;
 }
 
 class TiledFiles {
@@ -86,7 +105,7 @@ FormatResult<std::string> TiledFiles::read_beside(const std::string& name) {
 
 // A tileset alone gets an empty map.
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
-  const auto json = tiled_json_of(bytes, context_.progress.part(0, kTiledParsed));
+  const auto json = tiled_json_of(bytes, context_.extension, context_.progress.part(0, kTiledParsed));
   if (!json) return tl::unexpected(json.error());
   const bool is_tileset = json->is_object() && json->value("type", Json()) == "tileset";
   FormatResult<TiledMap> map;
@@ -118,7 +137,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
     return error_in(source, {"", "is a tileset beside the map, and where that is is not known"});
   const auto bytes = read_beside(source);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto json = tiled_json_of(*bytes, {});
+  const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
   auto read = read_tiled_tileset(*json, drops_);
   if (!read) return error_in(source, read.error());
@@ -191,8 +210,8 @@ bool accepts_tiled_json(std::string_view bytes, const FormatContext& context) {
 
 bool accepts_tiled_xml(std::string_view bytes, const FormatContext& context) {
   if (first_character(bytes) != '<') return false;
-  const bool is_named_so = context.extension == "tmx" || context.extension == "tsx";
-  return is_named_so || bytes.find("<map ") != bytes.npos || bytes.find("<tileset ") != bytes.npos;
+  return is_xml_name(context.extension) || bytes.find("<map ") != bytes.npos ||
+         bytes.find("<tileset ") != bytes.npos;
 }
 
 std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const Progress& progress) {

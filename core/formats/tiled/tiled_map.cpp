@@ -15,8 +15,13 @@ std::string tiled_color(Rgb color) {
 
 std::vector<std::string> TiledDrops::phrases() const {
   std::vector<std::string> phrases;
+  constexpr std::size_t kMostPhrases = 1000;
   constexpr std::size_t kMostShown = 200;  // bytes; names in files may be of any length
   for (const auto& [phrase, count] : counts_) {
+    if (phrases.size() == kMostPhrases) {
+      phrases.push_back("and " + std::to_string(counts_.size() - kMostPhrases) + " more");
+      break;
+    }
     const std::string shown = printable(shortened(phrase, kMostShown));
     phrases.push_back(count == 1 ? shown : shown + " (" + std::to_string(count) + " times)");
   }

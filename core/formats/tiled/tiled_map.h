@@ -111,7 +111,8 @@ std::string tiled_color(Rgb color);  // "#1a1c2c"
 class TiledDrops {
  public:
   void add(const std::string& phrase) { ++counts_[phrase]; }
-  // In alphabetical order; what came several times with the number: "the animation of a tile (3 times)".
+  // In alphabetical order; what came several times with the number: "the animation of a tile (3 times)". Of
+  // more than 1000 the last one is "and 234 more".
   std::vector<std::string> phrases() const;
 
  private:
