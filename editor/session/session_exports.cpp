@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "edit/export_presets.h"
+#include "formats/text/utf8_text.h"
 #include "session_impl.h"
 
 namespace talus {
@@ -11,7 +12,11 @@ namespace {
 
 constexpr std::size_t kMostNamed = 4;  // files that a question names
 
-std::string label_of(const ExportPreset& preset) { return preset.name.empty() ? preset.path : preset.name; }
+// In a line of a message, whatever the level's file has as a name.
+std::string label_of(const ExportPreset& preset) {
+  constexpr std::size_t kMostShown = 100;  // bytes
+  return printable(shortened(preset.name.empty() ? preset.path : preset.name, kMostShown));
+}
 
 // " Kept main.lua and conf.lua, which are yours by now."
 std::string kept_text(const std::vector<ExportOutcome>& outcomes) {

@@ -125,6 +125,19 @@ TEST_F(ForeignPresets, AreNotAskedAboutAgainByEachSave) {
   EXPECT_TRUE(session().allows_export(1)) << "his own, across a save and a start";
 }
 
+TEST_F(ForeignPresets, AreNamedInALineOfAMessage) {
+  ExportPreset named = data_;
+  named.name = "da\nta" + std::string(300, 'x');
+  open(put_level({named}));
+  paint_and_save();
+  ASSERT_TRUE(asks());
+  answer(Answer::cancel);
+  EXPECT_NE(
+      message().find("Not exported, as you have not allowed it: da\\nta" + std::string(92, 'x') + "...."),
+      std::string::npos)
+      << message();
+}
+
 TEST_F(ForeignPresets, AreForeignAgainWhenSomebodyElseHasChangedThem) {
   const std::string file = put_level({data_});
   open(file);
