@@ -98,18 +98,44 @@ TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
     fail(context, options.trace, "", problem);
     return;
   }
-  file_.open(options.trace, std::ios::binary);
-  good_ = file_.is_open();
-  out_ = &file_;
-  if (!good_) fail(context, options.trace, "", "cannot be written");
+  auto begun = StagedFile::begin(options.trace);
+  if (!begun) {
+    good_ = false;
+    fail(context, options.trace, "", begun.error().message);
+  } else if (!begun->is_in_place()) {
+    file_.emplace(*std::move(begun));
+  } else {
+    device_.open(options.trace, std::ios::binary);
+    good_ = device_.is_open();
+    out_ = &device_;
+    if (!good_) fail(context, options.trace, "", "cannot be written");
+  }
 }
 
 void TraceFile::write(const State& state, const StepRecord* record) {
   if (out_ != nullptr) *out_ << trace_line(state, record) << '\n';
+  if (!file_ || !good_) return;
+  constexpr std::size_t kLong = 1 << 16;
+  (part_ += trace_line(state, record)) += '\n';
+  if (part_.size() < kLong) return;
+  good_ = !fails(file_->add(part_));
+  part_.clear();
+}
+
+bool TraceFile::fails(const FormatResult<void>& done) {
+  if (!done) fail(context_, options_.trace, "", done.error().message);
+  return !done;
 }
 
 bool TraceFile::finish() {
-  if (!file_.is_open() || file_.flush()) return true;
+  if (!good_) return false;
+  if (file_) {
+    if (fails(file_->add(part_)) || fails(file_->flush()) || fails(file_->put())) return false;
+    if (file_->doubt().empty()) return true;
+    fail(context_, options_.trace, "", file_->doubt());
+    return false;
+  }
+  if (!device_.is_open() || device_.flush()) return true;
   fail(context_, options_.trace, "", "cannot be written");
   return false;
 }

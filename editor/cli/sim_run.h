@@ -2,8 +2,11 @@
 #pragma once
 
 #include <fstream>
+#include <optional>
+#include <string>
 
 #include "command.h"
+#include "formats/files/atomic_file.h"
 #include "sim/record.h"
 #include "sim/state.h"
 
@@ -19,12 +22,13 @@ struct SimOptions {
   PhysicsOptions physics;
 };
 
-// Where the trace goes: a file, standard output or nowhere. What cannot be written fails the command.
+// Where the trace goes: a file, standard output or nowhere. What cannot be written fails the command. A file
+// is put in its place by finish(), whole; without, an older one stays.
 class TraceFile {
  public:
   TraceFile(CommandContext& context, const SimOptions& options);
   bool good() const { return good_; }
-  bool wanted() const { return out_ != nullptr; }
+  bool wanted() const { return file_ || out_ != nullptr; }
   bool wants_contacts() const { return wanted() && !options_.no_contacts; }
   void write(const State& state, const StepRecord* record);
   bool finish();
@@ -32,7 +36,11 @@ class TraceFile {
  private:
   CommandContext& context_;
   const SimOptions& options_;
-  std::ofstream file_;
+  bool fails(const FormatResult<void>& done);
+
+  std::optional<StagedFile> file_;
+  std::string part_;      // of the file's text, to be written when it is long
+  std::ofstream device_;  // or a pipe
   std::ostream* out_ = nullptr;
   bool good_ = true;
 };

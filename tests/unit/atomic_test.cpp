@@ -166,6 +166,26 @@ TEST_F(AtomicFileTest, WhatKilledProcessesLeftIsRemovedAndWhatIsBeingWrittenStay
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(AtomicFileTest, WhatIsWrittenInPartsIsPutWhole) {
+  put("x", "old");
+  {
+    auto given_up = StagedFile::begin(path("x"));
+    ASSERT_TRUE(given_up);
+    ASSERT_TRUE(given_up->add("one "));
+  }
+  EXPECT_EQ(bytes_of("x"), "old");
+  auto staged = StagedFile::begin(path("x"));
+  ASSERT_TRUE(staged);
+  EXPECT_TRUE(staged->add("one "));
+  EXPECT_TRUE(staged->add("two"));
+  EXPECT_EQ(bytes_of("x"), "old");
+  EXPECT_TRUE(staged->flush());
+  EXPECT_TRUE(staged->put());
+  EXPECT_EQ(bytes_of("x"), "one two");
+  EXPECT_EQ(files(), 1);
+  EXPECT_TRUE(StagedFile::begin("/dev/null")->is_in_place());
+}
+
 TEST_F(AtomicFileTest, OtherThingsUnderATemporarysNameStay) {
   put("precious", "bytes");
   fs::create_symlink("precious", path(".x.0.tmp"));

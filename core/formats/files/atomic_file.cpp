@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -185,6 +186,17 @@ FormatResult<void> write_file_atomic(const std::string& path, std::string_view b
 
 FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes,
                                            LinkInPlace link) {
+  auto staged = begin(path, link);
+  if (!staged) return staged;
+  staged->bytes_ = bytes;
+  if (staged->is_in_place()) return staged;
+  auto done = staged->add(bytes);
+  if (done) done = staged->flush();
+  if (!done) return tl::unexpected(done.error());
+  return staged;
+}
+
+FormatResult<StagedFile> StagedFile::begin(const std::string& path, LinkInPlace link) {
   const auto place = link == LinkInPlace::follow ? real_path(path) : FormatResult<std::string>(path);
   if (!place) return tl::unexpected(place.error());
   const fs::path target = *place;
@@ -193,18 +205,28 @@ FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_
   if (!exists && errno != ENOENT) return failure("cannot be written", errno);  // a forbidden path
   if (exists && S_ISLNK(old.st_mode)) return failure("cannot be written", ELOOP);
   if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", -1, bytes);
+  if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", -1);
   // rename() would replace a write-protected file: its directory's permissions alone decide.
   if (exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
 
   std::string temporary;
   File file(create_temporary(target, temporary));
   if (!file.is_open()) return failure("cannot be written", errno);
-  StagedFile staged(target.string(), std::move(temporary), file.release(), bytes);
-  const bool done = (!exists || ::fchmod(staged.descriptor_, old.st_mode & 07777) == 0) &&
-                    write_all(staged.descriptor_, bytes) && ::fsync(staged.descriptor_) == 0;
-  if (!done) return failure("cannot be written", errno);
+  StagedFile staged(target.string(), std::move(temporary), file.release());
+  if (exists && ::fchmod(staged.descriptor_, old.st_mode & 07777) != 0)
+    return failure("cannot be written", errno);
   return staged;
+}
+
+FormatResult<void> StagedFile::add(std::string_view bytes) {
+  assert(!is_in_place());
+  if (!write_all(descriptor_, bytes)) return failure("cannot be written", errno);
+  return {};
+}
+
+FormatResult<void> StagedFile::flush() {
+  if (::fsync(descriptor_) != 0) return failure("cannot be written", errno);
+  return {};
 }
 
 FormatResult<void> StagedFile::put() {

@@ -39,6 +39,13 @@ class StagedFile {
   // Writes the temporary file. bytes: must live until put(), which writes devices and pipes.
   static FormatResult<StagedFile> write(const std::string& path, std::string_view bytes,
                                         LinkInPlace link = LinkInPlace::follow);
+  // The same in parts, for what is made bit by bit: begun, added to as often as there is more, and flushed.
+  // Not for devices and pipes (asserted by add()), see is_in_place().
+  static FormatResult<StagedFile> begin(const std::string& path, LinkInPlace link = LinkInPlace::follow);
+  FormatResult<void> add(std::string_view bytes);
+  FormatResult<void> flush();  // to the disk; before put()
+  // Whether it is a device or a pipe, which has no temporary.
+  bool is_in_place() const { return descriptor_ < 0; }
   StagedFile(StagedFile&& other) noexcept;
   StagedFile& operator=(StagedFile&&) = delete;
   ~StagedFile();             // without put(), the old file stays and the temporary goes
@@ -48,17 +55,14 @@ class StagedFile {
   const std::string& doubt() const { return doubt_; }
 
  private:
-  StagedFile(std::string target, std::string temporary, int descriptor, std::string_view bytes)
-      : target_(std::move(target)),
-        temporary_(std::move(temporary)),
-        descriptor_(descriptor),
-        bytes_(bytes) {}
+  StagedFile(std::string target, std::string temporary, int descriptor)
+      : target_(std::move(target)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
   void let_go();
 
   std::string target_;
-  std::string temporary_;  // empty: it is written in place, or has been put
-  int descriptor_;         // of the temporary, which is locked until it is put; -1: none
-  std::string_view bytes_;
+  std::string temporary_;   // empty: it is written in place, or has been put
+  int descriptor_;          // of the temporary, which is locked until it is put; -1: none
+  std::string_view bytes_;  // for put(), of what is written in place
   std::string doubt_;
 };
 
