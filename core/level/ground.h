@@ -17,7 +17,7 @@ TerrainSource ground_of(const Level& level);
 // exact keeps the lines of slopes and the like by cell, which take as much. A level with more of them than
 // this has no ground for its solver.
 inline constexpr std::size_t kMaxGroundBoxes = std::size_t{1} << 21;
-inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 23;
+inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 24;
 
 // About how many lines a shape has, counted again in each cell that they pass. 0 of a full tile, which needs
 // none, and of what is no shape or none that can be used.

@@ -124,7 +124,7 @@ TEST(Scene, GroundIsReckonedByTheHeightsOfItsTiles) {
   EXPECT_EQ(compile_scene(level).items.size(), 1u);
   level.tuning.solver = SolverKind::exact;
   EXPECT_EQ(ground_problem(level),
-            "has ground of 20480000 lines, and the solver exact can take 8388608: fewer slopes and profiles, "
+            "has ground of 20480000 lines, and the solver exact can take 16777216: fewer slopes and profiles, "
             "or simpler ones, make it smaller");
   const Scene scene = compile_scene(level);
   EXPECT_FALSE(scene.ground->has_pieces());
