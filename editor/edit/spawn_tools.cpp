@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "level/lint/lint_text.h"
+#include "level/level_text.h"
 #include "level_settings.h"
 
 namespace talus {

@@ -16,7 +16,7 @@
 #include "edit/sprite_area.h"
 #include "edit/sprite_shapes.h"
 #include "edit/stamp.h"
-#include "level/lint/lint.h"
+#include "lint/lint.h"
 #include "overlay/overlay_id.h"
 #include "session/debugger/watches.h"
 #include "session/files/png_import.h"

@@ -12,7 +12,7 @@
 #include "edit/undo_stack.h"
 #include "formats/format.h"
 #include "level/hard_case.h"
-#include "level/lint/lint.h"
+#include "lint/lint.h"
 #include "overlay/overlay_id.h"
 #include "reach_finder.h"
 #include "session/debugger/debugger.h"

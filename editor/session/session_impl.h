@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "collision/function_ref.h"
-#include "level/lint/lint_cache.h"
+#include "lint/lint_cache.h"
 #include "session.h"
 #include "session/debugger/debugger.h"
 #include "session/files/file_reader.h"

@@ -1,5 +1,5 @@
 // Every fix: what it says, and that the problem is gone.
-#include "edit/fixes.h"
+#include "lint/fixes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

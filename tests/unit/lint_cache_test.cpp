@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "level/lint/lint_cache.h"
+#include "lint/lint_cache.h"
 #include "slope_level.h"
 
 namespace talus::lint_cache_test {

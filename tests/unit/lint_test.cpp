@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/format.h"
-#include "level/lint/lint.h"
+#include "lint/lint.h"
 
 namespace talus::lint_test {
 

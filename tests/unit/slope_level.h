@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "level/lint/lint.h"
+#include "lint/lint.h"
 
 namespace talus {
 

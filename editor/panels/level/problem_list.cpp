@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "edit/fixes.h"
+#include "lint/fixes.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "level/lint/lint.h"
+#include "lint/lint.h"
 
 namespace talus {
 

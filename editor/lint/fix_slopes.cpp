@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/single_change.h"
 #include "fix_parts.h"
-#include "level/lint/lint_parts.h"
-#include "level/lint/lint_text.h"
-#include "single_change.h"
+#include "level/level_text.h"
+#include "lint_parts.h"
 
 namespace talus {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "edit.h"
-#include "level/lint/lint.h"
+#include "edit/edit.h"
+#include "lint.h"
 
 namespace talus {
 

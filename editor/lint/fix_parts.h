@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fixes.h"
-#include "level/lint/lint_tiles.h"
+#include "lint_tiles.h"
 
 namespace talus {
 

@@ -3,12 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "../../collision/ground_queries.h"
-#include "../curve_span.h"
-#include "../ground.h"
-#include "../local_ground.h"
+#include "collision/ground_queries.h"
+#include "level/curve_span.h"
+#include "level/ground.h"
+#include "level/level_text.h"
+#include "level/local_ground.h"
 #include "lint_parts.h"
-#include "lint_text.h"
 
 namespace talus {
 namespace {

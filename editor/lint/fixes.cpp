@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "edit/single_change.h"
 #include "fix_parts.h"
-#include "level/lint/lint_parts.h"
-#include "single_change.h"
+#include "lint_parts.h"
 
 namespace talus {
 namespace {

@@ -1,5 +1,5 @@
-// The words of the lint.
-#include "lint_text.h"
+// The words of messages about a level.
+#include "level_text.h"
 
 namespace talus {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "collision/ground_queries.h"
+#include "edit/spawn_tools.h"
 #include "fix_parts.h"
-#include "level/lint/lint_text.h"
+#include "level/level_text.h"
 #include "level/local_ground.h"
-#include "spawn_tools.h"
 
 namespace talus {
 namespace {

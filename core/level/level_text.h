@@ -1,9 +1,9 @@
-// How the lint writes places, lengths and roles.
+// How messages write places, lengths and roles.
 #pragma once
 
 #include <string>
 
-#include "../level.h"
+#include "level.h"
 
 namespace talus {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "level/level_text.h"
 #include "lint_parts.h"
-#include "lint_text.h"
 
 namespace talus {
 namespace {

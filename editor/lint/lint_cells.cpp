@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "level/level_text.h"
 #include "lint_parts.h"
-#include "lint_text.h"
 
 namespace talus {
 namespace {

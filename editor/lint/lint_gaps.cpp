@@ -1,8 +1,8 @@
 // Gaps that lead somewhere, and that a player does not fit through.
 #include <cmath>
 
+#include "level/level_text.h"
 #include "lint_parts.h"
-#include "lint_text.h"
 
 namespace talus {
 namespace {

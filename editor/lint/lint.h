@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../level.h"
+#include "level/level.h"
 
 namespace talus {
 

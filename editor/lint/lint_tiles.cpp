@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lint_text.h"
+#include "level/level_text.h"
 
 namespace talus {
 namespace {

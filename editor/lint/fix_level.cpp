@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/single_change.h"
 #include "fix_parts.h"
-#include "level/lint/lint_text.h"
+#include "level/level_text.h"
 #include "level/slope_tiles.h"
-#include "single_change.h"
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../../collision/outline_compiler.h"
+#include "collision/outline_compiler.h"
 #include "lint.h"
 
 namespace talus {
