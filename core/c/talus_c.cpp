@@ -8,7 +8,7 @@
 #include "../collision/ground_queries.h"
 #include "../formats/format.h"
 #include "../formats/last_catch.h"
-#include "../formats/native/hard_case.h"
+#include "../formats/native/hard_case_file.h"
 #include "../level/ground.h"
 #include "../sim/case_input.h"
 #include "../sim/solver.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "../level/ground.h"
 #include "export_targets.h"
 #include "plain_data.h"

@@ -1,6 +1,6 @@
 // A folder of tables: plain data for spreadsheets and scripts. docs/export-data.md tells what the numbers
 // mean.
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "../level/ground.h"
 #include "export_targets.h"
 #include "ground_polygons.h"

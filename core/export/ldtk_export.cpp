@@ -13,7 +13,7 @@
 #include <span>
 
 #include "../formats/pictures/png_sheet.h"
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "../level/ground.h"
 #include "export_targets.h"
 #include "ldtk_shapes.h"

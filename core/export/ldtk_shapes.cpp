@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 
 namespace talus {
 namespace {

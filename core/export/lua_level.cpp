@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "../level/ground.h"
 #include "lua_parts.h"
 #include "lua_text.h"

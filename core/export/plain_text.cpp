@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "../formats/text/append_number.h"
 #include "../formats/text/json_text.h"
-#include "../formats/text/number_text.h"
 #include "../level/ground.h"
 #include "ground_polygons.h"
 #include "lua_text.h"

@@ -4,7 +4,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "../level/ground.h"
 #include "export_targets.h"
 #include "ground_polygons.h"

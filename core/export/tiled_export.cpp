@@ -5,7 +5,7 @@
 
 #include "../formats/native/native.h"
 #include "../formats/pictures/png_sheet.h"
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 #include "xml_text.h"

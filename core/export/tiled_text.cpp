@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "../formats/text/number_text.h"
+#include "../formats/text/append_number.h"
 #include "lua_text.h"
 #include "tiled_model.h"
 

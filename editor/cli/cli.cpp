@@ -9,7 +9,7 @@
 #include "command.h"
 #include "formats/format.h"
 #include "formats/last_catch.h"
-#include "formats/text/number_text.h"
+#include "formats/text/append_number.h"
 #include "formats/text/utf8_text.h"
 #include "progress_line.h"
 

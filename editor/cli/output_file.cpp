@@ -7,7 +7,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/real_path.h"
 #include "formats/native/companion.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
 #include "formats/tic80/tic_png.h"
 

@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "formats/files/atomic_file.h"
-#include "formats/text/number_text.h"
+#include "formats/text/append_number.h"
 #include "output_file.h"
 
 namespace talus {

@@ -8,9 +8,9 @@
 
 #include "formats/files/atomic_file.h"
 #include "formats/last_catch.h"
-#include "formats/native/hard_case.h"
+#include "formats/native/hard_case_file.h"
 #include "formats/native/input_entry.h"
-#include "formats/text/number_text.h"
+#include "formats/text/append_number.h"
 #include "input_file.h"
 #include "level/ground.h"
 #include "progress_line.h"

@@ -6,7 +6,7 @@
 
 #include "debug/branch_frames.h"
 #include "formats/files/atomic_file.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "output_file.h"
 #include "progress_line.h"
 #include "sim/timeline.h"

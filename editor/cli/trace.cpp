@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/text/number_text.h"
+#include "formats/text/append_number.h"
 
 namespace talus {
 namespace {

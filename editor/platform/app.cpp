@@ -15,7 +15,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/keep_aside.h"
 #include "formats/last_catch.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "formats/text/utf8_text.h"
 #include "panels/commands/commands.h"
 #include "panels/files/reading_panel.h"

@@ -20,7 +20,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/held_file.h"
 #include "formats/last_catch.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "formats/text/json_text.h"
 #include "formats/text/utf8_text.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "formats/format.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 
 namespace talus {
 namespace {

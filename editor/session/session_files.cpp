@@ -8,8 +8,8 @@
 #include "formats/files/real_path.h"
 #include "formats/last_catch.h"
 #include "formats/native/companion.h"
-#include "formats/native/hard_case.h"
-#include "formats/native/recording.h"
+#include "formats/native/hard_case_file.h"
+#include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
 #include "session_impl.h"
 

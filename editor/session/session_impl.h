@@ -12,8 +12,8 @@
 #include "session/files/file_stamp.h"
 #include "session/files/opened_file.h"
 #include "session/run/handmade_runs.h"
-#include "session/run/player.h"
 #include "session/run/scene_compiler.h"
+#include "session/run/simulation.h"
 
 namespace talus {
 

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "faults/failing_calls.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "platform/autosave.h"
 #include "platform/open_copies.h"
 #include "platform/settings.h"

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "formats/format.h"
-#include "formats/native/hard_case.h"
+#include "formats/native/hard_case_file.h"
 #include "formats/native/input_entry.h"
 #include "formats/native/native.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "formats/native/replay.h"
 #include "formats/text/utf8_text.h"
 #include "formats/tiled/tiled_format.h"

@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-#include "formats/native/hard_case.h"
+#include "formats/native/hard_case_file.h"
 #include "sim/hard_case_run.h"
 #include "sim/solver.h"
 

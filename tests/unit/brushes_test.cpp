@@ -1,5 +1,5 @@
 // Named brushes, random painting, and both in files.
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 
 #include <gtest/gtest.h>
 

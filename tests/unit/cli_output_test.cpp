@@ -7,7 +7,7 @@
 #include "export/exporter.h"
 #include "folder_test.h"
 #include "formats/format.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "png_bytes.h"
 
 namespace talus::cli_output_test {

@@ -7,7 +7,7 @@
 
 #include "cli_answer.h"
 #include "folder_test.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "level_text.h"
 #include "sim/timeline.h"
 

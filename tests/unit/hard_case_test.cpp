@@ -1,6 +1,6 @@
 // Hard cases: reading them from a level, their floors, and measuring a run.
 
-#include "formats/native/hard_case.h"
+#include "formats/native/hard_case_file.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "edit/undo_stack.h"
 #include "folder_test.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "formats/tic80/tic_cart.h"
 #include "formats/tic80/tic_text.h"
 #include "formats/tiled/tiled_map.h"

@@ -11,7 +11,7 @@
 #include "export/lua_parts.h"
 #include "folder_test.h"
 #include "formats/format.h"
-#include "formats/native/hard_case.h"
+#include "formats/native/hard_case_file.h"
 #include "property/random_ground.h"
 #include "sim/case_input.h"
 #include "sim/solver.h"

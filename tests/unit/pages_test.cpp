@@ -13,7 +13,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/format.h"
 #include "formats/native/native.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 
 namespace talus::pages_test {
 

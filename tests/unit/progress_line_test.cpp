@@ -10,7 +10,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/format.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 
 namespace talus::progress_line_test {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "formats/native/native.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "formats/tiled/tiled_format.h"
 #include "tiled_files.h"
 

@@ -1,5 +1,5 @@
 // Recordings as files: round trips, and what is refused.
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include "edit/level_settings.h"
 #include "export/export_targets.h"
 #include "folder_test.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "session/session.h"
 
 namespace talus::session_export_safety_test {

@@ -3,7 +3,7 @@
 
 #include "edit/map_stroke.h"
 #include "folder_test.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "platform/autosave.h"
 #include "slope_level.h"
 

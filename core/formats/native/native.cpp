@@ -11,7 +11,7 @@
 #include "../../level/limits.h"
 #include "../text/hex.h"
 #include "../text/json_text.h"
-#include "hard_case.h"
+#include "hard_case_file.h"
 #include "native_brushes.h"
 #include "native_cart.h"
 #include "native_document.h"

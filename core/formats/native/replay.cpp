@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "../../collision/world.h"
+#include "../text/append_number.h"
 #include "../text/json_text.h"
-#include "../text/number_text.h"
 
 namespace talus {
 namespace {

@@ -14,7 +14,7 @@
 #include "../native/native.h"
 #include "../native/native_objects.h"
 #include "../pictures/png_sheet.h"
-#include "../text/number_text.h"
+#include "../text/append_number.h"
 #include "tiled_objects.h"
 #include "tiled_shapes.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "../../collision/outline_compiler.h"
-#include "../text/number_text.h"
+#include "../text/append_number.h"
 
 namespace talus {
 namespace {

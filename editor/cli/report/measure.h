@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "metrics.h"
+#include "error_stats.h"
 #include "setup.h"
 
 namespace talus {

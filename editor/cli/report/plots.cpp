@@ -7,7 +7,7 @@
 #include <array>
 #include <functional>
 
-#include "formats/text/number_text.h"
+#include "formats/text/append_number.h"
 
 extern char** environ;
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <functional>
 
-#include "formats/text/number_text.h"
+#include "formats/text/append_number.h"
 
 namespace talus {
 namespace {

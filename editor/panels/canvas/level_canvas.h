@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "camera.h"
-#include "level_then.h"
+#include "level_at_frame.h"
 #include "minimap.h"
 #include "overlay_legend.h"
 #include "panels/tools/level/level_tools.h"

@@ -5,7 +5,7 @@
 
 #include "command_table.h"
 #include "edit/auto_tile.h"
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 #include "edit/stamp.h"
 #include "panels/canvas/ground_hint.h"
 

@@ -1,6 +1,6 @@
 // The commands that go to a field or a list of a panel, where a value is typed or chosen.
 #include "command_table.h"
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 #include "panels/inspector/chosen_curve.h"
 #include "panels/inspector/chosen_spawn.h"
 

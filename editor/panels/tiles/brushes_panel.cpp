@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "edit/auto_tile.h"
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 #include "panels/commands/commands.h"
 #include "panels/sprites/tile_number.h"
 #include "panels/ui/long_list.h"

@@ -7,7 +7,7 @@
 
 #include "file_stamp.h"
 #include "formats/format.h"
-#include "formats/native/recording.h"
+#include "formats/native/recording_file.h"
 #include "level_import.h"
 #include "sim/timeline.h"
 

@@ -1,6 +1,6 @@
 // The rectangle tool: fills a rectangle with the stamp, or with its tiles at random; with Shift outlines it.
 #include "cell_shape_tool.h"
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 #include "edit/map_rectangle.h"
 #include "level_tools.h"
 

@@ -1,5 +1,5 @@
 // The stamp tool: paints the selected tiles along the drag, or, at random, one of them in each cell.
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 #include "edit/map_stroke.h"
 #include "level_tools.h"
 #include "panels/canvas/canvas_layers.h"

@@ -3,7 +3,7 @@
 
 #include "harness.h"
 
-namespace talus::shape_test {
+namespace talus::shape_ui_test {
 
 class UiShape : public UiTest {
  protected:
@@ -302,4 +302,4 @@ TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
   EXPECT_TRUE(session().choices().overlays.has(OverlayId::shapes));
 }
 
-}  // namespace talus::shape_test
+}  // namespace talus::shape_ui_test

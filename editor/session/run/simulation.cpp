@@ -1,5 +1,5 @@
 // The simulation of the open level.
-#include "player.h"
+#include "simulation.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 // Brushes, random tiles and the ground tool, by hand.
-#include "edit/brushes.h"
+#include "edit/brush_tools.h"
 #include "harness.h"
 
-namespace talus::brushes_test {
+namespace talus::brushes_ui_test {
 
 class UiBrushes : public UiTest {
  protected:
@@ -118,4 +118,4 @@ TEST_F(UiBrushes, APartIsChosenFromTheSheetAndCleared) {
   EXPECT_EQ(level().auto_tiles.of(GroundPart::slope_up_left), 3);
 }
 
-}  // namespace talus::brushes_test
+}  // namespace talus::brushes_ui_test

@@ -3,7 +3,7 @@
 #include "edit/map_stroke.h"
 #include "platform/picture.h"
 
-namespace talus::level_then_test {
+namespace talus::level_at_frame_ui_test {
 
 class UiLevelThen : public DebuggerTest {
  protected:
@@ -80,4 +80,4 @@ TEST_F(UiLevelThen, TheOtherSideShowsTheLevelOfItsOwnBranch) {
   EXPECT_NE(color_at(there), solid);
 }
 
-}  // namespace talus::level_then_test
+}  // namespace talus::level_at_frame_ui_test

@@ -1,4 +1,4 @@
-#include "hard_case.h"
+#include "hard_case_file.h"
 
 #include <algorithm>
 #include <array>

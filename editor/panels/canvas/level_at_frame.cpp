@@ -1,5 +1,5 @@
 // Compares a version of the level with the session's.
-#include "level_then.h"
+#include "level_at_frame.h"
 
 namespace talus {
 namespace {

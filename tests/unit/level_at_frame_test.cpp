@@ -1,5 +1,5 @@
 // The level that a view of what was played shows.
-#include "panels/canvas/level_then.h"
+#include "panels/canvas/level_at_frame.h"
 #include "edit/map_stroke.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@
 #include "ball_room.h"
 #include "edit/level_settings.h"
 
-namespace talus::level_then_test {
+namespace talus::level_at_frame_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -102,4 +102,4 @@ TEST_F(LevelOfAFrame, ThatWasPaintedAndTakenBackIsTheSessions) {
   EXPECT_EQ(tile_at({5, 3}), kRoomSolid);
 }
 
-}  // namespace talus::level_then_test
+}  // namespace talus::level_at_frame_test

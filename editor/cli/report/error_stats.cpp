@@ -1,4 +1,4 @@
-#include "metrics.h"
+#include "error_stats.h"
 
 #include <algorithm>
 #include <cassert>

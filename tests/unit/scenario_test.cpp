@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace talus::replay_test {
+namespace talus::scenario_test {
 
 using testing::ElementsAre;
 
@@ -95,4 +95,4 @@ TEST(Replay, TellsWhereAScenarioIsMalformed) {
   EXPECT_EQ(error(R"({"ops":[]})"), "none");
 }
 
-}  // namespace talus::replay_test
+}  // namespace talus::scenario_test

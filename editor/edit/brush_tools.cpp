@@ -1,5 +1,5 @@
 // Editing the list of brushes, and the tiles that random painting takes.
-#include "brushes.h"
+#include "brush_tools.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Recordings as JSON.
-#include "recording.h"
+#include "recording_file.h"
 
 #include <algorithm>
 #include <array>

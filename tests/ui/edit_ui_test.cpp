@@ -4,7 +4,7 @@
 #include "panels/level/edit_text.h"
 #include "panels/sprites/tile_number.h"
 
-namespace talus::edit_test {
+namespace talus::edit_ui_test {
 
 class UiEdit : public UiTest {
  protected:
@@ -429,4 +429,4 @@ TEST_F(UiEdit, SegmentToolAddsACurveBetweenTwoPoints) {
   EXPECT_TRUE(level().curves.empty());
 }
 
-}  // namespace talus::edit_test
+}  // namespace talus::edit_ui_test
