@@ -79,7 +79,7 @@ double energy(const Frame& frame, const Body& body) {
   const Tuning& t = frame.scene->tuning;
   const bool is_player = t.solver == SolverKind::exact && body.kind == BodyKind::player;
   const bool is_constant = t.solver == SolverKind::exact && (is_player || t.exact.gravity > 0);
-  double gravity = t.article.fall_blend * t.article.fall_speed;
+  double gravity = t.shared.fall_blend * t.shared.fall_speed;
   if (is_constant) gravity = is_player ? t.player.gravity : t.exact.gravity;
   Vec2 v = body.velocity;
   const double part = is_player ? 1 : 1 / t.exact.substeps;

@@ -61,7 +61,7 @@ PartNames used_parts(const Level& level) {
     used.emplace("curves");
   if (balls > 0 || any_spawn(BodyKind::ball)) used.emplace("balls");
   if (any_spawn(BodyKind::player)) used.emplace("players");
-  if (level.tuning.article.balls_block != 0 && balls + level.spawns.size() > 1) used.emplace("pairs");
+  if (level.tuning.shared.balls_block != 0 && balls + level.spawns.size() > 1) used.emplace("pairs");
   return used;
 }
 

@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-TileShape article_slope(const ArticleTuning& tuning, bool rises) {
+TileShape article_slope(const SharedTuning& tuning, bool rises) {
   TileShape shape;
   shape.kind = TileShape::Kind::slope;
   shape.tiles = static_cast<int>(std::clamp(std::ceil(tuning.slope_width / kTileSize), 1.0, 8.0));
@@ -23,9 +23,9 @@ TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
     case TileRole::solid:
       return {.kind = TileShape::Kind::solid};
     case TileRole::up_slope:
-      return article_slope(level.tuning.article, true);
+      return article_slope(level.tuning.shared, true);
     case TileRole::down_slope:
-      return article_slope(level.tuning.article, false);
+      return article_slope(level.tuning.shared, false);
     case TileRole::ball:
       return {};
     case TileRole::none:

@@ -95,7 +95,7 @@ Level mirrored(const Level& level) {
     spawn.position.x = width - spawn.position.x - spawn.size.x;
     spawn.velocity.x = -spawn.velocity.x;
   }
-  image.tuning.article.drift_speed = -level.tuning.article.drift_speed;
+  image.tuning.shared.drift_speed = -level.tuning.shared.drift_speed;
   return image;
 }
 

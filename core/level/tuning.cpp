@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-using A = ArticleTuning;
+using S = SharedTuning;
 using E = ExactTuning;
 using P = PlayerTuning;
 
@@ -17,7 +17,7 @@ double& member(Tuning& tuning) {
   return tuning.*Group.*Number;
 }
 template <auto Number>
-constexpr auto article = member<&Tuning::article, Number>;
+constexpr auto shared = member<&Tuning::shared, Number>;
 template <auto Number>
 constexpr auto exact = member<&Tuning::exact, Number>;
 template <auto Number>
@@ -26,37 +26,37 @@ constexpr auto player = member<&Tuning::player, Number>;
 constexpr bool kAny = false, kWhole = true;
 
 constexpr std::array kFields = std::to_array<TuningField>({
-    {"", "cell_size", "cell size", "px", article<&A::cell_size>, 1, 1024, kAny,
+    {"", "cell_size", "cell size", "px", shared<&S::cell_size>, 1, 1024, kAny,
      "Side of a grid cell of the collision world; only speed depends on it. Slow when far from 2-4 tiles."},
-    {"", "fall_speed", "fall speed", "px/frame", article<&A::fall_speed>, -64, 64, kAny,
+    {"", "fall_speed", "fall speed", "px/frame", shared<&S::fall_speed>, -64, 64, kAny,
      "The vertical speed that falling tends to. Over 8, a ball skips a tile a frame and slopes are "
      "missed."},
-    {"", "fall_blend", "fall blend", "", article<&A::fall_blend>, 0, 1, kAny,
+    {"", "fall_blend", "fall blend", "", shared<&S::fall_blend>, 0, 1, kAny,
      "Share of the way to the fall speed gained each frame. Too high: no arc; too low: floats."},
-    {"", "drift_speed", "drift speed", "px/frame", article<&A::drift_speed>, -64, 64, kAny,
+    {"", "drift_speed", "drift speed", "px/frame", shared<&S::drift_speed>, -64, 64, kAny,
      "The horizontal speed that rolling tends to: 0 comes to rest, anything else is wind."},
-    {"", "drift_blend", "drift blend", "", article<&A::drift_blend>, 0, 1, kAny,
+    {"", "drift_blend", "drift blend", "", shared<&S::drift_blend>, 0, 1, kAny,
      "Share of the way to the drift speed gained each frame. Too low: rolls forever."},
-    {"", "floor_bounce", "floor bounce", "", article<&A::floor_bounce>, 0, 2, kAny,
+    {"", "floor_bounce", "floor bounce", "", shared<&S::floor_bounce>, 0, 2, kAny,
      "Share of vy kept, reversed, at a floor or ceiling. Over 1, balls gain energy and never rest."},
-    {"", "floor_grip", "floor grip", "", article<&A::floor_grip>, 0, 2, kAny,
+    {"", "floor_grip", "floor grip", "", shared<&S::floor_grip>, 0, 2, kAny,
      "Share of vx kept at a floor or ceiling. Too low: balls stop where they land."},
-    {"", "wall_bounce", "wall bounce", "", article<&A::wall_bounce>, 0, 2, kAny,
+    {"", "wall_bounce", "wall bounce", "", shared<&S::wall_bounce>, 0, 2, kAny,
      "Share of vx kept, reversed, at a wall. Over 1, balls gain speed between two walls."},
-    {"", "slope_bounce", "slope bounce", "", article<&A::slope_bounce>, 0, 2, kAny,
+    {"", "slope_bounce", "slope bounce", "", shared<&S::slope_bounce>, 0, 2, kAny,
      "Share of vy kept, reversed, on a slope. Too high: balls hop down instead of rolling."},
-    {"", "slope_width", "slope width", "px", article<&A::slope_width>, 1, 64, kAny,
+    {"", "slope_width", "slope width", "px", shared<&S::slope_width>, 1, 64, kAny,
      "Width of a slope's box from the left side of its flagged tile. Must match the drawing."},
-    {"", "slope_height", "slope height", "px", article<&A::slope_height>, 1, 64, kAny,
+    {"", "slope_height", "slope height", "px", shared<&S::slope_height>, 1, 64, kAny,
      "Height of a slope's box. The article's floor height is right only when it equals a ball's height, "
      "8."},
-    {"", "drag_blend", "drag blend", "", article<&A::drag_blend>, 0, 1, kAny,
+    {"", "drag_blend", "drag blend", "", shared<&S::drag_blend>, 0, 1, kAny,
      "Share of the way to the mouse that a dragged ball moves each frame. 0 leaves it hanging."},
-    {"", "drag_offset", "drag offset", "px", article<&A::drag_offset>, -64, 64, kAny,
+    {"", "drag_offset", "drag offset", "px", shared<&S::drag_offset>, -64, 64, kAny,
      "Distance in x and y from a ball's corner to where the mouse holds it: 4 is its centre."},
-    {"", "drag_probe", "drag probe", "px/frame", article<&A::drag_probe>, 0, 64, kAny,
+    {"", "drag_probe", "drag probe", "px/frame", shared<&S::drag_probe>, 0, 64, kAny,
      "Downward speed with which a dragged ball looks for slopes. 0: it sinks into them."},
-    {"", "balls_block", "balls block", "", article<&A::balls_block>, 0, 1, kAny,
+    {"", "balls_block", "balls block", "", shared<&S::balls_block>, 0, 1, kAny,
      "1: balls are obstacles to one another, as in the article. 0: they pass through each other."},
     {"exact", "gravity", "gravity", "px/frame^2", exact<&E::gravity>, 0, 64, kAny,
      "Speed gained downwards each frame. 0: balls fall as in the article. Too high: they never roll."},

@@ -15,9 +15,9 @@ enum class SolverKind {
   exact     // swept against the merged outline of the ground
 };
 
-// The constants of the article "Slopes in AABB collision systems", named. Velocities are in px a frame.
-// Defaults are the article's own; tuning_fields() holds each one's range and the symptom of a wrong value.
-struct ArticleTuning {
+// Numbers that the solvers share. The article "Slopes in AABB collision systems" has them as constants, which
+// are the defaults. tuning_fields() holds the range of each one and the symptom of a wrong value.
+struct SharedTuning {
   double cell_size = 24;      // px, side of a grid cell of the collision world
   double fall_speed = 5;      // px/frame, the vy that falling tends to
   double fall_blend = 0.075;  // share of the way to fall_speed gained in a frame
@@ -26,17 +26,17 @@ struct ArticleTuning {
   double floor_bounce = 0.9;  // vy kept, reversed, at a floor or ceiling
   double floor_grip = 0.75;   // vx kept at a floor or ceiling
   double wall_bounce = 0.9;   // vx kept, reversed, at a wall
-  double slope_bounce = 0.5;  // vy kept, reversed, on a slope
+  double slope_bounce = 0.5;  // vy kept, reversed, on a slope; not used by `exact`
   double slope_width = 16;    // px, the box of a slope, from the left side of its flagged tile
   double slope_height = 8;    // px
   double drag_blend = 0.3;    // share of the way to the mouse that a dragged ball moves in a frame
   double drag_offset = 4;     // px from a ball's corner to where the mouse holds it, in x and y
-  double drag_probe = 1;      // px/frame, the downward speed with which a dragged ball looks for slopes
-  double balls_block = 1;     // 1: balls are obstacles to one another, as in the article; 0: they pass
-  friend bool operator==(const ArticleTuning&, const ArticleTuning&) = default;
+  double drag_probe = 1;   // px/frame, downward speed with which a dragged ball finds slopes; `article` alone
+  double balls_block = 1;  // 1: balls are obstacles to one another, as in the article; 0: they pass
+  friend bool operator==(const SharedTuning&, const SharedTuning&) = default;
 };
 
-// The exact solver's own numbers; what it shares with the article is above. Ranges: tuning_fields().
+// Numbers of the exact solver alone. Ranges: tuning_fields().
 struct ExactTuning {
   double gravity = 0;     // px/frame^2, added to vy; 0: balls fall as the article's do
   double steepest = 2;    // the largest |dy/dx| that counts as floor
@@ -65,7 +65,7 @@ struct PlayerTuning {
 
 struct Tuning {
   SolverKind solver = SolverKind::exact;
-  ArticleTuning article;
+  SharedTuning shared;
   ExactTuning exact;
   PlayerTuning player;
   friend bool operator==(const Tuning&, const Tuning&) = default;
@@ -89,7 +89,8 @@ struct TuningField {
 };
 // Those of a group follow one another.
 std::span<const TuningField> tuning_fields();
-inline constexpr std::array<std::string_view, 2> kTuningGroups = {"exact", "player"};  // but the article's
+// The shared numbers have no group.
+inline constexpr std::array<std::string_view, 2> kTuningGroups = {"exact", "player"};
 
 std::span<const SolverKind> solver_kinds();
 std::string_view solver_name(SolverKind solver);                  // in files and on screen: "article"

@@ -15,7 +15,7 @@ constexpr World::GroupResponses kProbing = {Response::ignore, Response::cross, R
 ArticleSolver::ArticleSolver(std::shared_ptr<const Scene> scene) : WorldSolver(std::move(scene)) {}
 
 void ArticleSolver::fall(Body& body, Placed& placed) {
-  const ArticleTuning& t = tuning();
+  const SharedTuning& t = tuning();
   pull(body);
   move(body, placed, body.box.position() + body.velocity);
 

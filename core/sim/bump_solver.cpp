@@ -7,7 +7,7 @@ namespace {
 
 // The velocity after a contact. On a level floor and at a wall the article's; on a slope the part along the
 // slope is kept, and the part into it turned round.
-Vec2 bounced(Vec2 v, Vec2 normal, const ArticleTuning& t) {
+Vec2 bounced(Vec2 v, Vec2 normal, const SharedTuning& t) {
   const double out = v.x * normal.x + v.y * normal.y;
   if (out >= 0) return v;
   if (normal.x == 0) return {v.x * t.floor_grip, -(v.y * t.floor_bounce)};

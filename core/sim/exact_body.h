@@ -15,13 +15,13 @@ namespace talus {
 template <class Real>
 struct ExactNumbers {
   explicit ExactNumbers(const Tuning& t)
-      : fall_speed(static_cast<Real>(t.article.fall_speed)),
-        fall_blend(static_cast<Real>(t.article.fall_blend)),
-        drift_speed(static_cast<Real>(t.article.drift_speed)),
-        drift_blend(static_cast<Real>(t.article.drift_blend)),
-        floor_bounce(static_cast<Real>(t.article.floor_bounce)),
-        floor_grip(static_cast<Real>(t.article.floor_grip)),
-        wall_bounce(static_cast<Real>(t.article.wall_bounce)),
+      : fall_speed(static_cast<Real>(t.shared.fall_speed)),
+        fall_blend(static_cast<Real>(t.shared.fall_blend)),
+        drift_speed(static_cast<Real>(t.shared.drift_speed)),
+        drift_blend(static_cast<Real>(t.shared.drift_blend)),
+        floor_bounce(static_cast<Real>(t.shared.floor_bounce)),
+        floor_grip(static_cast<Real>(t.shared.floor_grip)),
+        wall_bounce(static_cast<Real>(t.shared.wall_bounce)),
         gravity(static_cast<Real>(t.exact.gravity)),
         steepest(static_cast<Real>(t.exact.steepest)),
         snap(static_cast<Real>(t.exact.snap)),

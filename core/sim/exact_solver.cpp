@@ -61,7 +61,7 @@ class ExactSolver final : public Solver {
     Moving<Real> moving{narrow(body.box), narrow(body.velocity), body.foot};
     if (record_ != nullptr)
       record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
-    budget_ = {work_of_a_body(state.bodies.size())};
+    budget_ = {max_work_per_body(state.bodies.size())};
     if (!body.is_clear) leave_ground(moving);
     order_ = 0;
 
@@ -101,7 +101,7 @@ class ExactSolver final : public Solver {
   void drag(State& state, std::size_t index, Moving<Real>& moving, const Input& input) {
     Body& body = state.bodies[index];
     body.previous = body.box.position();
-    const Vec2 goal = drag_goal(scene_->tuning.article, body, input);
+    const Vec2 goal = drag_goal(scene_->tuning.shared, body, input);
     const Vec way = narrow(within_limits(body.previous, goal) - body.previous);
     note_goal(moving, way);
     move(state, index, moving, way, [](const auto& contact, Vec motion) {

@@ -58,7 +58,7 @@ TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
   const bool is_turned = solver == SolverKind::bump && !is_plain && role != TileRole::ball;
   if (role == TileRole::none || (is_turned && !problem_of(shape))) return boxes_of(shape, solver);
   TileBoxes boxes;
-  const ArticleTuning& tuning = level.tuning.article;
+  const SharedTuning& tuning = level.tuning.shared;
   const bool is_slope = role == TileRole::up_slope || role == TileRole::down_slope;
   boxes.add(role, is_slope ? Rect{0, 0, tuning.slope_width, tuning.slope_height}
                            : Rect{0, 0, kTileSize, kTileSize});
@@ -95,7 +95,7 @@ void note_bodies(Scene& scene) {
   const auto bodies = std::count_if(scene.items.begin(), scene.items.end(),
                                     [](const SceneItem& i) { return i.role == TileRole::ball; });
   scene.features.players = std::any_of(scene.items.begin(), scene.items.end(), is_player);
-  scene.features.pairs = scene.tuning.article.balls_block != 0 && bodies > 1;
+  scene.features.pairs = scene.tuning.shared.balls_block != 0 && bodies > 1;
 }
 
 void compile_ground(const Level& level, const std::function<bool(double)>& progress, Scene& scene) {
@@ -191,7 +191,7 @@ std::optional<Scene> compile_scene(const Level& level, const std::function<bool(
 
 bool is_same_ground(const Tuning& a, const Tuning& b) {
   return a.solver == b.solver && a.exact.single_precision == b.exact.single_precision &&
-         a.article.slope_width == b.article.slope_width && a.article.slope_height == b.article.slope_height;
+         a.shared.slope_width == b.shared.slope_width && a.shared.slope_height == b.shared.slope_height;
 }
 
 Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed) {

@@ -9,7 +9,7 @@
 
 namespace talus {
 
-std::int64_t work_of_a_body(std::size_t bodies) {
+std::int64_t max_work_per_body(std::size_t bodies) {
   const auto share = kMostStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
   return std::clamp(share, kLeastBodyWork, kMostBodyWork);
 }
@@ -22,7 +22,7 @@ Vec2 within_limits(Vec2 from, Vec2 goal) {
   return {limit(from.x, goal.x), limit(from.y, goal.y)};
 }
 
-Vec2 drag_goal(const ArticleTuning& t, const Body& body, const Input& input) {
+Vec2 drag_goal(const SharedTuning& t, const Body& body, const Input& input) {
   return {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
           lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
 }

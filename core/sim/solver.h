@@ -19,13 +19,13 @@ inline constexpr double kMaxBodyDistance = 1e9;  // px from the origin in x and 
 inline constexpr std::int64_t kMostStepWork = 1 << 24;
 inline constexpr std::int64_t kMostBodyWork = 1 << 20;
 inline constexpr std::int64_t kLeastBodyWork = 1 << 10;
-std::int64_t work_of_a_body(std::size_t bodies);
+std::int64_t max_work_per_body(std::size_t bodies);
 
 // A goal within these limits. What is within them is left as it is, to the last bit.
 Vec2 within_limits(Vec2 from, Vec2 goal);
 
 // Where a body that the mouse holds wants its top-left corner: part of the way to the mouse.
-Vec2 drag_goal(const ArticleTuning& tuning, const Body& body, const Input& input);
+Vec2 drag_goal(const SharedTuning& tuning, const Body& body, const Input& input);
 
 // A solver keeps working storage between steps, for speed alone: what step() does depends on nothing but the
 // scene and its arguments, so one solver may step unrelated states in any order.

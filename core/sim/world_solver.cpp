@@ -18,7 +18,7 @@ Slope slope_of(const SceneItem& item) {
 // The side of a cell of the world. Only speed depends on it, so that where the level's would cost much
 // memory, since boxes are very large for it, it is doubled until they cover few enough.
 double cell_size_for(const Scene& scene) {
-  double size = scene.tuning.article.cell_size;
+  double size = scene.tuning.shared.cell_size;
   constexpr double kFree = World::kMaxCellsOfItem, kMost = World::kMaxCells / 2;
   const auto covered = [&] {
     double cells = 0;
@@ -99,7 +99,7 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
   record_ = record;
   if (record_ != nullptr) record_->clear();
   synchronise(state);
-  world_.set_most_tests(work_of_a_body(state.bodies.size()));
+  world_.set_most_tests(max_work_per_body(state.bodies.size()));
   take_mouse(state, input, [&] { return body_at(state, input.mouse); });
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     Body& body = state.bodies[i];
@@ -127,7 +127,7 @@ int WorldSolver::body_at(const State& state, Vec2 point) {
 }
 
 void WorldSolver::pull(Body& body) const {
-  const ArticleTuning& t = tuning();
+  const SharedTuning& t = tuning();
   body.velocity.y = lerp(body.velocity.y, t.fall_speed, t.fall_blend);
   body.velocity.x = lerp(body.velocity.x, t.drift_speed, t.drift_blend);
 }

@@ -53,7 +53,7 @@ class WorldSolver : public Solver {
   void limit_velocity(Body& body);
   ContactRecord* contact_of_hit(std::size_t i);  // null when nobody records
 
-  const ArticleTuning& tuning() const { return scene_->tuning.article; }
+  const SharedTuning& tuning() const { return scene_->tuning.shared; }
   const Entry& entry(ItemId item) const { return entries_[item.index]; }
   const World::GroupResponses& moving() const { return moving_; }
   const std::vector<Placed>& placed() const { return placed_; }

@@ -6,7 +6,7 @@ constexpr double kLastPixel = kTileSize - 1e-9;  // just inside the far side of 
 }
 
 BenchKernel::BenchKernel(const Level& level, const State& start)
-    : width_(level.map.width()), height_(level.map.height()), tuning_(level.tuning.article) {
+    : width_(level.map.width()), height_(level.map.height()), tuning_(level.tuning.shared) {
   roles_.reserve(level.map.cells().size());
   for (const std::uint8_t tile : level.map.cells()) {
     roles_.push_back(role_of(level.tile_flags(tile), level.roles));

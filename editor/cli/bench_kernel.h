@@ -29,7 +29,7 @@ class BenchKernel {
   int width_, height_;           // cells
   std::vector<TileRole> roles_;  // row by row
   std::vector<Ball> balls_;
-  ArticleTuning tuning_;
+  SharedTuning tuning_;
 };
 
 }  // namespace talus

@@ -159,7 +159,7 @@ std::vector<Cell> undrawn_cells(const Level& level, const LintTiles& tiles, Cell
 }
 
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at) {
-  const double w = level.tuning.article.slope_width, h = level.tuning.article.slope_height;
+  const double w = level.tuning.shared.slope_width, h = level.tuning.shared.slope_height;
   const Vec2 slope = {static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize};
   const bool overlaps = corner.x < slope.x + w && corner.x + size.x > slope.x && corner.y < slope.y + h &&
                         corner.y + size.y > slope.y;

@@ -187,7 +187,7 @@ class LevelLinter {
   // The same of the first slope below whose floor, as the article computes it, it would start.
   bool check_slopes(int index, const std::string& subject, std::optional<Cell> cell) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
-    const Vec2 reach = {level_.tuning.article.slope_width, level_.tuning.article.slope_height};
+    const Vec2 reach = {level_.tuning.shared.slope_width, level_.tuning.shared.slope_height};
     return any_cell(spawn.position - reach, spawn.position + spawn.size, [&](Cell at) {
       const std::uint8_t tile = level_.map.at(at);
       if (!tiles_.is_slope(tile) || tiles_[tile].own_shape) return false;

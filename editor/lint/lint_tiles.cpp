@@ -67,8 +67,8 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
       outlines_(shapes_),
       sources_(usable_curves(level)),
       curves_(cut_curves(sources_)),
-      slope_cells_(static_cast<int>(std::ceil(level.tuning.article.slope_width / kTileSize))),
-      slope_rows_(static_cast<int>(std::ceil(level.tuning.article.slope_height / kTileSize))) {
+      slope_cells_(static_cast<int>(std::ceil(level.tuning.shared.slope_width / kTileSize))),
+      slope_rows_(static_cast<int>(std::ceil(level.tuning.shared.slope_height / kTileSize))) {
   for (std::size_t i = 0; i < kTileCount; ++i) {
     Tile& tile = tiles_[i];
     tile.role = role_of(level.tile_flags(static_cast<std::uint8_t>(i)), level.roles);

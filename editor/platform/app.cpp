@@ -34,9 +34,9 @@ constexpr double kBlinkWait = 0.25;  // s: while something changes slowly, such 
 constexpr double kNoteTime = 4;      // s; of good news that are short
 // Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
 // in an opened one the text field has the focus one frame later.
-constexpr int kFramesOfADialogsChange = 2;
+constexpr int kDialogOpeningFrames = 2;
 // Until a field that is to get the keys is drawn and has them, where its panel is to be shown first.
-constexpr int kFramesOfATextsFocus = 5;
+constexpr int kFieldFocusFrames = 5;
 
 // s. A long note tells what a file holds that a level does not, which is to be read to its end.
 double note_time(const std::string& note) {
@@ -81,7 +81,7 @@ std::string absolute_path(const std::string& path) {
 }
 
 // The keys that go from control to control, and press them.
-bool goes_through_controls(int key) {
+bool is_navigation_key(int key) {
   return key == ' ' || key == kKeyTab || key == kKeyEnter || (key >= kKeyLeft && key <= kKeyDown);
 }
 
@@ -286,7 +286,7 @@ void App::frame() {
     textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
   Actions actions;
   const double start = processor_time();
-  window_->begin_frame(events_, ui_.view.cursor.begin_frame(), keys_go_through_controls());
+  window_->begin_frame(events_, ui_.view.cursor.begin_frame(), keys_navigate_controls());
   draw(actions);
   window_->end_frame();
   const double made = processor_time();
@@ -300,7 +300,7 @@ void App::frame() {
   open_wanted_program();
   note_dialog_result();
   note_changes();
-  hold_presses_while_dialogs_change();
+  hold_keys_while_dialogs_change();
 }
 
 void App::draw(Actions& actions) {
@@ -313,7 +313,7 @@ void App::draw(Actions& actions) {
 
 // Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
 // and has the focus.
-void App::hold_presses_while_dialogs_change() {
+void App::hold_keys_while_dialogs_change() {
   const std::array<bool, 11> wanted = {ui_.view.dialog != FileDialog::none,
                                        session_->wants_save_as(),
                                        session_->wants_save_recording(),
@@ -326,17 +326,17 @@ void App::hold_presses_while_dialogs_change() {
                                        ui_.view.resize_open,
                                        shows_reading(*session_)};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
-    frames_to_hold_ = kFramesOfADialogsChange;
+    frames_to_hold_ = kDialogOpeningFrames;
   else if (frames_to_hold_ > 0)
     --frames_to_hold_;
-  hold_presses_until_a_field_has_the_keys();
+  hold_keys_until_field_focused();
 }
 
 // Where the field does not come, nobody gets them.
-void App::hold_presses_until_a_field_has_the_keys() {
+void App::hold_keys_until_field_focused() {
   const std::string wanted = ui_.view.wants_text + ui_.view.wants_keys;
   if (wanted != std::exchange(wanted_field_, wanted) && !wanted.empty()) {
-    frames_to_hold_ = frames_of_wanted_field_ = kFramesOfATextsFocus;
+    frames_to_hold_ = frames_of_wanted_field_ = kFieldFocusFrames;
   } else if (!wanted.empty() && --frames_of_wanted_field_ <= 0) {
     ui_.view.wants_text.clear();
     ui_.view.wants_keys.clear();
@@ -395,8 +395,8 @@ bool App::close_window(Actions& actions) {
 }
 
 // Lists, menus, dialogs, windows that float, and a panel that was given the keys.
-bool App::keys_go_through_controls() const {
-  return is_popup_open() || ui_.view.keys_in_panel || floating_window_has_keys();
+bool App::keys_navigate_controls() const {
+  return is_popup_open() || ui_.view.keys_in_panel || floating_window_has_focus();
 }
 
 // A key for a command goes to the dialog that asked for it; Escape stays its own.
@@ -444,7 +444,7 @@ bool App::keys_are_taken(KeyChord chord) const {
   // An open list or menu is gone through by keys.
   if (is_popup_open() && !chord.ctrl && !chord.alt && chord.key < kKeyF1) return true;
   const bool types = ImGui::GetIO().WantTextInput;
-  if (!types && !chord.ctrl && !chord.alt && goes_through_controls(chord.key) && keys_go_through_controls())
+  if (!types && !chord.ctrl && !chord.alt && is_navigation_key(chord.key) && keys_navigate_controls())
     return true;
   const bool moves_cursor = chord.key >= kKeyTab;
   const bool edits_text =

@@ -60,11 +60,11 @@ class App {
   void remember_changes();
   void open_first_level();
 
-  void hold_presses_while_dialogs_change();
-  void hold_presses_until_a_field_has_the_keys();
+  void hold_keys_while_dialogs_change();
+  void hold_keys_until_field_focused();
   void handle_events();
   bool close_window(Actions& actions);
-  bool keys_go_through_controls() const;
+  bool keys_navigate_controls() const;
   bool capture_key(KeyChord chord, bool repeated);
   void open_wanted_program();
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);

@@ -160,7 +160,7 @@ void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEve
 
 // What is held down already was meant for something else. The control that has the keys is shown, but in
 // lists and menus, which the mouse may have opened.
-void GlWindow::begin_keys_to_controls() {
+void GlWindow::start_key_navigation() {
   for (float& duration : ImGui::GetIO().NavInputsDownDuration) duration = 0;
   ImGuiContext& context = *ImGui::GetCurrentContext();
   const bool has_list = !context.OpenPopupStack.empty() && ImGui::GetTopMostPopupModal() == nullptr;
@@ -169,19 +169,19 @@ void GlWindow::begin_keys_to_controls() {
 
 // Where keys go from control to control, Enter takes what is chosen, as Space does. Elsewhere the keys are
 // the commands', and in a text the text's.
-void GlWindow::give_keys_to_controls(bool wanted) {
+void GlWindow::enable_key_navigation(bool wanted) {
   ImGuiIO& io = ImGui::GetIO();
   if (!wanted || io.WantTextInput) {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     return;
   }
-  if ((io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) == 0) begin_keys_to_controls();
+  if ((io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) == 0) start_key_navigation();
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 // This version's Tab stops at fields alone; here it stops at buttons, too.
-void GlWindow::let_tab_stop_everywhere() {
+void GlWindow::let_tab_reach_every_control() {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return;
   context.NavMoveFlags |= ImGuiNavMoveFlags_FocusApi;
@@ -189,7 +189,7 @@ void GlWindow::let_tab_stop_everywhere() {
 }
 
 void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer,
-                           bool keys_to_controls) {
+                           bool keys_navigate) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
 #if IMGUI_VERSION_NUM < 18700
@@ -210,9 +210,9 @@ void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorP
   static_cast<void>(events);
   static_cast<void>(pointer);
 #endif
-  give_keys_to_controls(keys_to_controls);
+  enable_key_navigation(keys_navigate);
   new_frame();
-  if (keys_to_controls) let_tab_stop_everywhere();
+  if (keys_navigate) let_tab_reach_every_control();
 }
 
 void GlWindow::begin_picture(ImVec2 size) {

@@ -44,10 +44,9 @@ class GlWindow {
   // Fonts and colours; cheap when it is the style already set.
   void set_style(const WindowStyle& style);
   void process_event(const SDL_Event& event);
-  // pointer: what the mouse is said to be; nothing: what the events make it. keys_to_controls: the arrows,
+  // pointer: what the mouse is said to be; nothing: what the events make it. keys_navigate: the arrows,
   // Tab, Space and Enter go through what is open, control by control.
-  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer,
-                   bool keys_to_controls);
+  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer, bool keys_navigate);
   void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
   // Makes triangles of what was put into Dear ImGui since begin_frame(); draw() gives them to OpenGL, and
   // present() shows them. Offscreen nobody would see them: there draw_picture() draws, when a picture is
@@ -57,9 +56,9 @@ class GlWindow {
   void present();
 
  private:
-  static void begin_keys_to_controls();
-  static void give_keys_to_controls(bool wanted);
-  static void let_tab_stop_everywhere();
+  static void start_key_navigation();
+  static void enable_key_navigation(bool wanted);
+  static void let_tab_reach_every_control();
   GlWindow() = default;
   std::string start(const WindowOptions& options);  // the error, or nothing
 

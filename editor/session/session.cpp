@@ -49,7 +49,7 @@ Session::Impl::Impl(Level opened, std::string opened_path, std::string unsaved_n
       name(std::move(unsaved_name)),
       path(std::move(opened_path)),
       format(path.empty() ? nullptr : format_for_file(path)),
-      player(level),
+      simulation(level),
       permissions(tools.permissions),
       exporting(std::move(tools)) {
   permissions.open(path);
@@ -67,7 +67,7 @@ void Session::Impl::carry_out(const action::EditLevel& a) {
 }
 
 void Session::Impl::edit_level(const Edit& wanted, int stroke) {
-  if (stroke == 0 || stroke > last_stroke) player.timeline().begin_series();
+  if (stroke == 0 || stroke > last_stroke) simulation.timeline().begin_series();
   last_stroke = std::max(last_stroke, stroke);
   Edit edit = wanted;
   rebase_edit(level, edit);
@@ -84,7 +84,7 @@ void Session::Impl::edit_level(const Edit& wanted, int stroke) {
 
 void Session::Impl::carry_out(const action::Undo&) {
   if (!history.can_undo() || reader.is_busy()) return;
-  player.timeline().begin_series();
+  simulation.timeline().begin_series();
   history.undo(level);
   const Edit& edit = history.edits()[history.position()];
   if (edit.selection) choices.selection = edit.selection->before;
@@ -95,7 +95,7 @@ void Session::Impl::carry_out(const action::Undo&) {
 
 void Session::Impl::carry_out(const action::Redo&) {
   if (!history.can_redo() || reader.is_busy()) return;
-  player.timeline().begin_series();
+  simulation.timeline().begin_series();
   history.redo(level);
   const Edit& edit = history.edits()[history.position() - 1];
   if (edit.selection) choices.selection = edit.selection->after;
@@ -105,25 +105,25 @@ void Session::Impl::carry_out(const action::Redo&) {
 }
 
 void Session::Impl::carry_out(const action::StepFrame&) {
-  player.set_running(false);
+  simulation.set_running(false);
   refresh_scene();
-  if (!is_opening) player.step();
+  if (!is_opening) simulation.step();
 }
 
 void Session::Impl::carry_out(const action::ResetPlay&) {
   refresh_scene();
-  keep_chosen_body([&] { player.reset(); });
+  keep_chosen_body([&] { simulation.reset(); });
 }
 
 void Session::Impl::carry_out(const action::SelectBody& a) {
   refresh_scene();
-  choices.body = player.state().find(a.id) != nullptr ? a.id : 0;
+  choices.body = simulation.state().find(a.id) != nullptr ? a.id : 0;
 }
 
 void Session::Impl::carry_out(const action::SelectSpawn& a) {
   refresh_scene();
   choices.body = 0;
-  for (const Body& body : player.state().bodies) {
+  for (const Body& body : simulation.state().bodies) {
     if (a.spawn >= 0 && body.origin.spawn == a.spawn) choices.body = body.id;
   }
 }
@@ -166,7 +166,7 @@ void Session::Impl::refresh_scene() {
   is_opening = false;
   reach.note_change();
   bool has_room = true;
-  keep_chosen_body([&] { has_room = player.edit(level, changes.whole ? nullptr : &changes.cells); });
+  keep_chosen_body([&] { has_room = simulation.edit(level, changes.whole ? nullptr : &changes.cells); });
   if (!has_room) {
     message = Message{"The run begins anew, as its edits of the level took more than " +
                           std::to_string(kMaxVersionBytes >> 20) + " MiB.",
@@ -178,10 +178,10 @@ void Session::Impl::refresh_scene() {
 void Session::Impl::load_player() {
   compiler.cancel();
   is_opening = SceneCompiler::is_large(level);
-  if (!is_opening) return player.load(level);
+  if (!is_opening) return simulation.load(level);
   Level bare = level;
   std::fill(bare.map.cells().begin(), bare.map.cells().end(), std::uint8_t{0});
-  player.load(bare);
+  simulation.load(bare);
   compiler.start(level);
 }
 
@@ -194,16 +194,16 @@ void Session::Impl::take_compiled() {
     return;
   }
   reach.note_change();
-  keep_chosen_body([&] { player.edit(*compiled->level, nullptr, compiled->scene); });
+  keep_chosen_body([&] { simulation.edit(*compiled->level, nullptr, compiled->scene); });
   refresh_scene();
 }
 
 void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
   const auto spawns = [this] {
-    const Branch& branch = player.timeline().current();
-    return branch.chapters[branch.chapter_at(player.timeline().frame())].version->spawns;
+    const Branch& branch = simulation.timeline().current();
+    return branch.chapters[branch.chapter_at(simulation.timeline().frame())].version->spawns;
   };
-  const Body* chosen = player.state().find(choices.body);
+  const Body* chosen = simulation.state().find(choices.body);
   choices.body = 0;
   if (chosen == nullptr) return renumber();
   BodyOrigin origin = chosen->origin;
@@ -214,7 +214,7 @@ void Session::Impl::keep_chosen_body(FunctionRef<void()> renumber) {
     if (!now) return;
     origin.spawn = *now;
   }
-  for (const Body& body : player.state().bodies) {
+  for (const Body& body : simulation.state().bodies) {
     if (body.origin == origin) choices.body = body.id;
   }
 }
@@ -249,11 +249,11 @@ void Session::take_time() {
   impl_->other_trails.take_time();
 }
 
-const State& Session::state() const { return impl_->player.state(); }
+const State& Session::state() const { return impl_->simulation.state(); }
 const StepRecord& Session::record() const { return timeline().record(); }
-const Playback& Session::playback() const { return impl_->player.playback(); }
-const Timeline& Session::timeline() const { return impl_->player.timeline(); }
-const EditRule& Session::edit_rule() const { return impl_->player.rule(); }
+const Playback& Session::playback() const { return impl_->simulation.playback(); }
+const Timeline& Session::timeline() const { return impl_->simulation.timeline(); }
+const EditRule& Session::edit_rule() const { return impl_->simulation.rule(); }
 const std::vector<TrailPoint>& Session::trail(const Branch& branch, int body, std::int64_t first,
                                               std::int64_t last) const {
   return impl_->trails.trail(timeline(), branch, body, first, last);
@@ -278,7 +278,7 @@ const std::vector<TrailPoint>& Session::other_trail(int body, std::int64_t first
   if (side.variant() == nullptr) return trail(*branch, body, first, last);
   return impl_->other_trails.trail(*side.variant()->timeline(), *branch, body, first, last);
 }
-const StepTimes& Session::step_times() const { return impl_->player.step_times(); }
+const StepTimes& Session::step_times() const { return impl_->simulation.step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->message; }
 const std::optional<Question>& Session::question() const { return impl_->question; }
 const Exporting& Session::exporting() const { return impl_->exporting; }

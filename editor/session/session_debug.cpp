@@ -8,19 +8,19 @@ namespace talus {
 
 void Session::Impl::carry_out(const action::RunToStop& a) {
   refresh_scene();
-  player.set_running(false);
+  simulation.set_running(false);
   plays_on = a.direction == SearchDirection::forwards;
   nothing_found = "No breakpoint stops before this frame.";
-  debugger.follow(player.timeline(), level);
-  debugger.search(player.timeline(), a.direction);
+  debugger.follow(simulation.timeline(), level);
+  debugger.search(simulation.timeline(), a.direction);
 }
 
 void Session::Impl::carry_out(const action::FindParting& a) {
   refresh_scene();
-  player.set_running(false);
+  simulation.set_running(false);
   plays_on = false;
   nothing_found = "As far as they have been run, no body is further from its other self.";
-  debugger.follow(player.timeline(), level);
+  debugger.follow(simulation.timeline(), level);
   debugger.search_parting(a.threshold);
 }
 
@@ -29,14 +29,14 @@ void Session::Impl::carry_out(const action::SetParting& a) {
 }
 
 void Session::Impl::play(double seconds) {
-  debugger.follow(player.timeline(), level);
-  const auto may_step = [this] { return debugger.may_step(player.timeline()); };
+  debugger.follow(simulation.timeline(), level);
+  const auto may_step = [this] { return debugger.may_step(simulation.timeline()); };
   const auto stops = [this] {
-    const bool stops_here = debugger.stops_at(player.timeline(), level);
+    const bool stops_here = debugger.stops_at(simulation.timeline(), level);
     if (stops_here) note_stop();
     return stops_here;
   };
-  player.advance(seconds, may_step, stops);
+  simulation.advance(seconds, may_step, stops);
 }
 
 // Says why it stands still, and shows the body that it is about where none is chosen.
@@ -48,8 +48,8 @@ void Session::Impl::note_stop() {
 
 void Session::Impl::debug() {
   const bool was_searching = debugger.searching();
-  if (const auto frame = debugger.advance(player.timeline(), level, choices.body)) {
-    player.seek(*frame);
+  if (const auto frame = debugger.advance(simulation.timeline(), level, choices.body)) {
+    simulation.seek(*frame);
     note_stop();
   }
   if (!was_searching || debugger.searching() || !debugger.search_failed()) return;
@@ -57,8 +57,8 @@ void Session::Impl::debug() {
     message = Message{nothing_found, false};
     return;
   }
-  player.seek(player.timeline().last_frame());
-  player.set_running(true);
+  simulation.seek(simulation.timeline().last_frame());
+  simulation.set_running(true);
 }
 
 }  // namespace talus

@@ -67,7 +67,7 @@ std::chrono::milliseconds patience_for(const std::string& path) {
 
 void Session::Impl::carry_out(const action::OpenFile& a) {
   if (is_png(read_start_of_file(a.path, kPngStart).value_or(""))) return open_picture(a.path, a);
-  ask_or_go_on(a);
+  ask_before_discarding(a);
 }
 
 void Session::Impl::carry_out(const action::SaveFileAs& a) {
@@ -132,13 +132,13 @@ std::string Session::Impl::file_names() const {
   return companion.path.empty() ? file_name() : file_name() + " + " + last_name(companion.path);
 }
 
-void Session::Impl::ask_or_go_on(Losing losing) {
+void Session::Impl::ask_before_discarding(DiscardingAction discarding) {
   cancel_reading();
   question.reset();
   pending.reset();
   wants_save_as = wants_save_recording = false;
-  if (is_stored()) return ask_about_run(std::move(losing));
-  pending = std::move(losing);
+  if (is_stored()) return ask_about_run(std::move(discarding));
+  pending = std::move(discarding);
   if (history.is_saved()) return ask_about_unstored();
   question = Question{"Save the changes to " + file_name() + "?"};
 }
@@ -156,27 +156,27 @@ void Session::Impl::go_on_when_stored() {
 }
 
 void Session::Impl::continue_pending() {
-  if (auto losing = std::exchange(pending, std::nullopt)) ask_about_run(std::move(*losing));
+  if (auto discarding = std::exchange(pending, std::nullopt)) ask_about_run(std::move(*discarding));
 }
 
 // The run is shown, as it is what would be saved.
-void Session::Impl::ask_about_run(Losing losing) {
+void Session::Impl::ask_about_run(DiscardingAction discarding) {
   const auto run = handmade_runs.latest();
-  if (!run || player.timeline().find(*run) == nullptr) return go_on(losing);
-  player.set_running(false);
-  if (player.timeline().current().id != *run) carry_out(action::SwitchBranch{*run});
-  pending = std::move(losing);
+  if (!run || simulation.timeline().find(*run) == nullptr) return discard_and_do(discarding);
+  simulation.set_running(false);
+  if (simulation.timeline().current().id != *run) carry_out(action::SwitchBranch{*run});
+  pending = std::move(discarding);
   question = Question{"Keep the recording of run " + std::to_string(*run) +
                           "?\nIt has marks or inputs of yours, and is in no file yet.",
                       Question::Kind::unsaved_run};
 }
 
-void Session::Impl::go_on(const Losing& losing) {
-  if (const auto* file = std::get_if<action::OpenFile>(&losing)) {
+void Session::Impl::discard_and_do(const DiscardingAction& discarding) {
+  if (const auto* file = std::get_if<action::OpenFile>(&discarding)) {
     open(*file);
-  } else if (const auto* saved = std::get_if<action::RecoverLevel>(&losing)) {
+  } else if (const auto* saved = std::get_if<action::RecoverLevel>(&discarding)) {
     recover(*saved);
-  } else if (std::holds_alternative<action::NewLevel>(losing)) {
+  } else if (std::holds_alternative<action::NewLevel>(discarding)) {
     replace_level(Level(), {}, nullptr);
     name = kUnnamed;
   } else {
@@ -276,7 +276,7 @@ void Session::Impl::open_recording(const std::string& file, const Recording& rec
   name = last_name(file);
   compiler.cancel();
   is_opening = false;
-  player.load(recording, scenes);
+  simulation.load(recording, scenes);
 }
 
 void Session::Impl::recover(const action::RecoverLevel& saved) {
@@ -314,10 +314,10 @@ void Session::Impl::recover_runs(const std::vector<std::shared_ptr<const Recordi
                                  const EndScenes& scenes) {
   compiler.cancel();
   is_opening = false;
-  player.load(*recordings.front(), scenes);
-  handmade_runs.note_input(player.timeline().current().id);
+  simulation.load(*recordings.front(), scenes);
+  handmade_runs.note_input(simulation.timeline().current().id);
   for (std::size_t i = 1; i < recordings.size(); ++i)
-    handmade_runs.note_input(player.timeline().add(*recordings[i]));
+    handmade_runs.note_input(simulation.timeline().add(*recordings[i]));
   scene_changes = {};
   scene_changes.whole = true;
 }
@@ -391,7 +391,7 @@ void Session::Impl::take_reloaded(const FormatResult<LoadedLevel>& loaded) {
 }
 
 void Session::Impl::carry_out(const action::SaveRecording& a) {
-  const Timeline& timeline = player.timeline();
+  const Timeline& timeline = simulation.timeline();
   if (timeline.behind()) {
     message = Message{"The recording is being run again; save it when that is done.", true};
     return;
@@ -442,7 +442,7 @@ void Session::Impl::replace_level(Level opened, std::string opened_path, const F
 
 void Session::Impl::read_hard_case() {
   hard_case = hard_case_of(level).value_or(std::nullopt);
-  player.set_script(hard_case ? hard_case->input : std::vector<CaseInput>());
+  simulation.set_script(hard_case ? hard_case->input : std::vector<CaseInput>());
   if (hard_case) choices.overlays.set(OverlayId::answer, true);
 }
 

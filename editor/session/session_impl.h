@@ -40,7 +40,8 @@ struct SceneChanges {
 
 struct Session::Impl {
   // What loses the changes since the last save, and so is asked about first.
-  using Losing = std::variant<action::NewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
+  using DiscardingAction =
+      std::variant<action::NewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
 
   Impl(Level opened, std::string opened_path, std::string unsaved_name, ExportTools tools);
 
@@ -48,7 +49,7 @@ struct Session::Impl {
   void carry_out(const action::EditLevel& a);
   void carry_out(const action::Undo&);
   void carry_out(const action::Redo&);
-  void carry_out(const action::NewLevel& a) { ask_or_go_on(a); }
+  void carry_out(const action::NewLevel& a) { ask_before_discarding(a); }
   void carry_out(const action::OpenFile& a);
   void carry_out(const action::SaveRecording& a);
   void carry_out(const action::SaveFile&) { save(); }
@@ -65,25 +66,25 @@ struct Session::Impl {
   void carry_out(const action::SetLevelImport& a);
   void carry_out(const action::ApplyLevelImport&);
   void carry_out(const action::CancelLevelImport&) { level_import.reset(); }
-  void carry_out(const action::Quit& a) { ask_or_go_on(a); }
+  void carry_out(const action::Quit& a) { ask_before_discarding(a); }
   void carry_out(const action::AnswerQuestion& a);
   void carry_out(const action::CancelSaveAs&);
-  void carry_out(const action::RecoverLevel& a) { ask_or_go_on(a); }
+  void carry_out(const action::RecoverLevel& a) { ask_before_discarding(a); }
   void carry_out(const action::CancelReading&) { cancel_reading(); }
   void carry_out(const action::CheckFile&);
   void carry_out(const action::ShowMessage& a) { message = Message{a.text, a.is_error}; }
   void carry_out(const action::DismissMessage&) { message.reset(); }
-  void carry_out(const action::Play&) { player.set_running(true); }
-  void carry_out(const action::Pause&) { player.set_running(false); }
-  void carry_out(const action::TogglePlay&) { player.set_running(!player.playback().running); }
+  void carry_out(const action::Play&) { simulation.set_running(true); }
+  void carry_out(const action::Pause&) { simulation.set_running(false); }
+  void carry_out(const action::TogglePlay&) { simulation.set_running(!simulation.playback().running); }
   void carry_out(const action::StepFrame&);
   void carry_out(const action::ResetPlay&);
-  void carry_out(const action::SetSpeed& a) { player.set_speed(a.factor); }
-  void carry_out(const action::HoldMouse& a) { player.hold_mouse(a, choices.body); }
-  void carry_out(const action::HoldKeys& a) { player.hold_keys(a); }
-  void carry_out(const action::StepBack&) { seek(player.timeline().wanted_frame() - 1); }
+  void carry_out(const action::SetSpeed& a) { simulation.set_speed(a.factor); }
+  void carry_out(const action::HoldMouse& a) { simulation.hold_mouse(a, choices.body); }
+  void carry_out(const action::HoldKeys& a) { simulation.hold_keys(a); }
+  void carry_out(const action::StepBack&) { seek(simulation.timeline().wanted_frame() - 1); }
   void carry_out(const action::SeekStart&) { seek(0); }
-  void carry_out(const action::SeekEnd&) { seek(player.timeline().last_frame()); }
+  void carry_out(const action::SeekEnd&) { seek(simulation.timeline().last_frame()); }
   void carry_out(const action::SeekFrame& a) { seek(a.frame); }
   void carry_out(const action::SetMark& a);
   void carry_out(const action::RemoveMark& a);
@@ -92,12 +93,12 @@ struct Session::Impl {
   void carry_out(const action::SwitchBranch& a);
   void carry_out(const action::DropBranch& a);
   void drop_branch(int branch);
-  void carry_out(const action::CompareBranch& a) { player.timeline().compare_with(a.branch); }
+  void carry_out(const action::CompareBranch& a) { simulation.timeline().compare_with(a.branch); }
   void carry_out(const action::SetInput& a);
   void carry_out(const action::SetMouse& a);
-  void carry_out(const action::SetEditRule& a) { player.set_rule(a.rule); }
+  void carry_out(const action::SetEditRule& a) { simulation.set_rule(a.rule); }
   void carry_out(const action::Rerun& a);
-  void carry_out(const action::CancelRerun&) { player.timeline().cancel(); }
+  void carry_out(const action::CancelRerun&) { simulation.timeline().cancel(); }
   void carry_out(const action::SetBreakpoint& a) { debugger.put(a.breakpoint); }
   void carry_out(const action::RemoveBreakpoint& a) { debugger.remove_breakpoint(a.breakpoint); }
   void carry_out(const action::RunToStop& a);
@@ -161,13 +162,13 @@ struct Session::Impl {
   std::string file_names() const;
   // Whether the file, with its companion, holds all that is here.
   bool is_stored() const { return history.is_saved() && unstored.empty(); }
-  void ask_or_go_on(Losing losing);  // asks first if there are unsaved changes
+  void ask_before_discarding(DiscardingAction discarding);  // asks first if there are unsaved changes
   void ask_about_unstored();
   void go_on_when_stored();
   void answer_about_run(action::Answer answer);
-  void ask_about_run(Losing losing);            // the same of a run with the user's marks or inputs
-  void note_input(FunctionRef<void()> change);  // of the current run, by hand
-  void go_on(const Losing& losing);
+  void ask_about_run(DiscardingAction discarding);  // the same of a run with the user's marks or inputs
+  void note_input(FunctionRef<void()> change);      // of the current run, by hand
+  void discard_and_do(const DiscardingAction& discarding);
   // Reads beside the window what is not read at once. The level stays as it is until `work`'s answer is
   // called.
   void read_beside(const std::string& file, FileReader::Work work);
@@ -221,7 +222,7 @@ struct Session::Impl {
   std::vector<std::string> unstored;  // what the file lacks of the saved level, one phrase each
   const Format* format = nullptr;     // that the file is in; null: none, or an unknown one
 
-  Player player;
+  Simulation simulation;
   Debugger debugger;
   bool plays_on = false;        // when the search that is under way finds nothing
   std::string nothing_found;    // what is said then, unless it plays on
@@ -235,8 +236,9 @@ struct Session::Impl {
   std::optional<Question> question;
   std::optional<PngImport> png_import;
   std::optional<LevelImport> level_import;
-  std::optional<Losing> pending;  // waits for the question's answer, or for the saving that it led to
-  int branch_to_drop = 0;         // id, waits for the question's answer
+  // Waits for the question's answer, or for the saving that it led to.
+  std::optional<DiscardingAction> pending;
+  int branch_to_drop = 0;  // id, waits for the question's answer
   HandmadeRuns handmade_runs;
   bool wants_save_as = false;
   bool wants_save_recording = false;

@@ -31,9 +31,9 @@ void Session::Impl::carry_out(const action::FindReach&) {
     message = Message{"The level is still being compiled: look again when that is done.", true};
     return;
   }
-  const Body* chosen = player.state().find(choices.body);
+  const Body* chosen = simulation.state().find(choices.body);
   const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
-  if (const auto problem = reach.start(*player.timeline().level_scene(), origin)) {
+  if (const auto problem = reach.start(*simulation.timeline().level_scene(), origin)) {
     message = Message{*problem, true};
     return;
   }
@@ -45,10 +45,10 @@ void Session::Impl::carry_out(const action::ShowWay& a) {
   const std::vector<Input> way = reach.found()->way_to(a.cell);
   if (way.empty()) return;
   keep_chosen_body([&] {
-    player.set_running(false);
-    player.reset();
-    for (std::size_t i = 0; i < way.size(); ++i) player.timeline().step(way[i], i + 1 == way.size());
-    player.show();
+    simulation.set_running(false);
+    simulation.reset();
+    for (std::size_t i = 0; i < way.size(); ++i) simulation.timeline().step(way[i], i + 1 == way.size());
+    simulation.show();
   });
 }
 

@@ -36,7 +36,7 @@ void Session::Impl::open_picture(const std::string& picture_path,
                                  const std::optional<action::OpenFile>& cart) {
   read_beside(picture_path, [this, picture_path, cart](const Progress& progress) -> FileReader::Finish {
     const auto bytes = read_file(picture_path, kMaxFileBytes, progress);
-    if (cart && bytes && has_tic_cart(*bytes)) return [this, cart] { ask_or_go_on(*cart); };
+    if (cart && bytes && has_tic_cart(*bytes)) return [this, cart] { ask_before_discarding(*cart); };
     auto picture = std::make_shared<FormatResult<PngPicture>>(
         bytes ? read_png(*bytes) : FormatResult<PngPicture>(tl::unexpected(bytes.error())));
     return [this, picture_path, picture] { take_picture(picture_path, std::move(*picture)); };

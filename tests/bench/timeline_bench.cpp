@@ -31,10 +31,10 @@ enum Balls { kLively, kTiring };
 Level level_with(int bodies, SolverKind solver, Balls balls) {
   Level level;
   level.tuning.solver = solver;
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   if (balls == kLively) {
-    level.tuning.article.floor_bounce = level.tuning.article.floor_grip = 1;
-    level.tuning.article.drift_blend = 0;
+    level.tuning.shared.floor_bounce = level.tuning.shared.floor_grip = 1;
+    level.tuning.shared.drift_blend = 0;
   }
   auto& flags = level.sheet(SheetId::tiles).flags;
   flags[1] = 1;

@@ -185,7 +185,7 @@ TEST(HardCaseFiles, AStepWithASlopeIsPassedAtEverySpeed) {
       return failures_with("03-step-with-a-slope", frames,
                            {reaches, check_of(M::sink, 1e-9), check_of(M::walls, 0)}, [&](Tuning& t) {
                              t.solver = solver;
-                             t.article.drift_speed = speed;
+                             t.shared.drift_speed = speed;
                            });
     };
     EXPECT_EQ(run(SolverKind::exact), "") << speed;

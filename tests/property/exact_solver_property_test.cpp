@@ -68,12 +68,12 @@ struct Tune {
 Tuning random_tuning(Dice& dice, Tune tune) {
   Tuning t;
   t.exact.single_precision = tune.single;
-  t.article.balls_block = tune.balls_block;
+  t.shared.balls_block = tune.balls_block;
   if (dice.one_in(2)) {
-    t.article.fall_speed = dice.step(0.5, 100, 16);
-    t.article.floor_bounce = t.article.wall_bounce = dice.up_to(4) / 4.0;
-    t.article.floor_grip = 1;
-    t.article.drift_blend = 0;
+    t.shared.fall_speed = dice.step(0.5, 100, 16);
+    t.shared.floor_bounce = t.shared.wall_bounce = dice.up_to(4) / 4.0;
+    t.shared.floor_grip = 1;
+    t.shared.drift_blend = 0;
   }
   if (dice.one_in(3)) t.exact.gravity = 0.25;
   t.exact.rebound = dice.up_to(1);
@@ -127,7 +127,7 @@ std::shared_ptr<const Scene> scene_of(const RandomGround& ground, const Tuning& 
   } else {
     scene->ground = std::make_shared<const Terrain>(source);
   }
-  scene->features.pairs = tuning.article.balls_block != 0 && scene->items.size() > 1;
+  scene->features.pairs = tuning.shared.balls_block != 0 && scene->items.size() > 1;
   return scene;
 }
 
@@ -256,7 +256,7 @@ TEST(ExactSolverProperty, AMirroredRoomGivesTheMirroredRun) {
       item.velocity.x = -item.velocity.x;
     }
     const auto scene = scene_of(room.ground, tuning, bodies);
-    tuning.article.drift_speed = -tuning.article.drift_speed;
+    tuning.shared.drift_speed = -tuning.shared.drift_speed;
     const auto image = scene_of(room.ground.mirrored(), tuning, images);
     const auto solver = make_solver(scene), other = make_solver(image);
     State a = initial_state(*scene), b = initial_state(*image);

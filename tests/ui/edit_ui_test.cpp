@@ -288,15 +288,15 @@ TEST_F(UiEdit, TuningIsDraggedInOneUndoAndReset) {
   frames(2);
   const ImVec2 at = centre("tuning/fall_speed");
   drag(at, {at.x + 40, at.y});
-  EXPECT_GT(level().tuning.article.fall_speed, 5);
+  EXPECT_GT(level().tuning.shared.fall_speed, 5);
   EXPECT_EQ(session().history().edits().size(), 1u);
   frames(2);
   click("tuning/reset_fall_speed");
-  EXPECT_EQ(level().tuning.article.fall_speed, 5);
+  EXPECT_EQ(level().tuning.shared.fall_speed, 5);
   key(ctrl('z'));
-  EXPECT_GT(level().tuning.article.fall_speed, 5);
+  EXPECT_GT(level().tuning.shared.fall_speed, 5);
   key(ctrl('z'));
-  EXPECT_EQ(level().tuning.article.fall_speed, 5);
+  EXPECT_EQ(level().tuning.shared.fall_speed, 5);
 }
 
 TEST_F(UiEdit, TheSolverIsChosen) {

@@ -5,7 +5,7 @@
 
 namespace talus::level_at_frame_ui_test {
 
-class UiLevelThen : public DebuggerTest {
+class UiLevelAtFrame : public DebuggerTest {
  protected:
   Rgb color_at(ImVec2 at) {
     move({1, 1});  // the mouse would show what it is about to paint
@@ -30,7 +30,7 @@ class UiLevelThen : public DebuggerTest {
   }
 };
 
-TEST_F(UiLevelThen, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
+TEST_F(UiLevelAtFrame, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
   app().ui().view.canvas = CanvasMode::both;
   const Cell cell{20, 8};
   const Rgb solid = level().palette[13];
@@ -46,7 +46,7 @@ TEST_F(UiLevelThen, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
   EXPECT_EQ(color_in("play", cell), solid);
 }
 
-TEST_F(UiLevelThen, FromAfarToo) {
+TEST_F(UiLevelAtFrame, FromAfarToo) {
   app().ui().view.canvas = CanvasMode::play;
   frames(2);
   play(10);
@@ -62,7 +62,7 @@ TEST_F(UiLevelThen, FromAfarToo) {
   EXPECT_NE(color_in("play", middle), solid);
 }
 
-TEST_F(UiLevelThen, TheOtherSideShowsTheLevelOfItsOwnBranch) {
+TEST_F(UiLevelAtFrame, TheOtherSideShowsTheLevelOfItsOwnBranch) {
   app().ui().view.canvas = CanvasMode::play;
   const Cell cell{12, 8};
   const Rgb solid = level().palette[13];

@@ -87,7 +87,7 @@ TEST(ArticleSolver, BallsBlockOneAnotherUnlessTheTuningSaysNo) {
   for (int i = 0; i < 30; ++i) state = step(scene, state, {});
   EXPECT_EQ(state.bodies[0].box.y, 0);
 
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   scene = compile_scene(level);
   state = initial_state(scene);
   for (int i = 0; i < 120; ++i) state = step(scene, state, {});
@@ -113,8 +113,8 @@ TEST(ArticleSolver, TheMouseTakesDragsAndThrowsABall) {
 
 TEST(ArticleSolver, AnyNumberCanBeTuned) {
   Level level = level_of({"o", ".", "."});
-  level.tuning.article.fall_speed = 2;
-  level.tuning.article.fall_blend = 0.5;
+  level.tuning.shared.fall_speed = 2;
+  level.tuning.shared.fall_blend = 0.5;
   const Scene scene = compile_scene(level);
   EXPECT_EQ(step(scene, initial_state(scene), {}).bodies[0].velocity.y, 1);
 }

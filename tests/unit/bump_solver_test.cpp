@@ -13,7 +13,7 @@ namespace talus::bump_solver_test {
 
 // Rolls at a constant speed, and neither bounces nor is slowed.
 Level walking(Level level, double speed) {
-  ArticleTuning& t = level.tuning.article;
+  SharedTuning& t = level.tuning.shared;
   t.drift_speed = speed;
   t.drift_blend = 1;
   t.floor_bounce = t.slope_bounce = t.wall_bounce = 0;
@@ -112,7 +112,7 @@ TEST(BumpSolver, StandingIsOneCheck) {
 
 TEST(BumpSolver, AFallOnASlopeIsTurnedAboutItsTrueNormal) {
   Level level = level_of({"..", "..", "..", "/-"});
-  ArticleTuning& t = level.tuning.article;
+  SharedTuning& t = level.tuning.shared;
   t.slope_width = t.slope_height = 8;
   t.fall_blend = t.drift_blend = 0;
   t.slope_bounce = 1;
@@ -137,8 +137,8 @@ TEST(BumpSolver, FromBelowAndFromTheHighSideASlopeIsItsBox) {
                           "......",  //
                           "......"});
   level.tuning.solver = SolverKind::bump;
-  level.tuning.article.fall_blend = level.tuning.article.drift_blend = 0;
-  level.tuning.article.floor_bounce = level.tuning.article.wall_bounce = 0;
+  level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
+  level.tuning.shared.floor_bounce = level.tuning.shared.wall_bounce = 0;
   add_ball(level, {10, 20}, {0, -6});
   add_ball(level, {28, 9}, {-6, 0});
   const Scene scene = compile_scene(level);
@@ -229,8 +229,8 @@ TEST(BumpSolver, EndsWithThePinnedHash) {
 // A ball that flies straight, in a room whose ground is one tile shape in the cells of row 3.
 Level room(TileShape shape, Vec2 position, Vec2 velocity) {
   Level level = walking(level_of({"......", "......", "......", "......", "......", "......"}), velocity.x);
-  level.tuning.article.fall_speed = velocity.y;
-  level.tuning.article.fall_blend = 1;
+  level.tuning.shared.fall_speed = velocity.y;
+  level.tuning.shared.fall_blend = 1;
   for (int x = 0; x < 6; x += shape.tiles) level.map.set({x, 3}, 7);
   level.tile_shapes[7] = std::move(shape);
   add_ball(level, position, velocity);

@@ -42,7 +42,7 @@ Level rich_level() {
   level.roles.solid = 4;
   level.roles.ball = FlagRoles::kUnused;
   level.tuning.solver = SolverKind::article;
-  level.tuning.article.fall_speed = 4;
+  level.tuning.shared.fall_speed = 4;
   level.brushes.push_back({.name = "grass", .tiles = {4}, .extra = ""});
   level.auto_tiles.tiles[0] = 4;
   level.exports = {{"game", "love", "game", "", false, ""}};
@@ -107,7 +107,7 @@ TEST_F(Companions, HoldWhatEachKindOfCartLacks) {
 TEST_F(Companions, HoldNothingThatTheCartHolds) {
   Level level = plain_level();
   level.spawns.resize(1);
-  level.tuning.article.fall_speed = 4;
+  level.tuning.shared.fall_speed = 4;
   save(level, "game.tic");
   Json companion = parse_json(bytes_of("game.tic.talus.json")).value();
   EXPECT_EQ(companion["companion"]["file"], "game.tic");

@@ -82,7 +82,7 @@ TEST_F(BranchFramesTest, GrowWithTheBranch) {
 TEST_F(BranchFramesTest, OfTwoBranchesAreCompared) {
   const Branch old = timeline_.current();
   timeline_.seek(50);
-  level_.tuning.article.fall_speed = 1;
+  level_.tuning.shared.fall_speed = 1;
   timeline_.edit(level_);
   for (int i = 0; i < 10; ++i) timeline_.step({});
   const BranchFrames a(timeline_.current()), b(old);

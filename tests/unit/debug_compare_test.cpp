@@ -53,7 +53,7 @@ std::optional<Stop> first_parting(const FrameSource& a, const FrameSource& b, do
 
 TEST(Compare, FindsTheFirstFrameWhereSolversPart) {
   Level level = level_of({".o......", "........", ".../-...", "########"});
-  level.tuning.article.drift_speed = level.tuning.article.drift_blend = 1;
+  level.tuning.shared.drift_speed = level.tuning.shared.drift_blend = 1;
   const RecordedRun article(level, 40);
   EXPECT_EQ(first_parting(article, RecordedRun(level, 40), 0), std::nullopt);
 

@@ -202,8 +202,8 @@ class Steps : public testing::Test {
   static Level falling(SolverKind solver) {
     Level level = level_of({"o..", "...", "###"});
     level.tuning.solver = solver;
-    level.tuning.article.fall_blend = 1;
-    level.tuning.article.floor_bounce = 0.5;
+    level.tuning.shared.fall_blend = 1;
+    level.tuning.shared.floor_bounce = 0.5;
     return level;
   }
 };

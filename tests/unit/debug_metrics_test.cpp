@@ -132,7 +132,7 @@ TEST(Metrics, GroundedByEverySolver) {
   for (const SolverKind solver : solver_kinds()) {
     Level level = level_of({"o..", "...", "###"});
     level.tuning.solver = solver;
-    level.tuning.article.floor_bounce = 0;
+    level.tuning.shared.floor_bounce = 0;
     const RecordedRun run(level, 60);
     const auto grounded = [&](std::int64_t frame) {
       return measure(Metric::grounded, run.at(frame), run.at(frame).state.bodies[0]);
@@ -149,9 +149,9 @@ TEST(Metrics, TheArticleSinksIntoSlopes) {
   const auto deepest = [](SolverKind solver) {
     Level level = level_of({"........", ".o......", ".../-...", "########"});
     level.tuning.solver = solver;
-    level.tuning.article.drift_speed = 1;
-    level.tuning.article.drift_blend = 1;
-    level.tuning.article.floor_bounce = 0;
+    level.tuning.shared.drift_speed = 1;
+    level.tuning.shared.drift_blend = 1;
+    level.tuning.shared.floor_bounce = 0;
     const RecordedRun run(level, 40);
     double most = 0;
     for (std::int64_t frame = 0; frame <= run.last(); ++frame)

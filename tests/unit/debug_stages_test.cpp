@@ -131,7 +131,7 @@ TEST(Stages, OfALaterPartBeginWhereItBegan) {
   Level level = level_with_a_slope(SolverKind::exact);
   level.tuning.exact.substeps = 2;
   level.tuning.exact.gravity = 0;
-  level.tuning.article.fall_blend = 0;
+  level.tuning.shared.fall_blend = 0;
   place(level, {10, 77}, {0, 4});
   const std::vector<Stage> stages = stages_of(frame_after(level, 1), 1);
   ASSERT_GT(stages.size(), 2u);
@@ -236,7 +236,7 @@ TEST(Stages, OfWorldHaveTheBodiesThatWereTestedWhereTheyAre) {
 TEST(Stages, OfExactHaveTheBodiesAmongTheCandidates) {
   Level level = level_with_a_slope(SolverKind::exact);
   level.tuning.exact.gravity = 0;
-  level.tuning.article.fall_blend = 0;
+  level.tuning.shared.fall_blend = 0;
   place(level, {10, 20}, {6, 0});
   place(level, {21, 20}, {0, 0});
   place(level, {60, 20}, {0, 0});

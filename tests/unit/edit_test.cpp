@@ -18,7 +18,7 @@ const CellChange& cell_change(const Edit& edit, std::size_t index) {
 // One change of each kind.
 Edit one_of_each(const Level& level) {
   Tuning tuning = level.tuning;
-  tuning.article.fall_speed = 3;
+  tuning.shared.fall_speed = 3;
   FlagRoles roles = level.roles;
   roles.ball = FlagRoles::kUnused;
   TileMap map(3, 2);
@@ -49,7 +49,7 @@ TEST(Edit, ChangesEveryPartOfALevel) {
   EXPECT_EQ(level.flag_shapes[6].kind, TileShape::Kind::solid);
   ASSERT_EQ(level.curves.size(), 1u);
   EXPECT_EQ(level.curves[0].name, "hill");
-  EXPECT_EQ(level.tuning.article.fall_speed, 3);
+  EXPECT_EQ(level.tuning.shared.fall_speed, 3);
   ASSERT_EQ(level.spawns.size(), 1u);
   EXPECT_EQ(level.spawns[0].name, "hero");
   EXPECT_EQ(level.map.width(), 3);

@@ -62,7 +62,7 @@ TEST(ExactSolver, BallsOnFlatGroundMoveAsTheArticles) {
   thrown.position = {40, 2};
   thrown.velocity = {3.25, -1.5};
   level.spawns.push_back(thrown);
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   Play article(level);
   level.tuning.solver = SolverKind::exact;
   Play exact(level);
@@ -245,8 +245,8 @@ TEST(ExactSolver, ReboundKeepsTheEnergyOfAPerfectBounce) {
   for (int x = 0; x < 3; ++x) level.map.set({x, 7}, 1);
   level.tuning.exact.gravity = 0.25;
   level.tuning.exact.rebound = 1;
-  level.tuning.article.floor_bounce = 1;
-  level.tuning.article.floor_grip = 1;
+  level.tuning.shared.floor_bounce = 1;
+  level.tuning.shared.floor_grip = 1;
   Spawn ball;
   ball.position = {8, 11};
   level.spawns.push_back(ball);
@@ -362,9 +362,9 @@ TEST(ExactSolver, UsedUpPassesAreRecorded) {
   Level level = exact_level({"####", "#..#", "####"});
   level.tuning.exact.rebound = 1;
   level.tuning.exact.max_passes = 4;
-  level.tuning.article.wall_bounce = 1;
-  level.tuning.article.fall_speed = 0;
-  level.tuning.article.drift_blend = 0;
+  level.tuning.shared.wall_bounce = 1;
+  level.tuning.shared.fall_speed = 0;
+  level.tuning.shared.drift_blend = 0;
   Spawn ball;
   ball.position = {10, 10};
   ball.velocity = {200, 0};

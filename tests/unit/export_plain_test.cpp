@@ -107,7 +107,7 @@ TEST(ExportJson, HoldsBallTilesAsBodiesAndTheTuning) {
   level.map.set({2, 1}, 61);
   level.map.set({0, 1}, 61);
   level.tuning.solver = SolverKind::bump;
-  level.tuning.article.fall_speed = 3.25;
+  level.tuning.shared.fall_speed = 3.25;
   level.tuning.exact.gravity = 0.5;  // a file leaves out groups of standard numbers
   level.tuning.player.gravity = 0.1;
   const Json json = json_of(level);

@@ -21,11 +21,11 @@ class LevelOfAFrame : public testing::Test {
   void paint(Cell cell, std::uint8_t tile = kRoomSolid) {
     session_.apply(action::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}})});
   }
-  void show() { then_.show(session_, session_.timeline().current(), session_.timeline().frame()); }
-  std::uint8_t tile_at(Cell cell) { return then_.level(session_).map.at(cell); }
+  void show() { level_at_frame_.show(session_, session_.timeline().current(), session_.timeline().frame()); }
+  std::uint8_t tile_at(Cell cell) { return level_at_frame_.level(session_).map.at(cell); }
 
   Session session_{ball_room()};
-  LevelThen then_;
+  LevelAtFrame level_at_frame_;
 };
 
 TEST_F(LevelOfAFrame, IsTheOneBeforeWhatWasPaintedLater) {
@@ -34,18 +34,19 @@ TEST_F(LevelOfAFrame, IsTheOneBeforeWhatWasPaintedLater) {
   paint({6, 4});
   steps(10);
   show();
-  EXPECT_FALSE(then_.is_other());
-  EXPECT_EQ(&then_.level(session_), &session_.level()) << "no copy";
+  EXPECT_FALSE(level_at_frame_.is_other());
+  EXPECT_EQ(&level_at_frame_.level(session_), &session_.level()) << "no copy";
   session_.apply(action::SeekFrame{9});
   show();
-  ASSERT_TRUE(then_.is_other());
+  ASSERT_TRUE(level_at_frame_.is_other());
   EXPECT_EQ(tile_at({5, 3}), 0);
-  EXPECT_THAT(then_.changed(), ElementsAre(Cell{5, 3}, Cell{6, 4}));
-  EXPECT_EQ(then_.caption(), "Level as it was at this frame (other: 2 cells); edits go to the newest");
+  EXPECT_THAT(level_at_frame_.changed(), ElementsAre(Cell{5, 3}, Cell{6, 4}));
+  EXPECT_EQ(level_at_frame_.caption(),
+            "Level as it was at this frame (other: 2 cells); edits go to the newest");
   EXPECT_EQ(session_.level().map.at({5, 3}), kRoomSolid) << "what is edited stays the newest";
   session_.apply(action::SeekFrame{10});
   show();
-  EXPECT_FALSE(then_.is_other()) << "from that frame on";
+  EXPECT_FALSE(level_at_frame_.is_other()) << "from that frame on";
 }
 
 TEST_F(LevelOfAFrame, OfAnOlderBranchIsTheBranchsOwn) {
@@ -55,7 +56,7 @@ TEST_F(LevelOfAFrame, OfAnOlderBranchIsTheBranchsOwn) {
   paint({2, 5});
   session_.apply(action::SwitchBranch{old});
   show();
-  ASSERT_TRUE(then_.is_other());
+  ASSERT_TRUE(level_at_frame_.is_other());
   EXPECT_EQ(tile_at({2, 5}), 0);
 }
 
@@ -65,27 +66,28 @@ TEST_F(LevelOfAFrame, IsCopiedAgainOnlyWhenItIsAnother) {
   steps(10);
   session_.apply(action::SeekFrame{4});
   show();
-  const std::uint64_t number = then_.number();
-  const Level* copy = &then_.level(session_);
+  const std::uint64_t number = level_at_frame_.number();
+  const Level* copy = &level_at_frame_.level(session_);
   for (int frame = 0; frame < 9; ++frame) {
     session_.apply(action::SeekFrame{frame});
     show();
-    EXPECT_EQ(then_.number(), number) << frame;
-    EXPECT_EQ(&then_.level(session_), copy);
+    EXPECT_EQ(level_at_frame_.number(), number) << frame;
+    EXPECT_EQ(&level_at_frame_.level(session_), copy);
   }
 }
 
 TEST_F(LevelOfAFrame, TellsWhatElseIsOther) {
   steps(10);
   Tuning tuning = session_.level().tuning;
-  tuning.article.fall_speed = 3;
+  tuning.shared.fall_speed = 3;
   session_.apply(action::EditLevel{set_tuning(session_.level(), tuning)});
   steps(1);
   session_.apply(action::SeekStart{});
   show();
-  EXPECT_TRUE(then_.is_other());
-  EXPECT_THAT(then_.changed(), IsEmpty());
-  EXPECT_EQ(then_.caption(), "Level as it was at this frame (other: tuning); edits go to the newest");
+  EXPECT_TRUE(level_at_frame_.is_other());
+  EXPECT_THAT(level_at_frame_.changed(), IsEmpty());
+  EXPECT_EQ(level_at_frame_.caption(),
+            "Level as it was at this frame (other: tuning); edits go to the newest");
 }
 
 TEST_F(LevelOfAFrame, ThatWasPaintedAndTakenBackIsTheSessions) {
@@ -96,7 +98,7 @@ TEST_F(LevelOfAFrame, ThatWasPaintedAndTakenBackIsTheSessions) {
   steps(5);
   session_.apply(action::SeekStart{});
   show();
-  EXPECT_FALSE(then_.is_other());
+  EXPECT_FALSE(level_at_frame_.is_other());
   session_.apply(action::SeekFrame{12});
   show();
   EXPECT_EQ(tile_at({5, 3}), kRoomSolid);

@@ -25,13 +25,13 @@ TEST(ShapeOfTile, RolesGiveTheArticlesShapes) {
 
 TEST(ShapeOfTile, SlopesHaveTheTunedBox) {
   Level level;
-  level.tuning.article.slope_width = 24;
-  level.tuning.article.slope_height = 6;
+  level.tuning.shared.slope_width = 24;
+  level.tuning.shared.slope_height = 6;
   EXPECT_EQ(shape_of_flags(level, 4), slope({2, 8}, 3));
-  level.tuning.article.slope_width = 1;
-  level.tuning.article.slope_height = 64;
+  level.tuning.shared.slope_width = 1;
+  level.tuning.shared.slope_height = 64;
   EXPECT_EQ(shape_of_flags(level, 8), slope({8, 0}, 1));
-  level.tuning.article.slope_width = 64;
+  level.tuning.shared.slope_width = 64;
   EXPECT_EQ(shape_of_flags(level, 8), slope({8, 0}, 8));
 }
 

@@ -164,13 +164,13 @@ TEST(Lint, ASlopeOverlapsItsNeighbour) {
 
 TEST(Lint, ALongerSlopeNeedsMoreTiles) {
   Level level = level_of({"o./--", "../-."});
-  level.tuning.article.slope_width = 24;
+  level.tuning.shared.slope_width = 24;
   EXPECT_THAT(
       problems(level),
       ElementsAre(
           "E slope-half-missing (2, 1) 3: tile 3 at (2, 1) is an up-slope, but the tile 2 to its right is "
           "empty: half of the slope is not drawn"));
-  level.tuning.article.slope_width = 8;
+  level.tuning.shared.slope_width = 8;
   EXPECT_THAT(problems(level), IsEmpty());
 }
 

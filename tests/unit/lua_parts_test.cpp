@@ -69,7 +69,7 @@ TEST(LuaParts, ALevelHasThoseThatItUses) {
   Level level = flat_level();
   level.spawns.push_back(flat_level(BodyKind::player).spawns[0]);
   EXPECT_EQ(parts_of(level), "balls players pairs ");
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   EXPECT_EQ(parts_of(level), "balls players ");
 }
 

@@ -198,7 +198,7 @@ Level random_level(Dice& dice) {
     if (dice.one_in(3)) spawn.foot = dice.one_in(2) ? Foot::box : Foot::centre;
   }
   Tuning& tuning = level.tuning;
-  tuning.article.balls_block = dice.one_in(2) ? 1 : 0;
+  tuning.shared.balls_block = dice.one_in(2) ? 1 : 0;
   if (dice.one_in(3)) tuning.exact.gravity = 0.25, tuning.exact.rebound = dice.one_in(2) ? 1 : 0;
   if (dice.one_in(4)) tuning.exact.substeps = 1 + dice.up_to(3);
   if (dice.one_in(4)) tuning.exact.steepest = 1, tuning.exact.snap = 3;

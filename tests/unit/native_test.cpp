@@ -237,7 +237,7 @@ TEST(Native, WhatCouldNotBeReadIsNotWritten) {
   EXPECT_EQ(write_native(level, {}).error().message,
             "a name of a flag, spawn, curve, brush or export is not valid UTF-8");
   level.spawns.clear();
-  level.tuning.article.cell_size = 0;
+  level.tuning.shared.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");
 }
 

@@ -238,7 +238,7 @@ TEST(Playback, EveryKindOfEditThatThePhysicsSeesRecompiles) {
   expect_recompiled(set_roles(level, {7, 1, 2, 3}));
   expect_recompiled(set_spawns(level, {Spawn{"", {100, 8}, {}, ""}}, "Place a spawn"));
   Tuning tuning = level.tuning;
-  tuning.article.fall_speed = 1;
+  tuning.shared.fall_speed = 1;
   expect_recompiled(set_tuning(level, tuning));
   TileMap small(4, 4);
   small.set({1, 1}, kRoomBall);

@@ -35,7 +35,7 @@ Recording sample() {
       timeline.edit(level);
     }
     if (frame == 20) {
-      level.tuning.article.floor_grip = 0.25;
+      level.tuning.shared.floor_grip = 0.25;
       level.spawns.push_back({"late", {8, 8}, {}, ""});
       timeline.edit(level);
       level.map.set({0, 0}, 0);

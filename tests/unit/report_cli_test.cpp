@@ -51,7 +51,7 @@ TEST(ReportReference, KnowsFloorsAndTimes) {
 TEST(ReportReference, BouncesForEver) {
   Tuning tuning;
   tuning.exact.gravity = 0.5;
-  tuning.article.floor_bounce = 1;
+  tuning.shared.floor_bounce = 1;
   const std::vector<double> y = bouncing(tuning, -5, 8);
   EXPECT_EQ(y[0], -5);
   EXPECT_EQ(y[1], -4.5);

@@ -38,8 +38,8 @@ TEST(Scene, ASlopeIsOneBoxOfTwoTilesAndItsSecondHalfIsDecoration) {
 
 TEST(Scene, TheSizeOfASlopeIsTuning) {
   Level level = level_of({"/-"});
-  level.tuning.article.slope_width = 24;
-  level.tuning.article.slope_height = 4;
+  level.tuning.shared.slope_width = 24;
+  level.tuning.shared.slope_height = 4;
   EXPECT_EQ(compile_scene(level).items[0].box, (Rect{0, 0, 24, 4}));
 }
 
@@ -152,14 +152,14 @@ TEST(Scene, LargeBodiesInSmallCellsAreStepped) {
   large.position = {0, -1100};
   large.size = {1024, 1024};
   level.spawns.assign(20, large);
-  level.tuning.article.balls_block = 1;
-  level.tuning.article.cell_size = 1;
+  level.tuning.shared.balls_block = 1;
+  level.tuning.shared.cell_size = 1;
   for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
     level.tuning.solver = solver;
     State small = initial_state(compile_scene(level));
     small = step(compile_scene(level), small, {});
     Level other = level;
-    other.tuning.article.cell_size = 64;
+    other.tuning.shared.cell_size = 64;
     EXPECT_EQ(state_hash(small),
               state_hash(step(compile_scene(other), initial_state(compile_scene(other)), {})));
   }

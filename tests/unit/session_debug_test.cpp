@@ -329,7 +329,7 @@ TEST_F(SessionDebug, AnEditedLevelIsComparedWithTheRunBefore) {
   step(60);
   session.apply(action::SetEditRule{{EditRule::Kind::from_start, 0}});
   Tuning tuning = session.level().tuning;
-  tuning.article.floor_bounce = 0;
+  tuning.shared.floor_bounce = 0;
   session.apply(action::EditLevel{set_tuning(session.level(), tuning)});
   for (int k = 0; k < 100 && session.timeline().behind(); ++k) session.advance(1.0 / 60);
   settle();

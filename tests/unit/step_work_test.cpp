@@ -45,7 +45,7 @@ TEST(StepWork, BallsOfAnySpeedTakeNoLongerThanOthers) {
     for (const double speed : {1e6, 1e8}) {
       Level level = level_of({"..........", "..........", "##########"});
       level.tuning.solver = solver;
-      level.tuning.article.cell_size = 1;
+      level.tuning.shared.cell_size = 1;
       level.spawns = {ball({8, 4}, {speed, speed / 8}), ball({60, 4}, {-speed, 0})};
       Steps run(level);
       for (int i = 0; i < 3; ++i) run.step();
@@ -76,7 +76,7 @@ TEST(StepWork, WhatUsesUpItsPartStopsBeforeWhatItHasNotLookedAt) {
   Level level;
   level.map = TileMap(1 << 18, 4);  // 2^21 px
   level.tuning.solver = SolverKind::exact;
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   for (int row = 0; row < 4; ++row) level.map.set({(1 << 18) - 1, row}, 1);
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
   level.spawns.assign(4000, ball({8, 8}, {1e8, 0}));
@@ -108,7 +108,7 @@ TEST(StepWork, LargeBodiesInsideOfTheGroundAreStepped) {
   alone.step();
   EXPECT_FALSE(alone.cut_short(1));
   level.spawns.assign(8000, large);
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   Steps many(level);
   many.step();
   EXPECT_TRUE(many.cut_short(1));

@@ -37,7 +37,7 @@ inline Level level_for_tiled() {
   level.spawns.push_back({.name = "", .position = {1, 1}, .velocity = {}, .extra = "", .foot = Foot::centre});
   level.curves.push_back({"ramp", {Segment{{1.25, 2}, {9, 8.5}}, Curve::Faces::both}, ""});
   level.curves.push_back({"hill", {Arc{{24, 24}, 12, 12, 36, true}, Curve::Faces::up}, ""});
-  level.tuning.article.fall_blend = 0.125;
+  level.tuning.shared.fall_blend = 0.125;
   return level;
 }
 

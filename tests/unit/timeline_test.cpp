@@ -48,7 +48,7 @@ class TimelineOf : public testing::TestWithParam<SolverKind> {
     for (std::int64_t frame = 1; frame <= frames; ++frame) {
       if (frame == 50) timeline.edit(level = with_tile(level, {9, 5}, 1));
       if (frame == 51) timeline.edit(level = with_tile(level, {3, 1}, 0));  // the first ball goes
-      if (frame == 130) level.tuning.article.floor_bounce = 0.5;
+      if (frame == 130) level.tuning.shared.floor_bounce = 0.5;
       if (frame == 131) level.spawns.insert(level.spawns.begin(), Spawn{"", {150, 8}, {1, 0}, ""});
       if (frame == 130 || frame == 131) timeline.edit(level);
       timeline.step(input_at(frame));
@@ -574,7 +574,7 @@ TEST(Timeline, KeyframesKeepToTheirBudgetAndSeeksStayShort) {
 
 TEST(Timeline, OfManyBodiesFewerFramesAreKept) {
   Level level;
-  level.tuning.article.balls_block = 0;
+  level.tuning.shared.balls_block = 0;
   level.spawns.resize(1'000);
   Timeline timeline(level);
   played(timeline, 63);

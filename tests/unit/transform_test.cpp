@@ -32,7 +32,7 @@ Level scene() {
   spawn.position = {3, 2};
   spawn.velocity = {1, -2};
   spawn.size = {4, 6};
-  level.tuning.article.drift_speed = 0.5;
+  level.tuning.shared.drift_speed = 0.5;
   return level;
 }
 
@@ -41,7 +41,7 @@ TEST(Transform, AMirroredLevelHasTheMirroredBoxes) {
   EXPECT_EQ(boxes_of(image, false), boxes_of(level, true));
   EXPECT_EQ(image.spawns[0].position, (Vec2{41, 2}));
   EXPECT_EQ(image.spawns[0].velocity, (Vec2{-1, -2}));
-  EXPECT_EQ(image.tuning.article.drift_speed, -0.5);
+  EXPECT_EQ(image.tuning.shared.drift_speed, -0.5);
   EXPECT_EQ(boxes_of(mirrored(image), false), boxes_of(level, false));
 }
 

@@ -9,7 +9,7 @@ namespace talus::tuning_test {
 
 TEST(Tuning, EveryNumberHasOneField) {
   constexpr std::size_t kNumbers =
-      (sizeof(ArticleTuning) + sizeof(ExactTuning) + sizeof(PlayerTuning)) / sizeof(double);
+      (sizeof(SharedTuning) + sizeof(ExactTuning) + sizeof(PlayerTuning)) / sizeof(double);
   std::set<std::string> paths;
   std::set<double*> places;
   Tuning tuning;

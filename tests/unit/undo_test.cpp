@@ -163,7 +163,7 @@ Edit made_by(const Gesture& g, const Level& level) {
       return set_roles(level, {g.a % 8, g.b % 8, g.c % 8, g.d % 8});
     case 17: {
       Tuning tuning = level.tuning;
-      tuning.article.fall_speed = g.a;
+      tuning.shared.fall_speed = g.a;
       return set_tuning(level, tuning);
     }
     case 18:

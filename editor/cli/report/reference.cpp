@@ -45,8 +45,8 @@ class Flight {
  public:
   explicit Flight(const Tuning& t)
       : gravity_(t.exact.gravity),
-        limit_(t.article.fall_speed),
-        kept_(1 - static_cast<Wide>(t.article.fall_blend)) {}
+        limit_(t.shared.fall_speed),
+        kept_(1 - static_cast<Wide>(t.shared.fall_blend)) {}
 
   // The speed with which a flight of frames that begins at rest begins on its curve.
   Wide from_rest() const {
@@ -91,7 +91,7 @@ Wide time_of_impact(const TrueFloor& floor, const WideBox& box, Wide dx, Wide dy
 }
 
 void step_ball(WideBall& ball, const Tuning& tuning, Wide through_x, Wide through_y, Wide slope, int parts) {
-  const ArticleTuning& t = tuning.article;
+  const SharedTuning& t = tuning.shared;
   ball.vy = (1 - static_cast<Wide>(t.fall_blend)) * ball.vy + static_cast<Wide>(t.fall_blend) * t.fall_speed;
   ball.vx =
       (1 - static_cast<Wide>(t.drift_blend)) * ball.vx + static_cast<Wide>(t.drift_blend) * t.drift_speed;
@@ -123,7 +123,7 @@ std::vector<double> bouncing(const Tuning& tuning, double start, int frames) {
   Wide lands = flight.landing(-y, v);
   for (int frame = 0; frame <= frames; ++frame) {
     while (frame > began + lands) {
-      v = -flight.speed(v, lands) * tuning.article.floor_bounce;
+      v = -flight.speed(v, lands) * tuning.shared.floor_bounce;
       began += lands;
       y = 0;
       lands = flight.landing(0, v);

@@ -76,7 +76,7 @@ void lay_hill(Level& level, Cell corner) {
 
 // Velocities stay as they are but for contacts, which take what goes into the ground.
 void tune_drops(Tuning& tuning) {
-  ArticleTuning& t = tuning.article;
+  SharedTuning& t = tuning.shared;
   t.fall_blend = t.drift_blend = 0;
   t.floor_bounce = t.wall_bounce = t.slope_bounce = 0;
   t.floor_grip = 1;
@@ -86,11 +86,11 @@ void tune(const Setup& setup, Tuning& tuning) {
   tuning.solver = setup.solver.value_or(SolverKind::article);
   tuning.exact.single_precision = setup.single ? 1 : 0;
   tuning.exact.substeps = setup.substeps;
-  tuning.article.balls_block = setup.scene == S::wall_of_bodies ? 1 : 0;
+  tuning.shared.balls_block = setup.scene == S::wall_of_bodies ? 1 : 0;
   if (setup.scene < S::roll_flat) tune_drops(tuning);
   if (setup.scene < S::bounce_fall) return;
-  tuning.article.floor_bounce = tuning.article.floor_grip = 1;
-  tuning.article.drift_blend = 0;
+  tuning.shared.floor_bounce = tuning.shared.floor_grip = 1;
+  tuning.shared.drift_blend = 0;
   if (setup.scene == S::bounce_fall) return;
   tuning.exact.gravity = 0.25;
   tuning.exact.rebound = setup.scene == S::bounce_rebound ? 1 : 0;

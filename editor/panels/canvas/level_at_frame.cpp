@@ -34,7 +34,7 @@ std::string differences_of(const Level& a, const Level& b, std::size_t cells) {
 
 }  // namespace
 
-void LevelThen::show(const Session& session, const Branch& branch, std::int64_t frame) {
+void LevelAtFrame::show(const Session& session, const Branch& branch, std::int64_t frame) {
   const VersionPtr& version = branch.version_at(frame);
   if (version == session.timeline().level_version()) {
     is_other_ = false;
@@ -47,7 +47,7 @@ void LevelThen::show(const Session& session, const Branch& branch, std::int64_t 
   take(session);
 }
 
-void LevelThen::take(const Session& session) {
+void LevelAtFrame::take(const Session& session) {
   const Level& now = session.level();
   level_ = now;
   put_version(*version_, level_);

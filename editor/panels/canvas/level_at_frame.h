@@ -1,4 +1,4 @@
-// LevelThen: the level as it was at a frame, for views of what was played: its bodies move over what was
+// LevelAtFrame: the level as it was at a frame, for views of what was played: its bodies move over what was
 // there then, and not over what was painted since.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace talus {
 
-class LevelThen {
+class LevelAtFrame {
  public:
   // Looks up a frame of a branch. Costs nothing while it is of the level as it is now; else a copy of the
   // level is kept until a frame with another version of it is looked up, or the level is edited.

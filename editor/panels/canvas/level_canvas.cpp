@@ -140,15 +140,16 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   const Timeline& timeline = session.timeline();
   // A variant goes through the levels of the run that is shown.
   const bool is_branch = !session.debugger().side_by_side().variant() && timeline.compared() != nullptr;
-  other_then_.show(session, is_branch ? *timeline.compared() : timeline.current(), timeline.frame());
-  draw_ground(session, &other_then_, 2, view, ui);
-  draw_other_bodies(list, session, other_then_.level(session), view, ui);
+  other_level_at_frame_.show(session, is_branch ? *timeline.compared() : timeline.current(),
+                             timeline.frame());
+  draw_ground(session, &other_level_at_frame_, 2, view, ui);
+  draw_other_bodies(list, session, other_level_at_frame_.level(session), view, ui);
   const ImVec2 at{view.min.x + ui.px(4), view.min.y + ui.px(4)};
   const std::string missing = missing_side(session);
   const std::string title = missing.empty() ? other_side_name(session) : missing;
   const float plate = ImGui::GetTextLineHeight() + ui.px(8);
-  const auto then =
-      other_then_.is_other() ? plate_lines(other_then_.caption(), view, ui) : std::vector<std::string>();
+  const auto then = other_level_at_frame_.is_other() ? plate_lines(other_level_at_frame_.caption(), view, ui)
+                                                     : std::vector<std::string>();
   const ScreenBox covered{view.min, {view.max.x, at.y + plate * static_cast<float>(1 + then.size())}};
   draw_other_overlays(list, session, view, ui.scale, std::span(&covered, 1));
   draw_plate(list, at, title, theme::color(theme::kMuted), ui);
@@ -332,7 +333,7 @@ void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, co
 }
 
 // The level without its bodies. then: what is shown of it; null: all as it is now.
-void LevelCanvas::draw_ground(const Session& session, const LevelThen* then, int place,
+void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, int place,
                               const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool is_other = then != nullptr && then->is_other();
@@ -355,10 +356,10 @@ void LevelCanvas::draw_ground(const Session& session, const LevelThen* then, int
 
 void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, const Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (is_play()) then_.show(session, session.timeline().current(), session.timeline().frame());
-  const Level& level = is_play() ? then_.level(session) : session.level();
+  if (is_play()) level_at_frame_.show(session, session.timeline().current(), session.timeline().frame());
+  const Level& level = is_play() ? level_at_frame_.level(session) : session.level();
   const Choices& choices = session.choices();
-  draw_ground(session, is_play() ? &then_ : nullptr, 1, view, ui);
+  draw_ground(session, is_play() ? &level_at_frame_ : nullptr, 1, view, ui);
   if (choices.overlays.has(OverlayId::shapes))
     draw_shapes(list, level, view, overlay_color(OverlayId::shapes, choices.overlay_palette), ui);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
@@ -413,8 +414,8 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
     title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
   std::vector<Caption> captions{{title, theme::kMuted}};
   if (const std::string note = case_note(session); !note.empty()) captions.push_back({note, theme::kMuted});
-  if (!then_.is_other()) return captions;
-  for (std::string& line : plate_lines(then_.caption(), view, ui))
+  if (!level_at_frame_.is_other()) return captions;
+  for (std::string& line : plate_lines(level_at_frame_.caption(), view, ui))
     captions.push_back({std::move(line), theme::kWarning});
   return captions;
 }

@@ -48,7 +48,7 @@ class LevelCanvas {
   bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
-  void draw_ground(const Session& session, const LevelThen* then, int place, const CanvasView& view,
+  void draw_ground(const Session& session, const LevelAtFrame* then, int place, const CanvasView& view,
                    const Ui& ui) const;
   void draw_held(const Session& session, const CanvasView& view, const Ui& ui) const;
   struct Caption {
@@ -69,10 +69,11 @@ class LevelCanvas {
   LevelToolHand hand_;
   SheetOverlay sheet_overlay_;
   Minimap minimap_;
-  LevelThen then_, other_then_;  // of play, at the shown frame: the level of this side and of the other one
-  int level_number_ = -1;        // of the level that the camera was set for
-  float wheel_ = 0;              // clicks of the wheel that made no whole step yet
-  ImVec2 size_;                  // px, of the canvas in the last frame
+  // In the play view: the level as it was at the shown frame, on this side and on the other one.
+  LevelAtFrame level_at_frame_, other_level_at_frame_;
+  int level_number_ = -1;  // of the level that the camera was set for
+  float wheel_ = 0;        // clicks of the wheel that made no whole step yet
+  ImVec2 size_;            // px, of the canvas in the last frame
   bool panning_ = false;
   bool holding_ = false;  // the left button went down on the play view
 };

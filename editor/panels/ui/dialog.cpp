@@ -80,7 +80,7 @@ bool key_repeats(ImGuiKey key) {
   return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), true);
 }
 
-bool floating_window_has_keys() {
+bool floating_window_has_focus() {
   const ImGuiWindow* window = ImGui::GetCurrentContext()->NavWindow;
   if (window == nullptr || !window->WasActive) return false;
   const ImGuiWindow* root = window->RootWindow;
@@ -90,7 +90,7 @@ bool floating_window_has_keys() {
 
 void leave_windows() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
-  if (context.ActiveId == 0 && context.OpenPopupStack.empty() && floating_window_has_keys())
+  if (context.ActiveId == 0 && context.OpenPopupStack.empty() && floating_window_has_focus())
     ImGui::SetWindowFocus(kWorkspaceWindow);
 }
 

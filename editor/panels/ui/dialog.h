@@ -38,7 +38,7 @@ bool key_repeats(ImGuiKey key);
 inline constexpr const char* kWorkspaceWindow = "workspace";
 // Whether a window that floats, such as the settings, was used last, and so has the arrows, Tab, Space and
 // Enter.
-bool floating_window_has_keys();
+bool floating_window_has_focus();
 // Takes them from it, unless something is being typed or dragged there.
 void leave_windows();
 

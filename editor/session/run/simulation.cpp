@@ -18,24 +18,24 @@ bool holds_anything(const Input& input) {
 
 }  // namespace
 
-void Player::load(const Level& level) {
+void Simulation::load(const Level& level) {
   timeline_.emplace(level);
   start();
 }
 
-void Player::load(const Recording& recording, const EndScenes& scenes) {
+void Simulation::load(const Recording& recording, const EndScenes& scenes) {
   timeline_.emplace(recording, scenes);
   start();
 }
 
-void Player::start() {
+void Simulation::start() {
   timeline_->limit_way(1);
   set_running(false);
   playback_.input = {};
   held_.reset();
 }
 
-bool Player::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled) {
+bool Simulation::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled) {
   const bool reruns = rule_.kind != EditRule::Kind::go_on && timeline_->last_frame() > 0;
   bool has_room = true;
   if (reruns) {
@@ -49,24 +49,24 @@ bool Player::edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr 
   return has_room;
 }
 
-void Player::reset() {
+void Simulation::reset() {
   timeline_->restart();
   playback_.input.grab = 0;
   due_ = 0;
   show();
 }
 
-void Player::set_running(bool running) {
+void Simulation::set_running(bool running) {
   playback_.running = running;
   tapped_ = {};
   due_ = 0;
 }
 
-void Player::set_speed(double factor) {
+void Simulation::set_speed(double factor) {
   playback_.speed = factor >= kMinSpeed ? std::min(factor, kMaxSpeed) : kMinSpeed;
 }
 
-void Player::hold_mouse(const action::HoldMouse& mouse, int body) {
+void Simulation::hold_mouse(const action::HoldMouse& mouse, int body) {
   Input& input = playback_.input;
   input.mouse = mouse.position;
   const bool was_down = std::exchange(input.mouse_down, mouse.down);
@@ -78,7 +78,7 @@ void Player::hold_mouse(const action::HoldMouse& mouse, int body) {
   show_held();
 }
 
-void Player::show_held() {
+void Simulation::show_held() {
   held_.reset();
   const Input& input = playback_.input;
   const State& state = timeline_->state();
@@ -87,7 +87,7 @@ void Player::show_held() {
   held_->grabbed = input.grab;
 }
 
-void Player::hold_keys(const action::HoldKeys& keys) {
+void Simulation::hold_keys(const action::HoldKeys& keys) {
   Input& input = playback_.input;
   input.left = keys.left;
   input.right = keys.right;
@@ -97,7 +97,7 @@ void Player::hold_keys(const action::HoldKeys& keys) {
       tapped_, {.mouse = {}, .mouse_down = false, .left = keys.left, .right = keys.right, .jump = keys.jump});
 }
 
-void Player::step() {
+void Simulation::step() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const Input live = added(std::exchange(tapped_, {}), playback_.input);
@@ -111,13 +111,13 @@ void Player::step() {
   show_held();
 }
 
-void Player::seek(std::int64_t frame) {
+void Simulation::seek(std::int64_t frame) {
   set_running(false);
   timeline_->seek(frame);
   show();
 }
 
-void Player::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops) {
+void Simulation::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops) {
   assert(seconds >= 0);
   if (timeline_->behind()) return run_again();
   if (timeline_->on_the_way()) return show();
@@ -131,7 +131,7 @@ void Player::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<b
   if (watch.seconds() >= kPlaySeconds) due_ -= std::floor(due_);  // what takes too long plays slower
 }
 
-void Player::run_again() {
+void Simulation::run_again() {
   const Stopwatch watch;
   while (timeline_->behind() && watch.seconds() < kRerunSeconds) {
     const TimedPiece piece(rerun_share_);
@@ -141,7 +141,7 @@ void Player::run_again() {
   show();
 }
 
-void Player::show() {
+void Simulation::show() {
   const Stopwatch watch;
   while (timeline_->on_the_way() && watch.seconds() < kWaySeconds) {
     const TimedPiece piece(way_share_);

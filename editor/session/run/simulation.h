@@ -1,4 +1,4 @@
-// Player: the simulation of the open level. Plays its timeline in real time, with what the user holds.
+// Simulation: plays the timeline of the open level in real time, with the input that the user holds.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace talus {
 
-class Player {
+class Simulation {
  public:
-  explicit Player(const Level& level) { load(level); }
+  explicit Simulation(const Level& level) { load(level); }
 
   void load(const Level& level);  // another level: stopped, at frame 0, with nothing recorded
   // The same with a recording, which is still to be run.
