@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_on_piece.h"
 #include "cast_cells.h"
 #include "cast_log.h"
+#include "cast_rounding.h"
 #include "curve_cast.h"
 #include "twofold.h"
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_on_piece.h"
+#include "cast_rounding.h"
+#include "tile_outlines.h"
+
 namespace talus {
 namespace {
 
@@ -159,12 +163,12 @@ bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& bo
   if (!ground.has_pieces()) return false;
   // A slope's body may lie some cells from its own cell.
   const CellBlock met = cells_met(ground, box, slack);
-  const auto [first, last] =
-      ground.outlines().sources_of({Cell{met.left, met.top}, Cell{met.right, met.bottom}});
+  const TileOutlines& outlines = ground.outlines();
+  const auto [first, last] = outlines.sources_of({Cell{met.left, met.top}, Cell{met.right, met.bottom}});
   const CellBlock block = CellBlock{first.x, first.y, last.x, last.y}.on(ground);
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
-      const TileOutline& shape = ground.outline_at(c);
+      const TileOutline& shape = outlines[ground.tile_at(c)];
       if (shape.line && !shape.one_way && overlaps_shape(shape, c, box, foot, slack)) return true;
     }
   }

@@ -65,6 +65,19 @@ TerrainSource empty_source() {
 }  // namespace
 
 template <class Real>
+struct BasicTerrain<Real>::Parts {
+  explicit Parts(const TerrainSource& source)
+      : shapes(source.shapes), outlines(source.shapes), curves(source.curves) {}
+  std::array<TileShape, kTileKinds> shapes;
+  TileOutlines outlines;  // of the shapes
+  std::vector<Curve> curves;
+  std::vector<Piece<double>> curve_pieces;
+  CurveEnds curve_ends;
+  std::vector<CurveStretch<Real>> stretches;
+  std::vector<CurveInCell> cells_of_curves;  // by cell, then by piece
+};
+
+template <class Real>
 BasicTerrain<Real>::BasicTerrain() : BasicTerrain(empty_source()) {}
 
 template <class Real>
@@ -80,6 +93,7 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
   parts->curve_pieces = std::move(curves.pieces);
   parts->curve_ends = std::move(curves.ends);
   parts->cells_of_curves = cells_of(parts->curve_pieces, curves.stretches);
+  stretches_ = parts->stretches;
   parts_ = std::move(parts);
 
   chunks_.resize(static_cast<std::size_t>(chunk_columns_) * ((height_ + kSide - 1) / kSide));
@@ -119,6 +133,16 @@ std::vector<typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cells_
     return a.cell != b.cell ? a.cell < b.cell : a.piece < b.piece;
   });
   return cells;
+}
+
+template <class Real>
+const TileShape& BasicTerrain<Real>::shape_at(Cell cell) const {
+  return parts_->shapes[tile_at(cell)];
+}
+
+template <class Real>
+const TileOutlines& BasicTerrain<Real>::outlines() const {
+  return parts_->outlines;
 }
 
 template <class Real>

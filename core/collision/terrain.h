@@ -17,11 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "outline_compiler.h"
 #include "piece.h"
 #include "shape.h"
 
 namespace talus {
+
+class OutlineCompiler;  // both internal, see outline_compiler.h and tile_outlines.h
+class TileOutlines;
 
 inline constexpr int kTileKinds = 256;
 
@@ -87,9 +89,8 @@ class BasicTerrain {
   // Gives a cell of the terrain (asserted) another tile. Only its surroundings are compiled anew.
   void set_cell(Cell cell, std::uint8_t tile);
   std::uint8_t tile_at(Cell cell) const;  // 0 outside
-  const TileShape& shape_at(Cell cell) const { return parts_->shapes[tile_at(cell)]; }
-  const TileOutlines& outlines() const { return parts_->outlines; }  // by tile number
-  const TileOutline& outline_at(Cell cell) const { return parts_->outlines[tile_at(cell)]; }
+  const TileShape& shape_at(Cell cell) const;
+  const TileOutlines& outlines() const;  // by tile number
 
   // What is in a few columns of a row. Bit i tells of the cell in the window's column + i; it is 0 outside of
   // the terrain.
@@ -156,7 +157,7 @@ class BasicTerrain {
   // The outline in a detailed cell; none for other cells. A piece longer than a cell is in each that it
   // meets.
   std::span<const Piece<Real>> pieces_in(Cell cell) const;
-  std::span<const CurveStretch<Real>> stretches() const { return parts_->stretches; }
+  std::span<const CurveStretch<Real>> stretches() const { return stretches_; }
 
   // The same cells, shapes and curves. Quick where chunks are shared.
   friend bool operator==(const BasicTerrain& a, const BasicTerrain& b) { return a.equals(b); }
@@ -167,18 +168,7 @@ class BasicTerrain {
     std::int32_t cell;    // y * width + x
     std::uint32_t piece;  // into curve_pieces
   };
-  // What all copies share, whatever their cells are.
-  struct Parts {
-    explicit Parts(const TerrainSource& source)
-        : shapes(source.shapes), outlines(source.shapes), curves(source.curves) {}
-    std::array<TileShape, kTileKinds> shapes;
-    TileOutlines outlines;  // of the shapes
-    std::vector<Curve> curves;
-    std::vector<Piece<double>> curve_pieces;
-    CurveEnds curve_ends;
-    std::vector<CurveStretch<Real>> stretches;
-    std::vector<CurveInCell> cells_of_curves;  // by cell, then by piece
-  };
+  struct Parts;  // what all copies share, whatever their cells are
 
   std::int32_t index_of(Cell c) const { return c.y * width_ + c.x; }
   Cell cell_at(std::int32_t index) const { return {index % width_, index / width_}; }
@@ -209,6 +199,7 @@ class BasicTerrain {
   int width_ = 1, height_ = 1;
   int chunk_columns_ = 1;
   std::shared_ptr<const Parts> parts_;
+  std::span<const CurveStretch<Real>> stretches_;     // of the parts
   std::vector<std::shared_ptr<const Chunk>> chunks_;  // row by row; null: nothing in it
   std::size_t pieces_ = 0;                            // in all of them
 };

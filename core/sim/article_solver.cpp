@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lerp.h"
+#include "mouse.h"
 
 namespace talus {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mouse.h"
+
 namespace talus {
 namespace {
 

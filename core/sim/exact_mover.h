@@ -7,7 +7,9 @@
 #include <optional>
 #include <span>
 
+#include "../collision/box_on_piece.h"
 #include "../collision/cast.h"
+#include "../collision/cast_rounding.h"
 
 namespace talus {
 

@@ -7,6 +7,7 @@
 #include "body_grid.h"
 #include "exact_body.h"
 #include "mouse.h"
+#include "step_limits.h"
 
 namespace talus {
 namespace {

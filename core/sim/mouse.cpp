@@ -1,6 +1,8 @@
 // Taking and throwing bodies.
 #include "mouse.h"
 
+#include "lerp.h"
+
 namespace talus {
 
 void take_mouse(State& state, const Input& input, FunctionRef<int()> under_mouse) {
@@ -14,6 +16,11 @@ void take_mouse(State& state, const Input& input, FunctionRef<int()> under_mouse
     if (body.id == state.grabbed) body.velocity = body.box.position() - body.previous;
   }
   state.grabbed = 0;
+}
+
+Vec2 drag_goal(const SharedTuning& t, const Body& body, const Input& input) {
+  return {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
+          lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
 }
 
 }  // namespace talus

@@ -12,4 +12,7 @@ namespace talus {
 // only when it is needed.
 void take_mouse(State& state, const Input& input, FunctionRef<int()> under_mouse);
 
+// Where a body that the mouse holds wants its top-left corner: part of the way to the mouse.
+Vec2 drag_goal(const SharedTuning& tuning, const Body& body, const Input& input);
+
 }  // namespace talus

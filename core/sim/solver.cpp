@@ -1,31 +1,10 @@
 #include "solver.h"
 
-#include <algorithm>
-
 #include "article_solver.h"
 #include "bump_solver.h"
 #include "exact_solver.h"
-#include "lerp.h"
 
 namespace talus {
-
-std::int64_t max_work_per_body(std::size_t bodies) {
-  const auto share = kMostStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
-  return std::clamp(share, kLeastBodyWork, kMostBodyWork);
-}
-
-Vec2 within_limits(Vec2 from, Vec2 goal) {
-  const auto limit = [](double at, double to) {
-    const double reachable = std::clamp(to, at - kMaxBodySpeed, at + kMaxBodySpeed);
-    return std::clamp(reachable, -kMaxBodyDistance, kMaxBodyDistance);
-  };
-  return {limit(from.x, goal.x), limit(from.y, goal.y)};
-}
-
-Vec2 drag_goal(const SharedTuning& t, const Body& body, const Input& input) {
-  return {lerp(body.box.x, input.mouse.x - t.drag_offset, t.drag_blend),
-          lerp(body.box.y, input.mouse.y - t.drag_offset, t.drag_blend)};
-}
 
 std::unique_ptr<Solver> make_solver(std::shared_ptr<const Scene> scene) {
   switch (scene->tuning.solver) {

@@ -5,6 +5,7 @@
 #include "../collision/sweep.h"
 #include "lerp.h"
 #include "mouse.h"
+#include "step_limits.h"
 
 namespace talus {
 namespace {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "collision/cast.h"
+#include "collision/cast_rounding.h"
 #include "random_ground.h"
 
 namespace talus::exact_property_test {

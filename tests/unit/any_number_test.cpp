@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "c/talus.h"
+#include "collision/cast_rounding.h"
 #include "collision/cast_trace.h"
 #include "collision/ground_queries.h"
 #include "collision/world.h"
