@@ -5,14 +5,14 @@
 #include <initializer_list>
 #include <utility>
 
+#include <talus/c/talus.h>
+#include <talus/formats/format.h>
+#include <talus/level/ground.h>
+#include <talus/sim/solver.h>
 #include "../collision/ground_queries.h"
-#include "../formats/format.h"
 #include "../formats/last_catch.h"
 #include "../formats/native/hard_case_file.h"
-#include "../level/ground.h"
 #include "../sim/case_input.h"
-#include "../sim/solver.h"
-#include "talus.h"
 
 struct talus_game {
   talus::Level level;

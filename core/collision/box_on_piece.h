@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "piece.h"
-#include "shape.h"
+#include <talus/collision/piece.h>
+#include <talus/collision/shape.h>
 
 namespace talus {
 

@@ -1,7 +1,7 @@
 // The box is swept against the outline grown by the box: a floor rises by the box's height and reaches to
 // the left by its width, and then the box's corner is a point on a straight way. Ends that two pieces share
 // are computed alike for both, so that nothing slips through between them.
-#include "cast.h"
+#include <talus/collision/cast.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shape.h"
+#include <talus/collision/shape.h>
 
 namespace talus {
 

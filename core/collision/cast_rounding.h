@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cast.h"
+#include <talus/collision/cast.h>
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cast.h"
+#include <talus/collision/cast.h>
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "world.h"
+#include <talus/collision/world.h>
 
 namespace talus {
 

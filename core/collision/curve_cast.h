@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
+#include <talus/collision/piece.h>
 #include "curve_time.h"
-#include "piece.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "cast.h"
+#include <talus/collision/cast.h>
 
 namespace talus {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "piece.h"
-#include "shape.h"
+#include <talus/collision/piece.h>
+#include <talus/collision/shape.h>
 #include "tile_outlines.h"
 
 namespace talus {

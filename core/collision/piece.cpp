@@ -1,5 +1,5 @@
 // Sine and cosine from additions and multiplications alone, so that every machine gets the same bits.
-#include "piece.h"
+#include <talus/collision/piece.h>
 
 namespace talus {
 namespace {

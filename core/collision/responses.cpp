@@ -2,7 +2,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "world.h"
+#include <talus/collision/world.h>
 #include "world_impl.h"
 
 namespace talus {

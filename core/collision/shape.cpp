@@ -1,5 +1,5 @@
 // What makes a shape or a curve unusable.
-#include "shape.h"
+#include <talus/collision/shape.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -1,5 +1,5 @@
 // Keeps a terrain's chunks, and compiles them from their tiles.
-#include "terrain.h"
+#include <talus/collision/terrain.h>
 
 #include <algorithm>
 #include <cassert>

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "shape.h"
+#include <talus/collision/shape.h>
 
 namespace talus {
 

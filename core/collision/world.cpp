@@ -1,5 +1,5 @@
 // World: items, their cells, projections and queries. The responses are in responses.cpp.
-#include "world.h"
+#include <talus/collision/world.h>
 
 #include <cassert>
 #include <cstdio>

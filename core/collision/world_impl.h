@@ -7,9 +7,9 @@
 #include <limits>
 #include <span>
 
+#include <talus/collision/world.h>
 #include "cell_grid.h"
 #include "sweep.h"
-#include "world.h"
 
 namespace talus {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <talus/level/tileset.h>
 #include "../collision/sweep.h"
-#include "../level/tileset.h"
 #include "expression_nodes.h"
 
 namespace talus {

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "../level/ground.h"
+#include <talus/level/ground.h>
 
 namespace talus {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "../sim/record.h"
-#include "../sim/state.h"
+#include <talus/sim/record.h>
+#include <talus/sim/state.h>
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "../collision/geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

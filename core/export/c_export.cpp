@@ -6,8 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
-#include "../level/ground.h"
 #include "export_targets.h"
 #include "plain_data.h"
 

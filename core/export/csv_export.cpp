@@ -1,7 +1,7 @@
 // A folder of tables: plain data for spreadsheets and scripts. docs/export-data.md tells what the numbers
 // mean.
+#include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
-#include "../level/ground.h"
 #include "export_targets.h"
 #include "ground_polygons.h"
 #include "plain_data.h"

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "../formats/format.h"
-#include "../level/progress.h"
+#include <talus/formats/format.h>
+#include <talus/level/progress.h>
 #include "export_bounds.h"
 
 namespace talus {

@@ -10,6 +10,8 @@
 #include <span>
 #include <utility>
 
+#include "../collision/tile_outlines.h"
+
 namespace talus {
 namespace {
 

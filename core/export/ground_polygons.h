@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "../collision/terrain.h"
-#include "../formats/format.h"
+#include <talus/collision/terrain.h>
+#include <talus/formats/format.h>
 
 namespace talus {
 

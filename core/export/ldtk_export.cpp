@@ -12,9 +12,9 @@
 #include <cmath>
 #include <span>
 
+#include <talus/level/ground.h>
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/append_number.h"
-#include "../level/ground.h"
 #include "export_targets.h"
 #include "ldtk_shapes.h"
 #include "plain_data.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "../collision/terrain.h"
-#include "../level/progress.h"
-#include "../level/tileset.h"
+#include <talus/collision/terrain.h>
+#include <talus/level/progress.h>
+#include <talus/level/tileset.h>
 
 namespace talus {
 

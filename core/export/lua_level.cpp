@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
-#include "../level/ground.h"
 #include "lua_parts.h"
 #include "lua_text.h"
 #include "plain_data.h"

@@ -6,15 +6,15 @@
 //   shapes            by tile number: kind ("solid", "slope", "profile"), and, where they are not so, side
 //                     ("floor"), one_way (false), tiles (1, in width); heights, of slopes and profiles
 //   balls             by tile number: true where a tile of the map is a ball
-//   curves            kind, faces ("up", "down", "both") and the numbers of core/collision/shape.h
-//   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre")
-//   tuning            of exact, player, and what they share with the article, by key
-//   parts             of the runtime, that the level needs (lua_parts.h)
+//   curves            kind, faces ("up", "down", "both") and the numbers of
+//   core/include/talus/collision/shape.h spawns            kind, name, x, y, w, h, vx, vy, foot ("box",
+//   "centre") tuning            of exact, player, and what they share with the article, by key parts of the
+//   runtime, that the level needs (lua_parts.h)
 #pragma once
 
 #include <string>
 
-#include "../level/level.h"
+#include <talus/level/level.h>
 #include "lua_runtime.h"
 
 namespace talus {

@@ -4,7 +4,8 @@
 #include <array>
 #include <set>
 
-#include "../level/ground.h"
+#include <talus/level/ground.h>
+#include "../collision/tile_outlines.h"
 #include "plain_data.h"
 
 namespace talus {

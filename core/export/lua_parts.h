@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../formats/format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

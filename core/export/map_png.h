@@ -1,8 +1,8 @@
 // The whole map as a PNG picture.
 #pragma once
 
-#include "../formats/format.h"
-#include "../level/progress.h"
+#include <talus/formats/format.h>
+#include <talus/level/progress.h>
 
 namespace talus {
 

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "../level/ground.h"
+#include <talus/level/ground.h>
+#include "../collision/outline_compiler.h"
 #include "ground_polygons.h"
 
 namespace talus {

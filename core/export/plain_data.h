@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "../collision/terrain.h"
-#include "../level/level.h"
-#include "../level/progress.h"
+#include <talus/collision/terrain.h>
+#include <talus/level/level.h>
+#include <talus/level/progress.h>
 
 namespace talus {
 

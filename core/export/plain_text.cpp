@@ -4,9 +4,9 @@
 #include <cmath>
 #include <span>
 
+#include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
 #include "../formats/text/json_text.h"
-#include "../level/ground.h"
 #include "ground_polygons.h"
 #include "lua_text.h"
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../formats/format.h"
-#include "../level/level.h"
-#include "../level/progress.h"
+#include <talus/formats/format.h>
+#include <talus/level/level.h>
+#include <talus/level/progress.h>
 #include "plain_data.h"
 
 namespace talus {

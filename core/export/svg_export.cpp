@@ -4,8 +4,9 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include <talus/level/ground.h>
+#include "../collision/outline_compiler.h"
 #include "../formats/text/append_number.h"
-#include "../level/ground.h"
 #include "export_targets.h"
 #include "ground_polygons.h"
 #include "map_png.h"

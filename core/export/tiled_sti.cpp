@@ -1,8 +1,8 @@
 // Maps for Simple Tiled Implementation. Its plugin for bump.lua knows full tiles, and boxes in a layer of
 // objects: full tiles are the one, and slopes, with the box that the solver `bump` has for them, the other.
+#include <talus/level/ground.h>
 #include "../formats/pictures/png_sheet.h"
 #include "../level/bump_boxes.h"
-#include "../level/ground.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 

@@ -1,5 +1,5 @@
 // The list of formats, and reading by content. Files are in level_file.cpp.
-#include "format.h"
+#include <talus/formats/format.h>
 
 #include <algorithm>
 #include <array>

@@ -3,10 +3,10 @@
 #include <cassert>
 #include <filesystem>
 
+#include <talus/formats/format.h>
 #include "files/atomic_file.h"
 #include "files/keep_aside.h"
 #include "files/real_path.h"
-#include "format.h"
 #include "last_catch.h"
 #include "native/companion.h"
 #include "text/content_hash.h"

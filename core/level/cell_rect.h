@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "../collision/geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -1,7 +1,7 @@
 // Where a curve begins and ends.
 #pragma once
 
-#include "../collision/shape.h"
+#include <talus/collision/shape.h>
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "flag_fields.h"
+#include <talus/level/flag_fields.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "flag_roles.h"
+#include <talus/level/flag_roles.h>
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "ground.h"
+#include <talus/level/ground.h>
 
 #include <array>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "../collision/shape.h"
+#include <talus/collision/shape.h>
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "level.h"
+#include <talus/level/level.h>
 
 #include <algorithm>
 #include <cmath>

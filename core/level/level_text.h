@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

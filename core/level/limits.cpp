@@ -1,5 +1,5 @@
 // Counting what a level holds.
-#include "limits.h"
+#include <talus/level/limits.h>
 
 namespace talus {
 namespace {

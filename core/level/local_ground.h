@@ -1,8 +1,8 @@
 // The ground around a box, for questions that do not need the whole map compiled.
 #pragma once
 
-#include "../collision/terrain.h"
-#include "level.h"
+#include <talus/collision/terrain.h>
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/level/level.h>
 #include "hard_case.h"
-#include "level.h"
 #include "level_version.h"
 
 namespace talus {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

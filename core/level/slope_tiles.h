@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "tileset.h"
+#include <talus/level/tileset.h>
 
 namespace talus {
 

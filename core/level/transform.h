@@ -2,7 +2,7 @@
 // left out.
 #pragma once
 
-#include "level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "tuning.h"
+#include <talus/level/tuning.h>
 
 #include <algorithm>
 #include <array>

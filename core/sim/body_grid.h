@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <talus/sim/state.h>
 #include "../collision/cell_grid.h"
-#include "state.h"
 
 namespace talus {
 

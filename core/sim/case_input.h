@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include <talus/sim/state.h>
 #include "../level/recording.h"
-#include "state.h"
 
 namespace talus {
 

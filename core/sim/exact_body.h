@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "../level/tuning.h"
+#include <talus/level/tuning.h>
+#include <talus/sim/state.h>
 #include "exact_mover.h"
 #include "lerp.h"
-#include "state.h"
 
 namespace talus {
 

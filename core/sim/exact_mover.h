@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
+#include <talus/collision/cast.h>
 #include "../collision/box_on_piece.h"
-#include "../collision/cast.h"
 #include "../collision/cast_rounding.h"
 
 namespace talus {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "solver.h"
+#include <talus/sim/solver.h>
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "state.h"
+#include <talus/sim/state.h>
 
 namespace talus {
 

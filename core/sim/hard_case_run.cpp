@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include <talus/sim/solver.h>
 #include "../level/transform.h"
 #include "case_input.h"
-#include "solver.h"
 
 namespace talus {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include <talus/sim/state.h>
 #include "../level/hard_case.h"
-#include "state.h"
 
 namespace talus {
 

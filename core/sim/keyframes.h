@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "state.h"
+#include <talus/sim/state.h>
 
 namespace talus {
 

@@ -1,8 +1,8 @@
 // What the mouse's button does to the bodies of a state: it takes one, and throws it when it is let go.
 #pragma once
 
-#include "../collision/function_ref.h"
-#include "state.h"
+#include <talus/collision/function_ref.h>
+#include <talus/sim/state.h>
 
 namespace talus {
 

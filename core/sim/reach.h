@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "solver.h"
+#include <talus/sim/solver.h>
 
 namespace talus {
 

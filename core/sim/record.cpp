@@ -1,4 +1,4 @@
-#include "record.h"
+#include <talus/sim/record.h>
 
 namespace talus {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include <talus/sim/solver.h>
 #include "branch.h"
-#include "solver.h"
 
 namespace talus {
 

@@ -1,10 +1,10 @@
-#include "scene.h"
+#include <talus/sim/scene.h>
 
 #include <algorithm>
 #include <array>
 
+#include <talus/level/ground.h>
 #include "../level/bump_boxes.h"
-#include "../level/ground.h"
 
 namespace talus {
 namespace {

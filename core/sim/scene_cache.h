@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include <talus/sim/scene.h>
+#include <talus/sim/solver.h>
 #include "../level/level_version.h"
-#include "scene.h"
-#include "solver.h"
 
 namespace talus {
 

@@ -1,8 +1,8 @@
 // A slope as the solvers on `World` know it: a straight line across a box, that reaches its top at one end.
 #pragma once
 
-#include "../collision/geometry.h"
-#include "../level/flag_roles.h"
+#include <talus/collision/geometry.h>
+#include <talus/level/flag_roles.h>
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "solver.h"
+#include <talus/sim/solver.h>
 
 #include "article_solver.h"
 #include "bump_solver.h"

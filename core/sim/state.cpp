@@ -1,4 +1,4 @@
-#include "state.h"
+#include <talus/sim/state.h>
 
 #include <algorithm>
 #include <bit>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver.h"
+#include <talus/sim/solver.h>
 
 namespace talus {
 

@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "../collision/function_ref.h"
-#include "../level/limits.h"
-#include "../level/progress.h"
+#include <talus/collision/function_ref.h>
+#include <talus/level/limits.h>
+#include <talus/level/progress.h>
 #include "runner.h"
 
 namespace talus {

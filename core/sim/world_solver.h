@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "../collision/world.h"
+#include <talus/collision/world.h>
+#include <talus/sim/solver.h>
 #include "slope.h"
-#include "solver.h"
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

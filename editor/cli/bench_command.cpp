@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include <talus/level/ground.h>
+#include <talus/sim/solver.h>
 #include "bench_balls.h"
 #include "bench_kernel.h"
 #include "command.h"
-#include "level/ground.h"
 #include "progress_line.h"
-#include "sim/solver.h"
 #include "timing.h"
 #include "trace.h"
 

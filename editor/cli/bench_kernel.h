@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "level/level.h"
-#include "sim/state.h"
+#include <talus/level/level.h>
+#include <talus/sim/state.h>
 
 namespace talus {
 

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <sstream>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
+#include <talus/formats/format.h>
 #include "command.h"
-#include "formats/format.h"
 #include "formats/last_catch.h"
 #include "formats/text/append_number.h"
 #include "formats/text/utf8_text.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/formats/format.h>
 #include "cli.h"
-#include "formats/format.h"
 
 namespace talus {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
+#include <talus/sim/state.h>
 #include "level/recording.h"
-#include "sim/state.h"
 
 namespace talus {
 

@@ -6,17 +6,17 @@
 #include <limits>
 #include <ostream>
 
+#include <talus/level/ground.h>
+#include <talus/sim/solver.h>
 #include "formats/files/atomic_file.h"
 #include "formats/last_catch.h"
 #include "formats/native/hard_case_file.h"
 #include "formats/native/input_entry.h"
 #include "formats/text/append_number.h"
 #include "input_file.h"
-#include "level/ground.h"
 #include "progress_line.h"
 #include "sim/case_input.h"
 #include "sim/hard_case_run.h"
-#include "sim/solver.h"
 #include "sim_run.h"
 #include "trace.h"
 #include "until.h"

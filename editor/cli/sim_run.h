@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include <talus/sim/record.h>
+#include <talus/sim/state.h>
 #include "command.h"
 #include "formats/files/atomic_file.h"
-#include "sim/record.h"
-#include "sim/state.h"
 
 namespace talus {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "sim/record.h"
-#include "sim/state.h"
+#include <talus/sim/record.h>
+#include <talus/sim/state.h>
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "collision/function_ref.h"
+#include <talus/collision/function_ref.h>
 #include "command.h"
 #include "debug/breakpoint.h"
 

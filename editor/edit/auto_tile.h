@@ -4,8 +4,8 @@
 
 #include <span>
 
+#include <talus/collision/function_ref.h>
 #include "cell_painter.h"
-#include "collision/function_ref.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <type_traits>
 
-#include "level/limits.h"
+#include <talus/level/limits.h>
 
 namespace talus {
 namespace {

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include <talus/level/level.h>
 #include "level/cell_rect.h"
-#include "level/level.h"
 
 namespace talus {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "collision/function_ref.h"
-#include "collision/geometry.h"
+#include <talus/collision/function_ref.h>
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -1,7 +1,7 @@
 // Where a point that is dragged on the map is put: on ends of other lines, on borders of tiles, on pixels.
 #pragma once
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "collision/function_ref.h"
+#include <talus/collision/function_ref.h>
 #include "raster.h"
 
 namespace talus {

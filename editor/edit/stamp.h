@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <talus/level/level.h>
 #include "level/cell_rect.h"
-#include "level/level.h"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "level/tileset.h"
+#include <talus/level/tileset.h>
 
 namespace talus {
 namespace {

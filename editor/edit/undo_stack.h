@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <talus/level/limits.h>
 #include "edit.h"
-#include "level/limits.h"
 
 namespace talus {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

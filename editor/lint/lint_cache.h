@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/function_ref.h"
+#include <talus/collision/function_ref.h>
 #include "lint.h"
 
 namespace talus {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include <talus/level/ground.h>
 #include "collision/ground_queries.h"
 #include "level/curve_span.h"
-#include "level/ground.h"
 #include "level/level_text.h"
 #include "level/local_ground.h"
 #include "lint_parts.h"

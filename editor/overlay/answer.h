@@ -1,8 +1,8 @@
 // The right answer of a hard case, as lines and boxes in level pixels.
 #pragma once
 
+#include <talus/level/level.h>
 #include "level/hard_case.h"
-#include "level/level.h"
 #include "overlay.h"
 
 namespace talus {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <talus/level/level.h>
 #include "level/cell_rect.h"
-#include "level/level.h"
 
 namespace talus {
 

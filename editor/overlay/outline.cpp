@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "collision/outline_compiler.h"
 #include "visible.h"
 
 namespace talus {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "collision/geometry.h"
+#include <talus/collision/geometry.h>
+#include <talus/sim/record.h>
+#include <talus/sim/state.h>
 #include "overlay_id.h"
-#include "sim/record.h"
-#include "sim/state.h"
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "collision/geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

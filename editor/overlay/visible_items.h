@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "sim/scene.h"
+#include <talus/sim/scene.h>
 #include "visible.h"
 
 namespace talus {

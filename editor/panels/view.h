@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "collision/geometry.h"
-#include "level/tileset.h"
+#include <talus/collision/geometry.h>
+#include <talus/level/tileset.h>
 #include "panels/canvas/key_cursor.h"
 #include "panels/debugger/debugger_view.h"
 #include "panels/files/export_view.h"

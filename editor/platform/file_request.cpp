@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "formats/native/recording_file.h"
 
 namespace talus {

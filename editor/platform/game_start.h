@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "level/exports.h"
+#include <talus/level/exports.h>
 #include "open_copies.h"
 #include "session/session.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 #include "overlay/map_picture.h"
 #include "panels/ui/map_textures.h"
 #include "panels/ui/ui.h"

@@ -5,8 +5,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include <talus/formats/format.h>
 #include "debug/breakpoint.h"
-#include "formats/format.h"
 #include "overlay/overlay_id.h"
 #include "panels/view.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 #include "panels/ui/ui.h"
 
 namespace talus {

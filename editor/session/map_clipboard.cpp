@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <talus/level/tile_map.h>
 #include "formats/text/hex.h"
-#include "level/tile_map.h"
 
 namespace talus {
 namespace {

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include <talus/level/limits.h>
 #include "edit/stamp.h"
 #include "level/followed_spawn.h"
-#include "level/limits.h"
 #include "session_impl.h"
 
 namespace talus {

@@ -8,9 +8,10 @@
 #include <optional>
 #include <string>
 
+#include <talus/formats/format.h>
+#include <talus/sim/solver.h>
 #include "actions.h"
 #include "edit/undo_stack.h"
-#include "formats/format.h"
 #include "level/hard_case.h"
 #include "lint/lint.h"
 #include "overlay/overlay_id.h"
@@ -22,7 +23,6 @@
 #include "session/files/png_import.h"
 #include "session/run/step_times.h"
 #include "session/run/trail.h"
-#include "sim/solver.h"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "collision/function_ref.h"
+#include <talus/collision/function_ref.h>
 #include "lint/lint_cache.h"
 #include "session.h"
 #include "session/debugger/debugger.h"

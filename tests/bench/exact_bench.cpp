@@ -1,7 +1,7 @@
 // What a step of the exact solver costs for a body, feature by feature.
 #include <benchmark/benchmark.h>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 #include "sim/exact_solver.h"
 
 namespace talus {

@@ -8,11 +8,11 @@
 #include <random>
 #include <string>
 
+#include <talus/formats/format.h>
+#include <talus/sim/solver.h>
 #include "cli/bench_balls.h"
 #include "cli/bench_kernel.h"
 #include "cli/timing.h"
-#include "formats/format.h"
-#include "sim/solver.h"
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "collision/terrain.h"
+#include <talus/collision/terrain.h>
 
 namespace talus {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
 
 namespace talus {
 namespace {

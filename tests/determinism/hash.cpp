@@ -4,8 +4,8 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "level/level.h"
-#include "sim/solver.h"
+#include <talus/level/level.h>
+#include <talus/sim/solver.h>
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "c/talus.h"
+#include <talus/c/talus.h>
 #include "faults/failing_memory.h"
 #include "platform/autosave.h"
 #include "unit/cli_answer.h"

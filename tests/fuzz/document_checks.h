@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "formats/native/hard_case_file.h"
 #include "formats/native/input_entry.h"
 #include "formats/native/native.h"

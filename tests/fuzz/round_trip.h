@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <talus/formats/format.h>
 #include "document_checks.h"
-#include "formats/format.h"
 
 namespace talus {
 

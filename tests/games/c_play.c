@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <talus.h>
+#include <talus/c/talus.h>
 
 static void must(int holds, const char* what) {
   if (holds) return;

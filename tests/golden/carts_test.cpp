@@ -1,8 +1,8 @@
 // Real carts, each as cartridge and as text project: the same content, so each form gives the other exactly.
 #include <gtest/gtest.h>
 
+#include <talus/formats/format.h>
 #include "formats/files/atomic_file.h"
-#include "formats/format.h"
 
 namespace talus::carts_test {
 

@@ -11,7 +11,6 @@
 
 #include "formats/native/hard_case_file.h"
 #include "sim/hard_case_run.h"
-#include "sim/solver.h"
 
 namespace talus::hard_cases_test {
 

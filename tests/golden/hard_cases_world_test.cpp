@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
 
 namespace talus::hard_cases_world_test {
 

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "collision/cast.h"
+#include <talus/collision/cast.h>
 #include "collision/cast_rounding.h"
 #include "random_ground.h"
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <memory>
 
+#include <talus/sim/solver.h>
 #include "random_ground.h"
-#include "sim/solver.h"
 
 namespace talus::exact_solver_property_test {
 

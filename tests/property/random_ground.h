@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "collision/terrain.h"
+#include <talus/collision/terrain.h>
 #include "reference/exact_ground.h"
 #include "reference/wide_curve.h"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include <talus/collision/world.h>
 #include "collision/sweep.h"
-#include "collision/world.h"
 
 namespace talus::world_property_test {
 

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "platform/sdl_keys.h"
 
 namespace talus {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include <talus/formats/format.h>
 #include "edit/map_rectangle.h"
-#include "formats/format.h"
 #include "harness.h"
 #include "panels/commands/commands.h"
 #include "panels/ui/theme.h"

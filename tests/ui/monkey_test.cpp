@@ -5,7 +5,7 @@
 #include <iostream>
 #include <random>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "harness.h"
 #include "panels/commands/commands.h"
 

@@ -1,5 +1,5 @@
 // Bodies placed by hand, and players steered by the keys.
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "harness.h"
 
 namespace talus::player_test {

@@ -1,7 +1,7 @@
 // Finding one's way on large maps: the world view, the minimap and two maps; and what drawing them costs.
 #include <cmath>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "harness.h"
 #include "overlay/visible_items.h"
 

@@ -7,11 +7,11 @@
 #include <limits>
 #include <string_view>
 
-#include "c/talus.h"
+#include <talus/c/talus.h>
+#include <talus/collision/world.h>
 #include "collision/cast_rounding.h"
 #include "collision/cast_trace.h"
 #include "collision/ground_queries.h"
-#include "collision/world.h"
 #include "test_map.h"
 
 namespace talus::any_number_test {

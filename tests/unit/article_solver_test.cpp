@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
+#include <talus/sim/solver.h>
 #include "level_text.h"
-#include "sim/solver.h"
 
 namespace talus::article_solver_test {
 

@@ -1,7 +1,7 @@
 // A room for tests of what is played and recorded.
 #pragma once
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

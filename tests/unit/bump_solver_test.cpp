@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "level_text.h"
 
 namespace talus::bump_solver_test {

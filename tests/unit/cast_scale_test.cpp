@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/cast.h"
+#include <talus/collision/cast.h>
+#include <talus/sim/solver.h>
 #include "level_text.h"
 #include "sim/exact_mover.h"
-#include "sim/solver.h"
 #include "test_map.h"
 
 namespace talus::cast_scale_test {

@@ -1,5 +1,5 @@
 // Boxes cast against every kind of ground: when, where and which way it stops them.
-#include "collision/cast.h"
+#include <talus/collision/cast.h>
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <talus/formats/format.h>
 #include "cli_answer.h"
 #include "folder_test.h"
-#include "formats/format.h"
 #include "formats/text/json_text.h"
 #include "level_text.h"
 #include "png_bytes.h"

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <talus/formats/format.h>
 #include "cli_answer.h"
 #include "folder_test.h"
-#include "formats/format.h"
 
 namespace talus::cli_export_own_test {
 

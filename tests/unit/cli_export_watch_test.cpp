@@ -17,9 +17,9 @@
 #include <sstream>
 #include <thread>
 
+#include <talus/formats/format.h>
 #include "cli_answer.h"
 #include "folder_test.h"
-#include "formats/format.h"
 
 namespace talus::cli_export_watch_test {
 

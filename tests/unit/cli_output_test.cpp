@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <talus/formats/format.h>
 #include "cli/output_file.h"
 #include "cli_answer.h"
 #include "export/exporter.h"
 #include "folder_test.h"
-#include "formats/format.h"
 #include "formats/native/recording_file.h"
 #include "png_bytes.h"
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <talus/formats/format.h>
 #include "debug/compare.h"
 #include "debug/explain.h"
 #include "debug/stop_search.h"
-#include "formats/format.h"
 #include "formats/native/hard_case_file.h"
 #include "level_text.h"
 #include "sim/case_input.h"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "sim/solver.h"
+#include <talus/sim/solver.h>
 
 namespace talus::debug_stages_test {
 

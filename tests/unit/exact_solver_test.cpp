@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "level_text.h"
 #include "sim/exact_mover.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <sstream>
 
+#include <talus/level/ground.h>
 #include "collision/ground_queries.h"
 #include "folder_test.h"
-#include "level/ground.h"
 #include "property/random_ground.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include <talus/sim/scene.h>
+#include <talus/sim/state.h>
 #include "export/plain_data.h"
 #include "folder_test.h"
 #include "formats/native/native.h"
-#include "sim/scene.h"
-#include "sim/state.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
 

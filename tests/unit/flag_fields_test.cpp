@@ -1,5 +1,5 @@
 // Fields of flags: what they are, in files, and looking for flags in a level.
-#include "level/flag_fields.h"
+#include <talus/level/flag_fields.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <talus/formats/format.h>
 #include "folder_test.h"
-#include "formats/format.h"
 
 namespace talus::format_test {
 

@@ -1,8 +1,8 @@
 // Which shape a tile has, and which curves a level may have.
 #include <gtest/gtest.h>
 
-#include "level/ground.h"
-#include "level/level.h"
+#include <talus/level/ground.h>
+#include <talus/level/level.h>
 
 namespace talus::level_shape_test {
 

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -1,5 +1,5 @@
 // What a level holds at most: refused where it is read, edited and saved, and what is saved can be read.
-#include "level/limits.h"
+#include <talus/level/limits.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 
 #include <fstream>
 
+#include <talus/formats/format.h>
 #include "folder_test.h"
-#include "formats/format.h"
 
 namespace talus::linked_files_test {
 

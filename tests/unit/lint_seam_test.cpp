@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "slope_level.h"
 
 namespace talus::lint_seam_test {

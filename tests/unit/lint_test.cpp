@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "lint/lint.h"
 
 namespace talus::lint_test {

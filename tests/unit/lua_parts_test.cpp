@@ -6,11 +6,11 @@
 #include <map>
 #include <regex>
 
+#include <talus/formats/format.h>
 #include "export/exporter.h"
 #include "export/lua_level.h"
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
-#include "formats/format.h"
 #include "unit/program_output.h"
 
 namespace talus::lua_parts_test {

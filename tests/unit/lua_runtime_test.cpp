@@ -7,14 +7,14 @@
 #include <map>
 #include <sstream>
 
+#include <talus/formats/format.h>
+#include <talus/sim/solver.h>
 #include "export/lua_level.h"
 #include "export/lua_parts.h"
 #include "folder_test.h"
-#include "formats/format.h"
 #include "formats/native/hard_case_file.h"
 #include "property/random_ground.h"
 #include "sim/case_input.h"
-#include "sim/solver.h"
 #include "unit/program_output.h"
 
 namespace talus::lua_runtime_test {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "native_text.h"
 
 namespace talus::native_shapes_test {

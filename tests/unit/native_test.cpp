@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "formats/tic80/tic_cart.h"
 #include "formats/tic80/tic_text.h"
 #include "native_text.h"

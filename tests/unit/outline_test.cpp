@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "level/ground.h"
+#include <talus/level/ground.h>
 #include "overlay/removed_edges.h"
 
 namespace talus::outline_test {

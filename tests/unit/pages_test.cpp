@@ -6,12 +6,12 @@
 #include <regex>
 #include <sstream>
 
+#include <talus/formats/format.h>
 #include "cli/cli.h"
 #include "export/exporter.h"
 #include "export/lua_parts.h"
 #include "export/lua_runtime.h"
 #include "formats/files/atomic_file.h"
-#include "formats/format.h"
 #include "formats/native/native.h"
 #include "formats/native/recording_file.h"
 

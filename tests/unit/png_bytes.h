@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "level/tileset.h"
+#include <talus/level/tileset.h>
 #include "zipped.h"
 
 namespace talus {

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <sstream>
 
+#include <talus/formats/format.h>
 #include "cli_answer.h"
 #include "folder_test.h"
-#include "formats/format.h"
 #include "formats/native/recording_file.h"
 
 namespace talus::progress_line_test {

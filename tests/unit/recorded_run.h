@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include <talus/sim/solver.h>
 #include "debug/frame.h"
-#include "sim/solver.h"
 
 namespace talus {
 

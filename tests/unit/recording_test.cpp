@@ -8,8 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include <talus/formats/format.h>
 #include "folder_test.h"
-#include "formats/format.h"
 #include "level_text.h"
 #include "sim/timeline.h"
 

@@ -1,12 +1,12 @@
 // Compiling a level: which boxes it makes, and in which order.
 
-#include "sim/scene.h"
+#include <talus/sim/scene.h>
 
 #include <gtest/gtest.h>
 
-#include "level/ground.h"
+#include <talus/level/ground.h>
+#include <talus/sim/solver.h>
 #include "level_text.h"
-#include "sim/solver.h"
 
 namespace talus::scene_test {
 

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <thread>
 
+#include <talus/formats/format.h>
 #include "edit/map_stroke.h"
 #include "edit/spawn_tools.h"
 #include "folder_test.h"
-#include "formats/format.h"
 #include "session/session.h"
 
 namespace talus::session_compile_test {

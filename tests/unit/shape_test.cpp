@@ -1,12 +1,12 @@
 // Shapes and curves that cannot be used, each with the sentence that says why.
-#include "collision/shape.h"
+#include <talus/collision/shape.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "collision/terrain.h"
+#include <talus/collision/terrain.h>
 
 namespace talus::shape_test {
 

@@ -1,6 +1,6 @@
 // States: bodies at the start, across edits of the level, and their hash.
 
-#include "sim/state.h"
+#include <talus/sim/state.h>
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // A step's work is bounded, whatever the level: what would take minutes stops where it can be, and says so.
 #include <gtest/gtest.h>
 
+#include <talus/sim/solver.h>
 #include "cli/trace.h"
 #include "collision/ground_queries.h"
 #include "debug/explain.h"
 #include "debug/metrics.h"
 #include "level_text.h"
-#include "sim/solver.h"
 
 namespace talus::step_work_test {
 

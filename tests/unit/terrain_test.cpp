@@ -1,5 +1,5 @@
 // The compiled ground: what is on its outline and what is not, and that editing gives what compiling gives.
-#include "collision/terrain.h"
+#include <talus/collision/terrain.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <random>
 #include <tuple>
 
+#include "collision/outline_compiler.h"
 #include "test_map.h"
 
 namespace talus::terrain_test {

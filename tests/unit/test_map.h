@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/terrain.h"
+#include <talus/collision/terrain.h>
 
 namespace talus {
 

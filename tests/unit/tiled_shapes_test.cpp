@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 #include "unit/tiled_files.h"
 
 namespace talus::tiled_shapes_test {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include <talus/sim/scene.h>
 #include "level_text.h"
-#include "sim/scene.h"
 
 namespace talus::transform_test {
 

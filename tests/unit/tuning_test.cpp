@@ -1,5 +1,5 @@
 // The table of the physics' numbers.
-#include "level/tuning.h"
+#include <talus/level/tuning.h>
 
 #include <gtest/gtest.h>
 

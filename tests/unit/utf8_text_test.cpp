@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/format.h"
+#include <talus/formats/format.h>
 
 namespace talus::utf8_text_test {
 

@@ -1,7 +1,7 @@
 // A warm World allocates nothing: every operator new of its thread is counted.
 #include <gtest/gtest.h>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
 #include "faults/failing_memory.h"
 
 namespace talus::world_allocation_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
 
 namespace talus::world_items_test {
 

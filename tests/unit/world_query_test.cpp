@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
 
 namespace talus::world_query_test {
 

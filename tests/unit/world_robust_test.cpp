@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "collision/world.h"
+#include <talus/collision/world.h>
 
 namespace talus::world_robust_test {
 

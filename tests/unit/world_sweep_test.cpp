@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include <talus/collision/world.h>
 #include "collision/sweep.h"
-#include "collision/world.h"
 
 namespace talus::world_sweep_test {
 

@@ -4,8 +4,8 @@
 // frames a second until Ctrl+C; with FRAMES it makes so many steps, shows the last one and prints its hash,
 // which is that of `talus sim FILE --frames FRAMES --hash`. KEYS are what a player does, a letter for 10
 // frames: l left, r right, j jump, L and R with a jump, others nothing; after the last one nothing is held.
-#include <formats/format.h>
-#include <sim/solver.h>
+#include <talus/formats/format.h>
+#include <talus/sim/solver.h>
 
 #include <chrono>
 #include <cstdlib>

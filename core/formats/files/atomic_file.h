@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "../../level/limits.h"
-#include "../format.h"
+#include <talus/formats/format.h>
+#include <talus/level/limits.h>
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

@@ -16,8 +16,8 @@
 #include <span>
 #include <string_view>
 
+#include <talus/formats/format.h>
 #include "../../level/hard_case.h"
-#include "../format.h"
 
 namespace talus {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "../../level/limits.h"
+#include <talus/level/limits.h>
 #include "../text/hex.h"
 #include "../text/json_text.h"
 #include "hard_case_file.h"

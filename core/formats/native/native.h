@@ -51,7 +51,7 @@
 // not the default, so that older files keep their bytes.
 #pragma once
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

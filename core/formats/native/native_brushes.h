@@ -3,7 +3,7 @@
 //   "auto_tiles": {"inside": 16, "top": 1, ...}    by the names of the parts; tiles from 1 to 255
 #pragma once
 
-#include "../../level/level.h"
+#include <talus/level/level.h>
 #include "../text/json_text.h"
 
 namespace talus {

@@ -2,7 +2,7 @@
 //   "exports": [{"name": "game", "to": "love", "path": "export/love", "parts": "pairs", "on_save": true}]
 #pragma once
 
-#include "../../level/level.h"
+#include <talus/level/level.h>
 #include "../text/json_text.h"
 
 namespace talus {

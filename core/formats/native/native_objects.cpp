@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "../../level/limits.h"
+#include <talus/level/limits.h>
 #include "native_members.h"
 
 namespace talus {

@@ -21,9 +21,9 @@
 // versions take up to kMaxVersionBytes; more are neither read nor written.
 #pragma once
 
-#include "../../level/limits.h"
+#include <talus/formats/format.h>
+#include <talus/level/limits.h>
 #include "../../level/recording.h"
-#include "../format.h"
 
 namespace talus {
 

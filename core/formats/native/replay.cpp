@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "../../collision/world.h"
+#include <talus/collision/world.h>
 #include "../text/append_number.h"
 #include "../text/json_text.h"
 

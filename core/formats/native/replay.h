@@ -18,7 +18,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

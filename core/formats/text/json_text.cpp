@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../level/limits.h"
+#include <talus/level/limits.h>
 
 namespace talus {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

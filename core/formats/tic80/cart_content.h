@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "../../level/level.h"
-#include "../format.h"
+#include <talus/formats/format.h>
+#include <talus/level/level.h>
 
 namespace talus {
 

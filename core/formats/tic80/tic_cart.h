@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../format.h"
+#include <talus/formats/format.h>
 #include "cart_content.h"
 
 namespace talus {

@@ -6,7 +6,7 @@
 // three bytes, low bits first as all here. The layout is TIC-80's (src/ext/png.c).
 #pragma once
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

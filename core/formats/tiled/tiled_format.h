@@ -5,7 +5,7 @@
 // relative paths; without a folder tilesets are an error, and pictures are left out. core/export writes maps.
 #pragma once
 
-#include "../format.h"
+#include <talus/formats/format.h>
 
 namespace talus {
 

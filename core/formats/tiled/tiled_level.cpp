@@ -10,7 +10,7 @@
 #include <sstream>
 #include <utility>
 
-#include "../../level/limits.h"
+#include <talus/level/limits.h>
 #include "../native/native.h"
 #include "../native/native_objects.h"
 #include "../pictures/png_sheet.h"

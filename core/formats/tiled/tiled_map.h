@@ -23,7 +23,7 @@
 #include <variant>
 #include <vector>
 
-#include "../../level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

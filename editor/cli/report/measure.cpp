@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include <talus/sim/solver.h>
 #include "cli/bench_kernel.h"
 #include "cli/random.h"
 #include "cli/timing.h"
 #include "scenes.h"
-#include "sim/solver.h"
 
 namespace talus {
 namespace {

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "level/tuning.h"
+#include <talus/level/tuning.h>
 
 namespace talus {
 

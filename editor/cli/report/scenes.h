@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 #include "reference.h"
 #include "setup.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "level/tuning.h"
+#include <talus/level/tuning.h>
 
 namespace talus {
 

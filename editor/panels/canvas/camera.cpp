@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "level/tileset.h"
+#include <talus/level/tileset.h>
 
 namespace talus {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "collision/geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include <talus/level/tile_map.h>
 #include "camera.h"
-#include "level/tile_map.h"
 #include "panels/ui/ui.h"
 
 namespace talus {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include <talus/level/level.h>
 #include "camera.h"
-#include "level/level.h"
 #include "panels/ui/ui.h"
 
 namespace talus {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "level/tuning.h"
+#include <talus/level/tuning.h>
 #include "panels/sprites/tile_number.h"
 
 namespace talus {

@@ -1,7 +1,7 @@
 // How the images of the two sheets are numbered on the screen.
 #pragma once
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

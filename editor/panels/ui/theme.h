@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "level/tileset.h"
+#include <talus/level/tileset.h>
 #include "panels/preferences.h"
 
 namespace talus::theme {

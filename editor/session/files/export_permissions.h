@@ -12,8 +12,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include <talus/level/exports.h>
 #include "export/export_bounds.h"
-#include "level/exports.h"
 
 namespace talus {
 

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "level/progress.h"
+#include <talus/level/progress.h>
 
 namespace talus {
 

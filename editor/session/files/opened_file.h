@@ -5,8 +5,8 @@
 #include <string>
 #include <variant>
 
+#include <talus/formats/format.h>
 #include "file_stamp.h"
-#include "formats/format.h"
 #include "formats/native/recording_file.h"
 #include "level_import.h"
 #include "sim/timeline.h"

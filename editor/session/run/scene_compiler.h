@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "level/level.h"
+#include <talus/level/level.h>
 #include "sim/scene_cache.h"
 
 namespace talus {

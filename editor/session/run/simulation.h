@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "collision/function_ref.h"
+#include <talus/collision/function_ref.h>
 #include "session/session.h"
 #include "step_times.h"
 #include "work_share.h"

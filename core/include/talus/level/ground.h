@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "../collision/terrain.h"
-#include "level.h"
+#include <talus/collision/terrain.h>
+#include <talus/level/level.h>
 
 namespace talus {
 

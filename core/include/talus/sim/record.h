@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "../collision/world.h"
-#include "scene.h"
+#include <talus/collision/world.h>
+#include <talus/sim/scene.h>
 
 namespace talus {
 

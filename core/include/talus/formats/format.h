@@ -9,8 +9,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "../level/level.h"
-#include "../level/progress.h"
+#include <talus/level/level.h>
+#include <talus/level/progress.h>
 
 namespace talus {
 

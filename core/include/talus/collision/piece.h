@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "piece.h"
-#include "shape.h"
+#include <talus/collision/piece.h>
+#include <talus/collision/shape.h>
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene.h"
+#include <talus/sim/scene.h>
 
 namespace talus {
 

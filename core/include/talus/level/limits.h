@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "level.h"
+#include <talus/level/level.h>
 
 namespace talus {
 

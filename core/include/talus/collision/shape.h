@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "geometry.h"
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tileset.h"
+#include <talus/level/tileset.h>
 
 namespace talus {
 

@@ -21,8 +21,8 @@
 #include <string_view>
 #include <vector>
 
-#include "function_ref.h"
-#include "geometry.h"
+#include <talus/collision/function_ref.h>
+#include <talus/collision/geometry.h>
 
 namespace talus {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "../collision/geometry.h"
-#include "../collision/terrain.h"
-#include "../level/level.h"
+#include <talus/collision/geometry.h>
+#include <talus/collision/terrain.h>
+#include <talus/level/level.h>
 
 namespace talus {
 

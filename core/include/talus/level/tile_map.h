@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../collision/shape.h"
+#include <talus/collision/shape.h>
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "terrain.h"
+#include <talus/collision/terrain.h>
 
 namespace talus {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "record.h"
-#include "state.h"
+#include <talus/sim/record.h>
+#include <talus/sim/state.h>
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "tileset.h"
+#include <talus/level/tileset.h>
 
 namespace talus {
 

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "../collision/shape.h"
-#include "auto_tiles.h"
-#include "brushes.h"
-#include "exports.h"
-#include "flag_fields.h"
-#include "flag_roles.h"
-#include "tile_map.h"
-#include "tileset.h"
-#include "tuning.h"
+#include <talus/collision/shape.h>
+#include <talus/level/auto_tiles.h>
+#include <talus/level/brushes.h>
+#include <talus/level/exports.h>
+#include <talus/level/flag_fields.h>
+#include <talus/level/flag_roles.h>
+#include <talus/level/tile_map.h>
+#include <talus/level/tileset.h>
+#include <talus/level/tuning.h>
 
 namespace talus {
 
