@@ -7,6 +7,7 @@
 #include <talus/level/ground.h>
 #include "../collision/outline_compiler.h"
 #include "../formats/text/append_number.h"
+#include "../formats/text/base64.h"
 #include "export_targets.h"
 #include "ground_polygons.h"
 #include "map_png.h"
@@ -18,18 +19,6 @@ namespace {
 
 constexpr double kTickLength = 2;  // px, of a normal
 constexpr int kSineParts = 4;      // cubics in place of a quarter wave: off by 1e-4 of the amplitude
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) word = word << 8 | (k < count ? std::uint8_t(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kDigits[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
 
 // The text of a path: "M1 2L3 4Z".
 class SvgPath {
@@ -160,7 +149,7 @@ pugi::xml_node add_root(pugi::xml_document& document, const Level& level, const 
       {{"width", width},
        {"height", height},
        {"style", "image-rendering:pixelated"},
-       {"xlink:href", "data:image/png;base64," + base64(png)}});
+       {"xlink:href", "data:image/png;base64," + encode_base64(png)}});
   return root;
 }
 

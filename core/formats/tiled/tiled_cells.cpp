@@ -3,6 +3,7 @@
 
 #include <charconv>
 
+#include "../text/base64.h"
 #include "../text/unpack.h"
 
 namespace talus {
@@ -35,29 +36,10 @@ CellsResult decode_csv(std::string_view data) {
   return cells;
 }
 
-// -1: no digit of Base64.
-int digit_of(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-tl::expected<std::string, std::string> decode_base64(std::string_view data) {
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int held = 0;  // bits that are not out yet
-  for (const char c : data) {
-    if (is_blank(c) || c == '=') continue;
-    const int digit = digit_of(c);
-    if (digit < 0) return tl::unexpected(std::string("has a character that is none of Base64"));
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 0xff);
-  }
-  return bytes;
+tl::expected<std::string, std::string> unpacked_base64(std::string_view data) {
+  auto bytes = decode_base64(data);
+  if (bytes) return *std::move(bytes);
+  return tl::unexpected(std::string("has a character that is none of Base64"));
 }
 
 tl::expected<std::string, std::string> uncompressed(std::string bytes, std::string_view compression,
@@ -93,7 +75,7 @@ CellsResult decode_tiled_cells(std::string_view data, std::string_view encoding,
   if (encoding == "csv") {
     cells = decode_csv(data);
   } else if (encoding == "base64") {
-    cells = decode_base64(data)
+    cells = unpacked_base64(data)
                 .and_then(
                     [&](std::string bytes) { return uncompressed(std::move(bytes), compression, 4 * count); })
                 .and_then([](const std::string& bytes) { return cells_of_bytes(bytes); });
