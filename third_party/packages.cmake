@@ -1,6 +1,10 @@
 # Finds the packages that third_party/install installs; README.md beside this file says what each is for.
 
-find_package(PkgConfig REQUIRED)
+# A project that Talus is a part of links them too, through the static libraries.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+if(TALUS_EDITOR OR TALUS_TESTS)
+  find_package(PkgConfig REQUIRED)
+endif()
 find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tl-expected REQUIRED)
