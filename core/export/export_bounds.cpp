@@ -28,23 +28,24 @@ ExportBounds bounds_of_output(const std::string& output, bool is_folder) {
   return bounds_at(is_folder ? real_path(output) : real_folder_of(output), false);
 }
 
-tl::expected<std::string, std::string> place_within(const ExportBounds& bounds, const std::string& path,
-                                                    bool is_named) {
+tl::expected<std::string, PlaceProblem> place_within(const ExportBounds& bounds, const std::string& path,
+                                                     bool is_named) {
   if (!holds(bounds, is_named)) return path;
   const auto place = real_path(path);
-  if (!place) return tl::unexpected(path + " " + place.error().message);
+  if (!place) return tl::unexpected(PlaceProblem{path + " " + place.error().message});
   if (!is_within(*place, bounds.folder)) {
     if (bounds.folder == kNowhere)
-      return tl::unexpected(path + " is not in the folder of the level, which has no file yet");
+      return tl::unexpected(
+          PlaceProblem{path + " is not in the folder of the level, which has no file yet", true});
     const bool by_link = *place != fs::path(path).lexically_normal();
-    return tl::unexpected(path + (by_link ? " leads to " + *place + ", which" : "") + " is outside of " +
-                          bounds.folder);
+    return tl::unexpected(PlaceProblem{
+        path + (by_link ? " leads to " + *place + ", which" : "") + " is outside of " + bounds.folder, true});
   }
   std::error_code error;
   const auto kind = fs::symlink_status(*place, error).type();
   if (kind != fs::file_type::not_found && kind != fs::file_type::regular &&
       kind != fs::file_type::directory && kind != fs::file_type::none)
-    return tl::unexpected(path + " is a device or a pipe, where a file is to be written");
+    return tl::unexpected(PlaceProblem{path + " is a device or a pipe, where a file is to be written"});
   return *place;
 }
 

@@ -28,9 +28,15 @@ ExportBounds bounds_of_level(const std::string& level_file);
 // What an output gets that the user has typed: it may be anywhere, what belongs to it is beside it or in it.
 ExportBounds bounds_of_output(const std::string& output, bool is_folder);
 
-// The place that is written for a path, which has no link in it any more where there are bounds; or one
-// sentence without its full stop on why it may not be. is_named: as of holds().
-tl::expected<std::string, std::string> place_within(const ExportBounds& bounds, const std::string& path,
-                                                    bool is_named);
+// Why nothing is written to a path.
+struct PlaceProblem {
+  std::string message;      // one sentence without its full stop
+  bool is_outside = false;  // the place is outside of the bounds: without bounds it would be written
+};
+
+// The place that is written for a path, which has no link in it any more where there are bounds; or why it
+// may not be. is_named: as of holds().
+tl::expected<std::string, PlaceProblem> place_within(const ExportBounds& bounds, const std::string& path,
+                                                     bool is_named);
 
 }  // namespace talus

@@ -88,7 +88,8 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
     if (const std::string problem = is_named ? companion_place_problem(paths[i]) : ""; !problem.empty())
       return problem_at(Field::path, fs::path(paths[i]).filename().string() + " " + problem);
     if (const auto place = place_within(bounds, paths[i], is_named); !place && !paths[i].empty())
-      return tl::unexpected(ExportProblem{Field::path, {"", place.error()}, true});
+      return tl::unexpected(
+          ExportProblem{Field::path, {"", place.error().message}, place.error().is_outside});
     if (const std::string problem = paths[i].empty() ? "" : place_problem(paths[i]); !problem.empty())
       return problem_at(Field::path, problem);
     plan.files.push_back(plan_file(paths[i], plan.content.files[i]));
@@ -124,7 +125,7 @@ const PlannedFile* own_file_in(const ExportPlan& plan, const std::string& level_
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress) {
   std::error_code failure;
   const auto output = place_within(plan.bounds, plan.output, !plan.exporter->is_folder());
-  if (!output) return problem_at(Field::path, output.error());
+  if (!output) return problem_at(Field::path, output.error().message);
   const fs::path folder = fs::path(*output).parent_path();
   if (!folder.empty()) fs::create_directories(folder, failure);
   if (failure) return problem_at(Field::path, folder.string() + " cannot be made: " + failure.message());

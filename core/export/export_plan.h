@@ -32,7 +32,7 @@ struct ExportProblem {
   enum class Field { target, path, level };
   Field field = Field::level;
   FormatError error;
-  bool is_outside = false;  // the path, or a file there, is not within the bounds
+  bool is_outside = false;  // as in PlaceProblem, of the path or of a file there
 };
 
 // Makes the files of an export by the exporter with this id, and looks at what is at their places. `output`:

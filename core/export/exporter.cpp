@@ -229,7 +229,7 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
   std::vector<std::string> paths = paths_of(exporter, exported, output);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     auto place = place_within(bounds, paths[i], exported.files[i].name.empty());
-    if (!place) return tl::unexpected(FormatError{"", place.error()});
+    if (!place) return tl::unexpected(FormatError{"", place.error().message});
     paths[i] = *std::move(place);
   }
   std::vector<StagedFile> staged;

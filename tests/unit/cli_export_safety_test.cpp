@@ -72,6 +72,14 @@ TEST_F(CliPresetPaths, AreNotLedOutByLinksInTheirFolder) {
   EXPECT_FALSE(exists("init.lua"));
 }
 
+TEST_F(CliPresetPaths, WithLinksInACircleAreNotAdvisedToLeave) {
+  fs::create_directories(path("level/export"));
+  fs::create_symlink("level.lua", path("level/export/level.lua"));
+  save("lua-runtime", "export");
+  EXPECT_EQ(all(), 1);
+  EXPECT_THAT(answer_.err, HasSubstr("level.lua leads through links in a circle\n"));
+}
+
 TEST_F(CliPresetPaths, ReplaceNothingThatNoExportWrote) {
   save("lua", "main.lua");
   put("level/main.lua", "local talus = require \"talus\"\n");
@@ -99,7 +107,7 @@ TEST_F(CliPresetPaths, NeverWaitForAPipe) {
   ASSERT_EQ(::mkfifo(path("level/data.lua").c_str(), 0600), 0);
   save("lua", "data.lua");
   EXPECT_EQ(all("--force"), 1);
-  EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe"));
+  EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe, where a file is to be written\n"));
 }
 
 TEST_F(CliPresetPaths, OfAMapOfTiledFollowTheSameRules) {
