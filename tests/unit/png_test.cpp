@@ -68,6 +68,21 @@ TEST(Png, SaysWhatIsWrongWithAFile) {
             "has more data than a picture of its size can have");
 }
 
+TEST(Png, SaysWhyPixelsCannotBeUnpacked) {
+  const auto with_pixels = [](const std::string& packed) {
+    return png_error(png_header(1, 2, 2) + png_chunk("IDAT", packed) + png_chunk("IEND", ""));
+  };
+  const std::string rows(8, '\0'), good = zipped(rows), at = "is a damaged PNG picture: ";
+  ASSERT_EQ(with_pixels(good), "no error");
+  EXPECT_EQ(with_pixels(good.substr(0, good.size() - 1)),
+            at + "its pixels cannot be unpacked, the end is missing");
+  EXPECT_EQ(with_pixels("x" + good), at + "its pixels cannot be unpacked, incorrect header check");
+  std::string wrong_sum = good;
+  wrong_sum.back() ^= 1;
+  EXPECT_EQ(with_pixels(wrong_sum), at + "its pixels cannot be unpacked, incorrect data check");
+  EXPECT_EQ(with_pixels(zipped(rows.substr(1))), at + "not enough pixels");
+}
+
 TEST(Png, EveryCutOffFileIsAnError) {
   const std::string good = png_of(8, 3, std::vector<std::string>(8, "\0\1\0\1\0\1\0\1"s), {kRed, kBlue});
   ASSERT_TRUE(read_png(good));

@@ -78,7 +78,8 @@ TEST(TicPng, TheLowBitsAreThoseOfTic80) {
   const std::string_view header("\xf1\xf0\xf2\xf0\xf0\xf0\xf0\xf0", 8);
   EXPECT_EQ(pixels->bytes.substr(0, 8), header);
   EXPECT_EQ(pixels->bytes.substr(8, 8), "\xfe\xfe\xfe\xff\xff\xff\xff\xfe");
-  EXPECT_EQ(error_of(picture), "x.png: error: has a damaged cartridge in it, which cannot be unpacked");
+  EXPECT_EQ(error_of(picture),
+            "x.png: error: has a damaged cartridge in it, which cannot be unpacked: the end is missing");
 }
 
 TEST(TicPng, TheChunkWinsOverThePixels) {
@@ -113,9 +114,9 @@ TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
 TEST(TicPng, DamagedOnesAreErrors) {
   const std::string packed = zipped(small_cart());
   EXPECT_EQ(error_of(with_chunk("no zlib")),
-            "x.png: error: has a damaged cartridge in it, which cannot be unpacked");
+            "x.png: error: has a damaged cartridge in it, which cannot be unpacked: incorrect header check");
   EXPECT_EQ(error_of(with_chunk(packed.substr(0, packed.size() - 5))),
-            "x.png: error: has a damaged cartridge in it, which cannot be unpacked");
+            "x.png: error: has a damaged cartridge in it, which cannot be unpacked: the end is missing");
   EXPECT_EQ(error_of(with_chunk(zipped(std::string((4 << 20) + 1, '\0')))),
             "x.png: error: has a cartridge in it that unpacks to more than 4 MB");
   EXPECT_EQ(error_of(with_chunk(zipped(""))), "x.png: error: has an empty cartridge in it");

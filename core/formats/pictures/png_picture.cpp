@@ -146,22 +146,25 @@ FormatResult<Header> read_small_header(std::string_view bytes) {
   return header;
 }
 
+tl::unexpected<FormatError> damaged_png(const std::string& reason) {
+  return tl::unexpected(FormatError{"", "is a damaged PNG picture: " + reason});
+}
+
 FormatResult<RgbaPicture> decode(const Header& header) {
   // Eight bytes a pixel at most, and one before each row: interlaced, rows come in up to twice as many parts.
   const std::size_t largest = (std::size_t{8} * header.width + 2) * header.height + 64;
   const auto rows = unpack_zlib(header.packed, largest);
-  if (header.packed.size() > 2 * largest || (!rows && rows.error() == UnpackError::too_large))
+  if (header.packed.size() > 2 * largest || (!rows && rows.error().is_too_large))
     return tl::unexpected(FormatError{"", "has more data than a picture of its size can have"});
   if (!rows && !header.packed.empty())
-    return tl::unexpected(FormatError{"", "is a damaged PNG picture: its pixels cannot be unpacked"});
+    return damaged_png("its pixels cannot be unpacked, " + rows.error().reason);
   constexpr int kChannels = 4;
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> rgba(
       stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(header.needed.data()),
                             static_cast<int>(header.needed.size()), &width, &height, &channels, kChannels),
       stbi_image_free);
-  if (!rgba)
-    return tl::unexpected(FormatError{"", std::string("is a damaged PNG picture: ") + stbi_failure_reason()});
+  if (!rgba) return damaged_png(stbi_failure_reason());
   const std::size_t count = std::size_t{kChannels} * header.width * header.height;
   return RgbaPicture{width, height, {reinterpret_cast<const char*>(rgba.get()), count}};
 }

@@ -23,9 +23,10 @@ tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std:
     status = inflate(&stream, Z_NO_FLUSH);
     content.append(piece.data(), piece.size() - stream.avail_out);
   }
+  const std::string reason = stream.msg != nullptr ? stream.msg : "the end is missing";
   inflateEnd(&stream);
-  if (content.size() > limit) return tl::unexpected(UnpackError::too_large);
-  if (status != Z_STREAM_END) return tl::unexpected(UnpackError::damaged);
+  if (content.size() > limit) return tl::unexpected(UnpackError{.is_too_large = true});
+  if (status != Z_STREAM_END) return tl::unexpected(UnpackError{.reason = reason});
   return content;
 }
 

@@ -8,10 +8,13 @@
 
 namespace talus {
 
-enum class UnpackError { too_large, damaged };
+// Why a stream cannot be unpacked.
+struct UnpackError {
+  bool is_too_large = false;  // it unpacks to more than the limit
+  std::string reason = {};    // of a damaged stream: a few words, such as "incorrect data check"
+};
 
-// The content of one zlib or gzip stream; what follows its end is ignored. An error when it unpacks to more
-// than `limit` bytes, or is damaged or cut off.
+// The content of one zlib or gzip stream; what follows its end is ignored. limit: bytes that it may unpack to.
 tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit);
 
 }  // namespace talus

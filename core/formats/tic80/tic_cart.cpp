@@ -43,7 +43,7 @@ void overlay(std::string& section, std::string_view data) {
 FormatResult<std::string> unpack_code(const TicChunk& chunk) {
   auto code = unpack_zlib(chunk.data, kCodeLimit);
   if (code) return *std::move(code);
-  if (code.error() == UnpackError::too_large)
+  if (code.error().is_too_large)
     return error_at(chunk.offset, "the compressed code unpacks to more than 524287 bytes");
   return error_at(chunk.offset, "the compressed code is damaged");
 }

@@ -65,10 +65,11 @@ FormatResult<Level> read_tic_png(std::string_view bytes, const FormatContext& co
   const auto packed = packed_cart(bytes);
   if (!packed) return tl::unexpected(packed.error());
   const auto cart = unpack_zlib(*packed, kMaxCartBytes);
-  if (!cart && cart.error() == UnpackError::too_large)
+  if (!cart && cart.error().is_too_large)
     return tl::unexpected(FormatError{"", "has a cartridge in it that unpacks to more than 4 MB"});
   if (!cart)
-    return tl::unexpected(FormatError{"", "has a damaged cartridge in it, which cannot be unpacked"});
+    return tl::unexpected(
+        FormatError{"", "has a damaged cartridge in it, which cannot be unpacked: " + cart.error().reason});
   if (cart->empty()) return tl::unexpected(FormatError{"", "has an empty cartridge in it"});
   auto level = read_tic(*cart, context);
   if (!level && !level.error().place.empty()) level.error().place += " of the cartridge in it";

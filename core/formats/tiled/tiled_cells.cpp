@@ -51,9 +51,8 @@ tl::expected<std::string, std::string> uncompressed(std::string bytes, std::stri
   }
   auto content = unpack_zlib(bytes, limit);
   if (content) return std::move(*content);
-  return tl::unexpected(std::string(content.error() == UnpackError::too_large
-                                        ? "unpacks to more cells than its size gives"
-                                        : "has compressed cells that are damaged"));
+  return tl::unexpected(std::string(content.error().is_too_large ? "unpacks to more cells than its size gives"
+                                                                 : "has compressed cells that are damaged"));
 }
 
 CellsResult cells_of_bytes(std::string_view bytes) {
