@@ -49,8 +49,9 @@ FormatResult<TiledMap> whole_map_of(const ExportRequest& request) {
   return map;
 }
 
-Exported files_of(const ExportRequest& request, std::string text) {
-  return tiled_files(request, std::move(text), write_png_part(request.level, PngPart::tiles), {});
+Exported files_of(const ExportRequest& request, std::string text, std::vector<std::string> dropped = {}) {
+  return tiled_files(request, std::move(text), write_png_part(request.level, PngPart::tiles),
+                     std::move(dropped));
 }
 
 std::string number_word(double number) {
@@ -87,20 +88,28 @@ class TiledXmlWriter {
     document.save(out, " ", pugi::format_default, pugi::encoding_utf8);
     return out.str();
   }
+  // What of the written map XML has no characters for, as Exported::dropped.
+  std::vector<std::string> dropped() const {
+    if (changed_texts_ == 0) return {};
+    return {"control characters, which XML does not have, in " + std::to_string(changed_texts_) +
+            (changed_texts_ == 1 ? " text" : " texts")};
+  }
 
  private:
   static void put(pugi::xml_node& node, const char* name, const char* value) {
     node.append_attribute(name) = value;
   }
-  static void put(pugi::xml_node& node, const char* name, const std::string& value) {
-    node.append_attribute(name) = xml_text(value).c_str();
+  void put(pugi::xml_node& node, const char* name, const std::string& value) {
+    const std::string text = xml_text(value);
+    if (text != value) ++changed_texts_;
+    node.append_attribute(name) = text.c_str();
   }
   template <class Number>
-  static void put(pugi::xml_node& node, const char* name, Number value) {
+  void put(pugi::xml_node& node, const char* name, Number value) {
     put(node, name, number_word(static_cast<double>(value)));
   }
 
-  static void properties(pugi::xml_node& node, const TiledProperties& properties) {
+  void properties(pugi::xml_node& node, const TiledProperties& properties) {
     if (properties.empty()) return;
     pugi::xml_node list = node.append_child("properties");
     for (const TiledProperty& property : properties) {
@@ -170,7 +179,7 @@ class TiledXmlWriter {
     data.append_child(pugi::node_pcdata).set_value(csv.c_str());
   }
 
-  static void objects(pugi::xml_node& group, const std::vector<TiledObject>& objects, int& id) {
+  void objects(pugi::xml_node& group, const std::vector<TiledObject>& objects, int& id) {
     for (const TiledObject& object : objects) {
       pugi::xml_node node = group.append_child("object");
       put(node, "id", ++id);
@@ -196,6 +205,7 @@ class TiledXmlWriter {
   }
 
   int next_layer_ = 1, next_object_ = 1;
+  int changed_texts_ = 0;  // by xml_text()
 };
 
 }  // namespace
@@ -211,7 +221,9 @@ FormatResult<Exported> export_tmx(const ExportRequest& request) {
   const auto map = whole_map_of(request);
   if (!map) return tl::unexpected(map.error());
   if (!request.progress.at(kModelShare)) return Exported();
-  return files_of(request, TiledXmlWriter().write(*map));
+  TiledXmlWriter writer;
+  std::string text = writer.write(*map);
+  return files_of(request, std::move(text), writer.dropped());
 }
 
 }  // namespace talus

@@ -75,6 +75,18 @@ TEST(ExportTmx, HasTheTextThatTiledWants) {
 )");
 }
 
+TEST(ExportTmx, SaysInHowManyTextsItReplacesCharacters) {
+  Level level = small_level();
+  const std::string has_not = "control characters, which XML does not have, in ";
+  EXPECT_EQ(tiled_export_of(level, "tmx", "cave.tmx").dropped, (std::vector{has_not + "1 text"}));
+  level.flag_names[0] = "\x1b[31mred";
+  EXPECT_EQ(tiled_export_of(level, "tmx", "cave.tmx").dropped, (std::vector{has_not + "2 texts"}));
+  EXPECT_TRUE(tiled_export_of(level, "tmj", "cave.tmj").dropped.empty());
+  level.flag_names[0] = "a\nb";
+  level.spawns[0].name = "ball";
+  EXPECT_TRUE(tiled_export_of(level, "tmx", "cave.tmx").dropped.empty());
+}
+
 TEST(ExportTmx, SaysTheSameAsTheJson) {
   Level level = level_for_tiled();
   const std::string json = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
