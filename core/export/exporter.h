@@ -68,6 +68,7 @@ struct Exporter {
   // the name that was given, without its extension, and ** for the whole name.
   std::span<const std::string_view> beside = {};
   bool shares_sheet = false;  // a PNG of it shows the tiles and no more: that of another one is the same
+  bool keeps_code = false;  // what it writes has the code of the cart that the level was, and TIC-80 runs it
 
   bool is_folder() const { return extensions.empty(); }
   // Makes the files. When the request's progress is stopped, that is an error like any other.

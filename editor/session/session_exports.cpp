@@ -66,6 +66,15 @@ std::string problems_text(const std::vector<ExportOutcome>& outcomes) {
   return text;
 }
 
+// Whether one of the exports to allow writes the code of the level's cart.
+bool brings_code(const ExportRun& run) {
+  const bool may_keep_code = std::any_of(run.to_allow.begin(), run.to_allow.end(), [&](std::size_t task) {
+    const Exporter* exporter = find_exporter(run.tasks[task].preset.exporter);
+    return exporter != nullptr && exporter->keeps_code;
+  });
+  return may_keep_code && run.level->cart != nullptr;
+}
+
 std::string names_of(const std::vector<ExportOutcome>& outcomes) {
   std::size_t count = 0;
   std::string names;
@@ -147,10 +156,12 @@ void Session::Impl::take_exports() {
 // Of a level that has been left meanwhile, nothing is written.
 void Session::Impl::ask_to_allow(FinishedRun finished) {
   if (finished.run.tasks.front().level_file != path) return;
+  std::string text =
+      "These exports came with the level's file. Nothing of them is written until you allow it.";
+  if (brings_code(finished.run))
+    text += "\nThe TIC-80 carts among them bring the level's own code, which TIC-80 runs when you open them.";
   asked_run = std::move(finished);
-  question =
-      Question{"These exports came with the level's file. Nothing of them is written until you allow it.",
-               Question::Kind::allow_exports};
+  question = Question{std::move(text), Question::Kind::allow_exports};
 }
 
 // What was shown is allowed, and no more; without, the run goes on with the presets that are allowed already.

@@ -125,6 +125,33 @@ TEST_F(ForeignPresets, AreNotAskedAboutAgainByEachSave) {
   EXPECT_TRUE(session().allows_export(1)) << "his own, across a save and a start";
 }
 
+TEST_F(ForeignPresets, SayThatACartBringsTheLevelsOwnCode) {
+  const auto question_of = [&](const std::string& exporter, bool has_cart) {
+    Level level;
+    level.exports = {
+        {.name = "cart", .exporter = exporter, .path = "out/a.lua", .on_save = true, .extra = ""}};
+    if (exporter == "tic") level.exports[0].path = "out/a.tic";
+    if (has_cart)
+      level.cart = std::make_shared<const CartOrigin>(
+          CartOrigin{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = "-- script: lua\ntrace(1)\n"});
+    EXPECT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
+    start();
+    open(path("level/cave.talus.json"));
+    paint_and_save();
+    return asks() ? session().question()->text : "no question";
+  };
+  const std::string plain =
+      "These exports came with the level's file. Nothing of them is written until you allow it.";
+  const std::string warning =
+      plain +
+      "\nThe TIC-80 carts among them bring the level's own code, which TIC-80 runs when you open them.";
+  EXPECT_EQ(question_of("tic-text", true), warning);
+  EXPECT_EQ(question_of("tic", true), warning);
+  EXPECT_EQ(question_of("tic-text", false), plain);
+  EXPECT_EQ(question_of("tic-text-playable", true), plain) << "its code is a game of Talus's";
+  EXPECT_EQ(question_of("lua", true), plain);
+}
+
 TEST_F(ForeignPresets, AreNamedInALineOfAMessage) {
   ExportPreset named = data_;
   named.name = "da\nta" + std::string(300, 'x');
@@ -239,7 +266,8 @@ TEST_F(ForeignPresets, StayInTheFolderOfTheLevel) {
   EXPECT_TRUE(session().message()->is_error);
   for (const ExportOutcome& outcome : session().exporting().last_run()) {
     ASSERT_TRUE(outcome.problem) << outcome.task.preset.path;
-    EXPECT_TRUE(outcome.problem->is_outside) << outcome.task.preset.path;
+    EXPECT_EQ(outcome.problem->is_outside, outcome.task.preset.path != "pipe.lua")
+        << outcome.task.preset.path;
     EXPECT_TRUE(outcome.files.empty()) << "they are not even looked at";
   }
   // A change of the user's that leaves the path alone is no word on the path.
