@@ -3,13 +3,13 @@
 // are made from it.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "keys.h"
+#include "menu_places.h"
 #include "panels/ui/ui.h"
 #include "session/session.h"
 
@@ -17,17 +17,6 @@ namespace talus {
 
 // Where a command's keys work. cursor: while the keyboard's cursor is shown, and before those of all others.
 enum class Scope { everywhere, sprites, map, input, cursor };
-
-// The menus of the bar, from left to right.
-inline constexpr std::array<std::string_view, 8> kMenus = {"File", "Edit", "Map",   "Sprites",
-                                                           "View", "Play", "Debug", "Help"};
-
-// Where a command is in the menus.
-struct MenuPlace {
-  std::string_view menu =
-      {};           // "Map", or "Debug/Timeline" for a menu in a menu; empty: in "All commands" alone
-  int section = 0;  // from 0; lines part the sections of a menu. Within one, the order is the table's
-};
 
 using CommandRun = std::function<void(const Session&, Actions&, Ui&)>;
 using CommandTest = std::function<bool(const Session&, const Ui&)>;
@@ -39,7 +28,7 @@ struct Command {
   KeyChord key = {};        // none: no key, until the user gives it one
   KeyChord other_key = {};  // a second one, as other programs have it
   Scope scope = Scope::everywhere;
-  MenuPlace menu = {};
+  MenuPlace menu = {};             // one of menus::; none: in "All commands" alone
   Icon icon = Icon::none;          // of its button in a toolbar
   Icon checked_icon = Icon::none;  // in its place while it is on; none: the same one
   CommandRun run = {};             // never empty

@@ -94,7 +94,7 @@ std::vector<Command> cursor_commands() {
                "does. While it is shown, takes the pen down, which holds that button, and "
                "up again: so one hand draws.",
        .key = KeyChord{kKeyEnter},
-       .menu = {"View"},
+       .menu = menus::kViewFocus,
        .run = show_or_draw,
        .checked = [](S, const Ui& ui) { return ui.view.cursor.on(); },
        .any_modifiers = true}};

@@ -68,7 +68,7 @@ std::vector<Command> curve_commands() {
                "Drag a line to move it, a chosen one's handles to bend it; with Shift, a drag always draws. "
                "Ends snap; Ctrl: to half pixels, Alt: not at all.",
            .key = KeyChord{'c'},
-           .menu = {"Map"},
+           .menu = menus::kMapTools,
            .icon = Icon::curve,
            .run = choose_curve_tool,
            .checked = is_map_tool(MapTool::curve)},
@@ -101,7 +101,7 @@ std::vector<Command> curve_commands() {
            .label = "Duplicate",
            .help = "Copies the chosen body, with the body tool, or the chosen curve, a tile further on.",
            .key = ctrl('d'),
-           .menu = {"Map", 2},
+           .menu = menus::kMapBrushes,
            .run = duplicate,
            .enabled = can_duplicate},
       });

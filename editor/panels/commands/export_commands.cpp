@@ -16,14 +16,14 @@ std::vector<Command> export_commands() {
        .label = "Export...",
        .help = "Shows what the level is exported to, what will be written, and how large it is.",
        .key = ctrl_shift('x'),
-       .menu = {"File", 3},
+       .menu = menus::kFileExport,
        .run = [](S, A, U ui) { ui.view.exports.open = !ui.view.exports.open; },
        .checked = [](S, const Ui& ui) { return ui.view.exports.open; }},
       {.id = "file/export_all",
        .label = "Export all again",
        .help = "Writes all presets of the level as it is now; without any, shows where they are made.",
        .key = ctrl_shift('w'),
-       .menu = {"File", 3},
+       .menu = menus::kFileExport,
        .run =
            [](S session, A actions, U ui) {
              if (session.level().exports.empty())

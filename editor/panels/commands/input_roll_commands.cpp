@@ -56,7 +56,7 @@ std::vector<Command> input_roll_commands() {
          .label = "Input roll",
          .help = "Shows the keys and the mouse of every frame, and gives the keys to that strip.",
          .key = KeyChord{kKeyF6},
-         .menu = {"Debug"},
+         .menu = menus::kDebugPanels,
          .run = give_keys,
          .checked = [](S, const Ui& ui) { return ui.view.focus == Focus::input; }}},
        in_scope(

@@ -83,7 +83,7 @@ std::vector<Command> settings_commands() {
        .label = "Settings...",
        .help = "Theme, size, colours, other programs and keys.",
        .key = ctrl(','),
-       .menu = {"Edit", 4},
+       .menu = menus::kEditSettings,
        .run = toggle_window(&ProgramView::settings_open),
        .checked = has_window(&ProgramView::settings_open),
        .words = "preferences options configuration font scale theme"},
@@ -91,7 +91,7 @@ std::vector<Command> settings_commands() {
        .label = "Change keys...",
        .help = "Gives commands other keys.",
        .key = ctrl_shift('k'),
-       .menu = {"Edit", 4},
+       .menu = menus::kEditSettings,
        .run = [](S, A, U ui) { ui.view.program.keys_open = true; },
        .words = "shortcuts bindings rebind hotkeys keyboard"},
       {.id = "view/larger_text",
@@ -110,7 +110,7 @@ std::vector<Command> settings_commands() {
        .label = "Light theme",
        .help = "Dark text on light panels; art stays on dark ground.",
        .key = ctrl_shift('h'),
-       .menu = {"View", 5},
+       .menu = menus::kViewLooks,
        .run =
            [](S, A, U ui) {
              ThemeKind& theme = ui.view.preferences.theme;
@@ -121,7 +121,7 @@ std::vector<Command> settings_commands() {
        .label = "Colours for colour-blind eyes",
        .help = "Draws the overlays in colours that stay apart without red, green or blue.",
        .key = ctrl_shift('b'),
-       .menu = {"View", 5},
+       .menu = menus::kViewLooks,
        .run =
            [](S s, A actions, U) {
              const bool safe = s.choices().overlay_palette == OverlayPalette::colour_blind;
@@ -133,7 +133,7 @@ std::vector<Command> settings_commands() {
        .label = "Times of the window",
        .help = "Shows what frames of the window and steps of the simulation cost.",
        .key = ctrl_shift('u'),
-       .menu = {"View", 5},
+       .menu = menus::kViewLooks,
        .run = toggle_window(&ProgramView::metrics_open),
        .checked = has_window(&ProgramView::metrics_open),
        .words = "metrics fps performance budget profiler statistics"},
@@ -146,19 +146,19 @@ std::vector<Command> layout_commands() {
        .label = "Layout to draw",
        .help = "Much room for the sheet, the pixels and the map.",
        .key = ctrl_shift('1'),
-       .menu = {"View", 4},
+       .menu = menus::kViewLayouts,
        .run = take_layout(kDrawLayout)},
       {.id = "view/layout_play",
        .label = "Layout to play",
        .help = "Much room for the play view, and the tuning.",
        .key = ctrl_shift('2'),
-       .menu = {"View", 4},
+       .menu = menus::kViewLayouts,
        .run = take_layout(kPlayLayout)},
       {.id = "view/layout_debug",
        .label = "Layout to debug",
        .help = "The play view with the inspector and the debugger's panels.",
        .key = ctrl_shift('3'),
-       .menu = {"View", 4},
+       .menu = menus::kViewLayouts,
        .run = take_layout(kDebugLayout)},
   };
 }
@@ -169,7 +169,7 @@ std::vector<Command> file_guard_commands() {
        .label = "Recover...",
        .help = "Offers what was saved by itself before the program was killed.",
        .key = ctrl_shift('y'),
-       .menu = {"File", 1},
+       .menu = menus::kFileSave,
        .run = [](S, A, U ui) { ui.view.program.recovery_open = true; }},
       {.id = "program/tic80",
        .label = "Open in TIC-80",
@@ -177,7 +177,7 @@ std::vector<Command> file_guard_commands() {
            "Saves the cart and opens it in TIC-80; of a level that is no cart, a copy, which is written with "
            "it whenever it is saved. TIC-80 reads either again then.",
        .key = ctrl_shift('t'),
-       .menu = {"File", 2},
+       .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::tic80)},
       {.id = "program/love",
        .label = "Run in LÖVE",
@@ -185,14 +185,14 @@ std::vector<Command> file_guard_commands() {
                "preset, "
                "what is in the folder of the level.",
        .key = ctrl_shift('l'),
-       .menu = {"File", 2},
+       .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::love)},
       {.id = "program/tiled",
        .label = "Open in Tiled",
        .help = "Writes a copy of the level as a map of Tiled, and again whenever it is saved, and opens it "
                "there. What Tiled saves in it stays. Opened here, the copy is a level again.",
        .key = ctrl_shift('i'),
-       .menu = {"File", 2},
+       .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::tiled)},
   };
 }

@@ -90,22 +90,21 @@ void MenuPanel::draw_menu(const std::string& path, const Session& session, Actio
 void MenuPanel::draw_end_of_section(const std::string& menu, int section, const Session& session,
                                     Actions& actions, Ui& ui) {
   if (section == 0) {
-    const std::vector<std::string> menus = menus_of_menu(menu);
-    if (!menus.empty()) ImGui::Separator();
-    for (const std::string& path : menus) draw_menu(path, session, actions, ui);
+    const std::vector<std::string> within = menus_of_menu(menu);
+    if (!within.empty()) ImGui::Separator();
+    for (const std::string& path : within) draw_menu(path, session, actions, ui);
   }
   struct List {
-    std::string_view menu;
-    int section;
+    MenuPlace after;
     void (MenuPanel::*draw)(const Session&, Actions&, Ui&);
   };
-  constexpr List kLists[] = {{"File", 0, &MenuPanel::draw_recent_files},
-                             {"File", 0, &MenuPanel::draw_hard_cases},
-                             {"View", 5, &MenuPanel::draw_scale_choice},
-                             {"Debug", 2, &MenuPanel::draw_edit_rule},
-                             {"Help", 0, &MenuPanel::draw_all_commands}};
+  constexpr List kLists[] = {{menus::kFileOpen, &MenuPanel::draw_recent_files},
+                             {menus::kFileOpen, &MenuPanel::draw_hard_cases},
+                             {menus::kViewLooks, &MenuPanel::draw_scale_choice},
+                             {menus::kDebugRecording, &MenuPanel::draw_edit_rule},
+                             {menus::kHelp, &MenuPanel::draw_all_commands}};
   for (const List& list : kLists)
-    if (list.menu == menu && list.section == section) (this->*list.draw)(session, actions, ui);
+    if (list.after == MenuPlace{menu, section}) (this->*list.draw)(session, actions, ui);
 }
 
 void MenuPanel::draw_title(const Session& session, Ui& ui) {

@@ -1,0 +1,52 @@
+// The sections of the menus of the bar. A row of the table of commands names one of them.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace talus {
+
+// The menus of the bar, from left to right.
+inline constexpr std::array<std::string_view, 8> kMenus = {"File", "Edit", "Map",   "Sprites",
+                                                           "View", "Play", "Debug", "Help"};
+
+// A section of a menu. Lines part the sections. Within one, the order is that of the table of commands.
+struct MenuPlace {
+  std::string_view menu = {};  // "Map", or "Debug/Timeline" for a menu within a menu; empty: no menu
+  int section = 0;             // from 0 at the top
+  friend bool operator==(const MenuPlace&, const MenuPlace&) = default;
+};
+
+namespace menus {
+
+inline constexpr MenuPlace kFileOpen{"File", 0}, kFileSave{"File", 1}, kFilePrograms{"File", 2},
+    kFileExport{"File", 3}, kFilePictures{"File", 4}, kFileQuit{"File", 5};
+
+inline constexpr MenuPlace kEditUndo{"Edit", 0}, kEditShape{"Edit", 1}, kEditFlags{"Edit", 2},
+    kEditProblems{"Edit", 3}, kEditSettings{"Edit", 4};
+
+inline constexpr MenuPlace kMapTools{"Map", 0}, kMapSelection{"Map", 1}, kMapBrushes{"Map", 2},
+    kMapSearch{"Map", 3};
+
+inline constexpr MenuPlace kSpritesSelection{"Sprites", 0}, kSpritesTools{"Sprites", 1},
+    kSpritesChanges{"Sprites", 2}, kSpritesPalette{"Sprites", 3}, kSpritesView{"Sprites", 4};
+
+inline constexpr MenuPlace kViewFocus{"View", 0}, kViewCanvases{"View", 1}, kViewZoom{"View", 2},
+    kViewMarks{"View", 3}, kViewLayouts{"View", 4}, kViewLooks{"View", 5};
+
+inline constexpr MenuPlace kPlayRun{"Play", 0}, kPlaySpeed{"Play", 1}, kPlayBody{"Play", 2},
+    kPlayOverlays{"Play", 3};
+
+inline constexpr MenuPlace kDebugPanels{"Debug", 0}, kDebugStages{"Debug", 1}, kDebugRecording{"Debug", 2};
+inline constexpr MenuPlace kTimelineSeek{"Debug/Timeline", 0}, kTimelineMarks{"Debug/Timeline", 1},
+    kTimelineZoom{"Debug/Timeline", 2};
+inline constexpr MenuPlace kBranches{"Debug/Branches", 0}, kBranchesRerun{"Debug/Branches", 1};
+inline constexpr MenuPlace kStopsRun{"Debug/Breakpoints", 0}, kStopsNew{"Debug/Breakpoints", 1},
+    kStopsSwitch{"Debug/Breakpoints", 2};
+inline constexpr MenuPlace kCompare{"Debug/Compare", 0}, kCompareParting{"Debug/Compare", 1};
+inline constexpr MenuPlace kPlots{"Debug/Plots", 0}, kReach{"Debug/Reach", 0}, kTuning{"Debug/Tuning", 0};
+
+inline constexpr MenuPlace kHelp{"Help", 0};
+
+}  // namespace menus
+}  // namespace talus
