@@ -1,6 +1,8 @@
 // A list of folders and of the files with an ending that is asked for, and a field for the name.
 #include "file_browser.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -15,6 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Files";
+
+// Of the field that was drawn last and has the keys: also while the mouse, which is still down, is moved.
+void select_whole_name() {
+  ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID());
+  if (state == nullptr) return;
+  state->SelectAll();
+  state->SelectedAllMouseLock = true;
+}
 
 bool comes_before(const std::string& a, const std::string& b) {
   return std::lexicographical_compare(
@@ -68,6 +78,7 @@ void FileBrowser::start(const FileRequest& request) {
   const std::string name = name_;
   enter(folder_);
   name_ = name;
+  is_name_proposed_ = request.names_new();
 }
 
 void FileBrowser::enter(const std::string& folder) {
@@ -145,6 +156,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   ImGui::SetNextItemWidth(-1);
   if (input_text("name", "name of the file, or a path", name_, ImGuiInputTextFlags_AutoSelectAll))
     overwrite_.clear();
+  if (ImGui::IsItemClicked() && std::exchange(is_name_proposed_, false)) select_whole_name();
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
   const bool goes_through_list = ImGui::IsItemActive() || !ImGui::GetIO().NavVisible;
   if (goes_through_list && key_pressed(ImGuiKey_DownArrow)) move_choice(1);

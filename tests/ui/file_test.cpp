@@ -291,6 +291,22 @@ TEST_F(UiFile, WhatIsTypedReplacesTheNameThatSaveAsProposes) {
   EXPECT_EQ(read(path("first.talus.json")).map.at({12, 9}), 1);
 }
 
+TEST_F(UiFile, TheFirstClickIntoTheProposedNameSelectsAllOfItAndTheNextOneAPlace) {
+  change_the_level();
+  key(ctrl_shift('s'));
+  frames(3);
+  const ImVec2 in_its_middle{find("files/name")->min.x + 28, find("files/name")->centre().y};
+  click(in_its_middle);
+  type("first");
+  EXPECT_EQ(find("files/confirm")->enabled, true);
+  frames(60);
+  click(in_its_middle);
+  type("2");
+  key(kEnter);
+  frames(3);
+  EXPECT_EQ(session().file_name(), "firs2t.talus.json");
+}
+
 TEST_F(UiFile, ANameWithoutAnEndingStaysInTheFormatOfTheLevel) {
   start(save_test_level("game.tic"));
   change_the_level();
