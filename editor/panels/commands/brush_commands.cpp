@@ -112,8 +112,8 @@ std::vector<Command> brush_commands() {
            .key = KeyChord{'o'},
            .menu = menus::kViewZoom,
            .icon = Icon::minimap,
-           .run = [](S, A, U ui) { ui.view.minimap = !ui.view.minimap; },
-           .checked = [](S, const Ui& ui) { return ui.view.minimap; }},
+           .run = toggle<&View::minimap>,
+           .checked = is_on<&View::minimap>},
       });
 }
 

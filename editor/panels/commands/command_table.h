@@ -35,6 +35,19 @@ void emit(const Session&, Actions& actions, Ui&) {
   actions.push_back(T{});
 }
 
+// Switches a bool of the view, named by the members that lead to it:
+// toggle<&View::debugger, &DebuggerView::follow_body> switches ui.view.debugger.follow_body.
+template <auto... kMembers>
+void toggle(const Session&, Actions&, Ui& ui) {
+  bool& value = (ui.view.*....*kMembers);
+  value = !value;
+}
+// Whether that bool is set.
+template <auto... kMembers>
+bool is_on(const Session&, const Ui& ui) {
+  return (ui.view.*....*kMembers);
+}
+
 // Where a panel is: beside the map, where it is always shown, or among those of the debugger.
 enum class PanelIn { window, debugger };
 

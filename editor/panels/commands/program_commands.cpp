@@ -29,9 +29,10 @@ constexpr Layout ready_sizes(double right, double pixels = Layout().pixels) {
   return layout;
 }
 constexpr ReadyLayout kDrawLayout{ready_sizes(0.27, 0.42), CanvasMode::map, true,
-                                  Focus::sprites,          false,           "problems"};
-constexpr ReadyLayout kPlayLayout{ready_sizes(0.27), CanvasMode::play, false, Focus::map, false, "tuning"};
-constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map, true, "inspector"};
+                                  Focus::sprites,          false,           panel_id::kProblems};
+constexpr ReadyLayout kPlayLayout{ready_sizes(0.27), CanvasMode::play, false, Focus::map, false,
+                                  panel_id::kTuning};
+constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map, true, panel_id::kInspector};
 
 CommandRun take_layout(const ReadyLayout& ready) {
   return [&ready](S, A, U ui) {
@@ -46,13 +47,6 @@ CommandRun take_layout(const ReadyLayout& ready) {
 
 CommandRun open_program(ProgramId id) {
   return [id](S, A, U ui) { ui.view.program.wanted_program = id; };
-}
-
-CommandRun toggle_window(bool ProgramView::*window) {
-  return [window](S, A, U ui) { ui.view.program.*window = !(ui.view.program.*window); };
-}
-CommandTest has_window(bool ProgramView::*window) {
-  return [window](S, const Ui& ui) { return ui.view.program.*window; };
 }
 
 // From the size that is shown, which may be the automatic one.
@@ -84,8 +78,8 @@ std::vector<Command> settings_commands() {
        .help = "Theme, size, colours, other programs and keys.",
        .key = ctrl(','),
        .menu = menus::kEditSettings,
-       .run = toggle_window(&ProgramView::settings_open),
-       .checked = has_window(&ProgramView::settings_open),
+       .run = toggle<&View::program, &ProgramView::settings_open>,
+       .checked = is_on<&View::program, &ProgramView::settings_open>,
        .words = "preferences options configuration font scale theme"},
       {.id = "edit/keys",
        .label = "Change keys...",
@@ -134,8 +128,8 @@ std::vector<Command> settings_commands() {
        .help = "Shows what frames of the window and steps of the simulation cost.",
        .key = ctrl_shift('u'),
        .menu = menus::kViewLooks,
-       .run = toggle_window(&ProgramView::metrics_open),
-       .checked = has_window(&ProgramView::metrics_open),
+       .run = toggle<&View::program, &ProgramView::metrics_open>,
+       .checked = is_on<&View::program, &ProgramView::metrics_open>,
        .words = "metrics fps performance budget profiler statistics"},
   };
 }

@@ -211,16 +211,16 @@ std::vector<Command> pixel_tools() {
        .key = KeyChord{'n'},
        .menu = menus::kSpritesView,
        .icon = Icon::neighbours,
-       .run = [](S, A, U ui) { ui.view.pixels.neighbours = !ui.view.pixels.neighbours; },
-       .checked = [](S, const Ui& ui) { return ui.view.pixels.neighbours; }},
+       .run = toggle<&View::pixels, &PixelView::neighbours>,
+       .checked = is_on<&View::pixels, &PixelView::neighbours>},
       {.id = "pixels/enlarge",
        .label = "Enlarge the pixels",
        .help = "Shows the pixel canvas above the map and the play view, instead of below the sheet.",
        .key = KeyChord{'z'},
        .menu = menus::kSpritesView,
        .icon = Icon::enlarge,
-       .run = [](S, A, U ui) { ui.view.pixels.enlarged = !ui.view.pixels.enlarged; },
-       .checked = [](S, const Ui& ui) { return ui.view.pixels.enlarged; }},
+       .run = toggle<&View::pixels, &PixelView::enlarged>,
+       .checked = is_on<&View::pixels, &PixelView::enlarged>},
   };
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "panels/panel_ids.h"
 #include "panels/view.h"
 #include "session/session.h"
 
@@ -31,7 +32,7 @@ inline FrameRange chosen_frames(const Session& session, const View& view) {
 
 // Whether the roll is open, so that the canvas shows the recorded mouse, too.
 inline bool shows_input_roll(const View& view) {
-  return view.dock_open && std::find(view.tabs.begin(), view.tabs.end(), "input_roll") != view.tabs.end();
+  return view.dock_open && std::find(view.tabs.begin(), view.tabs.end(), panel_id::kInputRoll) != view.tabs.end();
 }
 
 }  // namespace talus

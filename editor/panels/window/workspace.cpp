@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "panels/panel_ids.h"
 #include "panels/ui/dialog.h"
 #include "panels/ui/splitter.h"
 
@@ -263,7 +264,7 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
     if (!open) continue;
     if (!first) remember_tab(chosen, here, id);
     if (id == wants) wants.clear();
-    if (region == Region::dock && id != "input_roll" && !asked) leave_input_roll(frame.ui.view);
+    if (region == Region::dock && id != panel_id::kInputRoll && !asked) leave_input_roll(frame.ui.view);
     draw_panel(*panel, frame);
     ImGui::EndTabItem();
   }
