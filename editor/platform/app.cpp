@@ -419,9 +419,8 @@ void App::open_wanted_program() {
 // Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the
 // next step and runs its command too.
 bool App::steer(KeyChord chord, Actions& actions) {
-  const bool theirs = !chord.ctrl && !chord.alt && ui_.view.focus == Focus::map && !ui_.view.cursor.on() &&
-                      has_players(*session_);
-  if (!theirs || !play_keys_.set(chord.key, true)) return false;
+  const bool theirs = ui_.view.focus == Focus::map && !ui_.view.cursor.on() && has_players(*session_);
+  if (!theirs || !play_keys_.press(chord, ui_.view.preferences.keys)) return false;
   actions.push_back(play_keys_.held());
   return keys_steer(*session_, ui_.view);
 }
@@ -430,7 +429,7 @@ bool App::steer(KeyChord chord, Actions& actions) {
 void App::release(const SDL_Event& event, Actions& actions) {
   if (event.type == SDL_KEYUP) {
     ui_.view.cursor.release(chord_of(event.key.keysym).key);
-    if (play_keys_.set(chord_of(event.key.keysym).key, false)) actions.push_back(play_keys_.held());
+    if (play_keys_.release(chord_of(event.key.keysym).key)) actions.push_back(play_keys_.held());
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
     play_keys_.release_all();
     ui_.view.cursor.lift();

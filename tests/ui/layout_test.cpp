@@ -159,6 +159,7 @@ TEST_F(UiKeys, EachMeansOneThingWhereverItWorks) {
 TEST_F(UiKeys, EachReachesItsCommand) {
   start();
   for (const Command& command : commands()) {
+    if (command.scope == Scope::play) continue;  // held, which UiPlayer shows
     for (KeyChord chord : {command.key, command.other_key}) {
       if (!chord) continue;
       // What SDL would send for the key comes back as the same chord, and leads to this command alone.

@@ -1,6 +1,7 @@
 // Bodies placed by hand, and players steered by the keys.
 #include <talus/formats/format.h>
 #include "harness.h"
+#include "panels/commands/key_conflicts.h"
 
 namespace talus::player_test {
 
@@ -69,6 +70,30 @@ TEST_F(UiPlayer, SpaceAndZJumpToo) {
     EXPECT_LT(player().box.y, 112) << jump;
     let_go(jump);
   }
+}
+
+TEST_F(UiPlayer, OtherKeysSteerOnceTheyAreBound) {
+  bind_key(find_command("player/right"), 0, {'k'}, app().ui().view.preferences.keys);
+  key(kKeyF5);
+  hold('k');
+  frames(30);
+  let_go('k');
+  frames(20);
+  const double x = player().box.x;
+  EXPECT_GT(x, 40 + 30);
+  hold(kKeyRight);
+  frames(10);
+  EXPECT_EQ(player().box.x, x);
+}
+
+TEST_F(UiPlayer, PaletteGivesPlayersTheKeys) {
+  key(kKeyF2);
+  key(ctrl('p'));
+  push_typing("run left");
+  key('\r');
+  key(kKeyF5);
+  EXPECT_EQ(app().ui().view.focus, Focus::map);
+  EXPECT_TRUE(app().ui().view.play_active);
 }
 
 TEST_F(UiPlayer, TapBetweenTwoSlowStepsCounts) {

@@ -8,7 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "panels/canvas/play_keys.h"
 #include "panels/commands/command_search.h"
+#include "panels/commands/key_conflicts.h"
 #include "panels/window/panel_list.h"
 
 namespace talus::command_coverage_test {
@@ -37,6 +39,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"StepFrame", "play/step"},
     {"ResetPlay", "play/reset"},
     {"SetSpeed", "play/faster"},
+    {"HoldKeys", "player/left"},
     {"StepBack", "timeline/back"},
     {"SeekStart", "timeline/start"},
     {"SeekEnd", "timeline/end"},
@@ -105,7 +108,6 @@ const std::map<std::string, std::string> kWithoutCommand = {
     {"ShowMessage", "what the program says"},
     {"CancelReading", "an answer of a dialog"},
     {"HoldMouse", "moves of the mouse; the keyboard's cursor makes them, too"},
-    {"HoldKeys", "keys of the players, as they are held"},
 };
 
 std::set<std::string> actions_of_header() {
@@ -171,6 +173,17 @@ TEST(CommandCoverage, MenusOfCommandsAreInTheBar) {
     EXPECT_TRUE(menu.empty() || std::ranges::find(kMenus, bar) != kMenus.end()) << command.id;
     EXPECT_GE(command.menu.section, 0) << command.id;
   }
+}
+
+TEST(KeyConflicts, OfThePlayersAreWithWhatWorksEverywhere) {
+  const Command& jump = find_command("player/jump");
+  EXPECT_EQ(command_with_key({kKeyF5}, jump, {})->id, "play/toggle");
+  EXPECT_EQ(command_with_key({kKeyLeft}, jump, {})->id, "player/left");
+  EXPECT_EQ(command_with_key({'3'}, jump, {}), nullptr)
+      << "a tool of the map, which waits while players have the keys";
+  KeyBindings changed;
+  bind_key(jump, 0, {'k'}, changed);
+  EXPECT_EQ(play_keys_text(changed), "Run: Left, Right   Jump: K, Space, Z");
 }
 
 // The command that is found first.

@@ -410,8 +410,7 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
     if (!ui.view.split_compared)
       title += "   ghosts: " + (missing.empty() ? other_side_name(session) : missing);
   }
-  if (keys_steer(session, ui.view))
-    title.append("   ").append(kRunKeys).append(": run   ").append(kJumpKeys).append(": jump");
+  if (keys_steer(session, ui.view)) title += "   " + play_keys_text(ui.view.preferences.keys);
   std::vector<Caption> captions{{title, theme::kMuted}};
   if (const std::string note = case_note(session); !note.empty()) captions.push_back({note, theme::kMuted});
   if (!level_at_frame_.is_other()) return captions;

@@ -1,27 +1,14 @@
-// The keys of the players: which they are, when they steer, and which are held.
+// The keys of the players: when they steer, and which are held. Which they are, player_commands() says.
 #pragma once
 
-#include <array>
-#include <span>
-#include <string_view>
+#include <string>
+#include <vector>
 
-#include "panels/commands/keys.h"
+#include "panels/commands/key_bindings.h"
 #include "panels/view.h"
 #include "session/session.h"
 
 namespace talus {
-
-struct PlayKey {
-  int key;
-  bool action::HoldKeys::*held;
-};
-inline constexpr std::array<PlayKey, 5> kPlayKeys = {{{kKeyLeft, &action::HoldKeys::left},
-                                                      {kKeyRight, &action::HoldKeys::right},
-                                                      {kKeyUp, &action::HoldKeys::jump},
-                                                      {' ', &action::HoldKeys::jump},
-                                                      {'z', &action::HoldKeys::jump}}};
-// For the tooltips, the help and the play view.
-inline constexpr std::string_view kRunKeys = "Left, Right", kJumpKeys = "Up, Space, Z";
 
 // Whether the level has a player that keys can move: one of the exact solver's.
 bool has_players(const Session& session);
@@ -31,15 +18,25 @@ bool keys_steer(const Session& session, const View& view);
 // Gives the keys to the players, if there are any.
 void let_keys_steer(const Session& session, View& view);
 
+// "Run: Left, Right   Jump: Up, Space, Z", with the keys as the user has them.
+std::string play_keys_text(const KeyBindings& bindings);
+
 class HeldPlayKeys {
  public:
-  // False: the key is none of the players'.
-  bool set(int key, bool down);
-  void release_all() { down_ = {}; }
+  // Holds what the commands of Scope::play hold by this key, whether Shift is held or not. Returns false if
+  // there is no such command.
+  bool press(KeyChord chord, const KeyBindings& bindings);
+  // Lets go what the key holds. Returns false if that is nothing.
+  bool release(int key);
+  void release_all() { down_.clear(); }
   action::HoldKeys held() const;
 
  private:
-  std::array<bool, kPlayKeys.size()> down_{};
+  struct Down {
+    int key;
+    bool action::HoldKeys::*held;
+  };
+  std::vector<Down> down_;  // a key that repeats is in it once
 };
 
 }  // namespace talus

@@ -28,6 +28,7 @@ std::vector<Command> shape_commands();       // work everywhere, on the selected
 std::vector<Command> panel_commands();       // work everywhere: tabs and menus by keys
 std::vector<Command> field_commands();       // work everywhere: what is typed or chosen in a panel
 std::vector<Command> input_roll_commands();  // work in the input roll, and give it the keys
+std::vector<Command> player_commands();      // work in the play view
 
 // Emits an action that needs nothing else.
 template <class T>

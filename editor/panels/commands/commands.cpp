@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "command_table.h"
+#include "panels/canvas/play_keys.h"
 
 namespace talus {
 namespace {
@@ -19,10 +20,11 @@ bool answers(const Command& command, KeyChord chord, const KeyBindings& bindings
 }  // namespace
 
 std::span<const Command> commands() {
-  static const std::vector<Command> all = joined(
-      {general_commands(), cursor_commands(), program_commands(), debug_commands(), input_roll_commands(),
-       tool_commands(), map_commands(), brush_commands(), curve_commands(), shape_commands(), flag_commands(),
-       picture_commands(), export_commands(), problem_commands(), panel_commands(), field_commands()});
+  static const std::vector<Command> all =
+      joined({general_commands(), player_commands(), cursor_commands(), program_commands(), debug_commands(),
+              input_roll_commands(), tool_commands(), map_commands(), brush_commands(), curve_commands(),
+              shape_commands(), flag_commands(), picture_commands(), export_commands(), problem_commands(),
+              panel_commands(), field_commands()});
   return all;
 }
 
@@ -38,12 +40,16 @@ CommandKeys command_keys(const Command& command, const KeyBindings& bindings) {
   return changed == bindings.changed.end() ? CommandKeys{command.key, command.other_key} : changed->second;
 }
 
-std::string keys_of(const Command& command, const Ui& ui) {
+std::string keys_of(const Command& command, const KeyBindings& bindings) {
   std::string keys;
-  for (KeyChord chord : command_keys(command, ui.view.preferences.keys)) {
+  for (KeyChord chord : command_keys(command, bindings)) {
     if (chord) keys += (keys.empty() ? "" : ", ") + to_string(chord);
   }
   return keys;
+}
+
+std::string keys_of(const Command& command, const Ui& ui) {
+  return keys_of(command, ui.view.preferences.keys);
 }
 
 std::string_view scope_label(Scope scope) {
@@ -56,6 +62,8 @@ std::string_view scope_label(Scope scope) {
       return "In the input roll";
     case Scope::cursor:
       return "At the keyboard's cursor";
+    case Scope::play:
+      return "In the play view";
     default:
       return "Everywhere";
   }
@@ -66,10 +74,11 @@ const Command& focus_command(Scope scope) {
   return find_command(scope == Scope::sprites ? "view/sprites"
                       : scope == Scope::map   ? "view/map"
                       : scope == Scope::input ? "view/input"
+                      : scope == Scope::play  ? "play/toggle"
                                               : "view/cursor");
 }
 
-bool has_focus(const Command& command, const View& view) {
+bool has_focus(const Command& command, const Session& session, const View& view) {
   switch (command.scope) {
     case Scope::sprites:
       return view.focus == Focus::sprites;
@@ -79,6 +88,8 @@ bool has_focus(const Command& command, const View& view) {
       return view.focus == Focus::input;
     case Scope::cursor:
       return view.cursor.on();
+    case Scope::play:
+      return keys_steer(session, view);
     default:
       return true;
   }
@@ -88,7 +99,8 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
   const Command* found = nullptr;
   for (const Command& command : commands()) {
     const bool comes_first = found == nullptr || command.scope == Scope::cursor;
-    if (comes_first && answers(command, chord, ui.view.preferences.keys) && has_focus(command, ui.view))
+    if (comes_first && command.scope != Scope::play && answers(command, chord, ui.view.preferences.keys) &&
+        has_focus(command, session, ui.view))
       found = &command;
   }
   if (found == nullptr) return false;

@@ -15,8 +15,9 @@
 
 namespace talus {
 
-// Where a command's keys work. cursor: while the keyboard's cursor is shown, and before those of all others.
-enum class Scope { everywhere, sprites, map, input, cursor };
+// Where a command's keys work. play: while they steer players, before those of the map. cursor: while the
+// keyboard's cursor is shown, and before those of all others.
+enum class Scope { everywhere, sprites, map, input, cursor, play };
 
 using CommandRun = std::function<void(const Session&, Actions&, Ui&)>;
 using CommandTest = std::function<bool(const Session&, const Ui&)>;
@@ -36,7 +37,9 @@ struct Command {
   CommandTest checked = {};        // empty: the command is no switch
   bool repeats = false;            // held down, its key runs it again and again
   bool any_modifiers = false;      // its keys work whether Ctrl, Shift and Alt are held or not
-  std::string words = {};          // other words that the command palette finds it by, with blanks between
+  // Of the scope play alone: what the players do while its key is down. Null in all other commands.
+  bool action::HoldKeys::*holds = nullptr;
+  std::string words = {};  // other words that the command palette finds it by, with blanks between
 
   bool is_enabled(const Session& session, const Ui& ui) const { return !enabled || enabled(session, ui); }
   bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }
@@ -48,14 +51,16 @@ const Command& find_command(std::string_view id);
 // Its keys as the user has them: those in the preferences, or else its own.
 CommandKeys command_keys(const Command& command, const KeyBindings& bindings);
 // "F5", or "Ctrl+Y, Ctrl+Shift+Z"; empty without a key.
+std::string keys_of(const Command& command, const KeyBindings& bindings);
 std::string keys_of(const Command& command, const Ui& ui);
 std::string_view scope_label(Scope scope);
 // The command that gives the focus to where a scope's commands work; not of everywhere (asserted).
 const Command& focus_command(Scope scope);
 // Whether the command's keys work where the focus is.
-bool has_focus(const Command& command, const View& view);
+bool has_focus(const Command& command, const Session& session, const View& view);
 
-// Runs the command of a key, if there is one where the focus is. True when there was.
+// Runs the command of a key, if there is one where the focus is. True when there was. The keys of Scope::play
+// are held instead: see HeldPlayKeys.
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui);
 
 // A button with the command's icon, which runs it and shows its state, help and keys. widget: the button's

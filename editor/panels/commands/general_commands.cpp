@@ -287,8 +287,8 @@ std::vector<Command> play_commands() {
   return {
       {.id = "play/toggle",
        .label = "Play or pause",
-       .help = "Runs the simulation, or stops it where it is. A player runs with Left and Right, and jumps "
-               "with Up, Space or Z.",
+       .help = "Runs the simulation, or stops it where it is. While it runs, players have the keys that run "
+               "and jump.",
        .key = KeyChord{kKeyF5},
        .menu = menus::kPlayRun,
        .icon = Icon::play,

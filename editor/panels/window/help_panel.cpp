@@ -1,9 +1,6 @@
 // The window of keys, from the table of commands.
 #include "help_panel.h"
 
-#include <array>
-
-#include "panels/canvas/play_keys.h"
 #include "panels/commands/commands.h"
 
 namespace talus {
@@ -82,20 +79,6 @@ void draw_mouse(Ui& ui) {
   ImGui::EndTable();
 }
 
-void draw_player_keys(Ui& ui) {
-  ImGui::Spacing();
-  ui.heading("Players (of the exact solver), while it plays or after the play view was clicked");
-  if (!begin_help_table("players", ui)) return;
-  struct Row {
-    std::string_view keys, does, help;
-  };
-  constexpr std::array<Row, 2> kRows = {
-      {{kRunKeys, "Run", "Those that are held count in the next step, also when it is made by hand."},
-       {kJumpKeys, "Jump", "Let go early for a lower jump."}}};
-  for (const Row& row : kRows) draw_help_row(row.keys, row.does, row.help, ui);
-  ImGui::EndTable();
-}
-
 void draw_control_keys(Ui& ui) {
   ImGui::Spacing();
   ui.heading("In dialogs, menus, windows such as the settings, and tabs that the command palette went to");
@@ -122,9 +105,9 @@ void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
   if (ImGui::Begin("Keys and mouse", &ui.view.help_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
-    draw_player_keys(ui);
     draw_control_keys(ui);
-    for (Scope scope : {Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites, Scope::input})
+    for (Scope scope :
+         {Scope::play, Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites, Scope::input})
       draw_scope(scope, ui);
     ui.place("help/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),

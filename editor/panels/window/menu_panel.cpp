@@ -11,14 +11,14 @@ namespace {
 
 // The key of a command as it works where the focus is: those of the other side of the window need the focus
 // first.
-std::string keys_from_here(const Command& command, const Ui& ui) {
+std::string keys_from_here(const Command& command, const Session& session, const Ui& ui) {
   const std::string key = keys_of(command, ui);
-  if (has_focus(command, ui.view)) return key;
+  if (has_focus(command, session, ui.view)) return key;
   return keys_of(focus_command(command.scope), ui) + ", " + key;
 }
 
 void draw_command(const Command& command, const Session& session, Actions& actions, Ui& ui) {
-  const std::string keys = "    " + keys_from_here(command, ui);  // apart from labels
+  const std::string keys = "    " + keys_from_here(command, session, ui);  // apart from labels
   const bool enabled = command.is_enabled(session, ui);
   if (menu_item(command.label, {}, keys, command.is_checked(session, ui), enabled))
     command.run(session, actions, ui);
