@@ -21,13 +21,13 @@ struct talus_game {
   std::unique_ptr<talus::Solver> solver;
   talus::State state;
   talus::State next;                             // storage of talus_step
-  std::shared_ptr<const talus::Terrain> ground;  // of queries; null until the first one
+  std::shared_ptr<const talus::Terrain> ground;  // of queries; null until the first query
 };
 
 namespace talus {
 namespace {
 
-// What the function gives, or `otherwise` when it throws, which only a lack of memory makes it do.
+// Returns what the function returns, or `otherwise` when it throws. Only a lack of memory makes it throw.
 template <class Result, class Function>
 Result guarded(Result otherwise, Function function) {
   try {
@@ -59,7 +59,7 @@ FormatResult<std::unique_ptr<talus_game>> game_of(FormatResult<LoadedLevel> load
   return game;
 }
 
-// load: gives the level that is named so.
+// load: returns the level of that name.
 template <class Load>
 talus_game* opened(const char* name, char* error, std::size_t error_size, Load load) {
   tell("", error, error_size);
@@ -67,7 +67,7 @@ talus_game* opened(const char* name, char* error, std::size_t error_size, Load l
     auto game = read_guarded([&] { return game_of(load()); });
     if (game) return game->release();
     tell(to_string(game.error(), name).c_str(), error, error_size);
-  } catch (...) {  // of the error's own text
+  } catch (...) {  // the text of the error did not fit in memory either
     tell("error: there is not enough memory", error, error_size);
   }
   return nullptr;

@@ -1,6 +1,6 @@
-// The box is swept against the outline grown by the box: a floor rises by the box's height and reaches to
-// the left by its width, and then the box's corner is a point on a straight way. Ends that two pieces share
-// are computed alike for both, so that nothing slips through between them.
+// The box is swept against the outline grown by the box: a floor rises by the box's height and reaches to the
+// left by its width. The box's corner is then a point on a straight way. Ends that two pieces share are
+// computed alike for both, so that nothing slips through between them.
 #include <talus/collision/cast.h>
 
 #include <algorithm>
@@ -16,23 +16,23 @@
 namespace talus {
 namespace {
 
-constexpr int kMostColumns = 62;  // cells of a row looked at at once: a word less both neighbours
+constexpr int kMostColumns = 62;  // cells of a row looked at in one go: a word minus both neighbours
 
 // A gap that closes more slowly than by this share of the motion needs twice the precision.
 constexpr int kSlowShare = 16;
 
-// Whether two pieces are one: a long piece is in the list of each cell that it meets.
+// Whether two pieces are the same one: a long piece is in the list of each cell that it meets.
 template <class Real>
 bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
   return a.origin == b.origin && a.stretch == b.stretch && a.facing == b.facing && a.x0 == b.x0 &&
          a.y0 == b.y0;
 }
 
-// Log: is told what is looked at; see NoLog.
+// Log: receives what the cast looks at; see NoLog.
 template <class Real, class Log = NoLog>
 class Caster {
  public:
-  // budget: null: none. with_curves: false: of curves, their ends alone stop the box.
+  // budget: null means no limit. with_curves: false lets curves stop the box with their ends alone.
   Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
          CastBudget* budget, bool with_curves, Log log = {})
       : terrain_(terrain),
@@ -63,7 +63,7 @@ class Caster {
   void against_terrain() {
     const Real length = std::max(std::abs(dx_), std::abs(dy_));
     if (length <= Real(kSliceLength)) return slice(0, 1);
-    // Nothing is outside of the map, however long the way there.
+    // There is nothing outside of the map, however long the way there.
     Real from = 0, to = 1;
     clip_to_map<Real>(box_.x, box_.w, dx_, Real(terrain_.width()) * kTileSide, from, to);
     clip_to_map<Real>(box_.y, box_.h, dy_, Real(terrain_.height()) * kTileSide, from, to);
@@ -99,8 +99,8 @@ class Caster {
   struct Hit {
     Real t = std::numeric_limits<Real>::infinity();
     Facing facing = Facing::up;
-    bool cap = false;       // a flat side of the box on the end of a slope
-    bool mirrored = false;  // two hits at once, mirror images of one another
+    bool cap = false;       // a flat side of the box meets the end of a slope
+    bool mirrored = false;  // two hits at the same time, mirror images of one another
     bool is_other = false;
     std::int32_t origin = 0;
     const Piece<Real>* piece = nullptr;
@@ -109,14 +109,14 @@ class Caster {
     bool is_level() const { return cap || piece == nullptr; }
   };
 
-  // Where the box is then: on what it hit, and along it exact to the rounding of the result, however flatly
-  // their ways cross.
+  // The box's place at that time: on what it hit. Along the surface the place is exact to the rounding of the
+  // result, however flat the angle between the surface and the way.
   BasicVec2<Real> position() const {
     const bool is_wall = best_.facing == Facing::left || best_.facing == Facing::right;
     const Twofold<Real> t = time_of_best();
     if (is_wall) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
-    // What falls straight down keeps its x; else the place on a steep line is told by y, of which a rounding
-    // of x would be worth many.
+    // A box that falls straight down keeps its x. On a steep line y gives the place, as a rounding of x there
+    // is worth many of y.
     const bool by_y = dx_ != 0 && !best_.is_level() && is_steep(*best_.piece);
     Real x = best_.t == 0 ? box_.x : exact_x(t * dx_);
     if (by_y && best_.t == 0) x = moved_x(box_, (box_.y - rest(*best_.piece, x)) / best_.piece->slope);
@@ -128,12 +128,12 @@ class Caster {
   Twofold<Real> time_of_best() const {
     const bool is_curve = best_.piece != nullptr && !best_.cap && best_.piece->stretch != 0;
     if (best_.t == 0 || is_curve) return best_.t;
-    // Another time than a rounding away is that of the end of the line, or of the motion.
+    // A time further off than a rounding is that of the end of the line, or of the end of the motion.
     const Twofold<Real> exact = exact_time(best_);
     return std::abs(exact.rounded() - best_.t) * speed_ <= slack_ ? exact : best_.t;
   }
 
-  // When the box meets the line, or the side, that it hit.
+  // The time at which the box meets the line, or the side, that it hit.
   Twofold<Real> exact_time(const Hit& hit) const {
     const bool is_wall = hit.facing == Facing::left || hit.facing == Facing::right;
     if (is_wall) return wall_time(hit.facing, hit.at);
@@ -153,22 +153,22 @@ class Caster {
     return (x * slope + piece.base_y - (up ? box_.h : 0) - box_.y) / (Exact(dy_) - slope * dx_);
   }
 
-  // As moved_x, rounded once.
+  // The same as moved_x, rounded once.
   Real exact_x(Twofold<Real> dx) const {
     const Twofold<Real> left = box_.x + dx, right = left + box_.w;
     return std::abs(right.rounded()) > std::abs(left.rounded()) ? right.rounded() - box_.w : left.rounded();
   }
 
-  // Where the box's left side, or its top, is when it touches.
+  // The x of the box's left side, or the y of its top, when it touches.
   Real limit(Facing facing, Real at) const {
     return facing == Facing::left ? at - box_.w : facing == Facing::up ? at - box_.h : at;
   }
 
-  // The stretch of a floor or ceiling in terms of the box's left side.
+  // The stretch of a floor or ceiling, in x of the box's left side.
   struct Reach {
     Real first, last;            // the box's x from which and to which it touches
     Real first_y, last_y;        // the box's y there
-    bool open_first, open_last;  // nothing goes on there: a box beside that end does not touch
+    bool open_first, open_last;  // the outline ends there: a box beside that end does not touch
   };
   using Window = CastWindow<Real>;
 
@@ -176,7 +176,7 @@ class Caster {
     return rest_on(piece, terrain_.stretches(), {x, 0, box_.w, box_.h}, foot_);
   }
 
-  // What was found is beyond what was looked at.
+  // The contact lies beyond the cells that were looked at.
   void give_up(Real end) {
     best_ = {};
     budget_->seen = static_cast<double>(end);
@@ -184,11 +184,11 @@ class Caster {
 
   // ---- Which cells ----
 
-  // The cell at a coordinate; 0 for what is before the first one, `count` for what is beyond the last one.
+  // The cell at a coordinate: 0 for what is before the first one, `count` for what is beyond the last one.
   static int cell_at(Real at, int count) {
     return static_cast<int>(std::min<Real>(std::max<Real>(at, 0) * (Real(1) / kTileSide), Real(count)));
   }
-  // Left to themselves compilers call it, four times a cast: a twentieth of a step.
+  // Compilers would not inline it on their own, though a cast calls it four times: a twentieth of a step.
   [[gnu::always_inline]] static CellSpan span_between(Real first, Real last, int count) {
     return {cell_at(first, count), std::min(cell_at(last, count), count - 1)};
   }
@@ -208,12 +208,12 @@ class Caster {
     cells<false>(columns, lead_columns, span_between(top, bottom + box_.h, terrain_.height()), lead_rows);
   }
 
-  // The cells of `rows`: of the leading ones in all columns, of the others in the leading columns.
+  // The cells of `rows`: all columns of the leading rows, the leading columns of the others.
   template <bool kVertical>
   void cells(CellSpan columns, CellSpan lead_columns, CellSpan rows, CellSpan lead_rows) {
     using Terrain = BasicTerrain<Real>;
     for (int first = columns.first; first <= columns.last; first += kMostColumns) {
-      // Bit i of a word is the cell left of the first one by 1 - i, so that both neighbours are in the word.
+      // Bit i of a word is the cell at (first - 1 + i), so that both neighbours are in the word.
       const int count = std::min(columns.last - first + 1, kMostColumns);
       const std::uint64_t all = ((std::uint64_t{1} << count) - 1) << 1;
       std::uint64_t lead = all;
@@ -230,7 +230,7 @@ class Caster {
     }
   }
 
-  // column: of bit 0. wanted(row): the bits of the cells to look at.
+  // column: the column of bit 0. wanted(row): the bits of the cells to look at.
   template <bool kVertical, class Words, class Wanted>
   void cells_in(Words words, int column, CellSpan rows, Wanted wanted) {
     const bool up = dy_ > 0, right = dx_ > 0;
@@ -275,7 +275,7 @@ class Caster {
     }
   }
 
-  // Tiles side by side with an open top, or bottom, are one.
+  // Full tiles side by side with an open top, or an open bottom, are tested as one.
   template <class Row>
   void surface(bool up, int column, int row, std::uint64_t open, Row here) {
     const Real y = Real(up ? row : row + 1) * kTileSide;
@@ -287,7 +287,7 @@ class Caster {
       const bool open0 = (here.solid() >> (first - 1) & 1) == 0;
       const bool open1 = (here.solid() >> (first + length) & 1) == 0;
       if (foot_ == Foot::centre && up) {
-        // Where slopes may go on, the centre alone counts; over a ledge the whole bottom does.
+        // Where slopes may go on, only the centre counts. Over a ledge the whole bottom does.
         const std::uint64_t sloped = here.solid() & here.detailed();
         if (sloped >> (first - 1) & 1) x0 += box_.w / 2;
         if (sloped >> (first + length) & 1) x1 -= box_.w / 2;
@@ -301,7 +301,7 @@ class Caster {
   void flat(bool up, Real y, Real x0, Real x1, bool open0, bool open1, const Piece<Real>* piece = nullptr) {
     const Facing facing = up ? Facing::up : Facing::down;
     const Real limit = this->limit(facing, y), first = x0 - box_.w;
-    // Most are out of reach, or met well between their ends.
+    // Most pieces are out of reach, or are met well between their ends.
     const Real gap = up ? limit - box_.y : box_.y - limit, closing = up ? dy_ : -dy_;
     if (gap > closing || gap < -slack_) return;
     const Real t = gap <= 0 ? 0 : is_slow(closing) ? after_now(level_time(up, y)) : gap / closing;
@@ -380,7 +380,7 @@ class Caster {
     ends(up, piece, lift);
   }
 
-  // The end of a slope that the box stands on with its flat bottom: a crest, or where the floor ends.
+  // The end of a slope that the flat bottom of the box stands on: a crest, or the end of the floor.
   void ends(bool up, const Piece<Real>& piece, Real lift) {
     const Real half = box_.w / 2;
     if (up && foot_ == Foot::centre) {
@@ -392,7 +392,7 @@ class Caster {
              &piece);
       return;
     }
-    // Beyond a crest the ground goes on, and beside it, unlike beside a ledge, nothing may slip through.
+    // Beyond a crest the ground goes on. Unlike beside a ledge, nothing may slip through beside it.
     if (piece.rises_to_the_right() == up) {
       if (piece.convex1)
         flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up,
@@ -407,7 +407,7 @@ class Caster {
   void sloped(const Reach& reach, bool up, const Piece<Real>& piece) {
     const Real rise = piece.slope * dx_;
     const Real closing = up ? dy_ - rise : rise - dy_;
-    // A box that slides along the line does not approach it, whatever rounding says.
+    // A box that slides along the line does not approach it, even if rounding says so.
     if (!(closing > kRounding<Real> * (std::abs(dy_) + std::abs(rise)))) return;
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
     Real t;
@@ -424,7 +424,7 @@ class Caster {
     constexpr Window kNever{1, 0, 0, 0};
     Window w{0, 1, 0, 0};
     if (dx_ == 0) {
-      // Where one stretch is open the next is closed, and has what is on the border between them.
+      // Where one stretch is open, the next is closed: the next one has what is on the border between them.
       const bool in_first = reach.open_first ? box_.x > reach.first + slack_ : box_.x >= reach.first - slack_;
       const bool in_last = reach.open_last ? box_.x < reach.last - slack_ : box_.x <= reach.last + slack_;
       if (!in_first || !in_last) return kNever;
@@ -436,7 +436,7 @@ class Caster {
     const Real enter = right ? reach.first : reach.last, leave = right ? reach.last : reach.first;
     const bool open_leave = right ? reach.open_last : reach.open_first;
     const Real to_leave = (leave - box_.x) * inverse_;
-    // At its end and on the way out: where the outline goes on, the next piece has it.
+    // At the end of a piece, on the way out: where the outline goes on, the next piece has the contact.
     const bool at_end = to_leave * speed_ <= slack_;
     if (at_end && (open_leave || to_leave <= 1)) return kNever;
     if (right ? box_.x < enter : box_.x > enter) {
@@ -455,13 +455,13 @@ class Caster {
     return w;
   }
 
-  // Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
+  // Whether the box approaches so slowly that a rounding of the gap is worth many roundings of its way.
   bool is_slow(Real closing) const { return kSlowShare * closing < speed_; }
 
   static Real after_now(Twofold<Real> t) { return std::max<Real>(t.rounded(), 0); }
 
-  // The time at which the gap closes at a constant rate; false if it does not, or was closed before. exact():
-  // the same to twice the precision.
+  // The time at which the gap closes at a constant rate. Returns false if the gap never closes, or was closed
+  // before. exact(): computes the same to twice the precision.
   template <class Exact>
   bool straight_time(const Window& w, Real closing, Real slack, Real& t, Exact exact) const {
     if (w.from > w.to || w.gap < -slack) return false;
@@ -517,7 +517,7 @@ class Caster {
     best_ = hit;
   }
 
-  // Seldom, and so kept out of what is inlined.
+  // Seldom called, and so kept out of what is inlined.
   [[gnu::noinline]] void offer_at_the_same_time(const Hit& hit) {
     if (hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
     const BasicVec2<Real> ours = normal(hit), theirs = normal(best_), d{dx_, dy_};
@@ -541,20 +541,20 @@ class Caster {
   const Real speed_;  // px in the motion, sideways and up or down
   const Real slack_;
   CastBudget* const budget_;
-  std::int64_t work_ = 0;  // done so far
+  std::int64_t work_ = 0;  // cells, pieces and boxes looked at so far
   [[no_unique_address]] Log log_;
   Hit best_;
-  std::int32_t origin_ = 0;  // of what is tested
+  std::int32_t origin_ = 0;  // origin of the piece or tile under test
   bool is_other_ = false;
 };
 
-// The same motion of the box's upright middle line.
+// The same motion for the upright middle line of the box.
 template <class Real>
 Cast<Real> middle_of(const Cast<Real>& cast) {
   return {{cast.box.x + cast.box.w / 2, cast.box.y, 0, cast.box.h}, cast.motion, Foot::box};
 }
 
-// The contact of the whole box; with the pieces of curves, or with their ends alone.
+// The contact of the whole box: with all pieces of curves, or with their ends alone.
 template <class Real>
 [[gnu::always_inline]] inline Contact<Real> contact_of_box(const BasicTerrain<Real>& terrain,
                                                            const Cast<Real>& cast,
@@ -569,8 +569,8 @@ template <class Real>
   return caster.contact();
 }
 
-// What a box meets that stands on its centre: its corners may be in a slope, and behind the ends of walls and
-// ceilings that the slope covers; not so its middle.
+// The contact of a box that stands on its centre. Its corners may be in a slope, and behind the ends of walls
+// and ceilings that the slope covers; its middle may not.
 template <class Real>
 [[gnu::noinline]] Contact<Real> contact_on_centre(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                                                   std::span<const BasicRect<Real>> others,

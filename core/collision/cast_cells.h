@@ -10,21 +10,23 @@
 namespace talus {
 
 // Longer motions are cut into slices of this length, so that only cells near the way are looked at.
-inline constexpr double kSliceLength = 2 * kTileSide;  // px
+// px; longer motions are cut into slices of this length, so that only cells near the way are looked at
+inline constexpr double kSliceLength = 2 * kTileSide;
 
-// Cells from the first to the last.
+// The cells from the first to the last.
 struct CellSpan {
   int first, last;
   bool contains(int i) const { return first <= i && i <= last; }
 };
 
-// The bits from the first to the last, of which those outside of a word are left out.
+// The bits from the first to the last. Those outside of a word are left out.
 inline std::uint64_t bits_between(int first, int last) {
   if (last < 0 || first > 63) return 0;
   return (~std::uint64_t{0} >> (63 - std::min(last, 63))) & (~std::uint64_t{0} << std::max(first, 0));
 }
 
-// Shortens from..to to the time during which one axis of a box is within 0..limit; to < from: never.
+// Shortens from..to to the time during which one axis of a box is within 0..limit. A result with to < from
+// means never.
 template <class Real>
 void clip_to_map(Real at, Real size, Real motion, Real limit, Real& from, Real& to) {
   if (motion == 0) {
@@ -32,7 +34,7 @@ void clip_to_map(Real at, Real size, Real motion, Real limit, Real& from, Real& 
     return;
   }
   const Real a = (0 - (at + size)) / motion, b = (limit - at) / motion;
-  // A slice of the way more at both ends costs nothing and forgives the rounding.
+  // A slice is a little longer at both ends, which costs nothing and forgives the rounding.
   const Real margin = Real(kSliceLength) / std::abs(motion);
   from = std::max(from, std::min(a, b) - margin);
   to = std::min(to, std::max(a, b) + margin);

@@ -1,4 +1,4 @@
-// What a cast tells of what it looks at.
+// Logs that a cast writes into: what it looked at, and what it met.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,19 @@
 
 namespace talus {
 
-// Nothing is kept.
+// Keeps nothing.
 struct NoLog {
-  void looks_at(int, int, std::uint64_t) {}  // the cells of a row that have a bit; bit 0 is that column's
+  // the cells of a row whose bit is set; the int before the bits is the column of bit 0
+  void looks_at(int, int, std::uint64_t) {}
   template <class Real>
-  void begin(Cell, const Piece<Real>&) {}  // tests a piece, seen in that cell
-  void begin(Cell, Facing, int) {}         // tests the side of so many full tiles, from that one on
-  void meets(double) {}                    // what is tested is met then, unless something else is before
-  void is_first() {}                       // it is the first so far
+  void begin(Cell, const Piece<Real>&) {}  // a piece is tested, found in that cell
+  void begin(Cell, Facing, int) {}         // the side of so many full tiles is tested, from that cell on
+  void meets(double) {}  // the piece or side under test is met at that time, unless another one is met before
+  void is_first() {}     // the piece or side under test is the first one met so far
 };
 
-// Where a trace has a candidate, which is added if it is new: a long piece is in several cells, but one
-// candidate.
+// The place of a candidate in a trace; adds the candidate if it is new. A long piece is in several cells, but
+// is one candidate.
 inline std::size_t place_of(CastTrace& trace, const CastCandidate& candidate) {
   auto& all = trace.candidates;
   const auto same = std::find_if(all.begin(), all.end(), [&](const CastCandidate& c) {
@@ -75,7 +76,7 @@ class TraceLog {
 
   const Terrain& terrain_;
   CastTrace& trace_;
-  std::size_t at_ = 0;  // of the candidate that is tested; kMost: it is not kept
+  std::size_t at_ = 0;  // index of the candidate under test; kMost if it is not kept
 };
 
 // Adds a second cast of the same body; the first contact is that of the cast which met something earlier.

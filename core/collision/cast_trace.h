@@ -1,4 +1,4 @@
-// What a cast looked at before it decided: for those who want to see why.
+// CastTrace: what a cast looked at before it decided. The overlays draw it.
 #pragma once
 
 #include <vector>
@@ -11,19 +11,19 @@ namespace talus {
 struct CastCandidate {
   Cell cell;
   Facing facing = Facing::up;
-  Vec2 from, to;                                       // px, its ends; of a curve those of its stretch
+  Vec2 from, to;                                       // px, its ends; for a curve, the ends of the stretch
   double t = std::numeric_limits<double>::infinity();  // when the box meets it; infinite: never
-  bool is_first = false;                               // the cast's contact
+  bool is_first = false;                               // whether it is the contact of the cast
 };
 
 struct CastTrace {
-  std::vector<Cell> cells;                // looked at, in order
-  std::vector<CastCandidate> candidates;  // in the order in which they were tested
-  Contact<double> contact;                // the same as cast_box() gives
+  std::vector<Cell> cells;                // the cells looked at, in order
+  std::vector<CastCandidate> candidates;  // in the order of the tests
+  Contact<double> contact;                // the same as cast_box() returns
 };
 
-// As cast_box(), for whatever the terrain has; slower. Of a long way, or in a crowd of lines, only what comes
-// first is told of; the contact is right all the same.
+// Like cast_box(), for any terrain, but slower. On a long way, or in a crowd of lines, the trace keeps only
+// what comes first; the contact is right all the same.
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast);
 
 }  // namespace talus

@@ -51,7 +51,7 @@ CellGrid::List& CellGrid::list(std::int32_t x, std::int32_t y) {
   return slot.entries;
 }
 
-// A world that wanders would keep every cell it ever touched; so empty ones go first when they are the
+// A world that wanders would keep every cell that it ever touched. So empty cells go first when they are the
 // majority.
 void CellGrid::make_room() {
   const auto empty = std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) {

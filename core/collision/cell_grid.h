@@ -31,12 +31,13 @@ struct CellRange {
 
 inline constexpr std::uint32_t kMaxGeneration = (1u << 27) - 1;
 
-// An item in the list of a cell. Holds all that a filter needs, so that an ignored candidate costs no other
-// memory; packed, since a list is read far more often than it is changed.
+// An item in the list of a cell. It holds all that a filter needs, so that an ignored candidate costs no
+// other memory. It is packed, since a list is read far more often than changed.
 struct CellEntry {
   static constexpr int kGroupShift = 27;
-  static constexpr std::uint32_t kFirstColumn = 1u << 30;  // this cell is in the first column of the item's
-  static constexpr std::uint32_t kFirstRow = 1u << 31;     // the same for rows
+  // this cell is in the first column of the item's cells
+  static constexpr std::uint32_t kFirstColumn = 1u << 30;
+  static constexpr std::uint32_t kFirstRow = 1u << 31;  // the same for rows
 
   std::uint32_t index;
   std::uint32_t bits;  // generation, group, kFirstColumn, kFirstRow
@@ -49,13 +50,13 @@ struct CellEntry {
 };
 static_assert(World::kGroupCount == 8, "a group fits three bits of a CellEntry");
 
-// Open addressing with linear probing over packed coordinates. A cell keeps its list, and the list its
-// memory, when its last item leaves, so that items moving over the same ground allocate nothing.
+// Open addressing with linear probing over packed coordinates. When the last item leaves a cell, the cell
+// keeps its list, and the list its memory. So items that move over the same ground allocate nothing.
 class CellGrid {
  public:
   using List = std::vector<CellEntry>;
 
-  // The items of a cell; null when no item was ever in it. Valid until the next change.
+  // The items of a cell; null if no item was ever in it. Valid until the next change.
   const List* find(std::int32_t x, std::int32_t y) const {
     if (slots_.empty()) return nullptr;
     const Slot& slot = slots_[probe(pack(x, y))];
@@ -66,7 +67,7 @@ class CellGrid {
   void remove(ItemId item, const CellRange& range);
 
   std::size_t cell_count() const noexcept { return used_; }
-  // No list was ever longer.
+  // The longest list that there ever was.
   std::size_t longest_list() const noexcept { return longest_; }
   void drop_empty_cells();
 
@@ -80,7 +81,7 @@ class CellGrid {
   static std::uint64_t pack(std::int32_t x, std::int32_t y) {
     return std::uint64_t{static_cast<std::uint32_t>(x)} << 32 | static_cast<std::uint32_t>(y);
   }
-  // Where the key is, or would go. The upper bits of Fibonacci hashing are the well-mixed ones.
+  // The slot where the key is, or would go. The upper bits of Fibonacci hashing are the well-mixed ones.
   std::size_t probe(std::uint64_t key) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32) & mask;
@@ -91,7 +92,7 @@ class CellGrid {
   void make_room();
   void rebuild(std::size_t capacity);
 
-  std::vector<Slot> slots_;  // a power of two, at most half full
+  std::vector<Slot> slots_;  // the size is a power of two; at most half of the slots are in use
   std::size_t used_ = 0;
   std::size_t longest_ = 0;
 };

@@ -11,15 +11,15 @@
 
 namespace talus {
 
-// The part of a motion during which a box is over or under a stretch, and how far away from it then.
+// The part of a motion during which a box is over or under a stretch, and how far it is from it then.
 template <class Real>
 struct CastWindow {
-  Real from = 0, to = 0;  // times; from > to: it never is
+  Real from = 0, to = 0;  // times; from > to means never
   Real gap = 0;           // px, at the beginning
   Real last_gap = 0;      // px, at the end
 };
 
-// Iterations end when the gap is this share of the slack or less.
+// The iterations end when the gap is at most this share of the slack.
 inline constexpr int kSharesOfSlack = 8;
 
 template <class Real>
@@ -27,17 +27,17 @@ struct CurveCast {
   const Piece<Real>& piece;  // of a curve
   std::span<const CurveStretch<Real>> stretches;
   BasicVec2<Real> from, motion;  // of the box's top-left corner
-  Real offset, lift;             // from there to the point that meets the curve
+  Real offset, lift;             // from there to the point of the box that meets the curve
   Real slack;                    // px, what rounding may have put the box behind the curve
-  Real rounding;                 // what rounding makes of a number, of its size
+  Real rounding;                 // the relative error of a rounded number
 
-  // None: it does not meet the curve during the window.
+  // Returns nothing if the box does not meet the curve during the window.
   std::optional<Real> time(const CastWindow<Real>& window) const {
     if (window.from > window.to || window.gap < -slack) return std::nullopt;
     const bool dips = stretch().bends_down == up();  // the gap may close and open again
     Real last = window.to;
     if (window.gap <= slack) {
-      // On the curve: it depends on the tangent, which rounding makes a little wrong.
+      // On the curve the answer depends on the tangent, which rounding makes a little wrong.
       const Real rate = opening(window.from);
       const Real wrong = rounding * (std::abs(motion.x) + std::abs(motion.y));
       if (rate < -wrong || (rate <= wrong && !dips)) return window.from;
@@ -59,14 +59,14 @@ struct CurveCast {
   Real gap(Real t) const {
     return sign() * (piece.y_at(corner_x(t), stretches) - lift - (from.y + t * motion.y));
   }
-  // The rate at which the gap grows, but for a positive factor, so that an upright tangent does no harm.
+  // The rate at which the gap grows, times a positive factor that spares a division by an upright tangent.
   Real opening(Real t) const {
     const BasicVec2<Real> along = stretch().tangent_at(corner_x(t));
     return sign() * (along.y * motion.x - along.x * motion.y);
   }
 
   // The time, between the window's beginning and `last`, at which the gap closes. Circles and parabolas have
-  // a closed form; rounding may put it a little outside.
+  // a closed form, which rounding may put a little outside.
   Real closing_time(const CastWindow<Real>& w, Real last) const {
     const CurveStretch<Real>& s = stretch();
     const Real u = from.x + w.from * motion.x + offset - s.c[0];
@@ -86,7 +86,8 @@ struct CurveCast {
               w.from, last, [this](Real at) { return gap(at); }, rate, slack / kSharesOfSlack) -
           w.from;
     }
-    return std::clamp(w.from + t, w.from, last);  // clamp gives w.from for NaN, of a start on the curve
+    // clamp gives w.from for NaN, which comes from a start on the curve
+    return std::clamp(w.from + t, w.from, last);
   }
 };
 

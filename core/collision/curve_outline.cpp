@@ -1,4 +1,4 @@
-// Cuts curves where they turn or change the side that they bend to.
+// Cuts curves at the points where they turn, or begin to bend to the other side.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -44,10 +44,10 @@ class CurveCutter {
     put_piece({.x0 = x, .y0 = y0, .x1 = x, .y1 = y1, .base_x = x, .base_y = y0}, upper, lower);
   }
 
-  // a.x <= b.x; what is too short for its ends to differ is nothing.
+  // Needs a.x <= b.x. A stretch that is too short for its ends to differ is dropped.
   void put_line(Vec2 a, Vec2 b) {
     if (a == b) return;
-    // Steep lines that rise to the right face left on their upper side, and those that fall, right.
+    // The upper side of a steep line that rises to the right faces left; that of one that falls faces right.
     if (a.x == b.x) return put_wall(a.x, std::min(a.y, b.y), std::max(a.y, b.y), b.y < a.y);
     const Vec2 base = a.y <= b.y ? a : b;
     const auto slope = Twofold<double>(b.y - a.y) / (b.x - a.x);
@@ -111,7 +111,8 @@ class CurveCutter {
     put_polynomial(a, b, (a.y + b.y) / 2 - c2 * half * half, rise - c3 * half * half, c2, c3);
   }
 
-  // About the middle, so that a mirrored curve has the same coefficients but for signs.
+  // The polynomial is written about the middle, so that a mirrored curve has the same coefficients but for
+  // signs.
   void put_polynomial(Vec2 a, Vec2 b, double c0, double c1, double c2, double c3) {
     Stretch s{.kind = Stretch::Kind::polynomial};
     const double middle = (a.x + b.x) / 2;
@@ -135,15 +136,15 @@ class CurveCutter {
     for (double k = std::floor((x0 - w.origin) / quarter); x < x1; ++k) {
       const double end = std::min(x1, w.origin + (k + 1) * quarter);
       if (end <= x) continue;
-      // The zero crossing of this quarter: its first end if k is even, else its last.
+      // The zero crossing of this quarter: its first end if k is even, else its last end.
       const double crossing = std::fmod(k, 2) == 0 ? k : k + 1;
-      const bool falls = std::fmod(crossing, 4) != 0;  // its half wave is upside down
+      const bool falls = std::fmod(crossing, 4) != 0;  // the half wave is upside down
       Stretch s{.kind = Stretch::Kind::sine};
       s.c[0] = w.origin + crossing * quarter;
       s.c[1] = w.middle;
       s.c[2] = falls ? -w.amplitude : w.amplitude;
       s.c[3] = w.wavelength;
-      const double side = (crossing == k ? 1 : -1) * s.c[2];  // y - middle inside the quarter has this sign
+      const double side = (crossing == k ? 1 : -1) * s.c[2];  // y - middle has this sign inside the quarter
       s.bends_down = side < 0;
       put_stretch(s, {x, s.y_at(x)}, {end, s.y_at(end)});
       x = end;

@@ -9,16 +9,18 @@
 
 namespace talus {
 
-inline constexpr int kMostIterations = 100;  // a few are enough; ends those that rounding keeps going
+// a few are enough; the limit ends those that rounding keeps going
+inline constexpr int kMostIterations = 100;
 
-// When a point that moves by `motion` in one unit of time meets a circle around the origin; NaN or a time
-// near 0 of one that starts on it. from_outside: whether it comes from there.
+// The time at which a point that moves by `motion` in one unit of time meets a circle around the origin. For
+// a point that starts on the circle the result is NaN or near 0. from_outside: whether the point comes from
+// there.
 template <class Real>
 Real circle_time(BasicVec2<Real> from, BasicVec2<Real> motion, Real radius, bool from_outside) {
   const Real a = dot(motion, motion), b = dot(from, motion);
   const Real c = (from.x - radius) * (from.x + radius) + from.y * from.y;
   const Real root = std::sqrt(std::max<Real>(b * b - a * c, 0));
-  // Of the two ways to write a root, the one that does not subtract nearly equal numbers.
+  // A root can be written in two ways. This is the one that does not subtract nearly equal numbers.
   if (from_outside) return b < 0 ? c / (root - b) : (-b - root) / a;
   return b < 0 ? (root - b) / a : -c / (root + b);
 }
@@ -30,8 +32,8 @@ Real parabola_time(Real gap, Real rate, Real bend) {
   return rate <= 0 ? 2 * gap / (root - rate) : (-rate - root) / (2 * bend);
 }
 
-// Where f falls through zero between a and b, f(a) >= 0 > f(b): Newton's method, halving the bracket when
-// it would leave it. rounding: what f may be off by.
+// The place between a and b where f falls through zero; f(a) >= 0 > f(b). Newton's method; a step that would
+// leave the bracket halves it instead. rounding: the error that f may have.
 template <class Real, class F, class Derivative>
 Real newton_between(Real a, Real b, F f, Derivative derivative, Real rounding) {
   Real t = b;
@@ -46,7 +48,8 @@ Real newton_between(Real a, Real b, F f, Derivative derivative, Real rounding) {
   return t;
 }
 
-// The same for an f whose derivative is not at hand: regula falsi (Illinois). It ends where f is still >= 0.
+// The same for an f whose derivative is not at hand: regula falsi (Illinois). It ends at a place where f is
+// still >= 0.
 template <class Real, class F>
 Real zero_between(Real a, Real b, F f) {
   Real fa = f(a), fb = f(b);

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-// From the first to the last.
+// The cells from the first to the last.
 struct CellBlock {
   int left, top, right, bottom;
 
@@ -21,7 +21,8 @@ struct CellBlock {
   }
 };
 
-// The cells that a box meets, grown by `margin`; those beside the terrain, too, but for the ones further off.
+// The cells that a box meets, grown by `margin`. Cells just beside the terrain count, those further off do
+// not.
 template <class Real>
 CellBlock cells_met(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real margin) {
   const auto cell = [](Real at, int count) {
@@ -31,7 +32,7 @@ CellBlock cells_met(const BasicTerrain<Real>& ground, const BasicRect<Real>& box
           cell(box.x + box.w + margin, ground.width()), cell(box.y + box.h + margin, ground.height())};
 }
 
-// The same rounding forgiveness as a cast of the box.
+// The rounding that a cast of the box would forgive.
 template <class Real>
 Real slack_of(const BasicRect<Real>& box) {
   return rounding_slack<Real>({box, {}, Foot::box});
@@ -42,10 +43,10 @@ bool is_box(const BasicRect<Real>& box) {
   return is_usable<Real>({box, {}, Foot::box});
 }
 
-// How far to look: nothing of a terrain is further.
+// px; nothing of a terrain is further away
 double within_reach(double reach) { return std::min(reach, kMaxCastReach / 2); }
 
-// skip_detailed: tiles that slopes lead to do not count.
+// skip_detailed: leaves out the tiles that slopes lead to.
 template <class Real>
 bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
                    bool skip_detailed) {
@@ -70,7 +71,7 @@ bool overlaps_shape(const TileOutline& shape, Cell cell, const BasicRect<Real>& 
   Real from = box.x + slack, to = box.x + box.w - slack;
   if (foot == Foot::centre && shape.is_floor) from = to = box.x + box.w / 2;
   if (shape.is_floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
-  // A box on a steep line is off it by many roundings.
+  // Rounding puts a box that is on a steep line far off it.
   const Real forgiven = slack + Real(1) / kWeldParts;
   for (const TileColumn& column : shape.columns) {
     for (const OutlineLine& line : shape.is_floor ? column.top : column.bottom) {
@@ -86,7 +87,7 @@ bool overlaps_shape(const TileOutline& shape, Cell cell, const BasicRect<Real>& 
   return false;
 }
 
-// A box that is deep in ground of many lines has more ways than anybody would wait for.
+// A box deep in ground of many lines has more ways out than anybody would wait for.
 constexpr std::size_t kMostExits = 1024;
 
 template <class Real>
@@ -95,7 +96,7 @@ struct Exit {
   BasicVec2<Real> motion;
 };
 
-// How far the box is behind a piece that it overlaps, and the way back in front of it.
+// How far the box is behind a piece that it overlaps, and the way back to the front of the piece.
 template <class Real>
 std::optional<Exit<Real>> exit_past(const BasicTerrain<Real>& ground, const Piece<Real>& piece,
                                     const BasicRect<Real>& box, Foot foot, Real slack) {
@@ -114,7 +115,7 @@ std::optional<Exit<Real>> exit_past(const BasicTerrain<Real>& ground, const Piec
   return Exit<Real>{distance, {0, limit - box.y}};
 }
 
-// The sides of a full tile that other tiles leave open, as pieces.
+// The sides of a full tile that no other tile covers, as pieces.
 template <class Real, class Use>
 void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
   const auto solid = [&](int x, int y) { return ground.is_solid({x, y}); };
@@ -161,7 +162,7 @@ bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& bo
   if (overlaps_tile(ground, box, slack, centre)) return true;
   if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false)) return true;
   if (!ground.has_pieces()) return false;
-  // A slope's body may lie some cells from its own cell.
+  // The body of a slope may lie some cells away from its own cell.
   const CellBlock met = cells_met(ground, box, slack);
   const TileOutlines& outlines = ground.outlines();
   const auto [first, last] = outlines.sources_of({Cell{met.left, met.top}, Cell{met.right, met.bottom}});
@@ -194,11 +195,11 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
       }
     }
   }
-  // Of two equal ways the one up or down, so that mirrored boxes leave alike.
+  // Of two equally long ways the vertical one counts, so that mirrored boxes leave alike.
   std::stable_sort(exits.begin(), exits.end(), [](const Exit<Real>& a, const Exit<Real>& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.motion.x == 0 && b.motion.x != 0;
   });
-  // Many pieces lead out by the same motion, which is tried once.
+  // Many pieces lead out by the same motion, which is tried only once.
   exits.erase(std::unique(exits.begin(), exits.end(),
                           [](const Exit<Real>& a, const Exit<Real>& b) { return a.motion == b.motion; }),
               exits.end());

@@ -1,5 +1,5 @@
 // The ground in a strip one cell wide is a set of bodies, each between a top and a bottom line. A line is
-// outline where no other body covers it; a strip's side is, where the strip beside it is open.
+// outline where no other body covers it. The side of a strip is outline where the strip beside it is open.
 #include "outline_compiler.h"
 
 #include <algorithm>
@@ -11,8 +11,9 @@ namespace {
 
 double left_of(int column) { return static_cast<double>(column) * kTileSide; }
 
-// Where `a` is below `b` between x0 and x1, both being straight there; with `or_equal`, also where they are
-// equal throughout. Rounded inwards to 1/256 px: what is covered a little too much would be a hole.
+// Where `a` is below `b` between x0 and x1; both are straight there. or_equal: counts places where they are
+// equal, too, if they are equal throughout. The result is rounded inwards to 1/256 px: covering a little too
+// much would leave a hole.
 struct Span {
   double from, to;
   bool empty() const { return !(from < to); }
@@ -104,7 +105,7 @@ bool OutlineCompiler::Body::is_thick(double x, bool to_the_right) const {
   return here.from != here.to || there.from != there.to;
 }
 
-// The full tiles of a column beside a cell, and all else that may change the outline there.
+// The full tiles of the column beside a cell, and all else that may change the outline there.
 const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
   Strip& strip = strips_[static_cast<std::size_t>(column + 1) % strips_.size()];
   if (strip.cell == Cell{column, row}) return strip;
@@ -127,19 +128,19 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
   return strip;
 }
 
-// The strip right (or left) beside an x of the strip under way.
+// The strip right (or left) of an x of the current strip.
 const OutlineCompiler::Strip& OutlineCompiler::strip_beside(double x, bool to_the_right) const {
   if (to_the_right) return x == left_of(here_->cell.x + 1) ? *after_ : *here_;
   return x == left_of(here_->cell.x) ? *before_ : *here_;
 }
 
-// What of a side of a strip is ground.
+// The parts of one side of a strip that are ground.
 void OutlineCompiler::cover(const Strip& strip, bool left, std::vector<Cover>& covers) {
   covers.clear();
   for (const Body& body : strip.bodies) {
     if (body.one_way()) continue;
     const Cover here{left ? body.at_left : body.at_right, body.origin};
-    auto at = covers.end();  // mostly the place: few bodies are not listed from the top
+    auto at = covers.end();  // usually the right place: few bodies are not listed from the top
     while (at != covers.begin() && here.part.from < (at - 1)->part.from) --at;
     covers.insert(at, here);
   }
@@ -197,9 +198,9 @@ void OutlineCompiler::compile_surface(const Body& body, bool top, Cell cell,
   }
 }
 
-// Puts what is exposed of a part of a line into open_.
+// Puts the exposed parts of a line into open_.
 void OutlineCompiler::find_open(const Body& body, bool top, const OutlineLine& line, const Interval& part) {
-  // Between the ends of all lines every line is straight, so that two cross once at most.
+  // Between the ends of all lines every line is straight, so two of them cross at most once.
   ends_.clear();
   ends_.push_back(part.from);
   for (const Body& other : here_->bodies) {
@@ -226,8 +227,8 @@ void OutlineCompiler::find_open(const Body& body, bool top, const OutlineLine& l
   }
 }
 
-// Takes out of parts_ where the line of a body is inside of others, or is the same as an earlier one's; or
-// bounds nothing.
+// Takes from parts_ what does not bound the ground: where the line of a body is inside of another one, and
+// where it is the same as the line of an earlier one.
 void OutlineCompiler::take_out_hidden(const Body& body, bool top, const OutlineLine& line, double x0,
                                       double x1) {
   const double y0 = line.at(x0), y1 = line.at(x1);
@@ -243,7 +244,7 @@ void OutlineCompiler::take_out_hidden(const Body& body, bool top, const OutlineL
       continue;
     }
     if (is_flat) continue;
-    // Of two equal lines that face the same way, that of the later body goes.
+    // Of two equal lines that face the same way, the line of the later body is dropped.
     const bool later = &other < &body;
     const Span below_top = where_less(top0, top1, y0, y1, x0, x1, top ? later : true);
     const Span above_bottom = where_less(y0, y1, bottom0, bottom1, x0, x1, top ? true : later);
@@ -286,7 +287,7 @@ Piece<double> OutlineCompiler::wall_at(double x, double y0, double y1, bool left
   return wall;
 }
 
-// The side of the strip in this cell where the ground is on the one hand and not on the other.
+// The part of the strip's side in this cell with ground on one hand and none on the other.
 void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) {
   const double x = left_of(cell.x) + (left ? 0 : kTileSide);
   const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
@@ -304,7 +305,7 @@ void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<doubl
   }
 }
 
-// The tips of wedges: where a body's top and bottom meet and nothing goes on.
+// The tips of wedges: a body's top and bottom meet there, and nothing goes on.
 void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) const {
   const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
   const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
@@ -325,7 +326,7 @@ void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) c
   }
 }
 
-// Whether there is ground right (or left) beside a point of the strip under way.
+// Whether there is ground right (or left) of a point of the current strip.
 bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
   const std::vector<Body>& bodies = strip_beside(x, to_the_right).bodies;
   return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
@@ -339,7 +340,7 @@ bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
 
 void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   if (piece.is_wall()) return;
-  // A long piece is marked at its ends in the cells that the ends are in, where their surroundings are known.
+  // A long piece is marked at its ends, in the cells of these ends: only there the surroundings are known.
   const auto is_near = [cell](double x, double y) {
     return x >= left_of(cell.x) && x <= left_of(cell.x + 1) && y >= left_of(cell.y) &&
            y <= left_of(cell.y + 1);
@@ -356,7 +357,7 @@ void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   piece.last1 = !next1.any;
 }
 
-// Which other lines that face the same way begin where this one ends.
+// The other lines that face the same way and begin where this one ends.
 OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool first) const {
   const double x = first ? piece.x0 : piece.x1, y = first ? piece.y0 : piece.y1;
   const bool up = piece.facing == Facing::up;

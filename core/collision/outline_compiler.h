@@ -1,4 +1,5 @@
-// Finds the pieces of the ground's outline in one cell: what of the shapes there and around is exposed.
+// OutlineCompiler: finds the pieces of the ground's outline in one cell, the exposed parts of the shapes
+// there and around it.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@
 
 namespace talus {
 
-// Where the pieces of curves end, walls apart, so that what goes on at a point is found without a scan of
-// all.
+// The ends of the pieces of curves, except walls. What goes on at a point is found without a scan of all
+// pieces.
 class CurveEnds {
  public:
   struct End {
@@ -23,35 +24,36 @@ class CurveEnds {
   };
   CurveEnds() = default;
   explicit CurveEnds(std::span<const Piece<double>> pieces);
-  // The pieces, by number, that begin (`first`) or that end exactly there.
+  // The numbers of the pieces that begin (`first`) or end exactly there.
   std::span<const End> at(Vec2 point, bool first) const;
 
  private:
-  std::vector<End> begins_, ends_;  // by x, y, then piece
+  std::vector<End> begins_, ends_;  // sorted by x, y, then piece
 };
 
 // Cuts the curves into their stretches and lines. Curve n has the pieces whose origin is -1 - n.
 struct CurveOutline {
   std::vector<Piece<double>> pieces;
-  CurveEnds ends;  // of the pieces
+  CurveEnds ends;  // ends of the pieces
   std::vector<CurveStretch<double>> stretches;
 };
 CurveOutline cut_curves(std::span<const Curve> curves);
 
-// Keeps what it found out of the cells so far: those of a row one after the other cost the least. What is on
-// the map must stay as it is.
+// Keeps what it has found out about cells: compiling a row cell by cell is the cheapest way. The map must not
+// change meanwhile.
 class OutlineCompiler {
  public:
-  using TileAt = std::function<const TileOutline&(Cell)>;  // any cell; that of no shape outside of the map
+  // of any cell; outside of the map, the outline of no shape
+  using TileAt = std::function<const TileOutline&(Cell)>;
 
-  // width: of the map, cells, for Piece::origin. curve_ends: those of `curves`. The tiles, the curves and
-  // their ends must outlive the compiler.
+  // width: of the map in cells, for Piece::origin. curve_ends: the ends of `curves`. The tiles, the curves
+  // and their ends must outlive the compiler.
   OutlineCompiler(int width, const TileOutlines& tiles, std::span<const Piece<double>> curves,
                   const CurveEnds& curve_ends, TileAt tile_at);
 
-  // The cells that are compiled next are in this area; from the first to the last, both on the map.
+  // The cells that are compiled next are in this area, from the first to the last. Both must be on the map.
   void enter(std::array<Cell, 2> area);
-  // Calls use(cell, tile) for each slope or the like that may be on the outline of the area's cells.
+  // Calls use(cell, tile) for each sloped tile that may be on the outline of the area's cells.
   template <class Use>
   void for_lines(Use use) const {
     for (Cell c = sources_[0]; c.y <= sources_[1].y; ++c.y) {
@@ -60,49 +62,48 @@ class OutlineCompiler {
       }
     }
   }
-  // Appends the pieces in the cell: of its own shapes, and those of `curve_numbers`, indices into the curves.
+  // Appends the pieces in the cell: those of its own shapes, and those of the curves with these indices.
   void compile(Cell cell, std::span<const std::uint32_t> curve_numbers, std::vector<Piece<double>>& out);
 
  private:
   struct Interval {
     double from, to;
   };
-  // What covers a strip one cell wide, from its top down to its bottom; or a one-way line, which covers
-  // nothing.
+  // A body covers a strip one cell wide from its top down to its bottom. A one-way line covers nothing.
   struct Body {
     const TileOutline* tile;
-    const TileColumn* column;  // of the tile
+    const TileColumn* column;  // column of the tile's outline
     Vec2 corner;               // px, of the tile's own cell
     std::int32_t origin;
     double left, right;          // x of the strip
     double highest, lowest;      // the range of its y
-    Interval at_left, at_right;  // from its top to its bottom just inside of the strip's sides
+    Interval at_left, at_right;  // from its top to its bottom, just inside of the strip's left and right side
 
     Body(const TileOutline& of, Cell cell, int strip, int map_width);
     bool one_way() const { return tile->one_way; }
-    // Of a one-way line only one side stops.
+    // A one-way line stops with one side alone.
     bool has(bool top) const { return !tile->one_way || tile->is_floor == top; }
     const std::vector<OutlineLine>& lines(bool top) const { return top ? column->top : column->bottom; }
     double height_at(bool top, double x, bool to_the_right) const;
-    Interval range_at(double x, bool to_the_right) const;  // as at_left, just right (or left) beside x
-    // Whether there is more of it than a line right (or left) beside x.
+    Interval range_at(double x, bool to_the_right) const;  // as at_left, just right (or left) of x
+    // Whether the body has any height right (or left) of x; a line has none.
     bool is_thick(double x, bool to_the_right) const;
   };
-  // What of a side of a strip is ground.
+  // A part of one side of a strip that is ground.
   struct Cover {
     Interval part;
-    std::int32_t origin;  // of its uppermost body
+    std::int32_t origin;  // origin of its uppermost body
   };
-  // What there is to know of a cell's column around it.
+  // What is known about the column around a cell.
   struct Strip {
     Cell cell{-2, -2};
     std::vector<Body> bodies;
     std::vector<Cover> left, right;  // from the top
   };
-  // What goes on where a piece ends.
+  // What goes on at the end of a piece.
   struct Next {
-    bool any = false;      // another line that faces the same way
-    bool outward = false;  // one that does not fall back from the open side
+    bool any = false;      // another line that faces the same way goes on
+    bool outward = false;  // one goes on that does not fall back from the open side
   };
 
   const TileOutline& tile(Cell cell) const {
@@ -132,13 +133,14 @@ class OutlineCompiler {
   const CurveEnds& curve_ends_;
   TileAt tile_at_;
 
-  std::array<Cell, 2> sources_{};  // of the area
+  std::array<Cell, 2> sources_{};  // the area that the sources are in
   int sources_width_ = 0;
-  std::vector<const TileOutline*> tiles_here_;  // of the sources, row by row
-  std::array<Strip, 3> strips_;                 // of the columns last seen, each in its place modulo 3
-  const Strip *before_ = nullptr, *here_ = nullptr, *after_ = nullptr;  // of the cell under way
+  std::vector<const TileOutline*> tiles_here_;  // tiles of the sources, row by row
+  std::array<Strip, 3> strips_;  // the three columns last looked at, each in its place modulo 3
+  const Strip *before_ = nullptr, *here_ = nullptr, *after_ = nullptr;  // strips around the current cell
 
-  // Kept for their memory: what is open of a line, of a part of it, and where it may change.
+  // Kept for their memory: the open parts of a line, those of a part of it, and the places where they may
+  // change.
   std::vector<Interval> open_, parts_;
   std::vector<double> ends_;
 };

@@ -8,13 +8,13 @@
 namespace talus {
 namespace {
 
-// A bounce between near walls, or a response of the user's, may go on for ever; after this many legs the
-// mover stays where its last contact put it, and the contacts tell.
+// A bounce between near walls, or a user's response, may go on for ever. After this many legs the mover stays
+// where its last contact put it, and the contacts show that.
 constexpr std::size_t kMaxLegs = 64;
-// Legs of a check that are charged with what is unusual alone.
+// Only unusual work of these first legs of a check is charged.
 constexpr std::size_t kFreeLegs = 16;
 
-// Whether the goal lies on the free side of the surface, as it may after leaving an overlap.
+// Whether the goal lies on the free side of the surface, as it may after an overlap was left.
 bool leads_away(const Collision& hit, Vec2 goal) {
   return (goal.x - hit.touch.x) * hit.normal.x + (goal.y - hit.touch.y) * hit.normal.y >= 0;
 }
@@ -30,22 +30,22 @@ Vec2 bounce(const Collision& hit, Vec2 goal) {
 
 }  // namespace
 
-// How a check chooses the response to an item: by the user's function...
+// A check chooses the response to an item either by the user's function...
 struct ByFilter {
   static constexpr bool kIsTable = false;
   World::Filter filter;
   Response operator()(ItemId mover, ItemId other, std::size_t) const { return filter(mover, other); }
 };
 
-// ...or by a table, which may be asked as often as one likes, since nobody sees it.
+// ...or by a table. The table may be asked at any time, since nobody notices.
 struct ByGroup {
   static constexpr bool kIsTable = true;
   const World::GroupResponses& responses;
   Response operator()(ItemId, ItemId, std::size_t group) const { return responses[group]; }
 };
 
-// One check of one mover. It marks the items that it has met and takes the marks back at its end, since a
-// user's response may check in turn.
+// One check of one mover. It marks the items that it has met and removes the marks at its end, since a user's
+// response may start a check, too.
 template <class Choice>
 class World::Checker {
  public:
@@ -76,7 +76,7 @@ class World::Checker {
   Vec2 run(Vec2 goal) { return impl_.mode == Mode::robust ? robust(goal) : faithful(goal); }
 
  private:
-  // The filter, but for the items that this check has met. Copies what it needs, so that the loop over the
+  // The filter, except for items that this check has met. It copies what it needs, so that the loop over the
   // candidates finds it in registers.
   auto reaction() const {
     return [this, bits = seen_bits_, item = item_, choice = choice_](const CellEntry& entry) {
@@ -88,7 +88,7 @@ class World::Checker {
   bool seen(ItemId item) const { return impl_.items[item.index - 1].visited == impl_.depth; }
   static std::uint64_t bit(std::uint32_t index) { return std::uint64_t{1} << (index & 63); }
 
-  // bump's loop: the first contact alone counts, and each item once.
+  // bump's loop: only the first contact counts, and each item counts once.
   Vec2 faithful(Vec2 goal) {
     bool more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
     while (more) {
@@ -105,7 +105,7 @@ class World::Checker {
         more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
       } else {
         const bool moves = hit.move != Vec2{};
-        // Of no motion nothing is left to be turned round: the mover is put out of what it is in.
+        // Without motion there is nothing to turn round: the mover is put out of what it is in.
         if (!moves && hit.response == Response::bounce) goal = hit.touch;
         goal = redirect(hit, goal, moves);
         more = may_look(hit.touch, goal) && append_first(hit.touch, goal);
@@ -116,7 +116,7 @@ class World::Checker {
     return start_.position();
   }
 
-  // Whether a leg may look for contacts; false: the check gives up.
+  // Whether a leg may look for contacts. If not, the check gives up.
   bool may_look(Vec2 from, Vec2 goal) {
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
     tests_ += impl_.charge_of(impl_.cells_of(swept_bounds(sweep)), hits_.size() >= kFreeLegs);
@@ -147,7 +147,7 @@ class World::Checker {
     return from;
   }
 
-  // Appends the first contact from `from` to the goal; false when there is none.
+  // Appends the first contact from `from` to the goal. Returns false if there is none.
   bool append_first(Vec2 from, Vec2 goal) {
     std::uint32_t first = Impl::kNoSlot;
     Response first_response{};
@@ -176,9 +176,9 @@ class World::Checker {
     return true;
   }
 
-  // As for_contacts, faithfully: the legs after the first mostly stay where that one went, so its candidates
-  // are kept. One that is hit counts only if this leg's own cells hold it, as if they had been looked up
-  // anew.
+  // The same as for_contacts in faithful mode. Later legs mostly stay where the first one went, so its
+  // candidates are kept. A kept candidate counts only if this leg's own cells hold it, as a new look-up would
+  // find.
   template <class Found>
   void for_near_contacts(const Sweep& sweep, Found found) {
     const Rect bounds = swept_bounds(sweep);
@@ -198,8 +198,8 @@ class World::Checker {
     }
   }
 
-  // Keeps what a leg within `bounds` and its cells can hit. The margins are far more than a leg can gain by
-  // rounding, or a contact by bump's tolerance.
+  // Keeps what a leg within `bounds` and its cells can hit. The margins are far larger than what rounding
+  // adds to a leg, or bump's tolerance to a contact.
   void gather(const Rect& bounds, const CellRange& range) {
     const double gain = 1e-4 + 1e-9 * (std::abs(bounds.x) + std::abs(bounds.y) + bounds.w + bounds.h);
     near_area_ = {bounds.x - gain, bounds.y - gain, bounds.w + 2 * gain, bounds.h + 2 * gain};
@@ -219,7 +219,8 @@ class World::Checker {
     });
   }
 
-  // Appends the crossed items on the way to the first solid one, and that; false when none ends the leg.
+  // Appends the items crossed on the way to the first solid one, and that one. Returns false if none ends the
+  // leg.
   bool append_leg(Vec2 from, Vec2 goal) {
     ScratchPool<Collision>::Lease contacts(impl_.collisions);
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
@@ -237,7 +238,7 @@ class World::Checker {
   }
 
   void append(const Collision& hit) {
-    // Only a user's response that ignores its filter can get here more often than there are items.
+    // Only a user's response that ignores its filter can report more contacts than there are items.
     if (hits_.size() > impl_.live + 64 * kMaxLegs) {
       throw WorldError("The responses report items without end.");
     }
@@ -284,9 +285,9 @@ class World::Checker {
   Rect near_area_;
   CellRange near_cells_;
   std::size_t first_visit_;
-  std::int64_t tests_ = 0;       // charged so far
-  std::uint64_t seen_bits_ = 0;  // a bit for each met item, by its index modulo
-                                 // 64: spares most looks at the item
+  std::int64_t tests_ = 0;  // work charged so far
+  // one bit for each met item, by its index modulo 64: spares most looks at the item
+  std::uint64_t seen_bits_ = 0;
 };
 
 template <class Choice>

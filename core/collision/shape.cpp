@@ -1,4 +1,4 @@
-// What makes a shape or a curve unusable.
+// Why a shape or a curve cannot be used.
 #include <talus/collision/shape.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Problem problem_of_numbers(Numbers... numbers) {
   return (is_finite(numbers) && ...) ? Problem() : "has a number that is not finite";
 }
 
-// The points between which a curve stays.
+// The points that a curve stays between.
 template <class... Points>
 Problem problem_of_reach(Points... points) {
   return (in_reach(points) && ...) ? Problem() : "reaches further than 16777216 px from the origin";
@@ -64,7 +64,8 @@ Problem problem_of_form(const Parabola& p) {
 Problem problem_of_form(const Cubic& c) {
   if (const Problem bad = problem_of_numbers(c.from, c.to, c.from_slope, c.to_slope)) return bad;
   if (const Problem bad = problem_of_width(c.from.x, c.to.x)) return bad;
-  const double third = (c.to.x - c.from.x) / 3;  // to the control points of the same curve in Bezier form
+  // from an end to the control point of the same curve in Bezier form
+  const double third = (c.to.x - c.from.x) / 3;
   return problem_of_reach(c.from, c.to, c.from.y + c.from_slope * third, c.to.y - c.to_slope * third);
 }
 
@@ -89,7 +90,7 @@ Problem problem_of_form(const Polyline& p) {
   return step * kWeldParts >= 1 ? Problem() : "has its heights closer to one another than 1/256 px";
 }
 
-// How a curve goes: `parts` that rise or fall throughout, over a width, and up or down by `climb` in all; px.
+// The course of a curve: `parts` that only rise or only fall, over a width, up or down by `climb` in all; px.
 struct Course {
   double parts = 1, width = 0, climb = 0;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Clips by one side: p is the speed out of the box across it, q the distance inwards from it.
+// Clips by one side. p: speed out of the box across the side. q: distance from the side inwards.
 bool clip_side(double p, double q, Vec2 normal, Clip& clip) {
   if (p == 0) return !(q <= 0);
   const double r = q / p;
@@ -26,7 +26,7 @@ bool clip_side(double p, double q, Vec2 normal, Clip& clip) {
   return true;
 }
 
-// Of two sides at a and b the one nearer to the origin; the far one when they are equally near.
+// The nearer to the origin of two sides at a and b; the far one if both are equally near.
 double nearest(double a, double b) { return std::abs(a) < std::abs(b) ? a : b; }
 
 double sign(double v) { return v > 0 ? 1 : v == 0 ? 0 : -1; }
@@ -49,20 +49,20 @@ bool leave_overlap(const Sweep& sweep, const Sides& difference, SweepContact& co
   return true;
 }
 
-// Sides within this many units in the last place of the operands are flush: neither a gap nor an overlap.
+// Sides within this many units in the last place of the operands are flush: there is no gap and no overlap.
 constexpr double kFlush = 4 * std::numeric_limits<double>::epsilon();
 
 double snap(double v, double tolerance) { return std::abs(v) <= tolerance ? 0 : v; }
 
-// One axis of the robust sweep: where the mover may stand, [at, at + size], beside the other, [lo, lo +
+// One axis of the robust sweep: where the mover may stand, [at, at + size], beside the other box, [lo, lo +
 // extent].
 struct Axis {
   double at, size, lo, extent;
 
   double tolerance() const { return kFlush * std::max(std::abs(at) + size, std::abs(lo) + extent); }
 
-  // The coordinate just outside the other on the side of the normal (-1 or 1): the contact coordinate, nudged
-  // outwards until the expression that tells overlaps sees none. The growing step bounds the loop.
+  // The coordinate just outside of the other box, on the side of the normal (-1 or 1): the contact
+  // coordinate, nudged outwards until the overlap test sees nothing. The step grows, which bounds the loop.
   double contact(double normal) const {
     double touch = normal < 0 ? lo - size : lo + extent;
     double step = std::abs(std::nextafter(touch, normal * kInfinity) - touch);
@@ -74,7 +74,7 @@ struct Axis {
   }
 };
 
-// The shortest way out of an overlap; of two equal ones, the one back where the mover came from.
+// The shortest way out of an overlap; of two equal ones, the way back to where the mover came from.
 Vec2 way_out(const Sides& difference, Vec2 d) {
   const auto out = [](double lo, double hi, double motion) {
     if (-lo == hi) return motion < 0 ? 1.0 : -1.0;

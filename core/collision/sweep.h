@@ -9,8 +9,8 @@
 
 namespace talus {
 
-// Below this a faithful contact counts as none: px where boxes are compared, fraction of the move where times
-// are.
+// A faithful contact below this does not count: px where boxes are compared, a fraction of the move where
+// times are.
 inline constexpr double kDelta = 1e-10;
 
 // The four sides of a box, px.
@@ -23,18 +23,18 @@ struct Sides {
 
 inline Sides sides_of(const Rect& rect) { return {rect.x, rect.y, rect.x + rect.w, rect.y + rect.h}; }
 
-// The part of a line inside a box: it enters at ti1 through the side with normal `normal` and leaves at ti2.
-// The values before the call bound the line.
+// The part of a line inside of a box: it enters at ti1 through the side with normal `normal`, and leaves at
+// ti2. The values before the call bound the line.
 struct Clip {
   double ti1;
   double ti2;
   Vec2 normal;
 };
 
-// Clips the line from + t * d; false when nothing of it is left. On a corner the vertical side wins.
+// Clips the line from + t * d. Returns false if nothing is left. On a corner the vertical side wins.
 bool clip_line(const Sides& box, Vec2 from, Vec2 d, Clip& clip);
 
-// What a box on its way to `goal` meets.
+// The sweep of a box that moves to `goal`.
 struct Sweep {
   Rect box;
   Vec2 goal;
@@ -42,7 +42,7 @@ struct Sweep {
   Sweep(const Rect& start, Vec2 end) : box(start), goal(end), d{end.x - start.x, end.y - start.y} {}
 };
 
-// The box around the whole way, with the size as a difference that is added again later, as bump has it.
+// The box around the whole way. The size is a difference that is added again later, as in bump.
 inline Rect swept_bounds(const Sweep& sweep) {
   const Rect& box = sweep.box;
   const double left = std::min(sweep.goal.x, box.x);
@@ -59,16 +59,16 @@ struct SweepContact {
   Vec2 touch;
 };
 
-// The boxes overlap exactly where this box contains the origin; the mover's way becomes a ray from there.
+// The boxes overlap exactly where this box contains the origin. The mover's way becomes a ray from there.
 inline Sides minkowski_difference(const Rect& mover, const Rect& other) {
   const double x = other.x - mover.x - mover.w;
   const double y = other.y - mover.y - mover.h;
   return {x, y, x + (mover.w + other.w), y + (mover.h + other.h)};
 }
 
-// True only when the exact tests below cannot find a contact, told without a division: a contact begins
-// before t = 1 and does not end before t = -kDelta. Correctly rounded division is monotonic, so from = lo / d
-// >= 1 follows from lo >= d; the factor 2 leaves room for the rounding of the product. NaN is never a miss.
+// True only if the exact tests below cannot find a contact; needs no division. A contact begins before t = 1
+// and ends at t = -kDelta or later. Correctly rounded division is monotonic, so from = lo / d >= 1 follows
+// from lo >= d. The factor 2 leaves room for the rounding of the product. NaN is never a miss.
 inline bool misses_axis(double lo, double hi, double d) {
   // Bitwise, since a branch that is hard to predict costs more than both comparisons.
   if (d >= 0) return (lo >= d) | (hi < -2 * kDelta * d);
@@ -81,10 +81,10 @@ inline bool misses(const Sides& difference, Vec2 d) {
   return on_x | on_y;
 }
 
-// bump's contact of a sweep whose Minkowski difference did not miss; false when there is none.
+// bump's contact for a sweep whose Minkowski difference did not miss. Returns false if there is none.
 bool detect_faithful(const Sweep& sweep, const Sides& difference, SweepContact& contact);
 
-// The contact with exact touch coordinates: flush boxes stay flush and an overlap is left by its shortest
+// The contact with exact touch coordinates: flush boxes stay flush, and an overlap is left by its shortest
 // way.
 bool detect_robust(const Sweep& sweep, const Rect& other, SweepContact& contact);
 

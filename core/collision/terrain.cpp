@@ -36,7 +36,7 @@ CurveStretch<Real> narrow(const CurveStretch<double>& s) {
   return n;
 }
 
-// The columns, or the rows, that a stretch from a to b lies in; both, where it ends between two.
+// The columns, or the rows, that a stretch from a to b lies in. A stretch on a border lies in both.
 struct Range {
   int first, last;
 };
@@ -167,7 +167,7 @@ OutlineCompiler BasicTerrain<Real>::compiler() const {
       [this](Cell c) -> const TileOutline& { return contains(c) ? parts_->outlines[tile_at(c)] : kNothing; });
 }
 
-// Compiles the cells from the first to the last, which may lie outside.
+// Compiles the cells from the first to the last. These may lie outside of the terrain.
 template <class Real>
 void BasicTerrain<Real>::compile(std::array<Cell, 2> area, const std::function<bool(double)>& progress) {
   OutlineCompiler outlines = compiler();
@@ -185,7 +185,7 @@ void BasicTerrain<Real>::compile(std::array<Cell, 2> area, const std::function<b
   }
 }
 
-// Which cells of an area within one chunk have an outline that bits cannot tell.
+// The cells of an area within one chunk whose outline cannot be told by bits.
 template <class Real>
 typename BasicTerrain<Real>::Words BasicTerrain<Real>::details_in(std::array<Cell, 2> area,
                                                                   const OutlineCompiler& compiler) const {
@@ -221,7 +221,8 @@ std::span<const typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cu
   return {begin, std::lower_bound(begin, all.end(), index_of(last) + 1, before)};
 }
 
-// Whether neither a chunk nor those around it, from which shapes may reach over, have a tile, nor the area a
+// Whether neither a chunk nor its neighbours, from which shapes may reach over, have a tile; and no curve is
+// in the area.
 // curve.
 template <class Real>
 bool BasicTerrain<Real>::is_bare(Cell corner, std::array<Cell, 2> area) const {
@@ -263,7 +264,7 @@ void BasicTerrain<Real>::compile_chunk(Cell corner, std::array<Cell, 2> area, Ou
   chunks_[chunk_index(corner)] = std::move(chunk);
 }
 
-// The pieces of a band: those in the area anew, the others as they were.
+// The pieces of a band. Those in the area are compiled anew, the others stay as they were.
 template <class Real>
 void BasicTerrain<Real>::compile_band(Chunk& chunk, Cell corner, int band, std::array<Cell, 2> area,
                                       OutlineCompiler& compiler) {
@@ -296,12 +297,12 @@ void BasicTerrain<Real>::compile_band(Chunk& chunk, Cell corner, int band, std::
     }
     fresh->first[i + 1] = static_cast<std::uint32_t>(pieces.size());
   }
-  fresh->pieces.assign(pieces.begin(), pieces.end());  // takes no more memory than they need
+  fresh->pieces.assign(pieces.begin(), pieces.end());  // allocates no more memory than they need
   pieces_ += pieces.size() - (old == nullptr ? 0 : old->pieces.size());
   chunk.bands[band] = std::move(fresh);
 }
 
-// By Facing, the full tiles of a row that are open there. begin: the row's first cell.
+// The full tiles of a row that are open on a side, by Facing. begin: the first cell of the row.
 template <class Real>
 std::array<std::uint64_t, 4> BasicTerrain<Real>::open_sides(const TerrainRow& row, Cell begin) const {
   const int column = begin.x / kSide;
@@ -316,7 +317,7 @@ std::array<std::uint64_t, 4> BasicTerrain<Real>::open_sides(const TerrainRow& ro
   return open;
 }
 
-// 0 outside.
+// 0 outside of the terrain
 template <class Real>
 std::uint64_t BasicTerrain<Real>::solid_word(int chunk_column, int row) const {
   const Chunk* chunk = chunk_at(chunk_column, row >> 6);
@@ -363,7 +364,7 @@ std::uint8_t BasicTerrain<Real>::tile_at(Cell cell) const {
   return chunk == nullptr ? 0 : chunk->tiles[index_in_chunk(cell)];
 }
 
-// The outline follows from the rest.
+// The outline follows from the cells, the shapes and the curves.
 template <class Real>
 bool BasicTerrain<Real>::equals(const BasicTerrain& other) const {
   if (width_ != other.width_ || height_ != other.height_) return false;

@@ -10,7 +10,7 @@ namespace {
 
 int tiles_of(const TileShape& shape) { return shape.kind == TileShape::Kind::solid ? 1 : shape.tiles; }
 
-// How many rows beside its own a shape reaches over: upwards (a floor) or downwards (a ceiling).
+// The number of rows beside its own that a shape reaches over: upwards for a floor, downwards for a ceiling.
 int extra_rows(const TileShape& shape) {
   if (shape.kind == TileShape::Kind::solid) return 0;
   const double most = *std::max_element(shape.heights.begin(), shape.heights.end());

@@ -1,4 +1,4 @@
-// What each kind of tile is to the outline of the ground, worked out once for all its cells.
+// TileOutline: what each kind of tile adds to the outline of the ground, worked out once for all its cells.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 
 namespace talus {
 
-// A full tile, all of whose sides are ground.
+// Whether it is a full tile, all of whose sides are ground.
 bool is_full(const TileShape& shape);
-// A shape that is neither none nor a full tile: its outline is in pieces.
+// Whether it is a shape, but not a full tile: its outline is in pieces.
 bool is_line_shape(const TileShape& shape);
-// The height of its line, px, at a distance from its left side, px; of a good one up to its width.
+// Height of its line, px, at a distance from its left side, px. The distance of a good shape goes up to its
+// width.
 double height_of_line(const TileShape& shape, double x);
 // The first and the last of the cells whose outline such a shape may change.
 std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell);
@@ -28,17 +29,17 @@ struct OutlineLine {
     if (x >= x1) return y1;
     return std::clamp(base_y + (x - base_x) * slope, std::min(y0, y1), std::max(y0, y1));
   }
-  // Exact: ends are welded.
+  // The height is exact, as ends are welded.
   OutlineLine moved(Vec2 by) const {
     return {x0 + by.x, y0 + by.y, x1 + by.x, y1 + by.y, base_x + by.x, base_y + by.y, slope, slope_rest};
   }
 };
 
-// Of the part of a shape in one column of cells; lines from left to right. Those of a slope go on in the next
-// column.
+// The part of a shape in one column of cells; lines from left to right. The lines of a slope go on in the
+// next column.
 struct TileColumn {
   std::vector<OutlineLine> top, bottom;
-  std::vector<double> joints;      // x inside of the column where two lines meet
+  std::vector<double> joints;      // x, inside of the column, where two lines meet
   double highest = 0, lowest = 0;  // the range of their y
 };
 
@@ -46,19 +47,19 @@ struct TileOutline {
   bool full = false;  // see is_full
   bool line = false;  // see is_line_shape
   bool one_way = false;
-  bool is_floor = true;             // of a line: the top is the shape's line, not the bottom
-  std::array<Cell, 2> touched{};    // of a line: see cells_touched_by; from its own cell
-  std::vector<TileColumn> columns;  // px from the corner of its own cell
+  bool is_floor = true;             // of a line: whether its line is the top, not the bottom
+  std::array<Cell, 2> touched{};    // see cells_touched_by; relative to its own cell
+  std::vector<TileColumn> columns;  // px, relative to the corner of its own cell
 };
 
 class TileOutlines {
  public:
-  // shapes: by tile number; good ones (see problem_of).
+  // shapes: by tile number; they must be usable (see problem_of).
   explicit TileOutlines(std::span<const TileShape> shapes);
 
   const TileOutline& operator[](std::size_t tile) const { return tiles_[tile]; }
   bool has_lines() const { return has_lines_; }
-  // The cells whose outline depends on what the given cell is, from the first to the last.
+  // The cells whose outline depends on the given cell, from the first to the last.
   std::array<Cell, 2> reach_of(Cell cell) const;
   // The cells that the outline of the area's cells depends on.
   std::array<Cell, 2> sources_of(std::array<Cell, 2> area) const;
@@ -66,7 +67,7 @@ class TileOutlines {
  private:
   std::vector<TileOutline> tiles_;
   bool has_lines_ = false;
-  // Of all lines, as `touched`; at least what is beside a full tile.
+  // the union of `touched` of all lines; at least the cells beside a full tile
   std::array<Cell, 2> touched_ = {Cell{-1, -1}, Cell{1, 1}};
 };
 

@@ -1,12 +1,13 @@
-// Sums and products of twice the precision: a number and what rounding took from it (T. J. Dekker 1971;
-// D. E. Knuth, The Art of Computer Programming, 4.2.2). Where a small difference of large numbers decides.
+// Sums and products with twice the precision: a number, and what rounding took from it. For places where a
+// small difference of large numbers decides. (T. J. Dekker 1971; D. E. Knuth, The Art of Computer
+// Programming, 4.2.2)
 #pragma once
 
 #include <cmath>
 
 namespace talus {
 
-// Always inline: compilers would call the operators, and a cast is a thirtieth slower.
+// Inlined by force: compilers would call the operators, and a cast would be a thirtieth slower.
 template <class Real>
 struct Twofold {
   Real high = 0, low = 0;  // the value is their sum

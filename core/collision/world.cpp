@@ -9,18 +9,17 @@
 namespace talus {
 namespace {
 
-// Steps after which a segment's way through the grid is replaced by the block of cells around it.
+// After this many steps the block of cells around a segment replaces its way through the grid.
 constexpr std::int64_t kMaxSegmentSteps = std::int64_t{1} << 20;
 
-// As Lua prints a number.
+// The number as Lua prints it.
 std::string number_text(double v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.14g", v);
   return text;
 }
 
-// floor and ceil of a value within the range of int, without the library call that plain x86-64 makes of
-// them.
+// floor and ceil of a value within the range of int. The library's are calls on plain x86-64.
 std::int32_t floor_int(double v) {
   const auto i = static_cast<std::int32_t>(v);
   return i - (i > v);
@@ -84,7 +83,7 @@ CellRange World::Impl::cells_of(const Rect& rect) const {
   const double top = rect.y / cell_size;
   const double right = (rect.x + rect.w) / cell_size;
   const double bottom = (rect.y + rect.h) / cell_size;
-  // No size is negative, so these four comparisons bound all.
+  // No size is negative, so these four comparisons bound all numbers.
   if (!(left > -kMaxCell && top > -kMaxCell && right < kMaxCell && bottom < kMaxCell)) {
     if (std::isnan(left) || std::isnan(top) || std::isnan(right) || std::isnan(bottom)) return {};
     throw_too_far();
@@ -92,7 +91,7 @@ CellRange World::Impl::cells_of(const Rect& rect) const {
   return {floor_int(left) + 1, floor_int(top) + 1, ceil_int(right), ceil_int(bottom)};
 }
 
-// Throws before it changes anything. Equal values stay as they were: 0 is not replaced by -0.
+// Throws before it changes anything. Equal values stay as they were: -0 does not replace 0.
 void World::Impl::place(std::uint32_t slot, const Rect& rect) {
   assert(depth == 0 && "a filter or response must not change the world");
   if (rects[slot] == rect) return;
@@ -241,8 +240,8 @@ void World::query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out)
 
 namespace {
 
-// One axis of the walk along a segment: the time at which it enters the next cell, and from one to the next.
-// The cell is one too far on both axes alike, which only shows in the rounding; kept, since bump has it so.
+// One axis of the walk along a segment: the time at which it enters the next cell, and the time from one cell
+// to the next. bump's cell is one too far on both axes, which shows only in the rounding; this keeps it.
 struct Walk {
   int step = 0;
   double delta = 0;
@@ -262,9 +261,8 @@ struct Walk {
   }
 };
 
-// Calls visit(x, y) for the cells that the segment touches, starting at `a` and ending at `b`. False when
-// rounding has led it past `b`, or the way is too long: then the caller must take all cells around the
-// segment.
+// Calls visit(x, y) for the cells that the segment touches, from `a` to `b`. Returns false if rounding has
+// led past `b`, or if the way is too long: the caller must then take all cells around the segment.
 template <class Visit>
 bool walk_segment(double cell_size, Vec2 from, Vec2 to, Cell a, Cell b, Visit visit) {
   Walk wx(cell_size, a.x, from.x, to.x);

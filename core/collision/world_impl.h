@@ -1,4 +1,4 @@
-// The inside of World, shared by its source files only.
+// World::Impl: the inside of World, which its source files share.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace talus {
 
-// Lends vectors that keep their memory. A callback may call back into the world, hence more than one.
+// Lends vectors, which keep their memory. A callback may call back into the world, so there may be more than
+// one.
 template <class T>
 class ScratchPool {
  public:
@@ -41,17 +42,17 @@ class ScratchPool {
 };
 
 struct World::Impl {
-  // What is known of an item besides its box.
+  // What is known about an item besides its box.
   struct Item {
     CellRange cells;
     std::uint64_t serial = 0;  // order of adding, from 1; 0 in a free slot
     std::uint32_t generation = 1;
-    std::uint32_t visited = 0;  // depth of the check that has met it, 0 for none
+    std::uint32_t visited = 0;  // depth of the check that has met it; 0 if none has
     int group = 0;
   };
   struct NamedResponse {
     std::string name;
-    ResponseFunction function;  // empty for the built-in ones
+    ResponseFunction function;  // empty for built-in responses
   };
   struct Visit {
     std::uint32_t slot;
@@ -62,7 +63,7 @@ struct World::Impl {
     std::uint64_t serial;
     SegmentHit hit;
   };
-  // A candidate of a check that its later legs may meet too.
+  // A candidate of a check that later legs of it may meet, too.
   struct Near {
     Rect rect;
     std::uint32_t slot;
@@ -75,16 +76,16 @@ struct World::Impl {
   double cell_size;
   Mode mode;
   std::vector<Item> items;
-  std::vector<Rect> rects;  // beside the items, since a candidate costs little more than fetching its box
+  std::vector<Rect> rects;  // apart from the items: a candidate costs little more than the fetch of its box
   std::vector<std::uint32_t> free_slots;
   std::size_t live = 0;
-  std::int64_t covered = 0;  // cells of all items, one that two of them share counting twice
+  std::int64_t covered = 0;  // cells of all items; a cell that two items share counts twice
   std::uint64_t next_serial = 1;
   CellGrid grid;
   std::vector<NamedResponse> responses;
 
   std::int64_t most_tests = World::kMostTests;
-  bool gave_up = false;  // the last check
+  bool gave_up = false;  // whether the last check gave up
 
   std::uint32_t depth = 0;  // of nested checks
   std::vector<Visit> visits;
@@ -101,9 +102,9 @@ struct World::Impl {
            items[id.index - 1].serial != 0;
   }
   std::uint32_t slot_of(ItemId id) const { return has(id) ? id.index - 1 : kNoSlot; }
-  std::uint32_t checked_slot(ItemId id) const;  // throws when there is no such item
-  void check_rect(const Rect& rect) const;      // throws when it is none
-  CellRange cells_of(const Rect& rect) const;   // throws when it reaches beyond kMaxCell
+  std::uint32_t checked_slot(ItemId id) const;  // throws if there is no such item
+  void check_rect(const Rect& rect) const;      // throws if it is not a usable box
+  CellRange cells_of(const Rect& rect) const;   // throws if it reaches beyond kMaxCell
   void place(std::uint32_t slot, const Rect& rect);
 
   // A long move may sweep more cells than there are items.
@@ -111,15 +112,14 @@ struct World::Impl {
     return range.count() > static_cast<std::int64_t>(64 + 4 * items.size());
   }
 
-  // Calls visit(entries) with all items that have a cell in the range, each once and `except` left out, in
-  // batches of at most kBatch.
+  // Calls visit(entries) with all items except `except` that have a cell in the range, each once, in batches
+  // of at most kBatch.
   static constexpr std::size_t kBatch = 64;
   template <class Callback>
   void for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const;
 
-  // What a look at a range of cells is charged with. What is usual is free unless `all` is wanted: a few
-  // cells, with a few items each. A function of the items alone, and not of how they came to be where they
-  // are.
+  // The work charged for a look at a range of cells. Unless `all` is wanted, the usual is free: a few cells
+  // with a few items each. It depends on the items alone, not on how they came to be where they are.
   std::int64_t charge_of(const CellRange& range, bool all) const {
     if (is_long(range)) return static_cast<std::int64_t>(items.size());
     const std::int64_t cells = all || range.count() > kFewCells ? range.count() : 0;
@@ -135,8 +135,8 @@ struct World::Impl {
     return cells + entries;
   }
 
-  // Calls found(slot, response, contact) for every contact of the sweep with an item but `self` to which
-  // reaction(entry) is not to ignore it, in no particular order.
+  // Calls found(slot, response, contact) for every contact of the sweep with an item other than `self` that
+  // reaction(entry) does not ignore; in no particular order.
   template <class Reaction, class Found>
   void for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const;
 
@@ -165,8 +165,8 @@ struct World::Impl {
                       const SweepContact& contact) const;
 };
 
-// Candidates are picked without branches, by writing each and counting it or not: which ones count is as good
-// as random, and a mispredicted branch costs as much as several candidates.
+// Candidates are picked without branches: each one is written, and then counted or not. Which ones count is
+// as good as random, and a mispredicted branch costs as much as several candidates.
 template <class Callback>
 void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const {
   std::array<CellEntry, kBatch> batch;
@@ -188,7 +188,7 @@ void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, C
       for (std::int32_t x = range.left; x <= range.right; ++x) {
         const CellGrid::List* list = grid.find(x, y);
         if (!list) continue;
-        // An item of several cells counts in the first that it shares with the range.
+        // An item of several cells counts in the first one that it shares with the range.
         const std::uint32_t needed =
             (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
         for (const CellEntry entry : *list) count = take(count, entry, (~entry.bits & needed) == 0);
