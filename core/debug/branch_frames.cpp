@@ -21,7 +21,7 @@ const std::shared_ptr<const Terrain>& BranchFrames::ground(std::int64_t frame) c
   return ground_;
 }
 
-// The step to a frame is made with its record, when the frame is read.
+// The step to a frame is made again, with its record, when the frame is read.
 bool BranchFrames::approach(std::int64_t frame) const {
   const std::int64_t before = std::max<std::int64_t>(frame - 1, 0);
   return runners_.nearest(branch_, before).go_to(branch_, before, nullptr, 1);

@@ -1,4 +1,4 @@
-// Breakpoints: conditions that stop a run, and the ready ones to choose from.
+// Breakpoints: conditions that stop a run, and the ready-made ones to choose from.
 #pragma once
 
 #include <array>
@@ -12,16 +12,17 @@
 namespace talus {
 
 struct Breakpoint {
-  int id = 0;               // from 1, chosen by the owner of the list
-  std::string condition;    // see expression.h; a truth value
-  int body = 0;             // id of the body that it is asked about; 0: any
-  int count = 1;            // its hits are numbered from 1; it stops at this one and those after it
-  bool each_frame = false;  // hits in every frame in which the condition holds, not only where it begins to
+  int id = 0;             // from 1, chosen by the owner of the list
+  std::string condition;  // an expression with a truth value; see expression.h
+  int body = 0;           // id of the body that the condition is about; 0: any body
+  int count = 1;          // hits are numbered from 1; the run stops at this hit and at all later ones
+  // true: every frame in which the condition holds is a hit; false: the first one of each stretch.
+  bool each_frame = false;
   bool enabled = true;
   friend bool operator==(const Breakpoint&, const Breakpoint&) = default;
 };
 
-// The conditions that a user need not write. Each is a text, so that it can be seen and changed.
+// Ready-made conditions. Each one is a text that the user can see and change.
 enum class StopKind {
   touches_tile,
   touches_body,
@@ -36,19 +37,19 @@ enum class StopKind {
   parting
 };
 struct StopField {
-  std::string_view label;  // empty: no field
+  std::string_view label;  // empty: the kind has no such field
   std::string_view unit;   // may be empty
   double standard = 0;     // the default
 };
 struct StopKindInfo {
   StopKind kind;
   std::string_view label;           // "contact with a tile"
-  std::array<StopField, 4> fields;  // those that it has come first
+  std::array<StopField, 4> fields;  // its fields come first, unused ones after them
   bool each_frame;                  // as Breakpoint::each_frame
 };
 std::span<const StopKindInfo> stop_kind_infos();  // in the order of the enum
 
-// fields: as many numbers as the kind has fields; one that is missing has its default.
+// fields: one number for each field of the kind; a missing one has its default.
 std::string condition_of(StopKind kind, std::span<const double> fields);
 
 // A breakpoint that is ready to judge frames.
@@ -57,11 +58,11 @@ class ArmedBreakpoint {
   static tl::expected<ArmedBreakpoint, ExpressionError> arm(const Breakpoint& breakpoint);
 
   const Breakpoint& breakpoint() const { return breakpoint_; }
-  int frames_before() const { return condition_.frames_before() + 1; }  // that a view must hold
+  int frames_before() const { return condition_.frames_before() + 1; }  // frames that a view must hold
 
-  // The body for which the newest frame is a hit, the first by id if there are several; 0 where the condition
-  // is about no body; nothing: no hit. A condition holds of none that the frame has not, and held of none
-  // before the first frame.
+  // Returns the body for which the newest frame is a hit, the lowest id if there are several; 0 if the
+  // condition is about no body; nothing if the frame is no hit. A condition does not hold for a body that the
+  // frame does not have, and held for no body before the first frame.
   std::optional<int> hit(const FrameView& view) const;
 
  private:
@@ -77,27 +78,29 @@ class ArmedBreakpoint {
 struct Stop {
   std::int64_t frame = 0;
   int breakpoint = 0;  // id
-  int body = 0;        // id of the body for which it hit; 0: the condition is about none
-  int hit = 0;         // its number, from 1; 0: nobody counted, as no breakpoint needs it
+  int body = 0;        // id of the body for which it hit; 0: the condition is about no body
+  int hit = 0;         // number of the hit, from 1; 0: hits are not counted, as no breakpoint needs it
   friend bool operator==(const Stop&, const Stop&) = default;
 };
 
 // Counts the hits of several breakpoints in frames that follow one another.
 class HitCounter {
  public:
-  explicit HitCounter(std::vector<ArmedBreakpoint> breakpoints);  // those that are not enabled are left out
+  // Breakpoints that are not enabled are left out.
+  explicit HitCounter(std::vector<ArmedBreakpoint> breakpoints);
 
-  int frames_before() const { return frames_before_; }  // that a view must hold
-  bool counts() const;                                  // whether one stops not at every hit
+  int frames_before() const { return frames_before_; }  // frames that a view must hold
+  bool counts() const;                                  // whether a breakpoint does not stop at every hit
   bool empty() const { return breakpoints_.empty(); }
-  int hits(int breakpoint) const;  // so far, by id; 0 of one that is not there
+  int hits(int breakpoint) const;  // hits so far, by id; 0 for an unknown id
 
-  // The newest frame's stop, by the first breakpoint of the list that stops there; all are counted.
+  // Returns the stop at the newest frame, by the first breakpoint of the list that stops there. Counts the
+  // hits of all.
   std::optional<Stop> judge(const FrameView& view);
 
  private:
   std::vector<ArmedBreakpoint> breakpoints_;
-  std::vector<int> hits_;  // of each
+  std::vector<int> hits_;  // one for each breakpoint
   int frames_before_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Two runs side by side: where their bodies are apart, and since when.
+// Two runs side by side: where their bodies differ, and since when.
 #pragma once
 
 #include <vector>
@@ -7,24 +7,25 @@
 
 namespace talus {
 
-// A body of one run and the same of the other, matched by where they come from: the ball's tile or the spawn.
+// A body of one run and the same body of the other. The same body comes from the same ball tile or spawn.
 struct BodyDifference {
-  int a = 0, b = 0;     // ids; 0: the other run has no such body
-  Vec2 position;        // px, from a to b; of a body alone, as the rest, {0,0}
+  int a = 0, b = 0;     // ids; 0: that run has no such body
+  Vec2 position;        // px, from a to b; {0,0}, like velocity, if one run has no such body
   Vec2 velocity;        // px/frame
-  double distance = 0;  // px; infinite for a body alone
+  double distance = 0;  // px; infinite if one run has no such body
 };
 
-// Bodies of `a` by id, then those of `b` alone by id.
+// First the bodies of `a` by id, then those that only `b` has, by id.
 std::vector<BodyDifference> differences(const State& a, const State& b);
 
-// How far a body is from the same one in another state, px; infinite when that has none.
+// Distance of a body from the same body in another state, px; infinite if the other state has no such body.
 double parting_of(const Body& body, const State& other);
 
-// One run, all of its frames, with another beside it, as far as that goes, for conditions on `parting`.
+// All frames of one run, each with the same frame of another run, for conditions on `parting`. The other run
+// may be shorter.
 class ComparedFrames final : public FrameSource {
  public:
-  // b: null: there is no other. Both must stay while this is used.
+  // b: the other run; null: there is none. Both must stay alive while this is used.
   ComparedFrames(const FrameSource& a, const FrameSource* b) : a_(a), b_(b) {}
   std::int64_t last() const override { return a_.last(); }
   void read(std::int64_t frame, Frame& into) const override;
@@ -37,8 +38,8 @@ class ComparedFrames final : public FrameSource {
   const FrameSource* b_;
 };
 
-// The condition that a body of ComparedFrames is more than so far (px, finite) from its other self. To find
-// the first frame where they part, search forwards from -1.
+// The condition that a body of ComparedFrames is further than so far (px, finite) from the same body of the
+// other run. To find the first frame where they part, search forwards from -1.
 std::string parting_condition(double threshold);
 
 }  // namespace talus

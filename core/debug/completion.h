@@ -1,4 +1,4 @@
-// What may stand at a place of an expression that is being typed.
+// Completion: what may stand at a place of an expression while the user types.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 namespace talus {
 
 struct Candidate {
-  std::string text;       // to put in: "grounded", or "touches(" of what takes arguments
+  std::string text;       // text to insert: "grounded", or "touches(" for a name with arguments
   std::string label;      // "touches(column, row)"
   std::string_view help;  // one sentence
 };
 
 struct Completion {
-  std::size_t from = 0, to = 0;       // bytes of the text that a candidate takes the place of
-  std::vector<Candidate> candidates;  // that begin with what is typed before the cursor
+  std::size_t from = 0, to = 0;       // bytes of the text that a candidate replaces
+  std::vector<Candidate> candidates;  // begin with the text before the cursor
 };
 
-// cursor: byte of the text, 0 to its length; a larger one counts as that.
+// cursor: byte of the text, 0 to its length; a larger number counts as the length.
 Completion complete(std::string_view text, std::size_t cursor);
 
 }  // namespace talus

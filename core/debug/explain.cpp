@@ -19,7 +19,8 @@ std::string place_of(Cell cell) {
   return " at (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
 }
 
-// "the left side of the tile at (12, 9)"; of a slope's own line, the slope; of no side, the whole.
+// "the left side of the tile at (12, 9)". For a slope's own line it names the slope, for an overlap the whole
+// tile.
 std::string met_part(const Scene& scene, const ContactRecord& contact) {
   const Vec2 n = contact.normal;
   if (is_slanted(n) && n.y > 0) {
@@ -31,7 +32,7 @@ std::string met_part(const Scene& scene, const ContactRecord& contact) {
   return std::string("the ") + side + " of " + name_of(scene, contact.other);
 }
 
-// "down", "up to the left": the ways that a motion has a good part of.
+// "down", "up to the left": the directions that a motion mainly has.
 std::string direction_of(Vec2 way) {
   const double least = 0.1 * length(way);
   const std::string vertical = way.y > least ? "down" : way.y < -least ? "up" : "";
@@ -58,7 +59,7 @@ class ContactSentence {
     return text;
   }
 
-  // What stopped it and when, without what became of the rest.
+  // What stopped the body and when, without what happened afterwards.
   std::string stopped() const {
     if (contact_.overlaps) return "was inside " + name_of(*frame_.scene, contact_.other) + pushed_out();
     return "stopped by " + met_part(*frame_.scene, contact_) + when();
@@ -104,7 +105,7 @@ class ContactSentence {
 
   Vec2 motion_left() const { return contact_.move * (1 - std::clamp(contact_.ti, 0.0, 1.0)); }
 
-  // The motion after this contact; nothing where the record does not tell.
+  // The motion after this contact; nothing if the record does not have it.
   std::optional<Vec2> motion_after() const {
     const auto& contacts = frame_.record.contacts;
     if (!is_exact()) {
@@ -121,9 +122,9 @@ class ContactSentence {
     if (contact_.overlaps) return "";
     const double left = length(motion_left());
     const std::optional<Vec2> after = motion_after();
-    if (left < kLeastTold || !after) return "";
+    if (left < kLeastShown || !after) return "";
     const double went = length(*after);
-    if (went < kLeastTold) return "; " + px(left) + " of motion left went into it and is lost";
+    if (went < kLeastShown) return "; " + px(left) + " of motion left went into it and is lost";
     if (rebounds() && dot(*after, contact_.normal) > kOnlyRounding)
       return "; it bounced off and went on " + px(went) + " " + direction_of(*after);
     const std::string slid = " slid " + direction_of(*after);
@@ -131,7 +132,7 @@ class ContactSentence {
     return "; of " + px(left) + " of motion left " + px(went) + slid;
   }
 
-  // The article's bodies cross slopes, and are put on their floors afterwards.
+  // The article's bodies cross slopes and are put on their floors afterwards.
   std::string article_slope() const {
     std::string text = "came into the box of " + name_of(*frame_.scene, contact_.other);
     if (!contact_.overlaps) text += when();
@@ -158,19 +159,19 @@ std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
   std::string text = "Body " + std::to_string(path.body);
   if (frame.state.grabbed == path.body) text += ", held by the mouse,";
   text += " wanted to go " + motion_text(wanted) + " px";
-  return length(wanted - got) < kLeastTold ? text + " and did."
+  return length(wanted - got) < kLeastShown ? text + " and did."
                                            : text + " and went " + motion_text(got) + " px.";
 }
 
-// Whether a contact that the solver left alone took some of the way nevertheless: World slides a body along
+// Whether a contact that the solver left alone took some of the way all the same. World slides a body along
 // what it meets, and only then the article asks whether a slope has put the body on its floor.
 bool only_stops(const ContactRecord& contact) {
   if (contact.handled || contact.response == Response::cross) return false;
-  return dot(contact.move, contact.normal) * (1 - std::clamp(contact.ti, 0.0, 1.0)) <= -kLeastTold;
+  return dot(contact.move, contact.normal) * (1 - std::clamp(contact.ti, 0.0, 1.0)) <= -kLeastShown;
 }
 
-// The first contact that turned the body, and the first that only stopped it, each in full; the others by
-// their number.
+// Explains in full the first contact that turned the body, and the first one that only stopped it. Counts the
+// others.
 std::string reasons(const Frame& frame, const BodyPath& path) {
   const auto& contacts = frame.record.contacts;
   std::string text;
@@ -194,7 +195,7 @@ std::string reasons(const Frame& frame, const BodyPath& path) {
   if (!text.empty()) return text + ".";
   const std::string met = has_met ? " Nothing that it met changed its way" : " It met nothing";
   const Vec2 off = path.to.position() - path.goal;
-  if (length(off) < kLeastTold) return met + ".";
+  if (length(off) < kLeastShown) return met + ".";
   const Body* body = frame.state.find(path.body);
   const bool walks = body->kind == BodyKind::player && body->gait.grounded;
   if (walks) return met + ", and then it was moved by " + motion_text(off) + " px, onto its floor.";

@@ -1,4 +1,4 @@
-// Plain sentences: why a body went where it went.
+// Plain sentences on why a body went where it went.
 #pragma once
 
 #include <string>
@@ -8,22 +8,23 @@
 namespace talus {
 
 struct Explanation {
-  std::string sentence;  // "stopped by the left side of the tile at (12, 9) at 0.37 of the step; 1.9 px of
-                         // motion left slid down": begins small and ends without a full stop
-  std::string numbers;   // "normal (-0.45, -0.89), slope delta 0.44, floor at y 92.44"
+  // "stopped by the left side of the tile at (12, 9) at 0.37 of the step; 1.9 px of motion left slid down":
+  // without capital and full stop.
+  std::string sentence;
+  std::string numbers;  // "normal (-0.45, -0.89), slope delta 0.44, floor at y 92.44"
 };
 
-// What a curve is called: curve "hill" by its name, or, without one, curve 2 by its number.
+// The name of a curve, as in: curve "hill"; without a name its number, as in: curve 2.
 std::string name_of_curve(const Scene& scene, int curve);
 
-// What a body met: "the tile at (12, 9)", "body 3", curve "hill".
+// The name of what a body met: "the tile at (12, 9)", "body 3", curve "hill".
 std::string name_of(const Scene& scene, const Obstacle& other);
 
-// What a contact did. index: of the frame's record (asserted).
+// Explains a contact. index: of the frame's record (asserted).
 Explanation explain_contact(const Frame& frame, std::size_t index);
 
-// What a body wanted in the newest frame's step, what it got, and why: a few sentences. Empty at frame 0, and
-// of a body that the frame has not.
+// Says in a few sentences what a body wanted in the newest frame's step, what it got, and why. Empty at frame
+// 0, and for a body that the frame does not have.
 std::string explain_step(const FrameView& view, int body);
 
 }  // namespace talus

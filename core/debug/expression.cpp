@@ -21,7 +21,7 @@ Rect cell_box(double column, double row) {
   return {column * kTileSize, row * kTileSize, kTileSize, kTileSize};
 }
 
-// Whether the tile that was met is in the cell, or is a slope that reaches over it.
+// Whether the tile of a contact is in the cell, or is a slope that reaches over it.
 bool is_at(const Obstacle& other, double column, double row) {
   if (other.body != 0 || other.curve >= 0) return false;
   if (other.cell.x == column && other.cell.y == row) return true;
@@ -41,7 +41,7 @@ class Evaluator {
   Evaluator(const std::vector<Node>& nodes, const FrameView& view, int body)
       : nodes_(nodes), view_(view), body_(body) {}
 
-  // back: frames before the newest one.
+  // back: how many frames before the newest one.
   double value(int index, std::size_t back) const {
     const Node& node = nodes_[index];
     switch (node.operation) {

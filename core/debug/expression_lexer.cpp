@@ -36,10 +36,10 @@ class Lexer {
     double value = 0;
     const char* begin = text_.data() + at_;
     const auto [end, problem] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (problem != std::errc()) return fail("no double is as large or as small as this number");
+    if (problem != std::errc()) return fail("the number is too large or too small for a double");
     Token token = take(Token::Kind::number, static_cast<std::size_t>(end - begin));
     token.number = value;
-    if (is_name_part(peek(0))) return fail("a number goes on with a letter");
+    if (is_name_part(peek(0))) return fail("a letter follows the number directly");
     return token;
   }
 
@@ -57,11 +57,11 @@ class Lexer {
     const char c = peek(0);
     if (std::string_view("<>+-*/%!(),.").find(c) != std::string_view::npos)
       return take(Token::Kind::symbol, 1);
-    if (c == '=') return fail("'=' does not compare; write '=='");
-    if (c == '&') return fail("'&' is no operator here; write '&&'");
-    if (c == '|') return fail("'|' is no operator here; write '||'");
-    if (c > ' ' && c <= '~') return fail(std::string("no expression has a '") + c + "'");
-    return fail("no expression has this character");
+    if (c == '=') return fail("'=' is not a comparison; write '=='");
+    if (c == '&') return fail("'&' is not an operator; write '&&'");
+    if (c == '|') return fail("'|' is not an operator; write '||'");
+    if (c > ' ' && c <= '~') return fail(std::string("unexpected character '") + c + "'");
+    return fail("unexpected character");
   }
 
   tl::unexpected<ExpressionError> fail(std::string message) const {

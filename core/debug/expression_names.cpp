@@ -50,7 +50,7 @@ std::vector<ExpressionName> make_names() {
   return names;
 }
 
-// How many letters must be put in, left out, exchanged or swapped with the next one.
+// The number of letters to insert, leave out, exchange or swap with the next one.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> two_above, above(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);

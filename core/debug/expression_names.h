@@ -10,7 +10,7 @@
 
 namespace talus {
 
-// What a node of an expression computes.
+// The operation of a node of an expression.
 enum class Operation : std::uint8_t {
   // values
   literal,
@@ -54,28 +54,28 @@ enum class Operation : std::uint8_t {
   sqrt,
   before,
   changed,
-  // short for something longer
+  // shorthands
   enters_cell,
   enters_rect
 };
 
-// Arguments are numbers; those of before() and changed() may be truth values as well.
+// Arguments are numbers; the argument of before() and changed() may also be a truth value.
 struct ExpressionName {
   std::string_view name;
-  std::string_view parameters;  // "(x, y)"; empty: it takes none, and is written without parentheses
+  std::string_view parameters;  // "(x, y)"; empty: takes no arguments, and is written without parentheses
   std::string_view unit;        // of a number; may be empty
   std::string_view help;        // one sentence
   Operation operation;
-  ValueType type;              // of before(), that of its argument
+  ValueType type;              // for before(), the type of its argument
   int arguments = 0;           // 0..4
-  bool of_body = false;        // may follow "body."
-  Metric metric = Metric::id;  // of Operation::metric
+  bool of_body = false;        // whether it may follow "body."
+  Metric metric = Metric::id;  // for Operation::metric
 };
 std::span<const ExpressionName> expression_names();
-const ExpressionName* find_expression_name(std::string_view name);  // null: there is none
+const ExpressionName* find_expression_name(std::string_view name);  // null if there is no such name
 
-// The name that was probably meant, without a prefix "body."; empty: nothing is near. of_body: look for those
-// alone that may follow "body.".
+// The name that was probably meant, without a prefix "body."; empty if no name is near. of_body: looks only
+// at names that may follow "body.".
 std::string_view nearest_expression_name(std::string_view name, bool of_body);
 
 }  // namespace talus

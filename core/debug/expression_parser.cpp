@@ -46,7 +46,7 @@ std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"
 
 }  // namespace
 
-// The functions that build a node return its index, or kNone after the first mistake, which is kept.
+// A function that builds a node returns its index, or kNone after a mistake. The first mistake is kept.
 class ExpressionParser {
  public:
   explicit ExpressionParser(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
@@ -54,7 +54,7 @@ class ExpressionParser {
   tl::expected<Expression, ExpressionError> parse() {
     const int whole = binary(1);
     if (whole != Node::kNone && peek().kind != Token::Kind::end)
-      fail(peek(), quoted(peek().text) + " follows a whole expression");
+      fail(peek(), quoted(peek().text) + " comes after the end of the expression");
     if (error_) return tl::unexpected(*error_);
     Expression made;
     made.type_ = nodes_.back().type;
@@ -65,15 +65,15 @@ class ExpressionParser {
   }
 
  private:
-  // What a node and all below it ask for.
+  // What a node and all nodes below it depend on.
   struct Facts {
     bool asks_body = false;
     int frames_before = 0;
   };
-  // Which body a name after "body." or "body(3)." means.
+  // The body that a name after "body." or "body(3)." is about.
   struct Owner {
     bool is_written = false;
-    int node = Node::kNone;  // kNone: the one asked about
+    int node = Node::kNone;  // kNone: the body asked about
   };
 
   const Token& peek() const { return tokens_[at_]; }
@@ -127,7 +127,7 @@ class ExpressionParser {
     }
     if (!is_equality && (l != op.operands || r != op.operands)) {
       return fail(token, quoted(op.text) + " needs " + std::string(words_of(op.operands)) +
-                             " on both sides, and has " + std::string(words_of(l != op.operands ? l : r)) +
+                             " on both sides, but has " + std::string(words_of(l != op.operands ? l : r)) +
                              (l != op.operands ? " on its left" : " on its right"));
     }
     return add({.operation = op.operation, .type = op.result, .arguments = {left, right}}, 2);
@@ -161,12 +161,12 @@ class ExpressionParser {
       case Token::Kind::symbol:
         break;
       case Token::Kind::end:
-        return fail(token, "a value is missing at the end");
+        return fail(token, "expected a value at the end");
     }
-    if (token.text != "(") return fail(token, "a value is missing before " + quoted(token.text));
+    if (token.text != "(") return fail(token, "expected a value before " + quoted(token.text));
     const int inner = binary(1);
     if (inner == Node::kNone) return inner;
-    return take_symbol(")") ? inner : fail(peek(), "a ')' is missing");
+    return take_symbol(")") ? inner : fail(peek(), "expected ')'");
   }
 
   // body(ID).NAME
@@ -175,9 +175,9 @@ class ExpressionParser {
     const int id = binary(1);
     if (id == Node::kNone) return id;
     if (nodes_[id].type != ValueType::number) return fail(token, "'body' needs a number, not a truth value");
-    if (!take_symbol(")")) return fail(peek(), "a ')' is missing");
+    if (!take_symbol(")")) return fail(peek(), "expected ')'");
     if (!take_symbol(".") || peek().kind != Token::Kind::name)
-      return fail(peek(), "a name of the body is missing, as in 'body(1).x'");
+      return fail(peek(), "expected a name of the body, as in 'body(1).x'");
     const Token& name = take();
     return named(name, name.text, {true, id});
   }
@@ -202,9 +202,9 @@ class ExpressionParser {
 
   int unknown(const Token& token, std::string_view name, Owner owner) {
     const std::string prefix(token.text.substr(0, token.text.size() - name.size()));
-    std::string message = "no name " + quoted(token.text);
+    std::string message = "unknown name " + quoted(token.text);
     const std::string_view near = nearest_expression_name(name, owner.is_written);
-    if (!near.empty()) message += "; do you mean " + quoted(prefix + std::string(near)) + "?";
+    if (!near.empty()) message += "; did you mean " + quoted(prefix + std::string(near)) + "?";
     return fail(token, std::move(message));
   }
 
@@ -217,7 +217,7 @@ class ExpressionParser {
     int count = 0;
     while (!is_symbol(")")) {
       if (count > 0 && !take_symbol(",")) {
-        fail(peek(), "a ')' or ',' is missing");
+        fail(peek(), "expected ')' or ','");
         return false;
       }
       const Token& start = peek();
@@ -225,7 +225,7 @@ class ExpressionParser {
       if (argument == Node::kNone) return false;
       const bool takes_both = known.operation == Operation::before || known.operation == Operation::changed;
       if (!takes_both && nodes_[argument].type != ValueType::number) {
-        fail(start, quoted(known.name) + " takes numbers, and this is a truth value");
+        fail(start, quoted(known.name) + " takes numbers, but this is a truth value");
         return false;
       }
       if (count < known.arguments) arguments[count] = argument;
@@ -258,7 +258,7 @@ class ExpressionParser {
     return made;
   }
 
-  // True now, and not a frame before.
+  // True now, and false a frame before.
   int began(int truth) {
     const int before =
         add({.operation = Operation::before, .type = ValueType::truth, .arguments = {truth}}, 1, 1);
@@ -270,7 +270,7 @@ class ExpressionParser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::vector<Node> nodes_;
-  std::vector<Facts> facts_;  // of each node
+  std::vector<Facts> facts_;  // one for each node
   std::optional<ExpressionError> error_;
 };
 
@@ -278,11 +278,11 @@ tl::expected<Expression, ExpressionError> Expression::parse(std::string_view tex
   if (text.size() > kMaxExpressionLength) {
     return tl::unexpected(
         ExpressionError{kMaxExpressionLength,
-                        "an expression has no more than " + std::to_string(kMaxExpressionLength) + " bytes"});
+                        "the expression is longer than " + std::to_string(kMaxExpressionLength) + " bytes"});
   }
   auto tokens = expression_tokens(text);
   if (!tokens) return tl::unexpected(tokens.error());
-  if (tokens->size() == 1) return tl::unexpected(ExpressionError{0, "an expression is missing"});
+  if (tokens->size() == 1) return tl::unexpected(ExpressionError{0, "the expression is empty"});
   return ExpressionParser(std::move(*tokens)).parse();
 }
 
@@ -290,7 +290,7 @@ tl::expected<Expression, ExpressionError> Expression::parse_condition(std::strin
   auto expression = parse(text);
   if (expression && expression->type() != ValueType::truth)
     return tl::unexpected(ExpressionError{
-        0, "a condition is true or false, and this is a number; compare it, as in 'speed > 3'"});
+        0, "a condition must be true or false, but this is a number; compare it, as in 'speed > 3'"});
   return expression;
 }
 

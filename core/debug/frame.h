@@ -1,5 +1,4 @@
-// What the debugger judges: a frame with the step that led to it, the frames before it, and where both come
-// from.
+// Frame: what the debugger judges. It has a state, the step that led to it, and the frames before.
 #pragma once
 
 #include <cstdint>
@@ -14,39 +13,39 @@ namespace talus {
 
 // A frame of a run.
 struct Frame {
-  std::shared_ptr<const Scene> scene;     // never null where the frame is looked at
-  std::shared_ptr<const Terrain> ground;  // see measured_ground(); null: what is measured against it is NaN
+  std::shared_ptr<const Scene> scene;     // never null when the frame is looked at
+  std::shared_ptr<const Terrain> ground;  // see measured_ground(); null: numbers measured against it are NaN
   State state;                            // after the step
   StepRecord record;                      // of the step that led here; empty at frame 0
   Input input;                            // of that step
-  std::optional<State> other;  // the same frame of a run that this one is compared with; none: no such run
+  std::optional<State> other;  // the same frame of the run compared with; nothing if there is no such run
 };
 
-// The ground of a scene in double precision: the scene's own, or, for a solver that compiles none such, one
-// made of the level. Takes time by the size of the map then, so keep it.
+// The ground of a scene in double precision. It is the scene's own, or, if the solver compiles none, a new
+// one made from the level, which takes time by the size of the map: keep it.
 std::shared_ptr<const Terrain> measured_ground(const Scene& scene, const Level& level);
 
-// A run that can be asked for any of its frames.
+// A run whose frames can be read in any order.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  virtual std::int64_t last() const = 0;                         // frames 0 to last() are there
-  virtual void read(std::int64_t frame, Frame& into) const = 0;  // 0..last(); overwrites all of `into`
-  // Works a little towards a frame that may take long to read. True: to read it next takes no longer than a
-  // step.
+  virtual std::int64_t last() const = 0;                         // frames 0 to last() can be read
+  virtual void read(std::int64_t frame, Frame& into) const = 0;  // frame: 0..last(); overwrites all of `into`
+  // Works a little towards a frame that may take long to read. Returns true when reading it next takes no
+  // longer than a step.
   virtual bool approach(std::int64_t) const { return true; }
 };
 
-// A frame and those before it; before frame 0 there is frame 0 again. Refers to a FrameHistory.
+// A frame and those before it. Before frame 0 there is frame 0 again. Refers to a FrameHistory.
 class FrameView {
  public:
   explicit FrameView(std::vector<const Frame*> newest_first) : frames_(std::move(newest_first)) {}
   const Frame& now() const { return *frames_.front(); }
-  // back: frames before now, 0 or more, and no more than the history was made for.
+  // back: frames before the newest one, from 0 to the number that the history was made for.
   const Frame& before(std::size_t back) const {
     return *frames_[back < frames_.size() ? back : frames_.size() - 1];
   }
-  bool is_first() const { return frames_.size() == 1; }  // there is no frame before
+  bool is_first() const { return frames_.size() == 1; }  // whether there is no frame before
 
  private:
   std::vector<const Frame*> frames_;  // never empty
@@ -55,17 +54,17 @@ class FrameView {
 // The last frames of a run, as many as are asked for.
 class FrameHistory {
  public:
-  explicit FrameHistory(int before);  // how many frames before the newest one are kept
+  explicit FrameHistory(int before);  // before: how many frames to keep before the newest one
   FrameHistory(const FrameHistory&) = delete;
   FrameHistory& operator=(const FrameHistory&) = delete;
 
   void clear();
-  Frame& next();  // a new newest frame, to be filled; good until the next call
-  // Makes `frame` of the source the newest; reads it alone where the one before is the newest now.
+  Frame& next();  // adds a newest frame for the caller to fill; valid until the next call
+  // Makes `frame` of the source the newest one. Reads only this frame if the one before it is the newest now.
   void go_to(const FrameSource& source, std::int64_t frame);
-  // The same a little at a time, no more than some steps a call. True: it is the newest.
+  // The same in small steps. Returns true when it is the newest one.
   bool approach(const FrameSource& source, std::int64_t frame);
-  FrameView view() const;  // there must be a frame (asserted); good until the next change
+  FrameView view() const;  // needs a frame (asserted); valid until the next change
 
  private:
   std::vector<Frame> ring_;

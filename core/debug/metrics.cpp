@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFloorReach = 64;  // px below a body at which a floor is looked for
+constexpr double kFloorReach = 64;  // px, how far below a body to look for a floor
 
 constexpr std::array kInfos = {
     MetricInfo{Metric::id, "id", "", false, "number of the body, from 1"},
@@ -51,7 +51,7 @@ constexpr std::array kInfos = {
 
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
-// The entries of a body, of a list by body.
+// The entries of a body in a list that is sorted by body.
 template <class Entry>
 auto range_of(const std::vector<Entry>& entries, int body) {
   const auto less = [](const Entry& entry, int id) { return entry.body < id; };
@@ -60,7 +60,7 @@ auto range_of(const std::vector<Entry>& entries, int body) {
   return std::make_pair(first, last);
 }
 
-// The last contact of a body for which `wanted` holds; null: none.
+// The last contact of a body for which `wanted` holds; null if there is none.
 template <class Wanted>
 const ContactRecord* last_contact(const Frame& frame, int body, Wanted wanted) {
   const auto contacts = contacts_of(frame.record, body);
@@ -107,7 +107,8 @@ Vec2 last_normal(const Frame& frame, int body) {
 
 double angle_of(Vec2 normal) {
   constexpr double kDegrees = 57.29577951308232;
-  return std::atan2(normal.x + 0.0, -normal.y) * kDegrees;  // + 0.0: -0 would turn a ceiling's 180 into -180
+  // + 0.0, as -0 would turn a ceiling's 180 into -180.
+  return std::atan2(normal.x + 0.0, -normal.y) * kDegrees;
 }
 
 double slope_delta(const Frame& frame, int body) {

@@ -1,4 +1,4 @@
-// Numbers of a body in a frame: what plots show and conditions ask for.
+// Metrics: numbers of a body in a frame, which plots show and conditions ask for.
 #pragma once
 
 #include <span>
@@ -36,30 +36,30 @@ enum class Metric {
 
 struct MetricInfo {
   Metric metric;
-  std::string_view name;  // in expressions: "vx"
+  std::string_view name;  // its name in expressions: "vx"
   std::string_view unit;  // "px", "px/frame", "px^2/frame^2", "degrees" or ""
   bool is_truth;          // 0 or 1
   std::string_view help;  // one sentence
 };
 std::span<const MetricInfo> metric_infos();  // in the order of the enum
 
-// NaN: there is nothing to measure, such as the normal of a body that touches nothing.
-// body: of the frame's state.
+// Returns NaN if there is nothing to measure, such as the normal of a body that touches nothing. body: one of
+// the frame's state.
 //
-// The energy of a body of mass 1 is v^2 / 2 - g * y, with y of its middle: 0 for one at rest at the map's top
-// edge, and less below. g is the gravity that pulls the body: exact's for its balls, the player's for
-// players, and where there is none, what falling gains in its first frame (fall_blend * fall_speed). Under
+// The energy of a body of mass 1 is v^2 / 2 - g * y, with y of its middle: 0 for a body at rest at the map's
+// top edge, less below. g is the gravity that pulls the body: exact's gravity for balls, the player's for
+// players. Without gravity, g is what falling gains in its first frame (fall_blend * fall_speed). Under
 // constant gravity velocities belong to the middle between two frames, so v is taken half a part of a step
-// further; then a flight keeps its energy to rounding.
+// later. Then a flight keeps its energy to rounding.
 double measure(Metric metric, const Frame& frame, const Body& body);
 
-// Of a step's record, which has the bodies one after the other, by id.
+// The record of a step has the bodies one after the other, by id.
 std::span<const ContactRecord> contacts_of(const StepRecord& record, int body);
-const BodyPath* path_of(const StepRecord& record, int body);  // null: there is none
+const BodyPath* path_of(const StepRecord& record, int body);  // null if there is none
 
-// Whether a contact changed the way or the speed of its body: not when it was only crossed.
+// Whether a contact changed the way or the speed of its body. A contact that was only crossed did not.
 bool has_effect(const ContactRecord& contact);
-// The normal that the body was turned by: of the article on a slope, the slope's, and not that of its box.
+// The normal that turned the body. For the article on a slope, it is the normal of the slope, not of its box.
 Vec2 normal_of_effect(const ContactRecord& contact);
 
 }  // namespace talus

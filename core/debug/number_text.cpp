@@ -32,10 +32,10 @@ std::string short_text(Vec2 v) {
 }
 
 std::string motion_text(Vec2 v) {
-  const auto part = [](double p) { return std::abs(p) < kLeastTold ? 0 : p; };
+  const auto part = [](double p) { return std::abs(p) < kLeastShown ? 0 : p; };
   const Vec2 told{part(v.x), part(v.y)};
   if (told != Vec2{} || short_text(v) == "(0, 0)") return short_text(told);
-  return "less than " + exact_text(kLeastTold);
+  return "less than " + exact_text(kLeastShown);
 }
 
 }  // namespace talus

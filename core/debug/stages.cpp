@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMostNames = 4;  // in a sentence
 
 bool is_more_than(Vec2 v, double least) { return std::abs(v.x) > least || std::abs(v.y) > least; }
-bool is_told(Vec2 v) { return is_more_than(v, kLeastTold); }
+bool is_told(Vec2 v) { return is_more_than(v, kLeastShown); }
 std::string count_of(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -26,7 +26,7 @@ std::string names_of(const Scene& scene, const std::vector<Obstacle>& all) {
   return text;
 }
 
-// Whether a box on its way comes as far as another, with their sides at least.
+// Whether a box on its way comes as far as another box, at least side to side.
 bool comes_to(const Rect& box, Vec2 motion, const Rect& other) {
   return other.x <= box.right() + std::max(motion.x, 0.0) &&
          other.right() >= box.x + std::min(motion.x, 0.0) &&
@@ -65,7 +65,7 @@ class StageList {
     return stage;
   }
 
-  // Exact searches anew for each contact; the others find all of a motion's contacts at once.
+  // Exact searches again for each contact; the other solvers find all contacts of a motion at once.
   void search(Vec2 motion, const ContactRecord* found) {
     if (!is_exact() && searched_) return;
     searched_ = true;
@@ -87,8 +87,8 @@ class StageList {
         stage.tested.empty() ? "no box was in its way" : "tested " + names_of(*frame_.scene, stage.tested);
   }
 
-  // Exact notes none of the bodies that it tested: they were those that the motion came to. Who has a lower
-  // number had moved by then. found: what the search found; null: nothing.
+  // The record of exact does not have the bodies that it tested, which are those that the motion came to.
+  // Bodies with a lower number had moved by then. found: what the search found; null: nothing.
   void add_bodies(Stage& stage, const ContactRecord* found) {
     if (!frame_.scene->features.pairs) return;
     const int met = found != nullptr ? found->other.body : 0;
@@ -123,7 +123,7 @@ class StageList {
     on.contact = static_cast<int>(index);
   }
 
-  // A body that crosses a slope goes on, and may be put on its floor after all of its motion.
+  // A body that crosses a slope goes on. It may be put on the slope's floor after all of its motion.
   void add_correction(const ContactRecord& contact, std::size_t index) {
     if (!contact.slope || !contact.slope->corrected) return;
     box_position_ = {path_.to.x, contact.slope->placed_y};
@@ -133,13 +133,13 @@ class StageList {
     placed.contact = static_cast<int>(index);
   }
 
-  // Where the part of the step was begun that led to a contact; the parts before it may have met nothing.
+  // Where the part of the step began that led to a contact. The parts before it may have met nothing.
   Vec2 start_of(const ContactRecord& contact) const {
     const Vec2 start = contact.touch - contact.move * std::clamp(contact.ti, 0.0, 1.0);
     return is_more_than(start - box_position_, kOnlyRounding) ? start : box_position_;
   }
 
-  // What the next contact began with; after the last one, what it took to get where the body is.
+  // What the next contact began with. After the last one: what it took to get where the body is.
   Vec2 motion_after(std::size_t index) const {
     const auto& contacts = frame_.record.contacts;
     if (is_cut()) return contacts[index].after.value_or(Vec2{});
@@ -149,7 +149,8 @@ class StageList {
     return path_.to.position() - box_.position();
   }
 
-  // A walker is put on the floor below after all its motion; of the others the last motion leads to the end.
+  // A walking body is put on the floor below after all of its motion. The last motion of another body leads
+  // to the end.
   void add_end() {
     const Vec2 rest = path_.to.position() - box_.position();
     const bool snaps = is_exact() && !met_ && is_told(path_.to.position() - path_.goal);
@@ -174,7 +175,7 @@ class StageList {
   const Frame& frame_;
   const BodyPath& path_;
   const Foot foot_;
-  Rect box_;  // where the body is at the stage under way
+  Rect box_;  // where the body is at the current stage
   Vec2 box_position_ = path_.from.position();
   bool met_ = false, searched_ = false;
   std::vector<Stage> stages_;

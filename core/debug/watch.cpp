@@ -15,7 +15,7 @@ int frames_before(const std::vector<Watch>& watches) {
 }
 
 SeriesPoint joined(const SeriesPoint& a, const SeriesPoint& b) {
-  return {std::fmin(a.least, b.least), std::fmax(a.greatest, b.greatest), b.last};  // a NaN is left out
+  return {std::fmin(a.least, b.least), std::fmax(a.greatest, b.greatest), b.last};  // fmin and fmax skip NaN
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Expressions over a range of frames, as a bounded number of points for sparklines and plots.
+// Watches: expressions over a range of frames, as a bounded number of points for sparklines and plots.
 #pragma once
 
 #include <string>
@@ -8,25 +8,25 @@
 
 namespace talus {
 
-// What a number was like in some frames that follow one another.
+// A number over some frames that follow one another.
 struct SeriesPoint {
-  double least, greatest;  // of the frames that had a number; NaN: none had
-  double last;             // in the last of the frames; NaN: nothing there
+  double least, greatest;  // over the frames that have a number; NaN if none has
+  double last;             // in the last of the frames; NaN if it has no number
 };
 
-// A number of each frame, summed up so that it never has more points than are asked for: when they are used
-// up, two points become one. No peak gets lost.
+// One number for each frame. The points are bounded: when they are used up, two points become one. No peak
+// gets lost.
 class Series {
  public:
-  // first: the frame of the first number. most: points, an even number of 2 or more (asserted).
+  // first: the frame of the first number. most: maximum of points, an even number from 2 (asserted).
   Series(std::int64_t first, std::size_t most);
 
-  void add(double number);  // of the next frame; NaN: it has none
+  void add(double number);  // number: that of the next frame; NaN if it has none
   std::int64_t first() const { return first_; }
-  std::int64_t frames() const { return frames_; }  // added so far
+  std::int64_t frames() const { return frames_; }  // frames added so far
   std::int64_t frames_of_point() const {
     return frames_of_point_;
-  }  // a power of 2; the last one may have fewer
+  }  // a power of 2; the last point may have fewer
   const std::vector<SeriesPoint>& points() const { return points_; }
 
  private:
@@ -38,28 +38,28 @@ class Series {
   std::vector<SeriesPoint> points_;
 };
 
-// An expression of a body.
+// An expression about a body.
 struct Watch {
   Expression expression;
   int body = 0;  // id
 
-  // In the newest frame of a view. NaN: nothing there, such as the truth about a body that is gone, which
-  // conditions take for false.
+  // The value in the newest frame of a view. NaN if there is nothing, such as a truth value of a body that is
+  // gone, which conditions count as false.
   double value(const FrameView& view) const;
 };
 
-// Makes the series of several watches over frames of a recording, a few frames at a time; goes on when the
-// recording has grown.
+// Makes the series of several watches over the frames of a recording, a few frames at a time. Goes on when
+// the recording has grown.
 class WatchRun {
  public:
-  // Frames first to last(); most: as of Series.
+  // first: the first frame; the last one is last(). most: as in Series.
   WatchRun(std::vector<Watch> watches, std::int64_t first, std::size_t most);
 
-  // Reads up to so many frames of the source, fewer where it has to run to them first, which must be the same
-  // in every call. True: it has come to the source's last frame. To cancel it, drop it.
+  // Reads up to `most` frames of the source, fewer if it has to run to them first. The source must be the
+  // same in every call. Returns true at the source's last frame. To cancel, drop the object.
   bool advance(const FrameSource& source, std::int64_t frames);
   double progress(const FrameSource& source) const;              // 0 to 1
-  const std::vector<Series>& series() const { return series_; }  // of each watch
+  const std::vector<Series>& series() const { return series_; }  // one for each watch
 
  private:
   std::vector<Watch> watches_;

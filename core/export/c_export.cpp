@@ -14,9 +14,10 @@
 namespace talus {
 namespace {
 
-constexpr int kMaxCells = (1 << 23) / kTileSide - 1;  // px that 24.8 holds, with a cell to spare
+constexpr int kMaxCells =
+    (1 << 23) / kTileSide - 1;  // the largest number of px in 24.8, with a cell to spare
 
-// What names begin with: the file's, made a word of C, with one _ for whatever is none in between.
+// The prefix of names: the file's name, with one _ in place of other characters than C allows in names.
 std::string c_name(const std::string& stem) {
   std::string name;
   for (const char c : stem) {
@@ -39,8 +40,8 @@ std::string upper(std::string name) {
 
 constexpr double kMostFixed = std::numeric_limits<std::int32_t>::max();
 
-// In 24.8 fixed point. What that does not hold becomes its largest or least number, but for the one of
-// int32_t that C has no literal of.
+// In 24.8 fixed point. A number that does not fit becomes the largest or smallest one. The smallest is that
+// of int32_t plus 1, since C has no literal for the smallest.
 std::int64_t fixed(double px) {
   const double rounded = std::round(px * 256);
   return std::isnan(rounded) ? 0 : static_cast<std::int64_t>(std::clamp(rounded, -kMostFixed, kMostFixed));
@@ -48,7 +49,7 @@ std::int64_t fixed(double px) {
 
 bool is_fixed(double px) { return std::abs(std::round(px * 256)) <= kMostFixed; }
 
-// Phrases for bodies with numbers that the header has not.
+// Phrases on bodies whose numbers the header cannot hold.
 std::vector<std::string> dropped_numbers(const std::vector<Spawn>& spawns) {
   const auto is_within = [](const Spawn& spawn) {
     return is_fixed(spawn.position.x) && is_fixed(spawn.position.y) && is_fixed(spawn.velocity.x) &&
@@ -60,7 +61,8 @@ std::vector<std::string> dropped_numbers(const std::vector<Spawn>& spawns) {
           (count == 1 ? " body" : " bodies")};
 }
 
-// A string of C; bytes that are not printable ASCII as \ooo, and ? so that none is part of a trigraph.
+// A string literal of C. Bytes that are not printable ASCII become \ooo; so does ?, which could begin a
+// trigraph.
 std::string c_string(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -76,7 +78,7 @@ std::string c_string(std::string_view text) {
   return quoted + '"';
 }
 
-// "{1,2,3}" over lines of some numbers each.
+// "{1,2,3}", over several lines.
 template <class Range>
 std::string c_list(const Range& values) {
   std::string text = "{";
@@ -94,7 +96,7 @@ std::string c_list(const Range& values) {
   return text + '}';
 }
 
-// The floors of a shape's tile, or of a further column of it: 24.8, or `none`.
+// The floors of a shape's tile, or of a further column of it: 24.8 numbers, or `none`.
 std::string floor_row(const PlainShape& shape, int column, const std::string& none) {
   std::string text = "{";
   for (int x = 0; x < kTileSide; ++x) {
@@ -142,7 +144,7 @@ class CHeader {
   }
 
  private:
-  // Adds a line; @ stands for the name, and ^ for it in capitals.
+  // Adds a line; @ stands for the name, ^ for the name in capitals.
   void line(std::string_view text) {
     for (const char c : text) {
       if (c == '@')
@@ -170,8 +172,8 @@ class CHeader {
   PlainBodies bodies_;
   std::string name_, macro_;
   std::vector<PlainShape> shapes_;
-  std::vector<const PlainShape*> distinct_;  // of tiles with the same shape the first one's
-  std::array<int, kTileCount> by_tile_{};    // from 1; 0: none
+  std::vector<const PlainShape*> distinct_;  // tiles with the same shape share the first one's
+  std::array<int, kTileCount> by_tile_{};    // from 1; 0: no shape
   std::string text_;
 };
 
@@ -351,7 +353,7 @@ FormatResult<Exported> export_c(const ExportRequest& request) {
   const TileMap& map = request.level.map;
   if (map.width() > kMaxCells || map.height() > kMaxCells)
     return tl::unexpected(
-        FormatError{"", "the map is over 1048575 cells long, more px than 24.8 fixed point holds"});
+        FormatError{"", "the map is longer than 1048575 cells, the most that 24.8 fixed point can hold"});
   std::vector<std::string> dropped = dropped_curves(request.level);
   for (std::string& phrase : dropped_numbers(request.level.spawns)) dropped.push_back(std::move(phrase));
   return exported_file(CHeader(request.level, c_name(request.stem())).take(), std::move(dropped));

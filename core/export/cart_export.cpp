@@ -20,7 +20,7 @@ TileMap on_cart_map(const TileMap& map) {
   return whole;
 }
 
-// A level as a cart with the game's code, and what of the level's own cart that has no place for.
+// A level as a cart with the game's code; and what of the level's own cart has no place in it.
 struct PlayableCart {
   Level level;
   std::size_t code_bytes = 0;
@@ -39,14 +39,14 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
     const bool is_module = name != "tic80/main";
     game.push_back(is_module ? name + "=(function()\n" + *text + "end)()\n" : *text);
   }
-  // What is joined begins with code, so that no comment of it is kept: a cart is short of bytes.
+  // The joined text begins with code, so none of its comments are kept: space in a cart is short.
   return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
          "drags, B starts again\n-- script: lua\n" +
          join_lua({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
          lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
 }
 
-// The level's own cart, such as its sounds and music; without one, an empty cart.
+// The level's own cart, with its sounds and music; an empty cart if the level has none.
 FormatResult<CartContent> own_cart(const Level& level) {
   if (!level.cart) return CartContent();
   const CartOrigin& cart = *level.cart;
@@ -59,20 +59,20 @@ FormatResult<PlayableCart> playable_cart(const ExportRequest& request) {
   if (!map_fits_cart(level)) {
     return tl::unexpected(FormatError{"", "the map has " + std::to_string(level.map.width()) + "x" +
                                               std::to_string(level.map.height()) +
-                                              " cells, and a cart has 240x136: change its size first"});
+                                              " cells, but a cart has only 240x136: resize the map first"});
   }
   FormatResult<std::string> code = game_code(request);
   if (!code) return tl::unexpected(code.error());
   if (code->size() > kCodeLimit) {
     return tl::unexpected(FormatError{"", "the game's code has " + std::to_string(code->size()) +
-                                              " bytes, and TIC-80 has room for 524287"});
+                                              " bytes, but a cartridge holds at most 524287"});
   }
   FormatResult<CartContent> cart = own_cart(level);
   if (!cart) return tl::unexpected(cart.error());
   PlayableCart made{level, code->size(), {}};
   if (!cart->code.empty())
     made.dropped.push_back("the cart's own code, " + std::to_string(cart->code.size()) +
-                           " bytes: the game's is in its place");
+                           " bytes: the game's code replaces it");
   made.dropped.insert(made.dropped.end(), cart->rest.begin(), cart->rest.end());
   cart->code = *std::move(code);
   cart->lang = 0;

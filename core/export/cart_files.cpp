@@ -10,7 +10,7 @@ namespace talus {
 namespace {
 
 struct ScriptName {
-  std::string_view name, extension;  // as in a cart's line "script: js", and of text projects
+  std::string_view name, extension;  // as in a cart's line "script: js", and as extension of text projects
 };
 constexpr std::array<ScriptName, 20> kScripts = {
     {{"lua", "lua"},    {"yue", "yue"},   {"yuescript", "yue"}, {"moon", "moon"},     {"moonscript", "moon"},
@@ -18,12 +18,12 @@ constexpr std::array<ScriptName, 20> kScripts = {
      {"nut", "nut"},    {"wren", "wren"}, {"wasm", "wasmp"},    {"ruby", "rb"},       {"rb", "rb"},
      {"scheme", "scm"}, {"scm", "scm"},   {"janet", "janet"},   {"python", "py"},     {"py", "py"}}};
 
-// The extension of text projects in the language that a cart's code says it is in; empty: it does not say,
-// or one that is not known here.
+// The extension of text projects in the language of a cart's code. Empty if the code does not name its
+// language, or names one that is not known here.
 std::string_view extension_of_script(std::string_view code) {
   constexpr std::string_view kKey = "script:";
   for (std::size_t at = code.find(kKey); at != std::string_view::npos; at = code.find(kKey, at + 1)) {
-    const std::size_t line = code.rfind('\n', at) + 1;  // of the first line npos + 1, which is 0
+    const std::size_t line = code.rfind('\n', at) + 1;  // begin of the line; npos + 1 is 0 for the first line
     const std::string_view before = code.substr(line, at - line);
     if (before.find_first_not_of("-/#; \t") != std::string_view::npos) continue;
     std::string_view word = code.substr(at + kKey.size());
@@ -45,7 +45,7 @@ FormatResult<Exported> cart_files(const ExportRequest& request, const Level& car
   auto companion = write_companion(request.level, *held, format, request.name);
   if (!companion) return tl::unexpected(companion.error());
   const bool is_needed = !companion->empty();
-  // An old companion would go on adding to the cart what the level has no more.
+  // An old companion would add to the cart what the level no longer has.
   if (!is_needed) companion = write_companion(request.level, *held, format, request.name, true);
   Exported exported{{{"", std::move(written->bytes)}}, std::move(written->dropped)};
   if (request.name == "-" && is_needed)
@@ -67,7 +67,8 @@ FormatResult<Exported> tic_text_files(const ExportRequest& request, const Level&
   if (!exported) return exported;
   const std::string given = context_for_file(request.name).extension;
   const std::string_view needed = extension_of_script(exported->files.front().bytes);
-  const bool is_yue_as_lua = needed == "yue" && given == "lua";  // the name of its projects before it had one
+  // Projects in Yue ended with .lua before TIC-80 had .yue.
+  const bool is_yue_as_lua = needed == "yue" && given == "lua";
   if (!needed.empty() && !given.empty() && given != needed && !is_yue_as_lua)
     return tl::unexpected(FormatError{"", "the cart's code is in another language than the name of " +
                                               request.name + " says: it must end with ." +

@@ -1,4 +1,4 @@
-// A folder of tables: plain data for spreadsheets and scripts. docs/export-data.md tells what the numbers
+// A folder of tables: plain data for spreadsheets and scripts. docs/export-data.md says what the numbers
 // mean.
 #include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-// Whether a spreadsheet would take the text for a formula and run it, quoted or not.
+// Whether a spreadsheet would run the text as a formula, quoted or not.
 bool is_formula(std::string_view text) {
   constexpr std::string_view kStarts = "=+-@\t\r\n";
   if (text.empty()) return false;
@@ -18,7 +18,7 @@ bool is_formula(std::string_view text) {
   return is_wide || kStarts.find(text.front()) != kStarts.npos;
 }
 
-// Rows of fields; texts are quoted where they have to be, and what would be a formula gets a ' before it.
+// Rows of fields. A text is quoted if needed; one that would be a formula gets a ' before it.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view header) : text_(header) { text_ += '\n'; }
@@ -64,7 +64,7 @@ std::string map_table(const TileMap& map, const Progress& progress) {
   return table.take();
 }
 
-// A row a tile, and of a wide shape one for each further column of cells.
+// One row for each tile; a wide shape has one more for each further column of cells.
 std::string tile_table(const Level& level) {
   CsvTable table("tile,flags,kind,side,one_way,tiles,column,y0,y1,y2,y3,y4,y5,y6,y7");
   const std::vector<PlainShape> shapes = plain_shapes(ground_of(level));

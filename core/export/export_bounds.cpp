@@ -1,4 +1,5 @@
-// Asked when an export is planned, to tell the user, and once more when it is written, to hold.
+// The bounds are asked twice: when an export is planned, to tell the user, and when it is written, to be
+// safe.
 #include "export_bounds.h"
 
 #include <filesystem>
@@ -10,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// No place is in it: of a level without a file, or of links in a circle.
+// Contains no place at all: for a level without a file, and for links in a circle.
 constexpr const char* kNowhere = "/dev/null";
 
 ExportBounds bounds_at(const FormatResult<std::string>& folder, bool holds_named_file) {

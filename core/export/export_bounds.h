@@ -1,5 +1,5 @@
-// Where the files of an export may go. A level is not the user: what it asks for stays in a folder, whatever
-// links lie there.
+// ExportBounds: where the files of an export may go. A level file may come from anybody: its presets write
+// only into its own folder, even through links.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,23 @@
 namespace talus {
 
 struct ExportBounds {
-  // As real_path() gives it: all files stay in it after every link is followed, and replace regular files
-  // alone. Empty: they go where their paths lead.
+  // A folder, as real_path() returns it. All files stay in it after every link is followed, and replace only
+  // regular files. Empty: there are no bounds.
   std::string folder = {};
-  bool holds_named_file = true;  // false: the file that is named, which the user has typed, may be elsewhere
+  bool holds_named_file = true;  // false: the named file, which the user has typed, may be elsewhere
   friend bool operator==(const ExportBounds&, const ExportBounds&) = default;
 };
 
-// Whether a file has to stay in the folder. is_named: it is the one that the output names.
+// Whether a file has to stay in the folder. is_named: it is the file that the output names.
 inline bool holds(const ExportBounds& bounds, bool is_named) {
   return !bounds.folder.empty() && (!is_named || bounds.holds_named_file);
 }
 
-// What the paths of a level's presets get: the folder of the level's file. Empty: it has none, and nothing is
+// The bounds for the paths of a level's presets: the folder of the level's file. For an empty path nothing is
 // within the bounds.
 ExportBounds bounds_of_level(const std::string& level_file);
-// What an output gets that the user has typed: it may be anywhere, what belongs to it is beside it or in it.
+// The bounds for an output that the user has typed: it may be anywhere; what belongs to it is beside it or in
+// it.
 ExportBounds bounds_of_output(const std::string& output, bool is_folder);
 
 // Why nothing is written to a path.

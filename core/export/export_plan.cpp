@@ -22,10 +22,11 @@ tl::unexpected<ExportProblem> problem_at(Field field, std::string message, std::
   return tl::unexpected(ExportProblem{field, {std::move(place), std::move(message)}});
 }
 
-// Why a file cannot be written there, as far as can be told without doing it; empty: nothing is known.
+// Why a file cannot be written there, as far as can be known without writing; empty if nothing speaks against
+// it.
 std::string place_problem(const fs::path& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) return path.string() + " is a folder, where a file is to be written";
+  if (fs::is_directory(path, error)) return path.string() + " is a folder, but must be a file";
   const auto denied = [](const fs::path& what) {
     return what.string() + " cannot be written: " + std::generic_category().message(errno);
   };
@@ -34,7 +35,7 @@ std::string place_problem(const fs::path& path) {
   while (!folder.empty() && folder != folder.root_path() && !fs::exists(folder, error))
     folder = folder.parent_path();
   if (folder.empty()) folder = ".";
-  if (!fs::is_directory(folder, error)) return folder.string() + " is a file, where a folder is needed";
+  if (!fs::is_directory(folder, error)) return folder.string() + " is a file, but must be a folder";
   return ::access(folder.c_str(), W_OK) == 0 ? "" : denied(folder);
 }
 
@@ -46,7 +47,7 @@ PlannedFile plan_file(const std::string& path, const ExportedFile& file) {
   std::error_code error;
   if (path.empty() || !fs::exists(path, error)) return planned;
   planned.place = PlannedFile::Place::other;
-  if (!fs::is_regular_file(path, error)) return planned;  // reading a pipe would take from it, or wait
+  if (!fs::is_regular_file(path, error)) return planned;  // a read would take from a pipe, or wait
   planned.old_size = fs::file_size(path, error);
   if (error) planned.old_size = 0;
   const auto bytes = read_file(path);
@@ -70,8 +71,9 @@ tl::expected<ExportPlan, ExportProblem> plan_export(const Level& level, std::str
                                                     const Exported* made, const ExportBounds& bounds) {
   const Exporter* exporter = find_exporter(id);
   if (exporter == nullptr)
-    return problem_at(Field::target, id.empty() ? "no target is chosen"
-                                                : "\"" + std::string(id) + "\" is no target of this version");
+    return problem_at(Field::target,
+                      id.empty() ? "no target is chosen"
+                                 : "\"" + std::string(id) + "\" is not a target that this version knows");
   if (const std::string problem = name_problem(*exporter, output); !output.empty() && !problem.empty())
     return problem_at(Field::path, fs::path(output).filename().string() + " " + problem);
   FormatResult<Exported> exported =
@@ -128,7 +130,7 @@ tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const Write
   if (!output) return problem_at(Field::path, output.error().message);
   const fs::path folder = fs::path(*output).parent_path();
   if (!folder.empty()) fs::create_directories(folder, failure);
-  if (failure) return problem_at(Field::path, folder.string() + " cannot be made: " + failure.message());
+  if (failure) return problem_at(Field::path, folder.string() + " cannot be created: " + failure.message());
   const auto written = write_exported(*plan.exporter, plan.content, plan.output, progress, plan.bounds);
   if (!written) return tl::unexpected(ExportProblem{Field::path, written.error()});
   return {};
@@ -144,25 +146,25 @@ std::string summary_of(const ExportPlan& plan) {
 
 std::string code_problem(const Exporter& exporter, std::optional<std::size_t> code_bytes) {
   if (exporter.is_folder() || code_bytes.value_or(0) <= kMostTicCode) return "";
-  return "the code takes " + with_commas(*code_bytes) + " bytes, and TIC-80's free version holds " +
-         with_commas(kMostTicCode) + ": fewer shapes or kinds of bodies make it smaller";
+  return "the code has " + with_commas(*code_bytes) + " bytes, but TIC-80's free version allows only " +
+         with_commas(kMostTicCode) + ": use fewer shapes or kinds of bodies";
 }
 
 tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,
                                                    const std::string& level_file) {
   const fs::path path(preset.path), file(level_file);
-  if (path.empty()) return problem_at(Field::path, "no file or folder is named");
-  // The system ends a name there, and would write another file than the one that is shown.
+  if (path.empty()) return problem_at(Field::path, "the path is empty: name a file or a folder");
+  // The system ends a name at NUL, and would write another file than the one shown.
   if (preset.path.find('\0') != std::string::npos)
-    return problem_at(Field::path, "has a NUL character, which no file's name has");
+    return problem_at(Field::path, "has a NUL character, which file names cannot have");
   if (path.is_relative() && level_file.empty()) {
     return problem_at(Field::path,
-                      "this level has no file yet, which the path is counted from: save it first, or give a "
-                      "whole path, from /");
+                      "the path is relative to the level's file, but the level has no file yet: save it "
+                      "first, or give a whole path, from /");
   }
   const fs::path output = (file.parent_path() / path).lexically_normal();
   if (output == file.lexically_normal())
-    return problem_at(Field::path, "this is the level's own file, which saving writes: name another one");
+    return problem_at(Field::path, "this is the level's own file: choose another one");
   return output.string();
 }
 
@@ -170,7 +172,7 @@ std::string path_for(const std::string& output, const std::string& level_file) {
   const fs::path to = fs::path(output).lexically_normal();
   const fs::path from = fs::path(level_file).parent_path().lexically_normal();
   if (level_file.empty() || to.is_relative() != from.is_relative()) return to.generic_string();
-  // Paths that share nothing but the root stay absolute: both ends are not moved together.
+  // Paths that share only the root stay absolute: they are not moved together.
   const auto first = [](const fs::path& path) {
     const fs::path below = path.relative_path();
     return below.empty() ? fs::path() : *below.begin();

@@ -90,16 +90,16 @@ std::span<const Exporter> exporters() {
        .beside = kCompanion,
        .keeps_code = true},
       {"tic-playable", "TIC-80 cartridge that plays the level", find_format("tic")->extensions,
-       export_tic_playable, "A game at once: balls, players and the mouse move as they do here.", true,
-       "-playable", kCompanion},
+       export_tic_playable, "A game that runs at once: balls, players and the mouse behave as in Talus.",
+       true, "-playable", kCompanion},
       {"tic-text-playable", "TIC-80 text project that plays the level", find_format("tic-text")->extensions,
-       export_tic_text_playable, "The same game as text, with its Lua code to go on from.", true, "-playable",
-       kCompanion},
+       export_tic_text_playable, "The same game as text, with Lua code that you can build on.", true,
+       "-playable", kCompanion},
       {"love",
        "game for LÖVE 11",
        {},
        export_love,
-       "A folder that LÖVE runs as it is, and a start for your own game.",
+       "A folder that LÖVE runs as it is: a start for your own game.",
        true,
        {},
        kLoveFiles},
@@ -123,7 +123,7 @@ std::span<const Exporter> exporters() {
        "game in C++",
        {},
        export_cpp,
-       "A program with the collision core that plays the level, to go on from.",
+       "A program with the collision core that plays the level: a start for your own game.",
        false,
        {},
        kCppFiles},
@@ -164,7 +164,7 @@ std::span<const Exporter> exporters() {
        "set of CSV tables",
        {},
        export_csv,
-       "Map, flags, floor heights, outlines, bodies and tuning, a table each.",
+       "Map, flags, floor heights, outlines, bodies and tuning, each in a table of its own.",
        false,
        {},
        kCsvFiles},
@@ -199,13 +199,12 @@ const Exporter* find_exporter(std::string_view id) {
 std::string name_problem(const Exporter& exporter, const std::string& output) {
   const std::string label(exporter.label);
   if (exporter.is_folder())
-    return output == "-" ? "is one file, but a " + label + " is a folder: name one" : "";
+    return output == "-" ? "is standard output, but a " + label + " is a folder: name a folder" : "";
   const auto ends = [&](std::string_view extension) {
     return output.ends_with(std::string(1, '.').append(extension));
   };
   if (output == "-" || std::any_of(exporter.extensions.begin(), exporter.extensions.end(), ends)) return "";
-  return "is no name of a " + label + ", which would be written: it must end with ." +
-         std::string(exporter.extensions.front());
+  return "is not a name for a " + label + ": it must end with ." + std::string(exporter.extensions.front());
 }
 
 void leave_out_unneeded(const Exporter& exporter, Exported& exported, const std::string& output) {
@@ -244,11 +243,11 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     if (progress && !progress(i, bytes)) return was_cancelled();
     std::error_code failure;
     const fs::path folder = fs::path(paths[i]).parent_path();
-    // Of a single file that was named on a command line, a missing folder is more likely a slip.
+    // For a single file named on a command line, a missing folder is more likely a slip.
     if (!file.name.empty() && !folder.empty()) fs::create_directories(folder, failure);
     if (failure)
       return tl::unexpected(
-          FormatError{"", "the folder " + folder.string() + " cannot be made: " + failure.message()});
+          FormatError{"", "the folder " + folder.string() + " cannot be created: " + failure.message()});
     const auto link = holds(bounds, file.name.empty()) ? LinkInPlace::refuse : LinkInPlace::follow;
     auto written = StagedFile::write(paths[i], file.bytes, link);
     if (!written) return tl::unexpected(FormatError{file.name, written.error().message});
@@ -256,8 +255,8 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     bytes += file.bytes.size();
   }
   if (progress && !progress(paths.size(), bytes)) return was_cancelled();
-  // A file comes before those that it names, such as its picture: they are put first, so that a killed
-  // process leaves none that names what is missing.
+  // A file precedes those that it names, such as its picture. So the named ones are written first: a killed
+  // process leaves no file that names a missing one.
   for (std::size_t i = staged.size(); i-- > 0;) {
     if (const auto put = staged[i].put(); !put)
       return tl::unexpected(FormatError{exported.files[i].name, put.error().message});

@@ -1,6 +1,6 @@
 // Each column of cells is cut into slabs in which no two lines cross. In a slab the ground is a list of
-// trapezoids; at a slab's sides, ground that has none beside it gets a wall. The walls come from the very
-// heights at which the trapezoids end, so that the rings are closed whatever was rounded.
+// trapezoids. At the sides of a slab, ground without ground beside it gets a wall. The walls end at exactly
+// the heights of the trapezoids, so that the rings are closed whatever was rounded.
 #include "ground_polygons.h"
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 namespace talus {
 namespace {
 
-constexpr double kMergeShare = 0.7;  // of the time, for merging; the rest links
-constexpr double kTouching = 1e-9;   // px; what is nearer touches, and so do lines that cross there
+constexpr double kMergeShare = 0.7;  // share of the time for merging; linking takes the rest
+constexpr double kTouching = 1e-9;   // px; closer things touch, and so do lines that cross there
 
-// Rounds to 1/256 px. Just above a half, so that two computations of one point give the same.
+// Rounds to 1/256 px; just above a half up, so that two computations of one point agree.
 double snapped(double at) { return std::floor(at * 256 + 0.5 + 1e-6) / 256; }
 
-// The line that an edge is cut from, to know again what belongs to one.
+// The line that an edge was cut from, which shows what belongs together.
 struct LineKey {
   double base_x = 0, base_y = 0, slope = 0, slope_rest = 0;
   friend bool operator==(const LineKey&, const LineKey&) = default;
@@ -29,13 +29,13 @@ struct LineKey {
 
 struct Edge {
   Vec2 from, to;
-  LineKey line;  // none of a wall
+  LineKey line;  // unset for a wall
   bool is_wall = false;
-  bool used = false;  // it is in a ring
+  bool used = false;  // whether it is in a ring
 };
 
-// By the column of cells in which they begin, whose right side belongs to the next one, and there by the
-// points where they do: sorted as a whole, though no memory for the whole is ever moved.
+// Sorted by the column of cells in which an edge begins, and there by its first point. The right side of a
+// column belongs to the next one. So all edges are sorted though the whole is never moved in memory.
 using EdgeColumns = std::vector<std::vector<Edge>>;
 
 bool lies_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -46,14 +46,14 @@ std::size_t column_of(double x) { return static_cast<std::size_t>(x / kTileSide)
 struct Body {
   std::span<const OutlineLine> top, bottom;
   Vec2 top_corner, bottom_corner;
-  std::span<const double> joints;  // x inside of the column, from the corners
+  std::span<const double> joints;  // x inside of the column, relative to the corners
   double highest, lowest;          // px on the map
 };
 
 // A side of a slab.
 struct Side {
   double x;
-  bool crossed;  // lines cross here, so that its points are rounded
+  bool crossed;  // lines cross here, so its points are rounded
   Vec2 point(const OutlineLine& line) const {
     const double y = line.at(x), near = snapped(y);
     const bool rounded = crossed || std::abs(y - near) < 1e-6;
@@ -83,9 +83,9 @@ class Merger {
       if (ground_.progress && !ground_.progress(kMergeShare * column_ / columns)) return EdgeColumns();
       merge_column(column_);
       if (sides_ > kMaxGroundSides)
-        return tl::unexpected(FormatError{
-            "", "has ground whose outline has more than " + std::to_string(kMaxGroundSides) +
-                    " sides, and no more are written: join tiles that stand alone, or make the map smaller"});
+        return tl::unexpected(FormatError{"", "has ground with more than " + std::to_string(kMaxGroundSides) +
+                                                  " sides in its outline, the most that can be exported: "
+                                                  "join separate tiles, or make the map smaller"});
       std::stable_sort(edges_.begin(), edges_.end(),
                        [](const Edge& a, const Edge& b) { return lies_before(a.from, b.from); });
       merged.emplace_back(edges_.begin(), edges_.end());
@@ -97,7 +97,7 @@ class Merger {
   }
 
  private:
-  // Where ground begins (+1) or ends (-1) along a side, of the slab on its left; -1 and +1 of that on its
+  // Where ground begins (+1) or ends (-1) along a side, in the slab on its left; reversed for the slab on its
   // right.
   struct Turn {
     double y;
@@ -146,7 +146,7 @@ class Merger {
         const TileOutline& shape = outline(x, y);
         if (!shape.line || shape.one_way || column - x >= static_cast<int>(shape.columns.size())) continue;
         const TileColumn& part = shape.columns[static_cast<std::size_t>(column - x)];
-        if (part.highest == part.lowest) continue;  // a flat line, under which is nothing
+        if (part.highest == part.lowest) continue;  // a flat line with nothing under it
         const Vec2 at = corner(x, y);
         bodies.push_back(
             {part.top, part.bottom, at, at, part.joints, at.y + part.highest, at.y + part.lowest});
@@ -169,12 +169,12 @@ class Merger {
     right_side_.insert(right_side_.end(), before.begin(), before.end());
   }
 
-  // Its top and its bottom.
+  // Its top and its bottom line.
   static std::array<OutlineLine, 2> lines_at(const Body& body, double x) {
     return {line_at(body.top, body.top_corner, x), line_at(body.bottom, body.bottom_corner, x)};
   }
 
-  // Where a line begins, or two cross; with the column's own sides.
+  // The places where a line begins, or two lines cross; and the sides of the column.
   static std::vector<Side> sides_of(std::span<const Body> bodies, double x0) {
     std::vector<double> ends = {x0, x0 + kTileSide};
     for (const Body& body : bodies)
@@ -193,7 +193,7 @@ class Merger {
     return sides;
   }
 
-  // Where lines of two bodies, which come from the top down, cross, all being straight from x0 to x1.
+  // Where lines of two bodies cross. The bodies come from the top down; all lines are straight from x0 to x1.
   static std::vector<double> crossings_between(std::span<const Body> bodies, double x0, double x1) {
     struct Line {
       double y0, y1;
@@ -218,7 +218,7 @@ class Merger {
     return crossings;
   }
 
-  // Puts the floors and ceilings of the ground between two sides, and what it has at these.
+  // Adds the floors and ceilings of the ground between two sides, and what it has at these sides.
   void merge_slab(std::span<const Body> bodies, const Side& from, const Side& to, std::vector<Turn>& left,
                   std::vector<Turn>& right) {
     const double middle = (from.x + to.x) / 2;
@@ -243,8 +243,8 @@ class Merger {
     }
   }
 
-  // Ground on the left of a side alone has a wall there that goes down; ground on the right, one that goes
-  // up.
+  // Ground only on the left of a side has a wall there that goes down; ground only on the right has one that
+  // goes up.
   void put_walls(const Side& side, std::vector<Turn>& turns) {
     std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.y < b.y; });
     const double x = side.crossed ? snapped(side.x) : side.x;
@@ -273,14 +273,14 @@ class Merger {
   const TerrainSource& ground_;
   TileOutlines outlines_;
   int widest_ = 1;                 // tiles
-  std::vector<OutlineLine> flat_;  // the top of a full tile, alone
+  std::vector<OutlineLine> flat_;  // only the top of a full tile
   std::vector<Turn> right_side_;
-  std::size_t sides_ = 0;                 // so far; those over the limit are not kept
-  int column_ = 0;                        // the one that is merged
-  std::vector<Edge> edges_, next_edges_;  // that begin in it, and at its right side
+  std::size_t sides_ = 0;                 // sides so far; those over the limit are not kept
+  int column_ = 0;                        // the column that is merged
+  std::vector<Edge> edges_, next_edges_;  // edges that begin in it, and at its right side
 };
 
-// Chains edges, of which as many begin as end at each point.
+// Links edges to rings. At each point as many edges begin as end.
 class RingLinker {
  public:
   explicit RingLinker(EdgeColumns columns) : columns_(std::move(columns)) {}
@@ -313,7 +313,8 @@ class RingLinker {
     return ring_;
   }
 
-  // Where several begin, that to the right, so that ground which touches in a corner stays apart.
+  // If several edges begin here, takes the rightmost turn, so that ground which touches in a corner stays
+  // apart.
   Edge* next_of(const Edge& edge, Edge& first) {
     std::vector<Edge>& edges = columns_[column_of(edge.to.x)];
     auto next = std::lower_bound(edges.begin(), edges.end(), edge.to,
@@ -321,7 +322,7 @@ class RingLinker {
     const auto begins_here = [&](auto at) { return at != edges.end() && at->from == edge.to; };
     if (begins_here(next) && !begins_here(next + 1)) return next->used ? &first : &*next;
     Edge* best = &first;
-    double most = -10;  // below any angle
+    double most = -10;  // less than any angle
     for (; begins_here(next); ++next) {
       if (next->used && &*next != &first) continue;
       const Vec2 in = edge.to - edge.from, out = next->to - next->from;
@@ -353,7 +354,7 @@ class RingLinker {
   }
 
   EdgeColumns columns_;
-  std::vector<const Edge*> ring_;  // the one that is being linked
+  std::vector<const Edge*> ring_;  // the ring that is being linked
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The ground's outline as closed polygons. The terrain keeps it as pieces by cell, cut where lines cross and
-// not chained, so this merges the shapes of the tiles anew, column of cells by column.
+// The ground's outline as closed polygons. The terrain keeps the outline as pieces by cell, cut where lines
+// cross and not linked. So the shapes of the tiles are merged anew here, column of cells by column.
 #pragma once
 
 #include <vector>
@@ -9,25 +9,25 @@
 
 namespace talus {
 
-// One closed ring, px; the last point is joined to the first. On the screen, ground is on the right hand of
-// who walks along the points: a ring around ground goes clockwise, one around a hole the other way.
+// One closed ring, px; the last point is joined to the first. Seen along the points, ground is on the right:
+// a ring around ground goes clockwise on the screen, one around a hole counter-clockwise.
 struct GroundPolygon {
   bool is_hole = false;
-  std::vector<Vec2> points;  // three at least; none lies on a straight line between its neighbours
+  std::vector<Vec2> points;  // at least three; none lies on a straight line between its neighbours
   friend bool operator==(const GroundPolygon&, const GroundPolygon&) = default;
 };
 
-// What is ground throughout: full tiles, and what is under the lines of floors and above those of ceilings.
-// One-way lines and curves are thin, and not in it. Shapes that reach over the map's edge stay whole.
+// All that is solid: full tiles, what is under the lines of floors, and what is above the lines of ceilings.
+// One-way lines and curves are thin and not part of it. Shapes that reach over the map's edge stay whole.
 //
-// Points are exact but where lines cross: those are rounded to 1/256 px. Parts that touch in a corner alone
-// are polygons of their own, or one whose outline comes by that corner twice. By their leftmost points, then
-// the topmost. The ground's progress is told; when it says so, there are none. An error: they would have more
-// sides than kMaxGroundSides, as of millions of tiles that stand alone, which would take gigabytes.
+// Points are exact, except where lines cross: those are rounded to 1/256 px. Parts that touch only in a
+// corner are separate polygons, or one whose outline passes that corner twice. Sorted by their leftmost
+// points, then the topmost. `progress` receives the progress; when it stops the work, the list is empty. More
+// sides than kMaxGroundSides are an error: millions of separate tiles would take gigabytes.
 FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground);
-inline constexpr std::size_t kMaxGroundSides = std::size_t{1} << 23;  // cut at the sides of cells
+inline constexpr std::size_t kMaxGroundSides = std::size_t{1} << 23;  // sides are cut at the sides of cells
 
-// Whether b lies on the straight way from a to c, exactly.
+// Whether b lies exactly on the straight way from a to c.
 bool is_straight(Vec2 a, Vec2 b, Vec2 c);
 
 }  // namespace talus

@@ -1,13 +1,14 @@
 // A project of LDtk with one level, and the sheet of its tiles beside it.
 //
-// Layers, from the top: "Bodies", an entity for each body at its start, ball tiles of the map as well, with
-// its exact numbers as fields; "Collision", an IntGrid: 0 is empty, 1 a full tile, 2 a full one-way tile, and
-// each other shape of the level has a value of its own for each cell that it is in, whose identifier says
-// what it is (ldtk_shapes.h); "Tiles". Shapes cannot be drawn in LDtk, so the tileset's custom data hold for
-// each tile with flags or a shape one JSON object as text: flags, ball, and the shape as docs/export-data.md
-// has it. Curves have no place.
+// Layers, from the top: "Bodies" has an entity for each body at its start, also for ball tiles of the map,
+// with its exact numbers as fields. "Collision" is an IntGrid: 0 is empty, 1 a full tile, 2 a full one-way
+// tile. Each other shape has a value of its own for each cell that it is in, with an identifier that
+// describes it (ldtk_shapes.h). "Tiles" has the tiles. LDtk cannot draw shapes, so the tileset's custom data
+// has one JSON object as text for each tile with flags or a shape: flags, ball, and the shape as in
+// docs/export-data.md. Curves are dropped.
 //
-// All keys that LDtk's schema requires are there, though its loader does without many: other programs do not.
+// All keys that LDtk's schema requires are there. LDtk's own loader does without many of them, other programs
+// do not.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -30,7 +31,7 @@ enum LdtkUid : int {
   kCollisionUid,
   kTilesUid,
   kLevelUid,
-  kBallUid = 10,  // the fields of an entity have the numbers behind its own
+  kBallUid = 10,  // the fields of an entity have the numbers after its own
   kPlayerUid = 30,
   kNextUid = 50
 };
@@ -86,7 +87,7 @@ OrderedJson filled(const char* defaults, const OrderedJson& changes) {
   return object;
 }
 
-// Unique in the project, and the same whenever a level is exported.
+// Unique in the project, and the same in every export of a level.
 std::string iid(int number) {
   const std::string digits = std::to_string(number);
   return "7a105000-0000-11f0-8000-" + std::string(12 - digits.size(), '0') + digits;
@@ -100,7 +101,7 @@ std::string color_text(Rgb color) {
   return text;
 }
 
-// Of tiles with flags or a shape, each a text.
+// One text for each tile with flags or a shape.
 OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
   std::array<OrderedJson, kTileCount> tiles;
   for (int tile = 0; tile < kTileCount; ++tile) {
@@ -117,7 +118,7 @@ OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
   return all;
 }
 
-// Whole pixels, as LDtk has them.
+// Whole pixels, as LDtk needs them.
 OrderedJson tile_rect(int tile) {
   return {{"tilesetUid", int{kTilesetUid}},
           {"x", tile % kSheetColumns * kTileSize},
@@ -126,17 +127,17 @@ OrderedJson tile_rect(int tile) {
           {"h", kTileSize}};
 }
 
-// By their names, texts and numbers, and at last the tile of the map that the body is, or null.
+// First the names, texts and numbers, then the tile of the map that the body is, or null.
 OrderedJson body_fields(const PlainBody& body) {
   OrderedJson fields = plain_body_json(body);
   fields.erase("id");
-  fields.erase("kind");  // which entity it is says that
+  fields.erase("kind");  // the entity says which kind it is
   fields.erase("tile");
   fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(body.tile);
   return fields;
 }
 
-// As LDtk calls what a field holds.
+// The name that LDtk has for a type of field.
 const char* field_type(const std::string& name, const OrderedJson& value) {
   if (name == "tile") return "Tile";
   return value.is_string() ? "String" : "Float";
@@ -201,13 +202,13 @@ OrderedJson entity(const PlainBody& body) {
   return instance;
 }
 
-// Names may hold bytes that are no UTF-8; they are replaced.
+// Names may hold bytes that are not UTF-8, which are replaced.
 std::string dumped(const OrderedJson& json) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-// An object that is not closed yet. What is large is put behind it as text: as JSON values the cells of a
-// large map would take a kilobyte each.
+// An object that is not closed yet. Large parts follow as text: the cells of a large map would take a
+// kilobyte each as JSON values.
 std::string opened(const OrderedJson& object) {
   std::string text = dumped(object);
   text.pop_back();
@@ -217,7 +218,7 @@ std::string& begin_member(std::string& object, const char* key) {
   return object.append(",\n\"").append(key).append("\":");
 }
 
-// What has neither pixels nor flags is no tile to see, such as the empty tile 0.
+// A tile without pixels and flags is invisible, such as the empty tile 0.
 bool is_blank(const Level& level, std::uint8_t tile) {
   const TileImage& image = level.sheet(SheetId::tiles).images[tile];
   return level.tile_flags(tile) == 0 && image == TileImage{};
@@ -249,7 +250,7 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
   const std::span<const std::uint8_t> cells = level.map.cells();
   const auto shown =
       std::count_if(cells.begin(), cells.end(), [&](std::uint8_t tile) { return !blank[tile]; });
-  // Text that grows by doubling takes three times as much, of what can be a GB.
+  // Growing by doubling would take three times the memory of a text that can be a GB.
   text.reserve(text.size() + static_cast<std::size_t>(shown) * kMostOfTile);
   text += '[';
   bool first = true;
@@ -332,7 +333,7 @@ class LdtkProject {
     return filled(kLayerDef, {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}});
   }
 
-  // Open, without the members that differ from layer to layer.
+  // An open object, without the members that differ between layers.
   std::string layer(const char* name, const char* type, int uid) const {
     const bool has_tileset = uid == kTilesUid;
     return opened({{"__identifier", name},

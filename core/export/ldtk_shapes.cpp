@@ -38,7 +38,7 @@ double height_at(const TileShape& shape, double x) {
   return a + (b - a) * (at - from);
 }
 
-// The least and the greatest height over a column of cells.
+// The smallest and the largest height over a column of cells.
 std::pair<double, double> range_of(const TileShape& shape, int column) {
   const double left = column * kTileSide, right = left + kTileSide;
   auto [least, greatest] = std::minmax({height_at(shape, left), height_at(shape, right)});
@@ -123,7 +123,7 @@ LdtkShapes::Grid LdtkShapes::grid_of(const TerrainSource& ground, const Progress
         std::uint16_t& value = grid.cells[at(reached)];
         if (value == 0)
           value = part.value;
-        else if (value != shapes_.front().value)  // a full tile hides nothing
+        else if (value != shapes_.front().value)  // nothing shows through a full tile
           ++grid.overlaps;
       }
     }

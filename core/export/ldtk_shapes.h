@@ -1,4 +1,4 @@
-// Shapes as values of an IntGrid of LDtk.
+// LdtkShapes: shapes as values of an IntGrid of LDtk.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace talus {
 
-// The value n is the entry n - 1 of values(): 1 a full tile, 2 a full one-way tile, and then, in the order of
-// the tiles, those of each other shape: one for the cell of its tile, and one for each further cell that it
-// reaches into, to the right, and up, or down from a ceiling.
+// The value n stands for entry n - 1 of values(): 1 is a full tile, 2 a full one-way tile. Then come the
+// other shapes in the order of the tiles: one value for the cell of the tile, and one for each further cell
+// that the shape reaches into, to the right, and up, or down from a ceiling.
 class LdtkShapes {
  public:
   explicit LdtkShapes(const TerrainSource& ground);
 
   struct Value {
-    // What it is: "slope_0_to_8_over_2_tiles", heights as TileShape has them, and for a further cell
-    // "slope_0_to_8_over_2_tiles_part_2"; "..._part_1_row_2" is the cell above that of its tile.
+    // Describes it: "slope_0_to_8_over_2_tiles", with heights as in TileShape. A further cell is
+    // "slope_0_to_8_over_2_tiles_part_2"; "..._part_1_row_2" is the cell above that of the tile.
     std::string name;
     const char* color;
   };
@@ -29,15 +29,15 @@ class LdtkShapes {
 
   struct Grid {
     std::vector<std::uint16_t> cells;  // row by row; 0: empty
-    std::size_t overlaps = 0;          // cells that a shape reaches into and that have another one's value
+    std::size_t overlaps = 0;  // cells that a shape reaches into, but that have the value of another one
   };
-  // A cell has the value of its own tile's shape; without one that of the first, in the order of rows, that
-  // reaches into it. Cut short when the progress is stopped.
+  // A cell has the value of its own tile's shape. Without one it has that of the first shape, in the order of
+  // rows, that reaches into it. Incomplete if the progress was stopped.
   Grid grid_of(const TerrainSource& ground, const Progress& progress) const;
 
  private:
   struct Part {
-    int column, row;  // cells from that of the tile
+    int column, row;  // cells, relative to the cell of the tile
     std::uint16_t value;
   };
   struct Shape {
@@ -51,10 +51,10 @@ class LdtkShapes {
 
   std::vector<Value> values_;
   std::vector<Shape> shapes_;
-  std::array<int, kTileCount> index_;  // by tile: of its shape; -1: none
+  std::array<int, kTileCount> index_;  // by tile: index of its shape; -1: no shape
 };
 
-// Letters, digits and '_' alone, and no digit first, as LDtk wants names.
+// Only letters, digits and '_', and no digit first, as LDtk needs names.
 std::string ldtk_identifier(const std::string& name);
 
 }  // namespace talus

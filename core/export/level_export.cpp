@@ -1,4 +1,4 @@
-// What Talus reads back too: levels, carts, sheets and palettes.
+// Formats that Talus also reads: levels, carts, sheets and palettes.
 #include "../formats/pictures/png_sheet.h"
 #include "cart_files.h"
 #include "export_targets.h"

@@ -13,10 +13,10 @@
 namespace talus {
 namespace {
 
-// Writes the members of a table, "key = value" each. At its end the table ends.
+// Writes the members of a table, "key = value" each. The destructor ends the table.
 class LuaTable {
  public:
-  enum class Layout { small, row, lines };  // as few bytes as can be; all members in a line; a line each
+  enum class Layout { small, row, lines };  // as few bytes as possible; all members in a line; one line each
   LuaTable(std::string& text, Layout layout, std::size_t indent = 0)
       : text_(text), layout_(layout), indent_(indent) {
     text_ += '{';
@@ -35,7 +35,7 @@ class LuaTable {
     if (!key.empty()) text_.append(key).append(layout_ == Layout::small ? "=" : " = ");
     return text_;
   }
-  // Tables that are members. Of a small one, small ones.
+  // Tables as members. Those of a small table are small.
   LuaTable in_a_row(std::string_view key) { return {member(key), std::min(layout_, Layout::row)}; }
   LuaTable in_lines(std::string_view key) { return {member(key), layout_, indent_ + 2}; }
 
@@ -60,7 +60,7 @@ class LuaTable {
  private:
   std::string& text_;
   Layout layout_;
-  std::size_t indent_;  // spaces before its end
+  std::size_t indent_;  // spaces before the table's end
   bool is_empty_ = true;
 };
 
@@ -148,7 +148,7 @@ void write_tiles(LuaTable&& rows, const TerrainSource& ground, const Progress& p
     rows.row(ground.cells.subspan(from, width));
 }
 
-// The player's gravity has the name of the balls'.
+// The player's gravity has the same key as that of balls.
 std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
 }
@@ -186,7 +186,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   if (!with_tiles) return;
   LuaTable parts = table.in_a_row("parts");
-  const std::vector<std::string> used = lua_parts(level).value();  // a loop would not keep it alive
+  // A loop over the temporary would not keep it alive.
+  const std::vector<std::string> used = lua_parts(level).value();
   for (const std::string& part : used) parts.word("", part);
 }
 

@@ -1,10 +1,10 @@
-// A level as a table of Lua: what the runtime in assets/runtime is for.
+// A level as a Lua table, for the runtime in assets/runtime.
 //
 // The table, all lengths in px:
 //   width, height     cells
 //   tiles             width * height tile numbers, row by row
-//   shapes            by tile number: kind ("solid", "slope", "profile"), and, where they are not so, side
-//                     ("floor"), one_way (false), tiles (1, in width); heights, of slopes and profiles
+// shapes            by tile number: kind ("solid", "slope", "profile"); unless default: side ("floor"),
+// one_way (false), tiles (width, 1); heights, for slopes and profiles
 //   balls             by tile number: true where a tile of the map is a ball
 //   curves            kind, faces ("up", "down", "both") and the numbers of
 //   core/include/talus/collision/shape.h spawns            kind, name, x, y, w, h, vx, vy, foot ("box",
@@ -19,9 +19,9 @@
 
 namespace talus {
 
-// "return {...}", numbers as the shortest decimals that read back as the same doubles. What cannot be used
-// (see lint) is left out, as the solver leaves it out. readable: a row of the map, a shape, a curve, a body
-// and a number of the tuning a line; small: without tiles and parts, as a cart has the map itself.
+// "return {...}", with numbers as the shortest decimals that read back as the same doubles. Unusable shapes
+// (see lint) are left out, as the solver ignores them. readable: one line for each row of the map, shape,
+// curve, body and number of the tuning. small: without tiles and parts, as a cart has the map itself.
 std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, const Progress& progress = {});
 
 }  // namespace talus

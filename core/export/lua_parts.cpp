@@ -18,7 +18,7 @@ struct LuaPart {
   std::array<std::string_view, kMostNeeds> needs = {};
 };
 
-// In the order in which they are joined. The first and the last are in every module.
+// In the order in which they are joined. The first and the last one are in every module.
 constexpr LuaPart kLuaParts[] = {
     {"core", {"base", "terrain", "cast", "queries"}},
     {"bodies", {"mover", "world"}},
@@ -92,7 +92,8 @@ FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string
     if (word.empty()) continue;
     if (find_part(word) == nullptr) {
       return tl::unexpected(FormatError{
-          "", "\"" + std::string(word) + "\" is no part of the runtime: there are " + lua_part_names()});
+          "",
+          "\"" + std::string(word) + "\" is not a part of the runtime; the parts are " + lua_part_names()});
     }
     wanted.emplace(word);
   }

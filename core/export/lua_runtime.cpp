@@ -1,4 +1,4 @@
-// Reads the parts and joins them.
+// Reads the parts of the runtime and joins them.
 #include "lua_runtime.h"
 
 #include <cctype>
@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-// A line of Lua without the spaces that separate nothing. Two hyphens would begin a comment.
+// A line of Lua without spaces that are not needed. Two hyphens side by side would begin a comment.
 std::string without_spaces(const std::string& line) {
   const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   std::string kept;
@@ -31,7 +31,7 @@ std::string without_spaces(const std::string& line) {
   return kept;
 }
 
-// Behind the first text's comment, which says what the module is, comes which parts are in it.
+// The list of parts follows the comment of the first file, which says what the module is.
 std::string lay_out(const std::vector<std::string>& texts, const std::vector<std::string>& parts) {
   std::string joined;
   for (const std::string& text : texts) joined.append(joined.empty() ? "" : "\n\n").append(text);
@@ -58,7 +58,7 @@ FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form
 
 std::string join_lua(const std::vector<std::string>& texts) {
   std::string joined;
-  bool is_head = true;  // the first comment of all says what the module is
+  bool is_head = true;  // the very first comment says what the module is
   for (const std::string& text : texts) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -73,7 +73,7 @@ std::string join_lua(const std::vector<std::string>& texts) {
 
 std::vector<std::string> dropped_solver(const Level& level) {
   if (level.tuning.solver == SolverKind::exact) return {};
-  return {"the solver " + std::string(solver_name(level.tuning.solver)) + ": the game moves by exact"};
+  return {"the solver " + std::string(solver_name(level.tuning.solver)) + ": the game uses exact instead"};
 }
 
 }  // namespace talus

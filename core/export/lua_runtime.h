@@ -1,23 +1,23 @@
-// The Lua runtime with what a level uses, as one text.
+// The Lua runtime, with the parts that a level uses, as one text.
 #pragma once
 
 #include "exporter.h"
 
 namespace talus {
 
-// How Lua is written: laid out and with its comments, or in as few bytes as can be, as a cart is short of
-// them.
+// How Lua is written: formatted and with its comments, or in as few bytes as possible, as space in a cart is
+// short.
 enum class LuaForm { readable, small };
 
-// The core of the runtime with the level's parts, those that are asked for, and, with_mouse, the one by which
-// bodies can be dragged. An error when a part is not known or cannot be read.
+// The core of the runtime, the level's parts, those asked for, and, with_mouse, the part that drags bodies.
+// Returns an error if a part is not known or cannot be read.
 FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse);
 
-// Joins texts into one, without their comments and what spaces Lua does not need, but for the comment at the
-// head. No string in them has a quote, or two hyphens.
+// Joins texts into one without comments and unneeded spaces; the comment at the head stays. Their strings
+// must not hold quotes or two hyphens.
 std::string join_lua(const std::vector<std::string>& texts);
 
-// Of a level that was played by another solver: that games move by the exact one, as in Exported::dropped.
+// For a level with another solver: says, as in Exported::dropped, that games move by the exact solver.
 std::vector<std::string> dropped_solver(const Level& level);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Lua's way of writing values.
+// Values in the syntax of Lua.
 #pragma once
 
 #include <string>
@@ -6,13 +6,14 @@
 
 namespace talus {
 
-// In quotes; what is not printable ASCII, and quotes and backslashes, as \ddd. Any Lua reads the same bytes.
+// In quotes. Bytes that are not printable ASCII, quotes and backslashes become \ddd. Every Lua reads the same
+// bytes.
 std::string lua_string(std::string_view text);
 
-// Lists of more tables are written as `join{function() return {...} end, ...}`, with so many in each
-// function: LuaJIT takes no more than 65536 constants, of which each table of numbers is one, in a function.
+// A list of more tables is written as `join{function() return {...} end, ...}`, with this many in each
+// function. LuaJIT allows 65536 constants in a function, and each table of numbers is one.
 inline constexpr std::size_t kMostLuaEntries = 4096;
-inline constexpr std::string_view kLuaJoin =  // before what uses it
+inline constexpr std::string_view kLuaJoin =  // goes before the code that uses it
     "local function join(parts)\n"
     " local all={}\n"
     " for _,part in ipairs(parts) do for _,entry in ipairs(part()) do all[#all+1]=entry end end\n"

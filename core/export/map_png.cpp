@@ -6,7 +6,7 @@
 namespace talus {
 namespace {
 
-constexpr double kPaintShare = 0.4;  // of the time; the rest packs the picture, which tells nothing
+constexpr double kPaintShare = 0.4;  // share of the time; the rest packs the picture without progress
 
 }  // namespace
 
@@ -16,8 +16,8 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress) 
   if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicture) {
     return tl::unexpected(FormatError{"", "the map is " + std::to_string(width) + "x" +
                                               std::to_string(height) +
-                                              " px, and a picture holds 16384 px a side and 33554432 px in "
-                                              "all, such as 8192x4096"});
+                                              " px, but a picture may have at most 16384 px on each side and "
+                                              "33554432 px in all, such as 8192x4096"});
   }
   const Sheet& tiles = level.sheet(SheetId::tiles);
   std::vector<std::uint8_t> bytes;
@@ -33,8 +33,7 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress) 
     }
   }
   std::string png = encode_png(static_cast<int>(width), static_cast<int>(height), 3, bytes.data());
-  if (png.empty())
-    return tl::unexpected(FormatError{"", "the memory does not suffice for the map's picture"});
+  if (png.empty()) return tl::unexpected(FormatError{"", "there is not enough memory for the map's picture"});
   return png;
 }
 

@@ -6,11 +6,11 @@
 
 namespace talus {
 
-// Encoding takes ten bytes of memory a pixel, which bounds it to a third of a gigabyte.
+// Encoding takes ten bytes of memory for each pixel; the limit keeps it to a third of a gigabyte.
 inline constexpr int kMaxPictureSide = 16384;         // px
 inline constexpr std::int64_t kMaxPicture = 1 << 25;  // px in all, such as 8192x4096
 
-// One pixel a px in the palette's colours. An error where the map is larger than the limits.
+// One pixel for each px, in the colours of the palette. A map larger than the limits is an error.
 FormatResult<std::string> map_png(const Level& level, const Progress& progress = {});
 
 }  // namespace talus

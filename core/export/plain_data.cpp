@@ -37,7 +37,7 @@ bool is_before(const OneWay& a, const OneWay& b) {
   return std::tie(a.facing, a.x0, a.y0, a.x1, a.y1) < std::tie(b.facing, b.x0, b.y0, b.x1, b.y1);
 }
 
-// What is in several cells, or in two tiles, once.
+// Counts what is in several cells, or in two tiles, only once.
 std::vector<OneWay> one_way_pieces(const Terrain& ground) {
   std::vector<OneWay> pieces;
   for (Cell c; c.y < ground.height() && ground.has_pieces(); ++c.y) {
@@ -59,7 +59,7 @@ bool is_same_line(const OneWay& a, const OneWay& b) {
 void add_one_way_lines(const Terrain& ground, std::vector<PlainLine>& lines) {
   const std::vector<OneWay> pieces = one_way_pieces(ground);
   std::vector<bool> used(pieces.size());
-  // The first piece that begins where another ends.
+  // The first piece that begins where another one ends.
   const auto next_of = [&](const OneWay& piece) {
     OneWay key = piece;
     key.x0 = piece.x1, key.y0 = piece.y1;
@@ -102,7 +102,8 @@ void add_curve_points(Vec2 from, Vec2 to, const Height& height, std::vector<Vec2
     const double y = from.y + (to.y - from.y) * part;
     error = std::max(error, std::abs(height(from.x + (to.x - from.x) * part) - y));
   }
-  error *= (to.x - from.x) / std::hypot(to.x - from.x, to.y - from.y);  // from upright to the line's distance
+  // From the vertical distance to that from the line.
+  error *= (to.x - from.x) / std::hypot(to.x - from.x, to.y - from.y);
   const double middle = (from.x + to.x) / 2;
   if (error <= kPlainLineError || !(middle > from.x && middle < to.x)) return points.push_back(to);
   const Vec2 between{middle, height(middle)};
@@ -112,7 +113,7 @@ void add_curve_points(Vec2 from, Vec2 to, const Height& height, std::vector<Vec2
 
 std::vector<Vec2> points_of(Curve curve) {
   const bool faces_down = curve.faces == Curve::Faces::down;
-  curve.faces = Curve::Faces::up;  // each piece once, with its upper side
+  curve.faces = Curve::Faces::up;  // each piece once, for its upper side
   const CurveOutline outline = cut_curves({&curve, 1});
   std::vector<Vec2> points;
   for (const Piece<double>& piece : outline.pieces) {

@@ -30,7 +30,7 @@ OrderedJson roles_of(const Level& level) {
   return roles;
 }
 
-// As a level's file has them.
+// As in the level's file.
 OrderedJson tuning_of(const Tuning& tuning) {
   OrderedJson members = {{"solver", solver_name(tuning.solver)}};
   for (const TuningField& field : tuning_fields()) {
@@ -53,8 +53,8 @@ bool is_nested(const OrderedJson& list) {
                      [](const OrderedJson& entry) { return entry.is_structured(); });
 }
 
-// A text of members one after the other. What may be large is written at once, without a value of JSON for
-// each number of it.
+// A text of members, one after the other. Large parts are written at once, without a JSON value for each
+// number.
 class PlainPrinter {
  public:
   explicit PlainPrinter(Dialect dialect) : is_lua_(dialect == Dialect::lua) {}
@@ -64,7 +64,7 @@ class PlainPrinter {
     print(value, 1);
   }
 
-  // A list with an entry a line, each written by `entry`, which is called with its number.
+  // A list with one entry on each line. entry(i) writes the entry number i.
   template <class Entry>
   void put_list(const char* key, std::size_t count, const Progress& progress, const Entry& entry) {
     begin_member(key);
@@ -154,7 +154,7 @@ class PlainPrinter {
     text_ += is_lua_ ? lua_string(text)
                      : OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   }
-  // Keys are names, but for the numbers of tiles.
+  // Keys are names, except for the numbers of tiles.
   void print_key(const std::string& key) {
     const bool is_number = key.front() >= '0' && key.front() <= '9';
     if (!is_lua_)
@@ -174,7 +174,7 @@ class PlainPrinter {
     }
     close_list();
   }
-  // As json_number has it: what is whole without an exponent.
+  // As json_number has it: whole numbers have no exponent.
   void print_number(double value) {
     const auto whole = static_cast<std::int64_t>(value);
     if (static_cast<double>(whole) == value && !(value == 0 && std::signbit(value)))
@@ -186,7 +186,7 @@ class PlainPrinter {
   void print_line_break(int depth) { text_.append("\n").append(static_cast<std::size_t>(depth), ' '); }
 
   bool is_lua_;
-  bool joins_ = false;  // a list in parts
+  bool joins_ = false;  // whether a list is written in parts
   std::string text_;
 };
 

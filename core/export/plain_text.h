@@ -1,6 +1,6 @@
-// Plain data as text: JSON, or a table of Lua, by one printer.
+// Plain data as text: JSON or a Lua table, both by one printer.
 //
-// docs/export-data.md tells the members of the object that the exporters `json` and `lua` write.
+// docs/export-data.md describes the members of the object that the exporters `json` and `lua` write.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,17 +13,17 @@
 
 namespace talus {
 
-using OrderedJson = nlohmann::ordered_json;  // keeps members as they were put
+using OrderedJson = nlohmann::ordered_json;  // keeps the order of its members
 
-// One of its shapes, and one of its bodies.
+// One shape and one body of the object.
 OrderedJson plain_shape_json(const PlainShape& shape);
 OrderedJson plain_body_json(const PlainBody& body);
 
 enum class Dialect { json, lua };
 
-// A member of the whole a line, and of a list of lists or objects in it an entry a line; in Lua with the
-// `return` before it, and, where lists are too long for LuaJIT, with a function that joins their parts. An
-// error: that of ground_polygons().
+// One line for each member of the object, and for each entry of a list of lists or objects. Lua has `return`
+// before it, and, if lists are too long for LuaJIT, a function that joins their parts. Errors are those of
+// ground_polygons().
 FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const Progress& progress = {});
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Paths are compared as text, from the root, without a look at the disk.
+// Compares paths as text, from the root, without a look at the disk.
 #include "preset_clash.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 struct ClaimedFile {
   fs::path path;
   bool is_sheet = false;  // a picture of the tiles, which is the same from every exporter
-  bool is_named = false;  // by the preset's path
+  bool is_named = false;  // whether the preset's path names it
 };
 
 fs::path whole_path(const fs::path& path) {
@@ -24,7 +24,7 @@ fs::path whole_path(const fs::path& path) {
   return (error ? path : whole).lexically_normal();
 }
 
-// What a preset may write; nothing where that is not known.
+// The files that a preset may write; nothing if they are not known.
 std::vector<ClaimedFile> claimed_files(const ExportPreset& preset, const std::string& level_file) {
   const Exporter* exporter = find_exporter(preset.exporter);
   if (exporter == nullptr || preset.path.empty()) return {};
@@ -43,7 +43,7 @@ std::vector<ClaimedFile> claimed_files(const ExportPreset& preset, const std::st
   return files;
 }
 
-// A file of both; empty: there is none.
+// A file that both write; empty if there is none.
 fs::path common_file(const std::vector<ClaimedFile>& a, const std::vector<ClaimedFile>& b) {
   for (const ClaimedFile& file : a) {
     const auto same = [&](const ClaimedFile& other) {
@@ -94,10 +94,11 @@ std::string clash_problem(std::span<const ExportPreset> presets, std::size_t ind
   const fs::path own = level_file.empty() ? fs::path() : whole_path(level_file);
   const fs::path companion = own.string() + std::string(kCompanionEnding);
   for (const ClaimedFile& file : files) {
-    if (!file.is_named && file.path == own)  // of the named one output_of() tells
-      return shown(own) + " would be written, which is the level's own file: give another path";
+    if (!file.is_named && file.path == own)  // output_of() checks the named file
+      return shown(own) + " is the level's own file, which the preset would overwrite: give another path";
     if (file.path == companion)
-      return shown(companion) + " would be written, which goes with the level's own file: give another path";
+      return shown(companion) +
+             " belongs to the level's own file, and the preset would overwrite it: give another path";
   }
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i == index) continue;

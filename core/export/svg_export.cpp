@@ -18,7 +18,7 @@ namespace talus {
 namespace {
 
 constexpr double kTickLength = 2;  // px, of a normal
-constexpr int kSineParts = 4;      // cubics in place of a quarter wave: off by 1e-4 of the amplitude
+constexpr int kSineParts = 4;      // cubics for a quarter wave: the error is 1e-4 of the amplitude
 
 // The text of a path: "M1 2L3 4Z".
 class SvgPath {
@@ -39,10 +39,10 @@ class SvgPath {
     move(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) line(points[i]);
   }
-  // A short line out of the ground that is on the right hand of `along`.
+  // A short line out of the ground, which is on the right when seen along `along`.
   void tick(Vec2 at, Vec2 along) {
     const double length = kTickLength / std::hypot(along.x, along.y);
-    move(at)("l", {along.y * length + 0.0, 0.0 - along.x * length});  // no -0
+    move(at)("l", {along.y * length + 0.0, 0.0 - along.x * length});  // + 0.0 avoids -0
   }
   void ticks(const std::vector<Vec2>& points, bool closed) {
     for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
@@ -56,7 +56,7 @@ class SvgPath {
   std::string text_;
 };
 
-// A curve's path from its left end on, as exact as SVG has it: all but sines.
+// The path of a curve from its left end on; exact, as far as SVG can be, except for sines.
 class CurvePath {
  public:
   CurvePath(const Curve& curve, SvgPath& path, SvgPath& normals) : path_(path), normals_(normals) {

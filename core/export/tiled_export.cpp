@@ -13,9 +13,9 @@
 namespace talus {
 namespace {
 
-constexpr double kModelShare = 0.4;  // of the time; the rest writes the text
+constexpr double kModelShare = 0.4;  // share of the time; writing the text takes the rest
 
-// JSON whose texts have escapes for the characters that XML has none of, so that names come back as they are.
+// JSON text with escapes for characters that XML does not have, so that names read back as they were.
 std::string escaped_for_xml(std::string json) {
   for (const auto& [character, escape] :
        {std::pair{"\xef\xbf\xbe", "\\ufffe"}, {"\xef\xbf\xbf", "\\uffff"}}) {
@@ -25,7 +25,8 @@ std::string escaped_for_xml(std::string json) {
   return json;
 }
 
-// The level as a native one without what the map has, in one line; line breaks of JSON are between its parts.
+// The level as a native one without the parts that the map has, in one line. JSON has its line breaks between
+// members.
 FormatResult<std::string> rest_of(const Level& level) {
   Level rest = level;
   rest.sheet(SheetId::tiles) = {};
@@ -149,7 +150,7 @@ class TiledXmlWriter {
       if (one.objects.empty()) continue;
       pugi::xml_node group = tile.append_child("objectgroup");
       put(group, "draworder", "index");
-      int id = 0;  // counts in each tile
+      int id = 0;  // counts within each tile
       objects(group, one.objects, id);
     }
   }

@@ -1,4 +1,4 @@
-// What of a level goes where in a map of Tiled.
+// Which part of a level goes where in a map of Tiled.
 #include "tiled_model.h"
 
 #include <algorithm>

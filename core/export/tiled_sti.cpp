@@ -1,5 +1,5 @@
-// Maps for Simple Tiled Implementation. Its plugin for bump.lua knows full tiles, and boxes in a layer of
-// objects: full tiles are the one, and slopes, with the box that the solver `bump` has for them, the other.
+// Maps for Simple Tiled Implementation. Its plugin for bump.lua knows full tiles, and boxes in an object
+// layer. Full tiles go to the former, slopes to the latter, with the box that the solver `bump` has for them.
 #include <talus/level/ground.h>
 #include "../formats/pictures/png_sheet.h"
 #include "../level/bump_boxes.h"
@@ -14,14 +14,14 @@ constexpr std::size_t kMostBoxes = 1'000'000;
 
 bool is_full_tile(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
 
-// In place of a flag's bool of that name.
+// Instead of the bool of a flag with that name.
 template <class Value>
 void put(TiledProperties& properties, std::string_view name, Value value) {
   std::erase_if(properties, [&](const TiledProperty& property) { return property.name == name; });
   properties.push_back({std::string(name), value});
 }
 
-// Tiles say what their flags are and whether they are full; what Tiled itself is told of shapes is of no use.
+// Tiles say their flags and whether they are full. STI has no use for what Tiled knows about shapes.
 void describe_tiles(const Level& level, const TerrainSource& ground, TiledTileset& tileset) {
   for (TiledTile& tile : tileset.tiles) {
     tile.properties = tiled_flag_properties(level, level.tile_flags(static_cast<std::uint8_t>(tile.id)));
@@ -44,7 +44,7 @@ TiledObject slope_object(const BumpBox& box, Cell cell) {
   return object;
 }
 
-// In the order of the program's solver: columns from left to right, each from top to bottom.
+// In the order of the program's solver: column by column from left to right, each from top to bottom.
 TiledLayer slope_layer(const TerrainSource& ground, const Progress& progress) {
   TiledLayer layer;
   layer.name = kSlopeLayer;
@@ -70,13 +70,13 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   describe_tiles(request.level, ground, map.tilesets.front());
   std::vector<std::string> dropped;
   if (const std::size_t curves = map.layers.back().objects.size(); curves > 0)
-    dropped.push_back("collision, which bump.lua has none of, with " + std::to_string(curves) + " curve" +
+    dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
                       (curves == 1 ? "" : "s"));
   map.layers.push_back(slope_layer(ground, request.progress.part(0.2, 0.5)));
   if (request.progress.stopped()) return Exported();
   if (map.layers.back().objects.size() > kMostBoxes)
     return tl::unexpected(FormatError{
-        "", "the slopes are more than 1000000 boxes, too many for an STI map: make the map smaller"});
+        "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
   return tiled_files(request, tiled_lua_text(map), write_png_part(request.level, PngPart::tiles),
                      std::move(dropped));
 }

@@ -1,4 +1,4 @@
-// Tiled's JSON and its Lua, which are the same tables in two ways of writing.
+// Tiled's JSON and its Lua: the same tables in two syntaxes.
 #include <cstdio>
 #include <string_view>
 
@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-// Nested tables and lists, a line a member, or all of one in a line.
+// Nested tables and lists, with one line for each member, or all on one line.
 class TableText {
  public:
   enum class Syntax { json, lua };
@@ -22,7 +22,7 @@ class TableText {
   }
   void begin_text(std::string_view text) { text_ += text; }
 
-  // key: empty in a list.
+  // key: empty for an entry of a list.
   void open(std::string_view key, bool is_list, bool in_line = false) {
     member(key);
     text_ += is_list && !is_lua_ ? '[' : '{';
@@ -35,7 +35,8 @@ class TableText {
     text_ += table.is_list && !is_lua_ ? ']' : '}';
   }
 
-  // A list of Lua in parts, see kLuaJoin: open_parts(), for each part open_part() and close_part(), close().
+  // A Lua list in parts, see kLuaJoin: open_parts(), then open_part() and close_part() for each part, then
+  // close().
   void open_parts(std::string_view key) {
     member(key) += "join{";
     open_.push_back({true, false, true});
@@ -62,7 +63,7 @@ class TableText {
   }
   void put(std::string_view key, const std::string& value) { put(key, std::string_view(value)); }
 
-  // A name of the user's as key.
+  // A name of the user's as a key.
   void put_named(const TiledProperty& property) {
     std::string key;
     append_quoted(key, property.name);
@@ -123,7 +124,7 @@ class TableText {
   }
 
   bool is_lua_;
-  bool joins_ = false;  // a list is in parts
+  bool joins_ = false;  // whether a list is written in parts
   std::string text_;
   std::vector<Table> open_;
 };
@@ -168,7 +169,7 @@ class TiledTextWriter {
 
  private:
   void properties(const TiledProperties& properties) {
-    if (text_.is_lua()) {  // readers want the table, be it empty
+    if (text_.is_lua()) {  // readers need the table even if it is empty
       text_.open("properties", false, true);
       for (const TiledProperty& property : properties) text_.put_named(property);
       text_.close();
@@ -185,7 +186,7 @@ class TiledTextWriter {
     }
   }
 
-  // color: as tiled_color. Tiled's Lua has three numbers.
+  // color: as in tiled_color. Tiled's Lua has three numbers.
   void background(const std::string& color) {
     if (!text_.is_lua()) return text_.put("backgroundcolor", color);
     text_.open("backgroundcolor", true, true);
@@ -227,14 +228,14 @@ class TiledTextWriter {
       text_.put("draworder", "index");
       placement(true);
       properties({});
-      int id = 0;  // counts in each tile
+      int id = 0;  // counts within each tile
       objects(tile.objects, id);
       text_.close();
     }
     text_.close();
   }
 
-  // Where and whether a layer is shown; Tiled takes what is missing in JSON for 0 and false.
+  // The place of a layer, and whether it is shown. Tiled reads what is missing in JSON as 0 and false.
   void placement(bool is_shown) {
     text_.put("x", 0);
     text_.put("y", 0);
@@ -285,7 +286,7 @@ class TiledTextWriter {
   void object(const TiledObject& object, int id) {
     const bool is_box = object.form == TiledObject::Form::box;
     const char* const form = object.form == TiledObject::Form::polygon ? "polygon" : "polyline";
-    text_.open("", false, text_.is_lua());  // there a line each
+    text_.open("", false, text_.is_lua());  // Lua has one line for each
     text_.put("id", id);
     text_.put("name", object.name);
     text_.put("type", object.type);

@@ -1,4 +1,4 @@
-// Goes through UTF-8, character by character.
+// Goes through UTF-8 text, character by character.
 #include "xml_text.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-// Valid code points that no XML document may have.
+// Valid code points that XML documents may not have.
 bool is_forbidden(std::uint32_t code) { return code == 0xfffe || code == 0xffff; }
 
 }  // namespace

@@ -77,8 +77,7 @@ std::string ending_problem(const std::string& path, std::string_view ending, std
   std::error_code ignored;
   if (path == "-" || context_for_file(path).extension == ending) return "";
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return "";  // a device or a pipe
-  return "is no name of a " + std::string(kind) + ", which would be written: it must end with ." +
-         std::string(ending);
+  return "is not a name for a " + std::string(kind) + ": it must end with ." + std::string(ending);
 }
 
 }  // namespace talus

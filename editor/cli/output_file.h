@@ -19,7 +19,7 @@ struct OutputFile {
 // names of a file are seen through; devices and pipes may always be written.
 std::string output_problem(const OutputFile& output);
 
-// The same of a name: "is no name of a PNG picture: it must end with .png". ending: without the dot.
+// The same of a name: "is not a name for a PNG picture: it must end with .png". ending: without the dot.
 std::string ending_problem(const std::string& path, std::string_view ending, std::string_view kind);
 
 // Whether a name says that a file is a level, a map, a cart or a recording. ".json" alone says nothing.

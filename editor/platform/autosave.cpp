@@ -163,7 +163,7 @@ tl::expected<void, std::string> Autosave::hold_lock() {
   if (lock_ >= 0) return {};
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (error) return tl::unexpected("the folder cannot be made: " + error.message());
+  if (error) return tl::unexpected("the folder cannot be created: " + error.message());
   remove_remains(folder_);
   constexpr int kAttempts = 100;
   for (int i = 0; i < kAttempts && lock_ < 0; ++i) {

@@ -185,7 +185,7 @@ TEST_F(CliOwnFiles, ATextCartOfYueHasEitherName) {
   EXPECT_EQ(cli_answer({"import", path("out.lua"), "-o", path("level.talus.json")}).status, 0);
   EXPECT_EQ(cli_answer({"export", path("level.talus.json"), "--to", "tic-text", "-o", path("out.moon")}).err,
             path("level.talus.json") +
-                ": error: the cart's code is in another language than the name of out.moon says: it must end "
+                ": error: the cart's code does not fit the name out.moon: in its language the name must end "
                 "with .yue\n");
 }
 
@@ -198,16 +198,15 @@ TEST_F(CliOwnFiles, ACartWithTooMuchCodeIsWarnedOf) {
   save(level_);
   EXPECT_EQ(run_to("tic", "cave.tic", "--playable"), 0);
   EXPECT_THAT(answer_.err,
-              testing::ContainsRegex(
-                  "cave.tic: warning: the code takes [0-9,]+ bytes, and TIC-80's free version holds "
-                  "65,536: fewer shapes or kinds of bodies make it smaller\n"));
+              testing::ContainsRegex("cave.tic: warning: the code has [0-9,]+ bytes, but TIC-80's free "
+                                     "version allows only 65,536: use fewer shapes or kinds of bodies\n"));
   EXPECT_EQ(run_to("tic", "cave.tic"), 0);
   EXPECT_EQ(answer_.err.find("the code takes"), std::string::npos) << "that is the user's own";
 }
 
 TEST_F(CliOwnFiles, AFolderThatCannotBeMadeIsNamed) {
   EXPECT_EQ(run({"--to", "love", "-o", "/proc/x"}), 1);
-  EXPECT_THAT(answer_.err, testing::StartsWith("/proc/x: error: the folder /proc/x cannot be made: "));
+  EXPECT_THAT(answer_.err, testing::StartsWith("/proc/x: error: the folder /proc/x cannot be created: "));
 }
 
 }  // namespace talus::cli_export_own_test

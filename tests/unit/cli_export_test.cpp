@@ -59,7 +59,7 @@ TEST_F(CliExport, PartsOfTheRuntimeAreAskedFor) {
   EXPECT_NE(text.find("\n-- The parts of this module: slopes, balls, players, pairs, mouse.\n"),
             std::string::npos);
   EXPECT_EQ(run({"love", "-o", path("other"), "--parts", "plyers"}), 1);
-  EXPECT_NE(answer_.err.find("\"plyers\" is no part of the runtime: there are slopes, one_way"),
+  EXPECT_NE(answer_.err.find("\"plyers\" is not a part of the runtime; the parts are slopes, one_way"),
             std::string::npos)
       << answer_.err;
   EXPECT_FALSE(exists("other"));
@@ -74,8 +74,7 @@ TEST_F(CliExport, AFolderIsNoStandardOutput) {
 TEST_F(CliExport, AFolderUnderAFileIsRefused) {
   const std::string file = TALUS_SOURCE_DIR "/README.md/game";
   EXPECT_EQ(run({"lua-runtime", "-o", file}), 1);
-  EXPECT_EQ(answer_.err,
-            file + ": error: " TALUS_SOURCE_DIR "/README.md is a file, where a folder is needed\n");
+  EXPECT_EQ(answer_.err, file + ": error: " TALUS_SOURCE_DIR "/README.md is a file, but must be a folder\n");
 }
 
 }  // namespace talus::cli_export_test

@@ -90,11 +90,10 @@ TEST_F(CliPresets, WhatCannotBeDoneIsSaid) {
                              ": error: there is no preset \"game\"; the level has \"cart\", \"text\"\n");
   save({{"odd", "gameboy", "a.gb", "", false, ""}, {"own", "native", "cave.talus.json", "", false, ""}});
   EXPECT_EQ(run({"--all"}), 1);
-  EXPECT_EQ(answer_.err,
-            path("cave.talus.json") + ":preset \"odd\": error: \"gameboy\" is no target of this version\n" +
-                path("cave.talus.json") +
-                ":preset \"own\": error: this is the level's own file, which saving writes: name "
-                "another one\n");
+  EXPECT_EQ(answer_.err, path("cave.talus.json") +
+                             ":preset \"odd\": error: \"gameboy\" is not a target that this version knows\n" +
+                             path("cave.talus.json") +
+                             ":preset \"own\": error: this is the level's own file: choose another one\n");
   save({});
   EXPECT_EQ(run({"--all"}), 1);
   EXPECT_EQ(run({}), 2);

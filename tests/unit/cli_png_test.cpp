@@ -38,9 +38,8 @@ TEST_F(CliPng, ExportsEachPart) {
 TEST_F(CliPng, AnOutputMustHaveAPicturesName) {
   const CliAnswer answer = cli_answer({"export", level_path(), "--to", "tiles-png", "-o", path("a.tic")});
   EXPECT_EQ(answer.status, kExitBad);
-  EXPECT_EQ(answer.err, path("a.tic") +
-                            ": error: is no name of a PNG picture of the tiles, which would be written: it "
-                            "must end with .png\n");
+  EXPECT_EQ(answer.err,
+            path("a.tic") + ": error: is not a name for a PNG picture of the tiles: it must end with .png\n");
 }
 
 TEST_F(CliPng, TakesAPictureIntoALevel) {

@@ -167,15 +167,12 @@ TEST_F(CliConvert, RefusesTheNameOfAnotherFormat) {
     const std::string file = path(name);
     const CliAnswer answer = cli_answer({"import", kOne, "-o", file});
     EXPECT_EQ(answer.status, kExitBad);
-    EXPECT_EQ(
-        answer.err,
-        file +
-            ": error: is no name of a Talus level, which would be written: it must end with .talus.json\n");
+    EXPECT_EQ(answer.err, file + ": error: is not a name for a Talus level: it must end with .talus.json\n");
     EXPECT_FALSE(std::filesystem::exists(file));
   }
   const std::string json = path("named.talus.json");
   EXPECT_THAT(cli_answer({"export", kOne, "--to", "tic", "-o", json}).err,
-              HasSubstr("is no name of a TIC-80 cartridge, which would be written: it must end with .tic"));
+              HasSubstr("is not a name for a TIC-80 cartridge: it must end with .tic"));
   EXPECT_FALSE(std::filesystem::exists(json));
 }
 

@@ -69,7 +69,7 @@ TEST_F(CliUntil, StopsARecording) {
 TEST_F(CliUntil, AWrongConditionIsWrongUsage) {
   const CliAnswer answer = sim("1 < vz");
   EXPECT_EQ(answer.status, kExitUsage);
-  EXPECT_THAT(answer.err, HasSubstr("at 5: no name 'vz'; do you mean 'vy'?"));
+  EXPECT_THAT(answer.err, HasSubstr("at 5: unknown name 'vz'; did you mean 'vy'?"));
   EXPECT_EQ(sim("vy").status, kExitUsage);
 }
 

@@ -188,58 +188,58 @@ std::string problem(std::string_view text) {
 }
 
 TEST(ExpressionErrors, SayWhereAndWhat) {
-  EXPECT_EQ(problem(""), "0: an expression is missing");
-  EXPECT_EQ(problem("  "), "0: an expression is missing");
-  EXPECT_EQ(problem("1 +"), "3: a value is missing at the end");
-  EXPECT_EQ(problem("1 + * 2"), "4: a value is missing before '*'");
-  EXPECT_EQ(problem("(1 + 2"), "6: a ')' is missing");
-  EXPECT_EQ(problem("1 2"), "2: '2' follows a whole expression");
-  EXPECT_EQ(problem("x = 1"), "2: '=' does not compare; write '=='");
-  EXPECT_EQ(problem("grounded & capped"), "9: '&' is no operator here; write '&&'");
-  EXPECT_EQ(problem("grounded | capped"), "9: '|' is no operator here; write '||'");
-  EXPECT_EQ(problem("x @ 1"), "2: no expression has a '@'");
-  EXPECT_EQ(problem("x > \xc3\xbc"), "4: no expression has this character");
-  EXPECT_EQ(problem("1e999"), "0: no double is as large or as small as this number");
-  EXPECT_EQ(problem("3x"), "1: a number goes on with a letter");
+  EXPECT_EQ(problem(""), "0: the expression is empty");
+  EXPECT_EQ(problem("  "), "0: the expression is empty");
+  EXPECT_EQ(problem("1 +"), "3: expected a value at the end");
+  EXPECT_EQ(problem("1 + * 2"), "4: expected a value before '*'");
+  EXPECT_EQ(problem("(1 + 2"), "6: expected ')'");
+  EXPECT_EQ(problem("1 2"), "2: '2' comes after the end of the expression");
+  EXPECT_EQ(problem("x = 1"), "2: '=' is not a comparison; write '=='");
+  EXPECT_EQ(problem("grounded & capped"), "9: '&' is not an operator; write '&&'");
+  EXPECT_EQ(problem("grounded | capped"), "9: '|' is not an operator; write '||'");
+  EXPECT_EQ(problem("x @ 1"), "2: unexpected character '@'");
+  EXPECT_EQ(problem("x > \xc3\xbc"), "4: unexpected character");
+  EXPECT_EQ(problem("1e999"), "0: the number is too large or too small for a double");
+  EXPECT_EQ(problem("3x"), "1: a letter follows the number directly");
   EXPECT_EQ(problem(std::string(1001, '1')), "1000: an expression has no more than 1000 bytes");
 }
 
 TEST(ExpressionErrors, OfNames) {
-  EXPECT_EQ(problem("body.vz > 1"), "0: no name 'body.vz'; do you mean 'body.vy'?");
-  EXPECT_EQ(problem("1 < gruonded"), "4: no name 'gruonded'; do you mean 'grounded'?");
-  EXPECT_EQ(problem("body(2).spede > 1"), "8: no name 'spede'; do you mean 'speed'?");
-  EXPECT_EQ(problem("banana"), "0: no name 'banana'");
-  EXPECT_EQ(problem("body.frame"), "0: no name 'body.frame'");
+  EXPECT_EQ(problem("body.vz > 1"), "0: unknown name 'body.vz'; did you mean 'body.vy'?");
+  EXPECT_EQ(problem("1 < gruonded"), "4: unknown name 'gruonded'; did you mean 'grounded'?");
+  EXPECT_EQ(problem("body(2).spede > 1"), "8: unknown name 'spede'; did you mean 'speed'?");
+  EXPECT_EQ(problem("banana"), "0: unknown name 'banana'");
+  EXPECT_EQ(problem("body.frame"), "0: unknown name 'body.frame'");
   EXPECT_EQ(problem("body"), "0: 'body' needs a name after it, as in 'body.x'");
-  EXPECT_EQ(problem("body(1)"), "7: a name of the body is missing, as in 'body(1).x'");
+  EXPECT_EQ(problem("body(1)"), "7: expected a name of the body, as in 'body(1).x'");
   EXPECT_EQ(problem("body(true).x"), "0: 'body' needs a number, not a truth value");
   EXPECT_EQ(problem("touches"), "0: 'touches' needs arguments: touches(column, row)");
   EXPECT_EQ(problem("touches(1)"), "0: 'touches' takes 2 arguments, not 1");
   EXPECT_EQ(problem("abs(1, 2)"), "0: 'abs' takes 1 argument, not 2");
   EXPECT_EQ(problem("abs()"), "0: 'abs' takes 1 argument, not 0");
-  EXPECT_EQ(problem("min(1 2)"), "6: a ')' or ',' is missing");
+  EXPECT_EQ(problem("min(1 2)"), "6: expected ')' or ','");
   EXPECT_EQ(problem("vy(1)"), "2: 'vy' takes no arguments");
 }
 
 TEST(ExpressionErrors, OfTypes) {
   EXPECT_EQ(problem("grounded + 1"),
-            "9: '+' needs a number on both sides, and has a truth value on its left");
+            "9: '+' needs a number on both sides, but has a truth value on its left");
   EXPECT_EQ(problem("vy && grounded"),
-            "3: '&&' needs a truth value on both sides, and has a number on its left");
-  EXPECT_EQ(problem("1 < vy < 2"), "7: '<' needs a number on both sides, and has a truth value on its left");
+            "3: '&&' needs a truth value on both sides, but has a number on its left");
+  EXPECT_EQ(problem("1 < vy < 2"), "7: '<' needs a number on both sides, but has a truth value on its left");
   EXPECT_EQ(problem("grounded || vy"),
-            "9: '||' needs a truth value on both sides, and has a number on its right");
+            "9: '||' needs a truth value on both sides, but has a number on its right");
   EXPECT_EQ(problem("grounded == 1"), "9: '==' compares a truth value with a number");
   EXPECT_EQ(problem("!vy"), "0: '!' needs a truth value, not a number");
   EXPECT_EQ(problem("-grounded"), "0: '-' needs a number, not a truth value");
   EXPECT_EQ(problem("body(grounded || vy > 1).x"), "0: 'body' needs a number, not a truth value");
   EXPECT_EQ(problem("body(vy || vx).x"),
-            "8: '||' needs a truth value on both sides, and has a number on its left");
-  EXPECT_EQ(problem("max(1, grounded)"), "7: 'max' takes numbers, and this is a truth value");
+            "8: '||' needs a truth value on both sides, but has a number on its left");
+  EXPECT_EQ(problem("max(1, grounded)"), "7: 'max' takes numbers, but this is a truth value");
   const auto condition = Expression::parse_condition("vy");
   ASSERT_FALSE(condition);
   EXPECT_EQ(condition.error().message,
-            "a condition is true or false, and this is a number; compare it, as in 'speed > 3'");
+            "a condition must be true or false, but this is a number; compare it, as in 'speed > 3'");
   EXPECT_TRUE(Expression::parse_condition("vy > 1"));
 }
 
@@ -252,7 +252,7 @@ TEST(ExpressionErrors, OfDepth) {
   EXPECT_EQ(problem(nested(8)), "none");
   EXPECT_EQ(problem(nested(9)), "0: this looks back more than 8 frames");
   EXPECT_EQ(problem(std::string(499, '(') + "1" + std::string(499, ')')), "none");
-  EXPECT_EQ(problem(std::string(1000, '(')), "1000: a value is missing at the end");
+  EXPECT_EQ(problem(std::string(1000, '(')), "1000: expected a value at the end");
   EXPECT_EQ(problem(std::string(999, '-') + "1"), "none");
 }
 

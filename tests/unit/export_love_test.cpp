@@ -26,7 +26,7 @@ TEST(ExportLove, SaysThatTheGameMovesByExact) {
     EXPECT_EQ(exported(level, id).dropped, std::vector<std::string>{}) << id;
     level.tuning.solver = SolverKind::article;
     EXPECT_EQ(exported(level, id).dropped,
-              std::vector<std::string>{"the solver article: the game moves by exact"})
+              std::vector<std::string>{"the solver article: the game uses exact instead"})
         << id;
   }
 }
@@ -74,7 +74,7 @@ TEST(ExportLove, ACartKeepsItsSoundAndSaysWhatMakesRoomForTheGame) {
     if (is_text) level = read_level(exported(level, "tic-text").files[0].bytes, {"lua"})->level;
     for (const char* id : {"tic-playable", "tic-text-playable"}) {
       const Exported game = exported(level, id);
-      std::vector<std::string> said = {"the cart's own code, 18 bytes: the game's is in its place"};
+      std::vector<std::string> said = {"the cart's own code, 18 bytes: the game's code replaces it"};
       if (!is_text) said.push_back("the BINARY chunk of bank 0");
       EXPECT_EQ(game.dropped, said) << id;
       const auto cart = read_level(game.files[0].bytes, {id == std::string("tic-playable") ? "tic" : "lua"});

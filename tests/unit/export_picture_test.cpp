@@ -35,8 +35,8 @@ TEST(ExportPng, ALargeMapIsRefused) {
   Level level;
   level.map = TileMap(2049, 1);
   EXPECT_EQ(exported("png", level, "map.png").error().message,
-            "the map is 16392x8 px, and a picture holds 16384 px a side and 33554432 px in all, such as "
-            "8192x4096");
+            "the map is 16392x8 px, but a picture may have at most 16384 px on each side and 33554432 px in "
+            "all, such as 8192x4096");
   level.map = TileMap(1024, 513);
   EXPECT_THAT(exported("png", level, "map.png").error().message, StartsWith("the map is 8192x4104 px"));
   EXPECT_THAT(exported("svg", level, "map.svg").error().message, StartsWith("the map is 8192x4104 px"));

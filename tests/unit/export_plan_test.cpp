@@ -61,12 +61,13 @@ TEST(ExportPath, IsCountedFromTheLevelsFile) {
   EXPECT_EQ(output("/out", "/home/me/cave.talus.json"), "/out");
   EXPECT_EQ(output("/out", ""), "/out");
   EXPECT_EQ(output("out", "cave.talus.json"), "out");
-  EXPECT_EQ(output("", "/home/cave.talus.json").error().error.message, "no file or folder is named");
+  EXPECT_EQ(output("", "/home/cave.talus.json").error().error.message,
+            "the path is empty: name a file or a folder");
   EXPECT_EQ(output(std::string(".bashrc\0.lua", 12), "/home/cave.talus.json").error().error.message,
-            "has a NUL character, which no file's name has");
+            "has a NUL character, which file names cannot have");
   EXPECT_EQ(output("out", "").error().field, ExportProblem::Field::path);
   EXPECT_EQ(output("./cave.talus.json", "/home/cave.talus.json").error().error.message,
-            "this is the level's own file, which saving writes: name another one");
+            "this is the level's own file: choose another one");
 }
 
 TEST(ExportPath, IsRelativeWhereBothMoveTogether) {
@@ -126,16 +127,17 @@ TEST_F(ExportPlans, SayWhichFieldIsWrong) {
     return plan_export(Level(), exporter, output, no_asset).error();
   };
   EXPECT_EQ(problem("gameboy", path("a.gb")).field, Field::target);
-  EXPECT_EQ(problem("gameboy", path("a.gb")).error.message, "\"gameboy\" is no target of this version");
+  EXPECT_EQ(problem("gameboy", path("a.gb")).error.message,
+            "\"gameboy\" is not a target that this version knows");
   EXPECT_EQ(problem("tic", path("a.png.zip")).field, Field::path);
   EXPECT_EQ(problem("love", path("a")).field, Field::level);
   EXPECT_EQ(problem("love", path("a")).error.message, "is missing") << "of the asset";
   put("file", "");
   EXPECT_EQ(problem("tic", path("file/a.tic")).error.message,
-            path("file") + " is a file, where a folder is needed");
+            path("file") + " is a file, but must be a folder");
   fs::create_directory(path("dir.tic"));
   EXPECT_EQ(problem("tic", path("dir.tic")).error.message,
-            path("dir.tic") + " is a folder, where a file is to be written");
+            path("dir.tic") + " is a folder, but must be a file");
 }
 
 const Exporter& folder_target() { return *find_exporter("love"); }
@@ -200,8 +202,8 @@ TEST(ExportCode, OfACartThatIsTooLargeIsAProblem) {
   EXPECT_EQ(code_problem(cart, std::nullopt), "");
   EXPECT_EQ(code_problem(cart, 65'536), "");
   EXPECT_EQ(code_problem(cart, 65'537),
-            "the code takes 65,537 bytes, and TIC-80's free version holds 65,536: fewer shapes or kinds of "
-            "bodies make it smaller");
+            "the code has 65,537 bytes, but TIC-80's free version allows only 65,536: use fewer shapes or "
+            "kinds of bodies");
   EXPECT_EQ(code_problem(*find_exporter("lua-runtime"), 65'537), "") << "of a game in any Lua";
 }
 

@@ -111,14 +111,14 @@ TEST(ExportSti, MoreThanAMillionBoxesAreRefused) {
   const auto exported = find_exporter("sti")->write({level, "a.lua", no_asset});
   ASSERT_FALSE(exported);
   EXPECT_EQ(exported.error().message,
-            "the slopes are more than 1000000 boxes, too many for an STI map: make the map smaller");
+            "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller");
 }
 
 TEST(ExportSti, TellsWhatBumpDoesNotHave) {
   Level level = level_with({.kind = TileShape::Kind::slope, .tiles = 2, .heights = {1, 8}}, {2, 2}, 2);
   level.curves.push_back({"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
   EXPECT_THAT(tiled_export_of(level, "sti", "a.lua").dropped,
-              ElementsAre("collision, which bump.lua has none of, with 1 curve"));
+              ElementsAre("collision, which bump.lua cannot have, with 1 curve"));
 }
 
 }  // namespace talus::export_sti_test

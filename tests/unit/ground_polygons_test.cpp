@@ -141,8 +141,8 @@ TEST(GroundPolygons, OfMillionsOfSidesAreRefused) {
   const auto polygons = ground_polygons(ground);
   ASSERT_FALSE(polygons);
   EXPECT_EQ(polygons.error().message,
-            "has ground whose outline has more than 8388608 sides, and no more are written: join tiles that "
-            "stand alone, or make the map smaller");
+            "has ground with more than 8388608 sides in its outline, the most that can be exported: join "
+            "separate tiles, or make the map smaller");
 }
 
 // Lines of ground that does not overlap are not compared: a column of 100000 slopes took minutes.

@@ -79,10 +79,10 @@ TEST(LuaParts, OthersAreAskedFor) {
   EXPECT_EQ(parts_of(Level(), "curves"), "slopes segments curves ");
   const auto wrong = lua_parts(flat_level(), "pairs,plyers");
   ASSERT_FALSE(wrong);
-  EXPECT_EQ(
-      wrong.error().message,
-      "\"plyers\" is no part of the runtime: there are slopes, one_way, segments, curves, balls, players, "
-      "pairs, mouse");
+  EXPECT_EQ(wrong.error().message,
+            "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, segments, curves, "
+            "balls, players, "
+            "pairs, mouse");
 }
 
 // Words that are in the code of a part alone.

@@ -44,7 +44,8 @@ TEST(ExporterFiles, CompanionsAreNobodyElses) {
   EXPECT_EQ(clash({preset("cart", "tic", "out/a.tic"), preset("copy", "native", "out/a.talus.json")}), "");
   const std::vector<ExportPreset> own = {preset("copy", "native", "game.tic.talus.json")};
   EXPECT_EQ(clash_problem(own, 0, "/home/me/game.tic"),
-            "game.tic.talus.json would be written, which goes with the level's own file: give another path");
+            "game.tic.talus.json belongs to the level's own file, and the preset would overwrite it: give "
+            "another path");
 }
 
 TEST(ExporterFiles, PicturesThatAreSharedAreTheSame) {
@@ -101,7 +102,7 @@ TEST(PresetClash, TheLevelIsNoFileOfAnExport) {
   EXPECT_EQ(clash_problem(presets, 0, "game/level.talus.json"), "");
   const std::vector<ExportPreset> own = {preset("game", "cpp", ".")};
   EXPECT_EQ(clash_problem(own, 0, "game/level.talus.json"),
-            "level.talus.json would be written, which is the level's own file: give another path");
+            "level.talus.json is the level's own file, which the preset would overwrite: give another path");
 }
 
 TEST(PresetTarget, NameAndPathFollowIt) {

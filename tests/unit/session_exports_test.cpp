@@ -149,7 +149,8 @@ TEST_F(SessionExports, OneProblemDoesNotHoldUpTheOthers) {
   add("cart", "tic", "out/a.tic");
   run();
   EXPECT_EQ(message(),
-            "Export of odd: \"gameboy\" is no target of this version.\nExported cart: 1 file to out/a.tic.");
+            "Export of odd: \"gameboy\" is not a target that this version knows.\nExported cart: 1 file to "
+            "out/a.tic.");
   EXPECT_TRUE(session().message()->is_error);
   EXPECT_TRUE(exists("out/a.tic"));
   EXPECT_EQ(session().level().exports[0].exporter, "gameboy");
@@ -317,7 +318,7 @@ TEST_F(SessionExports, ACartWithTooMuchCodeIsSaid) {
   session().finish_reading();
   add("cart", "tic-playable", "out/a.tic");
   run();
-  EXPECT_NE(message().find(" Too large, cart: the code takes "), std::string::npos) << message();
+  EXPECT_NE(message().find(" Too large, cart: the code has "), std::string::npos) << message();
   EXPECT_TRUE(exists("out/a.tic"));
 }
 

@@ -130,8 +130,8 @@ FormatResult<std::string> tic_of(const Level& level, std::vector<std::string>& d
   auto cart = level.cart ? text_content(level.cart->bytes, level.cart->comment) : new_cart();
   if (!cart) return tl::unexpected(cart.error());
   if (cart->code.size() > kCodeLimit) {
-    return tl::unexpected(FormatError{
-        "", "the code has " + std::to_string(cart->code.size()) + " bytes, and TIC-80 has room for 524287"});
+    return tl::unexpected(FormatError{"", "the code has " + std::to_string(cart->code.size()) +
+                                              " bytes, but a cartridge holds at most 524287"});
   }
   dropped.insert(dropped.end(), cart->rest.begin(), cart->rest.end());
   if (cart->lang != 0) dropped.emplace_back("the LANG section (TIC-80 never writes it to a cartridge)");
