@@ -70,8 +70,8 @@ FormatResult<Exported> tic_text_files(const ExportRequest& request, const Level&
   // Projects in Yue ended with .lua before TIC-80 had .yue.
   const bool is_yue_as_lua = needed == "yue" && given == "lua";
   if (!needed.empty() && !given.empty() && given != needed && !is_yue_as_lua)
-    return tl::unexpected(FormatError{"", "the cart's code is in another language than the name of " +
-                                              request.name + " says: it must end with ." +
+    return tl::unexpected(FormatError{"", "the cart's code does not fit the name " + request.name +
+                                              ": in its language the name must end with ." +
                                               std::string(needed)});
   return exported;
 }

@@ -3,8 +3,8 @@
 // The table, all lengths in px:
 //   width, height     cells
 //   tiles             width * height tile numbers, row by row
-// shapes            by tile number: kind ("solid", "slope", "profile"); unless default: side ("floor"),
-// one_way (false), tiles (width, 1); heights, for slopes and profiles
+//   shapes            by tile number: kind ("solid", "slope", "profile"); unless default: side ("floor"),
+//                     one_way (false), tiles (width, 1); heights, for slopes and profiles
 //   balls             by tile number: true where a tile of the map is a ball
 //   curves            kind, faces ("up", "down", "both") and the numbers of
 //   core/include/talus/collision/shape.h spawns            kind, name, x, y, w, h, vx, vy, foot ("box",

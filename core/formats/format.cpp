@@ -1,4 +1,4 @@
-// The list of formats, and reading by content. Files are in level_file.cpp.
+// The list of formats, and reading by content. level_file.cpp has the functions for files.
 #include <talus/formats/format.h>
 
 #include <algorithm>
@@ -23,7 +23,8 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-// The format with the longest extension that the name ends with: "a.talus.json" is no ".json" of another's.
+// Returns the format with the longest extension that the name ends with: "a.talus.json" is not another
+// format's ".json".
 const Format* format_of_name(std::string_view lower_name, bool must_write) {
   const Format* best = nullptr;
   std::size_t length = 0;
@@ -106,7 +107,7 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
       accepting != all.end() ? &*accepting : format_of_name("." + context.extension, false);
   if (!format) {
     return tl::unexpected(
-        FormatError{"", "is no Talus level, TIC-80 cartridge, TIC-80 text project or map of Tiled"});
+        FormatError{"", "is not a Talus level, TIC-80 cartridge, TIC-80 text project or Tiled map"});
   }
   LoadedLevel loaded{Level(), format};
   FormatContext noting = context;

@@ -10,9 +10,9 @@ std::string caught_text() {
   } catch (const std::bad_alloc&) {
     return "there is not enough memory";
   } catch (const std::exception& error) {
-    return std::string("an error that is not expected here, ") + error.what();
+    return std::string("an unexpected error: ") + error.what();
   } catch (...) {
-    return "an error that is not expected here";
+    return "an unexpected error";
   }
 }
 

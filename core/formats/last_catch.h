@@ -1,4 +1,4 @@
-// The last net under readers, threads and programs: what nobody expected to be thrown becomes a sentence.
+// The last net under readers, threads and programs: an unexpected exception becomes a sentence.
 #pragma once
 
 #include <string>
@@ -7,13 +7,12 @@
 
 namespace talus {
 
-// Of the exception that is being handled: "there is not enough memory", or what it says itself. To be called
-// in a catch (...).
+// Describes the exception that is being handled: "there is not enough memory", or its own text. Call it in a
+// catch (...).
 std::string caught_text();
 
-// What read() gives, or an error in the place of what it throws. Readers throw nothing but for lack of
-// memory, and the fuzzers call them without this; here a fault of theirs costs the user one file and not the
-// program.
+// Returns what read() returns, or an error if it throws. Readers throw only if memory runs out, and the
+// fuzzers call them without this. With it, a bug in a reader costs the user one file and not the program.
 template <class Read>
 auto read_guarded(Read read) -> decltype(read()) {
   try {

@@ -1,5 +1,5 @@
-// Levels in files, with their companions. The companion is put in place first: after a crash between the two,
-// what it says about its file tells that they do not fit, and nothing of either is lost.
+// Levels in files, with their companions. The companion is written first. If a crash comes between the two,
+// the companion's hashes show that the two do not fit, and nothing is lost.
 #include <cassert>
 #include <filesystem>
 
@@ -24,7 +24,7 @@ void add_doubt(const std::string& path, const StagedFile& staged, std::string& n
 // What is in the place of a companion.
 struct Place {
   bool is_free = true;
-  FormatResult<std::string> bytes = std::string();  // an error where it is no file to read
+  FormatResult<std::string> bytes = std::string();  // an error if it is not a readable file
 };
 
 Place look_at(const std::string& path) {
@@ -33,7 +33,7 @@ Place look_at(const std::string& path) {
   if (!fs::exists(status)) return {};
   // A link may lead anywhere, and reading a pipe may wait for ever.
   if (!fs::is_regular_file(status))
-    return {false, tl::unexpected(FormatError{"", "is a link, a folder or a device, and no file"})};
+    return {false, tl::unexpected(FormatError{"", "is a link, a folder or a device, but must be a file"})};
   return {false, read_file(path)};
 }
 
@@ -58,20 +58,21 @@ void add_companion(LoadedLevel& loaded) {
   if (joined->is_whole) loaded.companion.content = content_hash(*place.bytes);
 }
 
-// The level of a companion that was named itself; errors are about the companion.
+// Reads the level of a companion that was named itself. Errors are about the companion.
 FormatResult<LoadedLevel> load_owner(const std::string& owner) {
   const auto failure = [&](const std::string& what) {
-    return tl::unexpected(FormatError{"", "is what Talus added to " + last_name(owner) + what});
+    return tl::unexpected(
+        FormatError{"", "is the companion that Talus saved with " + last_name(owner) + what});
   };
   std::error_code error;
-  if (!fs::exists(owner, error)) return failure(", which is not beside it: put them together again");
+  if (!fs::exists(owner, error)) return failure(", but that file is not beside it: put both into one folder");
   auto loaded = load_level(owner);
   if (!loaded) return failure(", which cannot be read: " + to_string(loaded.error(), owner));
-  if (loaded->format->holds.empty()) return failure(", which is no cart");
+  if (loaded->format->holds.empty()) return failure(", which is not a cart");
   return loaded;
 }
 
-// Writes a file that is put in place at once. Told in `note`: what is doubtful of it then.
+// Writes a file that is put in place at once. `note` gets its doubt, if there is one.
 FormatResult<void> write_noting(const std::string& path, std::string_view bytes, std::string& note) {
   auto staged = StagedFile::write(path, bytes);
   if (!staged) return tl::unexpected(staged.error());
@@ -80,7 +81,7 @@ FormatResult<void> write_noting(const std::string& path, std::string_view bytes,
   return put;
 }
 
-// Puts a companion and its file in place; what was done is undone again where it ends before its time.
+// Puts a companion and its file in place. If it ends early, it undoes what was done.
 class PairWriter {
  public:
   PairWriter(std::string path, Place before) : path_(std::move(path)), before_(std::move(before)) {}
@@ -94,7 +95,7 @@ class PairWriter {
     if (!kept_.empty()) fs::rename(kept_, path_, ignored);
   }
 
-  // is_own: what is there may be replaced; otherwise it is kept aside.
+  // is_own: the file there may be replaced; otherwise it is kept aside.
   FormatResult<void> put_companion(const std::string& bytes, bool is_own) {
     is_own_ = is_own && !before_.is_free;
     if (!before_.is_free && !is_own) {
@@ -111,7 +112,7 @@ class PairWriter {
     if (removes) fs::remove(path_, ignored);
   }
   const std::string& kept() const { return kept_; }
-  const std::string& doubt() const { return doubt_; }  // of the companion, as write_noting() tells it
+  const std::string& doubt() const { return doubt_; }  // about the companion, in the words of write_noting()
 
  private:
   FormatResult<void> make_room() {
@@ -124,17 +125,17 @@ class PairWriter {
   std::string path_;
   Place before_;
   std::string doubt_;
-  std::string kept_;  // where what was there is now; empty: it has not been moved
+  std::string kept_;  // where the old file is now; empty: it has not been moved
   bool is_own_ = false, is_put_ = false, is_done_ = false;
 };
 
-// With an error of the companion, which the user has not named.
+// For an error of the companion, whose name the user has not typed.
 tl::unexpected<FormatError> companion_error(const std::string& path, FormatError error) {
   error.message = last_name(path) + ", for what it cannot hold: " + error.message;
   return tl::unexpected(std::move(error));
 }
 
-// The text of the companion that the written level needs; empty: none.
+// Returns the text of the companion that the written level needs; empty if it needs none.
 FormatResult<std::string> needed_companion(const Level& level, const Format& format, const std::string& bytes,
                                            const std::string& path) {
   const auto held = format.read(bytes, context_for_file(path));
@@ -149,7 +150,8 @@ FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, con
   if (!needed) return companion_error(beside, needed.error());
   const Place before = look_at(beside);
   const bool is_known = before.bytes && known.path == beside && known.content == content_hash(*before.bytes);
-  // What does not go with the file cannot be taken for a part of it, and may stay where nothing is needed.
+  // A file that does not belong to the level cannot be mistaken for its companion. It may stay if no
+  // companion is needed.
   const bool stays = needed->empty() && !(before.bytes && is_companion(*before.bytes));
   auto staged = StagedFile::write(path, written.bytes);
   if (!staged) return tl::unexpected(staged.error());
@@ -183,7 +185,7 @@ std::string companion_place_problem(const std::string& path) {
   const Format* format = owner.empty() ? nullptr : format_for_file(owner);
   std::error_code error;
   if (format == nullptr || format->holds.empty() || !fs::exists(owner, error)) return "";
-  return "is the place of what " + last_name(owner) + " beside it cannot hold: give another name";
+  return "is the name of the companion of " + last_name(owner) + " beside it: choose another name";
 }
 
 std::string level_path(const std::string& path) {
@@ -196,7 +198,7 @@ std::string level_path(const std::string& path) {
 
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices,
                                      const Progress& progress) {
-  constexpr double kReading = 0.1;  // of the time that it takes
+  constexpr double kReading = 0.1;  // share of the time
   const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, kReading));
   if (!bytes) return tl::unexpected(bytes.error());
   if (const std::string owner = owner_of_companion(path); !owner.empty() && is_companion(*bytes))

@@ -397,7 +397,7 @@ TEST_F(WriteFaults, AFileIsOnTheDiskBeforeItTakesTheOldOnesPlace) {
 // What is in its place, but not certain to outlast a power failure, is told.
 TEST_F(WriteFaults, AFolderThatCannotBeBroughtToTheDiskIsTold) {
   const std::string doubt =
-      "is written, but a power failure may undo that, as its folder cannot be brought to the disk: "
+      "is written, but a power failure may undo that, since its folder could not be synchronised: "
       "Input/output error";
   const auto fail_at_folder = [&](FailingCalls& calls, const std::function<void()>& write) {
     write();  // over an older one from now on

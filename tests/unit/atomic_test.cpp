@@ -40,16 +40,16 @@ TEST_F(AtomicFileTest, ReadsWhatItWrites) {
 
 TEST_F(AtomicFileTest, UnreadableThingsAreErrors) {
   EXPECT_EQ(read_file(path("none")).error().message, "cannot be opened: No such file or directory");
-  EXPECT_EQ(read_file(folder_.string()).error().message, "is a directory, and only files are read");
+  EXPECT_EQ(read_file(folder_.string()).error().message, "is a directory; only regular files can be read");
 }
 
 TEST_F(AtomicFileTest, WhatIsNoFileIsRefusedAtOnce) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
-  EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe, and only files are read");
-  EXPECT_EQ(write_file_atomic(path("pipe"), "x").error().message, "is a pipe or device that nobody reads");
+  EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe; only regular files can be read");
+  EXPECT_EQ(write_file_atomic(path("pipe"), "x").error().message, "is a pipe or a device that nobody reads");
   const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
   EXPECT_TRUE(write_file_atomic(path("pipe"), "x"));
-  EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe, and only files are read")
+  EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe; only regular files can be read")
       << "with a byte in it";
   ::close(reader);
   const int descriptor = ::socket(AF_UNIX, SOCK_STREAM, 0);
@@ -58,12 +58,12 @@ TEST_F(AtomicFileTest, WhatIsNoFileIsRefusedAtOnce) {
   ASSERT_LT(name.size(), sizeof address.sun_path);
   std::copy(name.begin(), name.end(), address.sun_path);
   ASSERT_EQ(::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-  EXPECT_EQ(read_file(name).error().message, "is a socket, and only files are read");
+  EXPECT_EQ(read_file(name).error().message, "is a socket; only regular files can be read");
   ::close(descriptor);
   for (const char* device : {"/dev/null", "/dev/zero", "/dev/tty"})
-    EXPECT_EQ(read_file(device).error().message, "is a device, and only files are read");
+    EXPECT_EQ(read_file(device).error().message, "is a device; only regular files can be read");
   fs::create_symlink("pipe", path("link"));
-  EXPECT_EQ(read_file(path("link")).error().message, "is a pipe, and only files are read");
+  EXPECT_EQ(read_file(path("link")).error().message, "is a pipe; only regular files can be read");
 }
 
 TEST_F(AtomicFileTest, LargeFilesAreRefused) {
@@ -125,7 +125,7 @@ TEST_F(AtomicFileTest, TheStartOfAFileIsReadAlone) {
   EXPECT_EQ(read_start_of_file(path("a"), 10).value(), "abcdef");
   EXPECT_FALSE(read_start_of_file(path("none"), 4));
   EXPECT_EQ(read_start_of_file(folder_.string(), 4).error().message,
-            "is a directory, and only files are read");
+            "is a directory; only regular files can be read");
   fs::resize_file(path("a"), std::uintmax_t{1} << 33);
   EXPECT_EQ(read_start_of_file(path("a"), 4).value(), "abcd") << "of any size";
 }

@@ -177,7 +177,7 @@ TEST(NativeBrushes, WhatIsWrongIsSaidWithItsPlace) {
   expect_brush_error(R"("brushes": [{"rows": ["01", "0102"]}])", "key brushes[0].rows",
                      "must have rows of the same length");
   expect_brush_error(R"("brushes": [{"rows": ["0g"]}])", "key brushes[0].rows",
-                     "has a cell that is no two hexadecimal digits");
+                     "has a cell that is not two hexadecimal digits");
   expect_brush_error(R"("brushes": [{"random": 1, "rows": ["01"]}])", "key brushes[0].random",
                      "must be true or false");
   expect_brush_error(R"("auto_tiles": 1)", "key auto_tiles", "must be an object");

@@ -159,8 +159,8 @@ TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
     for (const char* option : {static_cast<const char*>(nullptr), "--playable"}) {
       EXPECT_EQ(run_to("tic-text", name, option), 1);
       EXPECT_EQ(answer_.err, path("cave.talus.json") +
-                                 ": error: the cart's code is in another language than the name of " + name +
-                                 " says: it must end with .lua\n");
+                                 ": error: the cart's code does not fit the name " + name +
+                                 ": in its language the name must end with .lua\n");
       EXPECT_FALSE(exists(name));
     }
   }

@@ -221,8 +221,9 @@ TEST_F(CliWatch, AfterABadFileItGoesOn) {
 TEST_F(CliWatch, WaitsForAFileInThePlaceOfAPipe) {
   ASSERT_EQ(::mkfifo(path("cave.talus.json").c_str(), 0666), 0);
   watch({"--to", "tic", "-o", path("b.tic")});
-  EXPECT_EQ(wait_for(err_text_, 1),
-            path("cave.talus.json") + ": error: is a pipe, and only files are read; waiting for a file\n");
+  EXPECT_EQ(
+      wait_for(err_text_, 1),
+      path("cave.talus.json") + ": error: is a pipe; only regular files can be read; waiting for a file\n");
   std::this_thread::sleep_for(std::chrono::milliseconds(500));  // it is looked at some times more
   fs::remove(path("cave.talus.json"));
   save({}, 5);

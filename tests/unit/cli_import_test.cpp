@@ -38,14 +38,12 @@ class CliImportTest : public FolderTest {
 TEST_F(CliImportTest, AsksForAChoice) {
   EXPECT_EQ(import({}), 1);
   EXPECT_EQ(errors(),
-            "two.tmx: error: has the layers of tiles \"front\", \"back\", and a level has one: `talus import "
-            "--layer "
-            "NAME` takes the one of that name\n");
+            "two.tmx: error: has the layers of tiles \"front\", \"back\", and a level has one: choose one by "
+            "`talus import --layer NAME`\n");
   EXPECT_EQ(import({"--layer", "back"}), 1);
   EXPECT_EQ(errors(),
-            "two.tmx: error: has a tileset of 300 tiles, and a level has 256: `talus import --tiles-used` "
-            "takes those "
-            "that are shown\n");
+            "two.tmx: error: has a tileset of 300 tiles, but a level has only 256: `talus import "
+            "--tiles-used` takes only those that the map shows\n");
   EXPECT_FALSE(exists("two.talus.json"));
 }
 

@@ -64,7 +64,7 @@ TEST_F(CliPng, ABadPictureLeavesTheLevelAlone) {
   EXPECT_EQ(size.out, "");
   EXPECT_FALSE(exists("unwritten.talus.json"));
   const CliAnswer none = cli_answer({"import", level, "--into", level, "-o", out});
-  EXPECT_EQ(none.err, level + ": error: is no PNG picture\n");
+  EXPECT_EQ(none.err, level + ": error: is not a PNG picture\n");
   EXPECT_EQ(cli_answer({"import", png, "--tile", "3", "-o", out}).status, kExitUsage) << "into what?";
 }
 
@@ -83,8 +83,8 @@ TEST_F(CliPng, ImportsACartInAPicture) {
   const CliAnswer none = cli_answer({"import", png, "-o", out});
   EXPECT_EQ(none.status, kExitBad);
   EXPECT_EQ(none.err, png +
-                          ": error: is a picture without a TIC-80 cartridge in it; File > Import a picture "
-                          "and talus import --into take its pixels\n");
+                          ": error: is a picture without a TIC-80 cartridge; to take its pixels, use File > "
+                          "Import a picture or talus import --into\n");
 }
 
 }  // namespace talus::cli_png_test

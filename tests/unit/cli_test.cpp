@@ -59,7 +59,7 @@ TEST_F(CliSim, InputIsReadWithBounds) {
   };
   const std::string at = path("in.jsonl") + ":line 2";
   EXPECT_EQ(error("\n{\"frame\": 1, \"keys\": " + keys),
-            at + ": error: JSON is nested deeper here than 64 levels\n");
+            at + ": error: the JSON is nested deeper than 64 levels here\n");
   EXPECT_EQ(error("\n{\"frame\": 1, \"frame\": 2}"),
             at + ", key frame: error: is there twice, in one object\n");
   EXPECT_EQ(error("\n{\"frame\": 1} {}"), at + ", column 14: error: this is not valid JSON\n");

@@ -219,13 +219,15 @@ TEST_F(Companions, OpenTheirCart) {
   EXPECT_TRUE(is_same(loaded.level, rich_level()));
   fs::remove(path("game.tic"));
   EXPECT_EQ(load_level(path("game.tic.talus.json")).error().message,
-            "is what Talus added to game.tic, which is not beside it: put them together again");
+            "is the companion that Talus saved with game.tic, but that file is not beside it: put both into "
+            "one folder");
   fs::rename(path("game.tic.talus.json"), path("x.talus.json"));
-  EXPECT_EQ(load_level(path("x.talus.json")).error().message,
-            "is what Talus added to x, which is not beside it: put them together again");
+  EXPECT_EQ(
+      load_level(path("x.talus.json")).error().message,
+      "is the companion that Talus saved with x, but that file is not beside it: put both into one folder");
   fs::rename(path("x.talus.json"), path("x.json"));
   EXPECT_EQ(load_level(path("x.json")).error().message,
-            "is no level of its own, but what Talus added to a cart: put it beside that, and open the cart");
+            "is not a level, but the companion of a cart: put it beside the cart, and open the cart");
 }
 
 TEST_F(Companions, KeepTheirPlaceBesideACart) {
@@ -256,9 +258,9 @@ TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
   put("game.tic.talus.json", "{");
   expect_not_read("line 1, column 2: this is not valid JSON");
   put("game.tic.talus.json", "[]");
-  expect_not_read("is a file of its own, and none that goes with another one");
+  expect_not_read("is a file of its own, not the companion of another one");
   put("game.tic.talus.json", write_native(rich_level(), {})->bytes);
-  expect_not_read("is a file of its own, and none that goes with another one");
+  expect_not_read("is a file of its own, not the companion of another one");
   put("game.tic.talus.json", R"({"companion": 7})");
   expect_not_read("key companion: must be an object");
   with(R"("spawns": [{"x": "far"}])");
@@ -276,7 +278,7 @@ TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
 TEST_F(Companions, ThatAreNoFilesAreNotOpened) {
   save(plain_level(), "game.tic");
   ASSERT_EQ(::mkfifo(path("game.tic.talus.json").c_str(), 0600), 0);
-  expect_not_read("is a link, a folder or a device, and no file");
+  expect_not_read("is a link, a folder or a device, but must be a file");
   fs::remove(path("game.tic.talus.json"));
   put("game.tic.talus.json", "");
   fs::resize_file(path("game.tic.talus.json"), kMaxFileBytes + 1);
@@ -284,7 +286,7 @@ TEST_F(Companions, ThatAreNoFilesAreNotOpened) {
   fs::remove(path("game.tic.talus.json"));
   put("victim", "mine");
   fs::create_symlink(path("victim"), path("game.tic.talus.json"));
-  expect_not_read("is a link, a folder or a device, and no file");
+  expect_not_read("is a link, a folder or a device, but must be a file");
   // What is in the way is moved, and never written through.
   const SavedLevel saved = save(rich_level(), "game.tic");
   EXPECT_EQ(bytes_of("victim"), "mine");

@@ -118,7 +118,7 @@ TEST(PngImport, SaysWhatDoesNotFit) {
   EXPECT_EQ(error(filled(16, 16, kPureRed), {PngPart::tiles, 15, false}),
             "The picture of 16x16 px does not fit at tile 15, where 8x128 px are left.");
   EXPECT_EQ(error(filled(16, 16, kPureRed), {PngPart::palette, 0, false}),
-            "The picture is 16x16 px, and a palette is 1 to 16 px side by side.");
+            "The picture is 16x16 px, but a palette must be 1 to 16 px side by side.");
 }
 
 }  // namespace talus::edit_png_test

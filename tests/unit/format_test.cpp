@@ -45,7 +45,7 @@ TEST(Formats, TheNameDecidesWhenTheContentDoesNot) {
   EXPECT_EQ(read_level("print()", {"tic"}).error().place, "byte 0");
   EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1, column 1");
   EXPECT_EQ(read_level("print()", {"txt"}).error().message,
-            "is no Talus level, TIC-80 cartridge, TIC-80 text project or map of Tiled");
+            "is not a Talus level, TIC-80 cartridge, TIC-80 text project or Tiled map");
 }
 
 class FormatFiles : public FolderTest {};

@@ -90,8 +90,9 @@ TEST(ImportTiled, WhatIsNoOutlineOfATileIsTold) {
   for (const std::string& object : others) {
     const LoadedLevel loaded = read(map_text({.tiles = tile_text(object)}));
     EXPECT_EQ(loaded.level.tile_shapes[17], TileShape()) << object;
-    EXPECT_THAT(loaded.dropped,
-                testing::Contains("a collision shape of tile 17 (5 in Tiled), which is no box or polygon"))
+    EXPECT_THAT(
+        loaded.dropped,
+        testing::Contains("a collision shape of tile 17 (5 in Tiled), which is not a box or a polygon"))
         << object;
   }
   const LoadedLevel flat = read(map_text({.tiles = tile_text(polygon(R"({"x":0,"y":8},{"x":8,"y":8})"))}));
@@ -142,7 +143,7 @@ TEST(ImportTiled, WhatCannotBeKeptIsTold) {
   EXPECT_THAT(
       loaded.dropped,
       testing::UnorderedElementsAre(
-          "the picture of the tileset \"t\"", "`flags` of a tile, which is no whole number from 0 to 255",
+          "the picture of the tileset \"t\"", "`flags` of a tile, which is not a whole number from 0 to 255",
           "the property \"hp\" of a tile", "the property \"x\" of a tile", "\"animation\" of a tile",
           "\"type\" of a tile", "an object of the layer \"things\" (2 times)", "the rotation of a body",
           "the property \"hp\" of a body",
@@ -230,25 +231,23 @@ TEST(ImportTiled, ReadsEveryKindOfLayerData) {
 TEST(ImportTiled, BadLayerDataIsAnErrorOnItsLine) {
   const auto error = [](const std::string& data) { return error_of(xml_map(data), "tmx"); };
   const std::string at = "map:line 4: error: ";
-  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3</data>"), at + "has 3 cells, and its size gives 4");
-  EXPECT_EQ(error("<data encoding=\"csv\">1,2,x,4</data>"),
-            at + "has something else than a number in place of cell 3");
-  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3,99999999999</data>"),
-            at + "has something else than a number in place of cell 4");
-  EXPECT_EQ(error("<data encoding=\"base64\">AA*A</data>"), at + "has a character that is none of Base64");
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3</data>"), at + "has 3 cells, but needs 4");
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,x,4</data>"), at + "must have a number as cell 3");
+  EXPECT_EQ(error("<data encoding=\"csv\">1,2,3,99999999999</data>"), at + "must have a number as cell 4");
+  EXPECT_EQ(error("<data encoding=\"base64\">AA*A</data>"), at + "has a character that is not Base64");
   EXPECT_EQ(error("<data encoding=\"base64\">AAAA</data>"), at + "ends in the middle of a cell");
   EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zlib\">AAAA</data>"),
             at + "has compressed cells that are damaged");
   EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zlib\">" +
                   base64(packed(std::string(1000, 'x'), 15)) + "</data>"),
-            at + "unpacks to more cells than its size gives");
+            at + "unpacks to more cells than the layer has");
   EXPECT_EQ(
       error("<data encoding=\"base64\" compression=\"zstd\">AAAA</data>"),
       at +
           "is compressed by zstd: choose another format of tile layers in Tiled, under Map > Map Properties");
   EXPECT_EQ(error("<data encoding=\"csv\">1,2,3,17</data>"),
-            "map:layer \"l\", cell (1, 1): error: holds tile 17, which is in none of the tilesets");
-  EXPECT_EQ(error(""), at + "is a layer of tiles without data");
+            "map:layer \"l\", cell (1, 1): error: holds tile 17, which no tileset has");
+  EXPECT_EQ(error(""), at + "is a tile layer without data");
 }
 
 TEST(ImportTiled, RefusesWhatNoLevelIs) {
@@ -263,31 +262,30 @@ TEST(ImportTiled, RefusesWhatNoLevelIs) {
             "map:key infinite: error: is an infinite map: switch Infinite off in Tiled, under Map > Map "
             "Properties");
   EXPECT_EQ(with(good, "\"tilewidth\":8,\"tileheight\":8", "\"tilewidth\":16,\"tileheight\":16"),
-            "map:key tilewidth: error: has tiles of 16x16 px, and those of a level are 8x8 px");
+            "map:key tilewidth: error: has tiles of 16x16 px, but a level needs tiles of 8x8 px");
   EXPECT_EQ(with(good, "\"width\":2", "\"width\":0"),
-            "map:key width: error: has something else than a whole number from 1 to 2097152 as width");
+            "map:key width: error: must have a whole number from 1 to 2097152 as width");
   EXPECT_EQ(with(good, "\"width\":2,\"height\":2", "\"width\":2000000,\"height\":2000000"),
-            "map:key width: error: has 2000000x2000000 cells, and a level has up to 16777216");
+            "map:key width: error: has 2000000x2000000 cells, but a level has at most 16777216");
   EXPECT_EQ(with(good, "\"width\":2", "\"width\":\"two\""),
-            "map:key width: error: has something else than a number as width");
+            "map:key width: error: must have a number as width");
   EXPECT_EQ(with(good, "[1,2,0,1]", "[1,2,0,-1]"),
-            "map:key layers[0].data: error: has something else than a number in place of cell 4");
-  EXPECT_EQ(with(good, "[1,2,0,1]", "7"), "map:key layers[0].data: error: has 0 cells, and its size gives 4");
+            "map:key layers[0].data: error: must have a number as cell 4");
+  EXPECT_EQ(with(good, "[1,2,0,1]", "7"), "map:key layers[0].data: error: has 0 cells, but needs 4");
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":3"),
-            "map:key tilesets[0].tiles: error: has something else than a list as tiles");
+            "map:key tilesets[0].tiles: error: must have a list as tiles");
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[3]"), "map:key tilesets[0].tiles[0]: error: is no object");
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":1e300}]"),
-            "map:key tilesets[0].tiles[0].id: error: has something else than a whole number from 0 to "
+            "map:key tilesets[0].tiles[0].id: error: must have a whole number from 0 to "
             "1048576 as id");
-  EXPECT_EQ(
-      with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":0,\"image\":\"a.png\"}]"),
-      "map:key tilesets[0].tiles[0].image: error: is a tile with a picture of its own, and a level needs one "
-      "picture of all tiles");
+  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":0,\"image\":\"a.png\"}]"),
+            "map:key tilesets[0].tiles[0].image: error: is a tile with a picture of its own, but a level "
+            "needs one picture for all tiles");
   EXPECT_EQ(error_of("{}"), "map: error: is no map of Tiled");
-  EXPECT_EQ(error_of("<a/>", "tmx"), "map: error: is no map or tileset of Tiled");
+  EXPECT_EQ(error_of("<a/>", "tmx"), "map: error: is not a Tiled map or tileset");
   EXPECT_EQ(error_of("<map>\n<layer", "tmx"), "map:line 2: error: this is not valid XML");
   EXPECT_EQ(error_of("{\"a\":" + std::string(100, '[')),
-            "map:line 1: error: JSON is nested deeper here than 64 levels");
+            "map:line 1: error: the JSON is nested deeper than 64 levels here");
   std::string groups;
   for (int i = 0; i < 40; ++i) groups += "<group>";
   for (int i = 0; i < 40; ++i) groups += "</group>";
@@ -337,13 +335,13 @@ TEST(ImportTiled, NamesOfXmlDoNotMeetInJson) {
   EXPECT_THAT(dropped("<map ", "<map width=\"1\" "), ElementsAre("map:line 1: error: has \"width\" twice"));
   EXPECT_THAT(dropped("<data ", "<data/><data "), ElementsAre("map:line 1: error: has \"data\" twice"));
   EXPECT_THAT(dropped("name=\"l\"", "name=\"&#xD800;\""),
-              ElementsAre("map:line 1: error: refers to a character that there is not"));
+              ElementsAre("map:line 1: error: refers to a character that does not exist"));
   EXPECT_THAT(
       dropped("</tileset>",
               "</tileset>\n<layer name=\"a&#10;::error::&#27;[31m\"><data "
               "encoding=\"csv\">2</data></layer>"),
       ElementsAre(R"(map: error: has the layers of tiles "a\n::error::\x1b[31m", "l", and a level has )"
-                  "one: `talus import --layer NAME` takes the one of that name"));
+                  "one: choose one by `talus import --layer NAME`"));
 }
 
 TEST(ImportTiled, NoEntityOfAFileGrows) {
@@ -360,17 +358,16 @@ TEST(ImportTiled, NoEntityOfAFileGrows) {
   FormatContext context{"tmx"};
   context.choices.layer = "none";
   EXPECT_EQ(read_level(text, context).error().message,
-            "has no layer of tiles with the name \"none\", but \"&a29;&file;\"");
+            "has no tile layer with the name \"none\", but \"&a29;&file;\"");
 }
 
 TEST(ImportTiled, ChoosesOneOfSeveralLayers) {
   const std::string text = map_text(
       {.layers =
            R"(,{"type":"group","name":"g","layers":[{"type":"tilelayer","name":"back","data":[3,3,3,3]}]})"});
-  EXPECT_EQ(
-      error_of(text),
-      "map: error: has the layers of tiles \"ground\", \"back\", and a level has one: `talus import --layer "
-      "NAME` takes the one of that name");
+  EXPECT_EQ(error_of(text),
+            "map: error: has the layers of tiles \"ground\", \"back\", and a level has one: choose one by "
+            "`talus import --layer NAME`");
   FormatContext context{"tmj"};
   std::vector<std::string> dropped;
   context.choices.layer = "back";
@@ -380,17 +377,16 @@ TEST(ImportTiled, ChoosesOneOfSeveralLayers) {
   EXPECT_THAT(loaded->dropped, testing::Contains("the layer \"ground\""));
   context.choices.layer = "front";
   EXPECT_EQ(read_level(text, context).error().message,
-            "has no layer of tiles with the name \"front\", but \"ground\", \"back\"");
+            "has no tile layer with the name \"front\", but \"ground\", \"back\"");
 }
 
 TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
   std::string text = map_text({.cells = "600,1,0,600"});
   const std::string count = "\"tilecount\":16";
   text.replace(text.find(count), count.size(), "\"tilecount\":700");
-  EXPECT_EQ(
-      error_of(text),
-      "map: error: has a tileset of 700 tiles, and a level has 256: `talus import --tiles-used` takes those "
-      "that are shown");
+  EXPECT_EQ(error_of(text),
+            "map: error: has a tileset of 700 tiles, but a level has only 256: `talus import --tiles-used` "
+            "takes only those that the map shows");
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
   EXPECT_THAT(read_level(text, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
@@ -400,9 +396,8 @@ TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
   two.insert(two.find(first) + first.size(),
              R"({"firstgid":100,"name":"u","tilewidth":8,"tileheight":8,"columns":4,"tilecount":8},)");
   EXPECT_EQ(error_of(two),
-            "map: error: shows tiles of 2 tilesets, and a level has one: `talus import --tiles-used` takes "
-            "those that "
-            "are shown");
+            "map: error: shows tiles of 2 tilesets, but a level has only one: `talus import --tiles-used` "
+            "takes only those that the map shows");
   EXPECT_THAT(read_level(two, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
 }
 
@@ -412,9 +407,8 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
   const std::string text =
       map_text({.cells = "6,2147483654,1073741830,2684354566", .tiles = tile_text(slope)});
   EXPECT_EQ(error_of(text),
-            "map:layer \"ground\", cell (1, 0): error: holds a tile that is mirrored or turned, which those "
-            "of a level "
-            "are not: `talus import --tiles-used` makes a tile of its own of it");
+            "map:layer \"ground\", cell (1, 0): error: holds a tile that is mirrored or turned, but a level "
+            "cannot turn tiles: `talus import --tiles-used` makes it a tile of its own");
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
   const auto loaded = read_level(text, used);
@@ -433,11 +427,11 @@ TEST(ImportTiled, SaysWhatIsNeitherXmlNorJson) {
   using namespace std::string_literals;
   EXPECT_EQ(error_of("", "tmx"), "map: error: is empty");
   EXPECT_EQ(error_of("", "tmj"), "map: error: is empty");
-  EXPECT_EQ(error_of("[1]", "tmx"), "map: error: is no XML, which begins with \"<\"");
+  EXPECT_EQ(error_of("[1]", "tmx"), "map: error: is not XML, which begins with \"<\"");
   EXPECT_EQ(error_of("{", "tmx"), "map:line 1, column 2: error: this is not valid JSON, and no XML either");
   EXPECT_EQ(error_of("{", "tmj"), "map:line 1, column 2: error: this is not valid JSON");
   for (const std::string& text : {"\xff\xfe<\0m\0"s, "\xfe\xff\0<\0m"s, "<\0m\0"s, "\0<\0m"s})
-    EXPECT_EQ(error_of(text, "tmx"), "map: error: is text in UTF-16, and only UTF-8 is read");
+    EXPECT_EQ(error_of(text, "tmx"), "map: error: is text in UTF-16, but must be UTF-8");
 }
 
 // A million of them took 54 MB in the window's message.
@@ -478,8 +472,8 @@ TEST(ImportTiled, SaysHowEmptyCellsGetATile) {
   const std::string count = "\"tilecount\":16";
   text.replace(text.find(count), count.size(), "\"tilecount\":256");
   EXPECT_EQ(error_of(text),
-            "map:layer \"ground\", cell (1, 0): error: is empty, and each of the 256 tiles is drawn: none is "
-            "left for it: `talus import --tiles-used` takes those that are shown");
+            "map:layer \"ground\", cell (1, 0): error: is empty, but all 256 tiles have drawings: no tile is "
+            "left for empty cells: `talus import --tiles-used` takes only those that the map shows");
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
   EXPECT_TRUE(read_level(text, used));
@@ -614,20 +608,18 @@ TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
   };
   EXPECT_EQ(error_with("t.tsx"), "map:file t.tsx: error: cannot be opened: No such file or directory");
   EXPECT_EQ(error_with("/etc/passwd"),
-            "map:file /etc/passwd: error: is not looked for: only paths from the folder of the map are");
-  EXPECT_EQ(error_with("C:\\t.tsx"),
-            "map:file C:/t.tsx: error: is not looked for: only paths from the folder of the map are");
+            "map:file /etc/passwd: error: must be relative to the folder of the map");
+  EXPECT_EQ(error_with("C:\\t.tsx"), "map:file C:/t.tsx: error: must be relative to the folder of the map");
   EXPECT_EQ(error_with("."), "map:file .: error: is no file");
   put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"8\"/>");
   EXPECT_EQ(error_with("t.tsx"),
-            "map:file t.tsx, line 1: error: has tiles of 16x8 px, and those of a level are 8x8 px");
+            "map:file t.tsx, line 1: error: has tiles of 16x8 px, but a level needs tiles of 8x8 px");
   put("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
   put("t.jpg", "JPEG");
-  EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is no PNG picture");
+  EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is not a PNG picture");
   const std::string row(3 * 1032, '\0');
   put("t.jpg", encode_png(1032, 1, 3, reinterpret_cast<const std::uint8_t*>(row.data())));
-  EXPECT_EQ(error_with("t.tsx"),
-            "map:file t.jpg: error: is 1032x1 px, and pictures of up to 1024x1024 px are read");
+  EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is 1032x1 px, but may have at most 1024x1024 px");
 }
 
 TEST_F(ImportTiledFiles, PicturesOfManyColoursGetTheNearest) {

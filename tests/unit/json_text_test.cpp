@@ -42,21 +42,21 @@ TEST(JsonText, NothingMayFollowTheEnd) {
 
 TEST(JsonText, DepthIsBounded) {
   EXPECT_EQ(error_of(lists_around("1", 64)), "");
-  EXPECT_EQ(error_of("\n" + lists_around("1", 65)), "line 2: JSON is nested deeper here than 64 levels");
-  EXPECT_EQ(error_of(lists_around("1", 100'000)), "line 1: JSON is nested deeper here than 64 levels");
+  EXPECT_EQ(error_of("\n" + lists_around("1", 65)), "line 2: the JSON is nested deeper than 64 levels here");
+  EXPECT_EQ(error_of(lists_around("1", 100'000)), "line 1: the JSON is nested deeper than 64 levels here");
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += R"({"keys":)";
-  EXPECT_EQ(error_of(keys), "line 1: JSON is nested deeper here than 64 levels");
+  EXPECT_EQ(error_of(keys), "line 1: the JSON is nested deeper than 64 levels here");
 }
 
 TEST(JsonText, TheNumberOfValuesIsBounded) {
   std::string text = "[0";
   for (int i = 0; i < kMaxJsonValues; ++i) text += ",0";
-  EXPECT_EQ(error_of(text + "]"), "line 1: JSON has more than 5000000 values");
-  EXPECT_EQ(error_of("[x," + text), "line 1: JSON has more than 5000000 values") << "before any is made";
+  EXPECT_EQ(error_of(text + "]"), "line 1: the JSON has more than 5000000 values");
+  EXPECT_EQ(error_of("[x," + text), "line 1: the JSON has more than 5000000 values") << "before any is made";
   text = "[\t0";
   for (int i = 0; i < kMaxJsonValues - 2; ++i) text += ",0";
-  EXPECT_EQ(error_of(text + ",\"[,\\\",,\"]"), "line 1: JSON has more than 5000000 values");
+  EXPECT_EQ(error_of(text + ",\"[,\\\",,\"]"), "line 1: the JSON has more than 5000000 values");
   EXPECT_EQ(error_of(text + "\r\n]"), "") << "as many as there may be";
 }
 

@@ -138,7 +138,8 @@ TEST(LevelLimits, NamesAndUnknownMembersOfAllListsCount) {
 TEST(LevelLimits, AnObjectOfManyKeysIsRefusedWhileItIsRead) {
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += ",\"k" + std::to_string(i) + "\":0";
-  expect_native_error(R"({"talus":1)" + keys + "}", "line 1", "JSON has an object of more than 65536 keys");
+  expect_native_error(R"({"talus":1)" + keys + "}", "line 1",
+                      "the JSON has an object with more than 65536 keys");
 }
 
 // Printed a value a line, each behind a hundred blanks, it would take fifty times as much.
@@ -160,7 +161,8 @@ TEST(LevelLimits, LinesThatStandForASectionDoNotMakeACartGrow) {
   json document = json::parse(native_of_level(level));
   document["cart"] = {{"kind", "text"}, {"comment", "--"}, {"lines", json::array()}};
   for (int i = 0; i < 200; ++i) document["cart"]["lines"].push_back({{"level", "MAP"}});
-  expect_native_error(document.dump(), "key cart.lines", "make the cart larger than a cart can be");
+  expect_native_error(document.dump(), "key cart.lines",
+                      "make the cart larger than 4 MiB, the limit for carts");
 }
 
 TEST(LevelLimits, CodeOfLineBreaksAloneIsKeptAsData) {
@@ -305,10 +307,9 @@ TEST(TiledLimits, LayersAreCountedBeforeTheyAreUnpacked) {
     layers += ",{\"type\":\"group\",\"layers\":[{\"type\":\"tilelayer\",\"data\":\"x\"}]}";
   const auto read = read_level(tiled_map(4096, "", layers), {"tmj"});
   ASSERT_FALSE(read);
-  EXPECT_EQ(
-      to_string(read.error(), "map"),
-      "map:key layers: error: has 100 layers of 4096x4096 tiles, and those of a map that is read have up to "
-      "67108864 cells together");
+  EXPECT_EQ(to_string(read.error(), "map"),
+            "map:key layers: error: has 100 layers of 4096x4096 tiles, but all layers of a map may have at "
+            "most 67108864 cells together");
 }
 
 TEST(TiledLimits, ObjectsAreCountedBeforeTheyAreRead) {
@@ -320,13 +321,13 @@ TEST(TiledLimits, ObjectsAreCountedBeforeTheyAreRead) {
       "tileheight=\"8\"><objectgroup>" +
       xml + "</objectgroup></map>";
   EXPECT_EQ(read_level(xml, {"tmx"}).error().message,
-            "has 262145 objects, and a map that is read has up to 262144");
+            "has 262145 objects, but a map may have at most 262144");
   const auto read =
       read_level(tiled_map(1, "", R"({"type":"objectgroup","objects":[)" + json_list + "]}"), {"tmj"});
   ASSERT_FALSE(read);
   EXPECT_EQ(
       to_string(read.error(), "map"),
-      "map:key layers[0].objects[262144]: error: is an object too many: a map that is read has up to 262144");
+      "map:key layers[0].objects[262144]: error: is one object too many: a map may have at most 262144");
 }
 
 TEST(TiledLimits, WhatALevelCannotBeSavedWithIsNotRead) {
@@ -364,7 +365,7 @@ TEST_F(TiledFilesLimits, PicturesAreCountedTogether) {
   for (int i = 0; i < 33; ++i) put(std::to_string(i) + ".png", png);
   EXPECT_EQ(
       error_of_map(33, [](int i) { return std::to_string(i) + ".png"; }),
-      "map:file 32.png: error: is a picture too many: those that a map names have up to 33554432 pixels "
+      "map:file 32.png: error: is too large: all pictures that a map names may have up to 33554432 pixels "
       "together");
 }
 

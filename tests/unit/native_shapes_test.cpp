@@ -116,9 +116,9 @@ TEST(NativeShapes, ShapeErrorsSayWhere) {
   expect(R"({"heights": [1, "2"]})", ".heights", "must be a list of numbers");
   expect(R"({"kind": "slope", "heights": [1]})", "", "must have 2 heights");
   expect(R"({"kind": "slope", "heights": [0, 65]})", "", "has a height that is not from 0 to 64 px");
-  expect_error(R"("tile_shapes": {"256": {}})", "key tile_shapes.256", "is no tile number from 0 to 255");
-  expect_error(R"("flag_shapes": {"8": {}})", "key flag_shapes.8", "is no flag from 0 to 7");
-  expect_error(R"("flag_shapes": {"07": {}})", "key flag_shapes.07", "is no flag from 0 to 7");
+  expect_error(R"("tile_shapes": {"256": {}})", "key tile_shapes.256", "must be a tile number from 0 to 255");
+  expect_error(R"("flag_shapes": {"8": {}})", "key flag_shapes.8", "must be a flag from 0 to 7");
+  expect_error(R"("flag_shapes": {"07": {}})", "key flag_shapes.07", "must be a flag from 0 to 7");
   expect_error(R"("flag_shapes": {"1": {"kind": "profile"}})", "key flag_shapes.1",
                "must have 3 to 65 heights");
 }

@@ -146,10 +146,10 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 
 TEST(Native, ANewerVersionIsRefused) {
   expect_native_error(R"({"talus": 2, "palette": 7})", "key talus",
-                      "this level has version 2, and this Talus reads up to version 1");
+                      "has version 2, but this Talus reads only up to version 1");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
-  expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is no Talus level");
-  expect_native_error("[]", "", "is JSON, but no Talus level");
+  expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");
+  expect_native_error("[]", "", "is JSON, but not a Talus level");
 }
 
 TEST(Native, ErrorsSayWhere) {
@@ -171,9 +171,9 @@ TEST(Native, ErrorsSayWhere) {
                       "must be a number from -100000000 to 100000000");
   expect_native_error(native_with(R"("spawns": [7])"), "key spawns[0]", "must be an object");
   expect_native_error(native_with(R"("tiles": {"256": {}})"), "key tiles.256",
-                      "is no tile number from 0 to 255");
+                      "must be a tile number from 0 to 255");
   expect_native_error(native_with(R"("tiles": {"01": {}})"), "key tiles.01",
-                      "is no tile number from 0 to 255");
+                      "must be a tile number from 0 to 255");
   expect_native_error(native_with(R"("tiles": {"1": {"flags": [8]}})"), "key tiles.1.flags",
                       "must be a list of flags from 0 to 7");
   expect_native_error(native_with(R"("sprites": {"9": {"pixels": "0"}})"), "key sprites.9.pixels",
@@ -186,26 +186,26 @@ TEST(Native, MapErrorsSayInWhichRow) {
   expect_native_error(native_with(R"("map": {"height": 0})"), "key map.height",
                       "must be a whole number from 1 to 2097152");
   expect_native_error(native_with(R"("map": {"width": 2097152, "height": 9})"), "key map",
-                      "has a width times a height of more than 16777216 cells");
+                      "has more than 16777216 cells");
   expect_native_error(native_with(R"("map": {"width": 2097152, "height": 2097152})"), "key map",
-                      "has a width times a height of more than 16777216 cells");
+                      "has more than 16777216 cells");
   expect_native_error(native_with(R"("map": {"height": 1, "rows": ["", ""]})"), "key map.rows",
                       "has 2 rows, more than the map's height of 1");
   expect_native_error(native_with(R"("map": {"width": 2, "rows": ["", "010101"]})"), "map row 1",
                       "is longer than the map's width of 2 cells");
   expect_native_error(native_with(R"("map": {"rows": ["010"]})"), "map row 0",
-                      "must have two characters a cell");
+                      "must have two characters for each cell");
   expect_native_error(native_with(R"("map": {"rows": ["", "", "01.1"]})"), "map row 2",
-                      "has a cell, number 1, that is no two hexadecimal digits");
+                      "has a cell, number 1, that is not two hexadecimal digits");
 }
 
 TEST(Native, DeepAndEndlessJsonIsRefused) {
-  expect_native_error(std::string(100'000, '['), "line 1", "JSON is nested deeper here than 64 levels");
+  expect_native_error(std::string(100'000, '['), "line 1", "the JSON is nested deeper than 64 levels here");
   expect_native_error(native_with("\n\"x\": " + std::string(100'000, '[') + std::string(100'000, ']')),
-                      "line 2", "JSON is nested deeper here than 64 levels");
+                      "line 2", "the JSON is nested deeper than 64 levels here");
   std::string many = "[0";
   for (int i = 0; i < 5'000'001; ++i) many += ",0";
-  expect_native_error(many, "line 1", "JSON has more than 5000000 values");
+  expect_native_error(many, "line 1", "the JSON has more than 5000000 values");
   EXPECT_EQ(level_of_native(native_with(R"("x": "[[[[\"[[[")")).extra, R"({"x":"[[[[\"[[["})");
 }
 
@@ -312,16 +312,16 @@ TEST(Native, CartErrorsSayWhere) {
   expect(R"("kind": "tic", "chunks": [{"chunk": 1, "bank": 8}])", "key cart.chunks[0].bank",
          "must be a whole number from 0 to 7");
   expect(R"("kind": "tic", "chunks": [{"chunk": 1, "data": ["0"]}])", "key cart.chunks[0].data",
-         "has a row that is no pairs of hexadecimal digits");
+         "has a row that is not pairs of hexadecimal digits");
   expect(R"("kind": "tic", "chunks": [{"chunk": "CODE"}])", "key cart.chunks[0]",
-         "has 0 bytes, which its header cannot say");
+         "has 0 bytes, which a chunk's header cannot express");
   expect(R"("kind": "tic", "chunks": [{"chunk": 1, "date": []}])", "key cart.chunks[0]",
-         "has a key that no chunk has");
+         "has an unknown key");
   expect(R"("kind": "tic", "chunks": [{"chunk": "CODE_ZIP", "data": ["00"]}])", "key cart",
          "is damaged at byte 0: the compressed code is damaged");
   expect(R"("kind": "text", "comment": "%")", "key cart.comment", "must be \"--\", \"//\", \";;\" or \"#\"");
   expect(R"("kind": "text", "comment": "#", "lines": [{"level": "SFX"}])", "key cart.lines[0]",
-         "names a section that the level has not, or a map too large for a cart");
+         "names a section that the level does not have, or a map that is too large for a cart");
 }
 
 }  // namespace talus::native_test

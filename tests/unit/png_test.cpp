@@ -50,20 +50,21 @@ TEST(Png, KeepsThePaletteOfIndices) {
 
 TEST(Png, SaysWhatIsWrongWithAFile) {
   const std::string good = rgb_png(8, std::vector<Rgb>(64, kRed));
-  EXPECT_EQ(png_error(""), "is no PNG picture");
-  EXPECT_EQ(png_error("GIF89a"), "is no PNG picture");
+  EXPECT_EQ(png_error(""), "is not a PNG picture");
+  EXPECT_EQ(png_error("GIF89a"), "is not a PNG picture");
   EXPECT_EQ(png_error(good.substr(0, 40)), "byte 33: the picture ends in the middle of a chunk");
   EXPECT_EQ(png_error(png_of(1025, 2, {std::string(3075, '\0')})),
-            "is 1025x1 px, and pictures of up to 1024x1024 px are read");
+            "is 1025x1 px, but may have at most 1024x1024 px");
   EXPECT_EQ(png_error(png_header(100000, 100000, 2)),
-            "is 100000x100000 px, and pictures of up to 1024x1024 px are read");
+            "is 100000x100000 px, but may have at most 1024x1024 px");
   EXPECT_EQ(png_error(png_header(0, 8, 2)), "is an empty picture");
   EXPECT_EQ(png_error("\x89PNG\r\n\x1a\n"s + png_chunk("IEND", "")),
-            "byte 8: must be the picture's one header, and is not");
+            "byte 8: the header of the picture is missing, repeated or damaged");
   EXPECT_EQ(png_error(png_header(8, 8, 2) + png_chunk("IEND", "")), "is a damaged PNG picture: no IDAT");
   EXPECT_EQ(png_error(png_header(8, 8, 2) + png_chunk("IDAT", "") + png_chunk("IEND", "")),
             "is a damaged PNG picture: no IDAT");
-  EXPECT_EQ(png_error(png_of(1, 3, {"\x02"s}, {kBlue, kRed})), "has a pixel of a colour beyond its palette");
+  EXPECT_EQ(png_error(png_of(1, 3, {"\x02"s}, {kBlue, kRed})),
+            "has a pixel whose colour is not in its palette");
   EXPECT_EQ(png_error(png_header(8, 8, 2) + png_chunk("IDAT", std::string(200'001, '\0'))),
             "has more data than a picture of its size can have");
 }
@@ -187,7 +188,7 @@ TEST(PngColours, CannotBeMoreThanSixteen) {
   ASSERT_TRUE(seventeen);
   const auto refused = palette_for(*seventeen, Palette{});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "has more than 16 colours, so its palette cannot be taken over");
+  EXPECT_EQ(refused.error().message, "has more than 16 colours, too many for the palette of a level");
   pixels.pop_back();
   const auto sixteen = read_png(rgb_png(16, pixels));
   ASSERT_TRUE(sixteen);
@@ -207,7 +208,7 @@ TEST(PngColours, OfAPaletteStandSideBySide) {
   ASSERT_TRUE(high);
   const auto refused = palette_in(*high, default_palette());
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "is 1x2 px, and a palette is 1 to 16 px side by side");
+  EXPECT_EQ(refused.error().message, "is 1x2 px, but a palette must be 1 to 16 px side by side");
 }
 
 }  // namespace talus::png_test

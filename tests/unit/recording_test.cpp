@@ -118,12 +118,12 @@ std::string error_after(Change change) {
 TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
   EXPECT_EQ(error_after([](json&) {}), "none");
   const auto expect = [](const char* expected, auto change) { EXPECT_EQ(error_after(change), expected); };
-  expect(": is JSON, but no recording", [](json& d) { d = 5; });
-  expect("key talus_recording: is missing, so this is no recording",
+  expect(": is JSON, but not a recording", [](json& d) { d = 5; });
+  expect("key talus_recording: is missing, so this is not a recording",
          [](json& d) { d.erase("talus_recording"); });
-  expect("key talus_recording: is of a newer Talus; this one reads version 1",
+  expect("key talus_recording: is newer than what this Talus reads, version 1",
          [](json& d) { d["talus_recording"] = 2; });
-  expect("key speed: is not known in a recording", [](json& d) { d["speed"] = 2; });
+  expect("key speed: is not a key of recordings", [](json& d) { d["speed"] = 2; });
   expect("key frames: must be a whole number from 0 to 67108864", [](json& d) { d["frames"] = -1; });
   expect("key frames: must be a whole number from 0 to 67108864", [](json& d) { d["frames"] = 1e18; });
   expect("key hashes: must hold 2000000 hashes, one more than frames, not 41",
@@ -141,7 +141,7 @@ TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
            [&](json& d) { d["hashes"][0] = text; });
   }
   expect("key level: is missing", [](json& d) { d.erase("level"); });
-  expect("key level: is JSON, but no Talus level", [](json& d) { d["level"] = nullptr; });
+  expect("key level: is JSON, but not a Talus level", [](json& d) { d["level"] = nullptr; });
   expect("key level, key tuning.solver: must be \"article\", \"bump\" or \"exact\"",
          [](json& d) { d["level"]["tuning"]["solver"] = "best"; });
   expect("key marks[0].frame: must be a whole number from 0 to 40",

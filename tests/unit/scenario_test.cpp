@@ -84,7 +84,7 @@ TEST(Replay, TellsWhereAScenarioIsMalformed) {
   EXPECT_EQ(error(R"({"ops":[],"cell_size":0})"), ": cellSize must be a positive integer, but was 0(number)");
   EXPECT_EQ(error(R"({"ops":[],"cell_size":"8"})"), ": \"cell_size\" must be a number.");
   EXPECT_EQ(error(R"({"ops":[{"op":"toCell","point":[1,2]},5]})"), "op 2: An operation must be an object.");
-  EXPECT_EQ(error(R"({"ops":[{"op":"fly"}]})"), "op 1: There is no operation \"fly\".");
+  EXPECT_EQ(error(R"({"ops":[{"op":"fly"}]})"), "op 1: Unknown operation \"fly\".");
   EXPECT_EQ(error(R"({"ops":[{"op":"add","item":1}]})"), "op 1: \"rect\" is missing.");
   EXPECT_EQ(error(R"({"ops":[{"op":"getRect"}]})"), "op 1: \"item\" is missing.");
   EXPECT_EQ(error(R"({"ops":[{"op":"getRect","item":"a"}]})"), "op 1: \"item\" must be an integer.");

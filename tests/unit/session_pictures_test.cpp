@@ -72,8 +72,7 @@ TEST_F(SessionPictures, BadOnesAreOneSentence) {
   EXPECT_FALSE(session.png_import());
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
-  EXPECT_EQ(session.message()->text,
-            wide + ": error: is 1025x8 px, and pictures of up to 1024x1024 px are read");
+  EXPECT_EQ(session.message()->text, wide + ": error: is 1025x8 px, but may have at most 1024x1024 px");
   session.apply(act::OpenPng{"/no/such.png"});
   EXPECT_EQ(session.message()->text.find("/no/such.png: error: "), 0u);
   session.apply(act::ExportPng{PngPart::tiles, "/no/such/folder/x.png"});

@@ -203,14 +203,14 @@ TEST(Text, ErrorsSayInWhichLine) {
   };
   expect("a\n\n-- <MAP>\n-- 000:" + map_row("1"), "line 3", "the section MAP has no end");
   expect("a\n-- <MAP>\n-- 000:" + map_row("1g") + "\n-- </MAP>", "line 3",
-         "this row has a character that is no hexadecimal digit");
-  expect("a\n-- <MAP>\n-- 000:10\n-- </MAP>", "line 3", "a row of MAP has 480 digits, and this one 2");
-  expect("a\n-- <MAP>\n-- 136:" + map_row("1") + "\n-- </MAP>", "line 3", "MAP has rows 0 to 135");
-  expect("a\n-- <MAP>\n-- 0x1:" + map_row("1") + "\n-- </MAP>", "line 3", "this is no row of MAP");
-  expect("a\n-- <MAP>\nx\n-- </MAP>", "line 3", "this is no row of MAP");
-  expect(std::string("a\n\0", 3), "line 2", "a text project has no NUL bytes");
+         "this row has a character that is not a hexadecimal digit");
+  expect("a\n-- <MAP>\n-- 000:10\n-- </MAP>", "line 3", "a row of MAP has 480 digits, but this one has 2");
+  expect("a\n-- <MAP>\n-- 136:" + map_row("1") + "\n-- </MAP>", "line 3", "MAP must have rows 0 to 135");
+  expect("a\n-- <MAP>\n-- 0x1:" + map_row("1") + "\n-- </MAP>", "line 3", "this is not a row of MAP");
+  expect("a\n-- <MAP>\nx\n-- </MAP>", "line 3", "this is not a row of MAP");
+  expect(std::string("a\n\0", 3), "line 2", "a text project must not have NUL bytes");
   expect("s = \"-- <MAP>\"\n" + kMapSection, "line 1",
-         "\"-- <MAP>\" stands before its section, and TIC-80 would read it from here");
+         "\"-- <MAP>\" stands before its section, but TIC-80 would read the section from here");
 }
 
 TEST(Text, CodeThatWouldEndEarlyIsNotWritten) {

@@ -49,8 +49,8 @@ std::string error_of(const std::string& bytes) {
 }
 
 constexpr const char* kNoCart =
-    "x.png: error: is a picture without a TIC-80 cartridge in it; File > Import a picture and talus import "
-    "--into take its pixels";
+    "x.png: error: is a picture without a TIC-80 cartridge; to take its pixels, use File > Import a picture "
+    "or talus import --into";
 
 TEST(TicPng, ReadsTheCartInTheChunk) {
   const auto level = read_tic_png(with_chunk(zipped(small_cart())), {"png"});
@@ -108,7 +108,7 @@ TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
   EXPECT_EQ(error_of(with_hidden("\x78\x9c" + std::string(126, 'x'), 8, 8, 4)),
             kNoCart);  // 120 bytes of room
   EXPECT_EQ(error_of(png_header(1025, 1, 2)),
-            "x.png: error: is 1025x1 px, and pictures of up to 1024x1024 px are read");
+            "x.png: error: is 1025x1 px, but may have at most 1024x1024 px");
 }
 
 TEST(TicPng, DamagedOnesAreErrors) {

@@ -101,7 +101,7 @@ TEST(Tic, ACartWithNothingInItIsNotWritten) {
   Level level = read(chunk(kMap, "m"));
   level.map.set({0, 0}, 0);
   EXPECT_EQ(write_tic(level, {}).error().message,
-            "has neither drawings nor code, and TIC-80 loads no empty cartridge");
+            "has neither drawings nor code, but TIC-80 cannot load an empty cartridge");
 }
 
 TEST(Tic, AnEditedPaletteKeepsTheSecondOne) {
@@ -189,7 +189,7 @@ TEST(Tic, AMapTooLargeIsAnError) {
   Level level;
   level.map = TileMap(241, 136);
   EXPECT_EQ(write_tic(level, {}).error().message,
-            "the map is 241x136 cells, and a cart's map ends at 240x136");
+            "the map is 241x136 cells, but a cart's map has at most 240x136");
 }
 
 TEST(Tic, ASmallerMapIsPadded) {

@@ -75,14 +75,16 @@ TEST(TiledShapes, OtherOutlinesGetTheNearestAndAreToldByTile) {
             (TileShape{.kind = Kind::slope, .one_way = true, .heights = {6, 4}}));
 
   const LoadedLevel hollow = map_with(polygon("0,8 0,4 8,2 6,6 8,8"));
-  EXPECT_THAT(told(hollow),
-              ElementsAre("the outline of tile 5, which is no floor or ceiling of a level: the nearest floor "
-                          "stands for it, with 6 px\u00b2 of ground more"));
+  EXPECT_THAT(
+      told(hollow),
+      ElementsAre("the outline of tile 5, which is not a floor or ceiling of a level: the nearest floor "
+                  "stands for it, with 6 px\u00b2 of ground more"));
   EXPECT_EQ(hollow.level.tile_shapes[5], (TileShape{.kind = Kind::slope, .heights = {4, 6}}));
 
   const LoadedLevel wall = map_with(R"(<object x="2" y="0" width="6" height="8"/>)");
-  EXPECT_THAT(told(wall), ElementsAre("the outline of tile 5, which is no floor or ceiling of a level: the "
-                                      "nearest floor stands for it, with 0.5 px² of ground more"));
+  EXPECT_THAT(told(wall),
+              ElementsAre("the outline of tile 5, which is not a floor or ceiling of a level: the "
+                          "nearest floor stands for it, with 0.5 px² of ground more"));
   const std::vector<double>& heights = wall.level.tile_shapes[5].heights;
   ASSERT_EQ(heights.size(), 65u);
   EXPECT_THAT((std::vector<double>{heights[0], heights[15], heights[16], heights[64]}),
@@ -95,15 +97,15 @@ TEST(TiledShapes, OtherOutlinesGetTheNearestAndAreToldByTile) {
             (TileShape{.kind = Kind::slope, .one_way = true, .heights = {6, 6}}));
 
   EXPECT_EQ(told_of(R"(<object x="-4" y="4" width="12" height="4"/>)"),
-            "the outline of tile 5, which is no floor or ceiling of a level: the nearest floor stands for "
+            "the outline of tile 5, which is not a floor or ceiling of a level: the nearest floor stands for "
             "it, with 16 px² less");
   EXPECT_EQ(told_of(polygon("0,0.3 0.123,0.2 8,0.1 8,8 0,8")),
-            "the outline of tile 5, which is no floor or ceiling of a level: the nearest floor stands for "
+            "the outline of tile 5, which is not a floor or ceiling of a level: the nearest floor stands for "
             "it, off by less than 0.1 px²");
   EXPECT_EQ(told_of(R"(<object x="-9" y="0" width="8" height="8"/>)"),
             "the outline of tile 5, of which nothing is in the tile or up and right of it");
   EXPECT_EQ(told_of(R"(<object x="0" y="0" width="8" height="8"><ellipse/></object>)"),
-            "a collision shape of tile 5, which is no box or polygon");
+            "a collision shape of tile 5, which is not a box or a polygon");
   EXPECT_EQ(told_of(polygon("0,0 8,0 0,8") + polygon("0,8 8,8 0,7")),
             "that tile 5 has 2 collision shapes: a level's has one");
 }

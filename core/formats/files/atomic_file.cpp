@@ -29,14 +29,14 @@ tl::unexpected<FormatError> too_large_file(std::size_t most) {
   return tl::unexpected(FormatError{"", "is larger than " + std::to_string(most >> 20) + " MiB"});
 }
 
-// Null: it is a file.
+// Null: the path is a regular file.
 const char* kind_of_no_file(mode_t mode) {
   if (S_ISREG(mode)) return nullptr;
   return S_ISDIR(mode) ? "directory" : S_ISFIFO(mode) ? "pipe" : S_ISSOCK(mode) ? "socket" : "device";
 }
 
 tl::unexpected<FormatError> no_file(const std::string& kind) {
-  return tl::unexpected(FormatError{"", "is a " + kind + ", and only files are read"});
+  return tl::unexpected(FormatError{"", "is a " + kind + "; only regular files can be read"});
 }
 
 class File {
@@ -72,11 +72,11 @@ int create_new(const std::string& name) {
   return ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
-// Creates a file that did not exist, beside `target`, and locks it, so that what killed processes left is
-// told from what is being written, and goes; -1 with errno when that fails.
+// Creates a new file beside `target` and locks it. The lock tells files that are being written from those
+// that killed processes left, which are removed. Returns -1 with errno if that fails.
 int create_temporary(const fs::path& target, std::string& name) {
   constexpr int kAttempts = 100;
-  constexpr std::size_t kMaxStem = 200;  // file names end at 255 bytes
+  constexpr std::size_t kMaxStem = 200;  // file names have at most 255 bytes
   const std::string stem = "." + target.filename().string().substr(0, kMaxStem) + ".";
   for (int i = 0; i < kAttempts; ++i) {
     name = (target.parent_path() / (stem + std::to_string(i) + std::string(kTemporaryEnding))).string();
@@ -87,7 +87,7 @@ int create_temporary(const fs::path& target, std::string& name) {
     }
     if (descriptor < 0 && errno == EEXIST) continue;
     if (descriptor < 0) return -1;
-    // Before it was locked, another process may have taken it for left behind.
+    // Before the lock was taken, another process may have removed the file as left behind.
     if (try_lock(descriptor, name) || (errno != EWOULDBLOCK && errno != ENOENT)) return descriptor;
     ::close(descriptor);
   }
@@ -96,10 +96,10 @@ int create_temporary(const fs::path& target, std::string& name) {
 }
 
 FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes) {
-  // A pipe that nobody reads would be waited for here, without end.
+  // Opening a pipe that nobody reads would wait without end.
   File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW));
   if (!file.is_open() && errno == ENXIO)
-    return tl::unexpected(FormatError{"", "is a pipe or device that nobody reads"});
+    return tl::unexpected(FormatError{"", "is a pipe or a device that nobody reads"});
   if (!file.is_open()) return failure("cannot be opened for writing", errno);
   const int flags = ::fcntl(file.get(), F_GETFL);
   if (flags < 0 || ::fcntl(file.get(), F_SETFL, flags & ~O_NONBLOCK) != 0)
@@ -108,8 +108,8 @@ FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes
   return {};
 }
 
-// Looked at before it is opened, as opening a device may do something, and again after that, as it may be
-// another one by then. size: of the file.
+// Checks what the path is before it is opened, as opening a device may have an effect; and again afterwards,
+// as it may be another file by then. size: of the file.
 FormatResult<File> open_for_reading(const std::string& path, std::size_t& size) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) return failure("cannot be opened", errno);
@@ -122,7 +122,7 @@ FormatResult<File> open_for_reading(const std::string& path, std::size_t& size) 
   return file;
 }
 
-// Adds up to `most` bytes. How many; 0: the file is at its end.
+// Appends up to `most` bytes. Returns how many were read; 0 at the end of the file.
 FormatResult<std::size_t> read_more(int descriptor, std::size_t most, std::string& bytes) {
   const std::size_t before = bytes.size();
   bytes.resize(before + most);
@@ -135,8 +135,8 @@ FormatResult<std::size_t> read_more(int descriptor, std::size_t most, std::strin
   return bytes.size() - before;
 }
 
-// The rename has happened, so what fails here costs durability at power loss and nothing else. The error's
-// number; 0: it is done, or cannot be done here: a folder that cannot be read, a file system without it.
+// The rename has happened, so a failure here costs only durability at power loss. Returns the error's number;
+// 0 if it is done, or cannot be done here: the folder cannot be read, or the file system does not support it.
 int sync_directory(const fs::path& target) {
   const fs::path directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
   const File file(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -202,11 +202,11 @@ FormatResult<StagedFile> StagedFile::begin(const std::string& path, LinkInPlace 
   const fs::path target = *place;
   struct stat old = {};
   const bool exists = ::lstat(target.c_str(), &old) == 0;
-  if (!exists && errno != ENOENT) return failure("cannot be written", errno);  // a forbidden path
+  if (!exists && errno != ENOENT) return failure("cannot be written", errno);  // the path is forbidden
   if (exists && S_ISLNK(old.st_mode)) return failure("cannot be written", ELOOP);
   if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
   if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", -1);
-  // rename() would replace a write-protected file: its directory's permissions alone decide.
+  // rename() would replace a write-protected file, as only the directory's permissions count.
   if (exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
 
   std::string temporary;
@@ -235,7 +235,7 @@ FormatResult<void> StagedFile::put() {
   temporary_.clear();
   let_go();
   if (const int error_number = sync_directory(target_); error_number != 0)
-    doubt_ = "is written, but a power failure may undo that, as its folder cannot be brought to the disk: " +
+    doubt_ = "is written, but a power failure may undo that, since its folder could not be synchronised: " +
              std::generic_category().message(error_number);
   return {};
 }
@@ -247,7 +247,7 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
       bytes_(other.bytes_),
       doubt_(std::move(other.doubt_)) {}
 
-// What was written is on the disk since fsync, so that closing has nothing left to fail at.
+// fsync has brought the bytes to the disk, so closing cannot fail.
 void StagedFile::let_go() {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
 }

@@ -1,4 +1,5 @@
-// By flock, which belongs to an open file rather than to a process: two threads are told apart, too.
+// Uses flock, whose locks belong to an open file and not to a process: so two threads exclude one another,
+// too.
 #include "held_file.h"
 
 #include <fcntl.h>

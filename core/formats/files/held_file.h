@@ -1,24 +1,24 @@
-// Locks on files, that tell other processes whether who made a file still runs, or keep them waiting until it
-// is written: the system gives them back however a process ends.
+// Locks on files. They tell other processes whether the owner of a file still runs, or make them wait until
+// the file is written. The system releases a lock however a process ends.
 #pragma once
 
 #include <string>
 
 namespace talus {
 
-// Takes the lock of an open file that has this name, until the descriptor is closed. False with errno: with
-// EWOULDBLOCK another one holds it, with ENOENT the file has lost its name, as one that nobody held; with
-// others there are no locks here.
+// Locks an open file that has this name, until the descriptor is closed. Returns false with errno otherwise:
+// EWOULDBLOCK if somebody else holds the lock, ENOENT if the file no longer has the name, other numbers if
+// locks are not supported here.
 bool try_lock(int descriptor, const std::string& name);
 
-// Removes a file whose lock nobody holds; false: it is held, or cannot be removed.
+// Removes a file that nobody has locked. Returns false if it is locked or cannot be removed.
 bool remove_if_unlocked(const std::string& name);
 
-// One program at a time changes a file that several of them keep: while it lives, no other one of the same
-// file does. Where there can be no lock, it does not wait.
+// While a FileLock lives, no other program can make one of the same file: they change a shared file one at a
+// time. Without support for locks it does not wait.
 class FileLock {
  public:
-  explicit FileLock(const std::string& file);  // the lock is beside it, "FILE.lock"
+  explicit FileLock(const std::string& file);  // the lock is on "FILE.lock" beside the file
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

@@ -1,4 +1,4 @@
-// Making room for a file without losing what is in its place.
+// Makes room for a file without losing what is in its place.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// Renames what is at `path`, whatever it is, to a name beside it that is free: "a.tic" to "a-kept1.tic". The
+// Renames what is at `path`, whatever it is, to a free name beside it: "a.tic" to "a-kept1.tic". Returns the
 // new path.
 FormatResult<std::string> keep_aside(const std::string& path);
 

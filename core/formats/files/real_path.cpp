@@ -1,4 +1,4 @@
-// Part by part, as the system does it, but past the first part that is not there, too.
+// Goes part by part, as the system does, but also past the first part that does not exist.
 #include "real_path.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as the kernel's own limit; a longer chain is a circle
+constexpr int kMostLinks = 40;  // the kernel's limit; a longer chain is a circle
 
 }  // namespace
 
@@ -30,7 +30,7 @@ FormatResult<std::string> real_path(const std::string& path) {
       continue;
     }
     const fs::path target = fs::read_symlink(real / part, error);
-    if (error) {  // no link
+    if (error) {  // not a link
       real /= part;
       continue;
     }

@@ -7,20 +7,20 @@
 
 namespace talus {
 
-// The same place from the root, without links, "." and "..": dangling links are followed too, and what does
-// not exist yet is kept as it is named. An error for links in a circle.
+// Returns the absolute path without links, "." and "..". Dangling links are followed, too; parts that do not
+// exist yet keep their names. Links in a circle are an error.
 FormatResult<std::string> real_path(const std::string& path);
 
-// Of the folder that a file is in: the file itself may be a link.
+// The same for the folder that a file is in: the file itself may be a link.
 FormatResult<std::string> real_folder_of(const std::string& file);
 
-// The last part of a path, as titles and sentences name a file.
+// Returns the last part of a path, which titles and sentences show.
 std::string last_name(const std::string& path);
 
-// Whether a place is the folder, or somewhere in it. Both as real_path() gives them.
+// Whether a place is the folder or inside of it. Both must come from real_path().
 bool is_within(const std::string& place, const std::string& folder);
 
-// Whether both lead to one file that is there, by links or by another name of it.
+// Whether both lead to the same existing file, also by links or other names of it.
 bool is_same_file(const std::string& a, const std::string& b);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The difference of two documents, and its way back.
+// Takes the difference of two documents, and adds it again.
 #include "companion.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kAbout = "companion";
 
-// The members of `whole` that are not in `part`, or are others there; null for those that `part` alone has.
+// The members of `whole` that `part` does not have, or has with other values; null for those that only `part`
+// has.
 Json difference(const Json& whole, const Json& part) {
   Json differing = Json::object();
   for (const auto& [key, value] : whole.items()) {
@@ -28,7 +29,7 @@ Json difference(const Json& whole, const Json& part) {
   return differing;
 }
 
-// Without its cart, which a file of such a format is.
+// The same without its cart, which a file of such a format is itself.
 FormatResult<Json> document_without_cart(const Level& level) {
   if (!level.cart) return native_document(level);
   Level bare = level;
@@ -50,7 +51,7 @@ bool are_objects(const Json& list) {
          std::all_of(list.begin(), list.end(), [](const Json& v) { return v.is_object(); });
 }
 
-// Puts the members of a companion over those of its file.
+// Lays the members of a companion over those of its file.
 class Joiner {
  public:
   void join(Json& document, Json added, const std::vector<std::string>& changed) {
@@ -90,13 +91,13 @@ class Joiner {
     }
   }
 
-  bool is_changed_ = false;  // the member of the document that is being joined, by another program
+  bool is_changed_ = false;  // whether another program changed the current member of the document
   bool is_roles_ = false;
   bool left_out_ = false;
 };
 
-// The size that the companion gives the map, but no smaller than the cells that the file fills. Takes it out
-// of `added`; whether it had to grow.
+// The size that the companion gives the map, but not smaller than the cells that the file fills. Removes it
+// from `added`. Returns whether it had to grow.
 bool join_map_size(Json& document, Json& added) {
   const auto map = added.find("map");
   if (map == added.end() || !map->is_object()) return false;
@@ -117,7 +118,7 @@ bool join_map_size(Json& document, Json& added) {
   return has_grown;
 }
 
-// What is told of a file that was changed since.
+// The note on a file that was changed since its companion was saved.
 std::string change_note(const std::string& file, const Json& about, const std::vector<std::string>& changed,
                         bool left_out, bool has_grown) {
   const auto name = about.find("file");
@@ -135,15 +136,16 @@ tl::unexpected<FormatError> no_companion(std::string message) {
   return tl::unexpected(FormatError{"", std::move(message)});
 }
 
-// What the companion says about its file; takes it out.
+// What the companion says about its file. Removes it from the document.
 FormatResult<Json> take_about(Json& companion) {
   if (!companion.is_object() || !companion.contains(kAbout))
-    return no_companion("is a file of its own, and none that goes with another one");
+    return no_companion("is a file of its own, not the companion of another one");
   Json about = companion[kAbout];
   companion.erase(kAbout);
   if (!about.is_object()) return tl::unexpected(FormatError{"key companion", "must be an object"});
   if (companion.contains("cart") && companion["cart"].is_object() && companion["cart"].contains("kind"))
-    return tl::unexpected(FormatError{"key cart", "is what the file beside it holds"});
+    return tl::unexpected(
+        FormatError{"key cart", "must not be in a companion: the file beside it holds the cart"});
   return about;
 }
 

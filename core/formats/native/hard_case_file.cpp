@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kMaxFrames = 1'000'000;
 
-// Thrown within this file alone: a reader of nested values that stops at its first error.
+// Thrown and caught in this file only: ends the reading of nested values at the first error.
 struct Wrong {
   FormatError error;
 };
@@ -81,7 +81,7 @@ void read_line(const Json& points, const std::string& path, CaseFloor& floor) {
     const std::vector<double> at = numbers(point, path, 2);
     ends.push_back({at[0], at[1]});
   }
-  if (ends.size() < 2) fail(path, "must have two points or more");
+  if (ends.size() < 2) fail(path, "must have at least two points");
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (ends[i].x <= ends[i - 1].x) fail(path, "must go from left to right");
     floor.parts.emplace_back(Segment{ends[i - 1], ends[i]});
@@ -108,7 +108,7 @@ CaseCheck::Measure measure_of(const Json& key, const std::string& path) {
   const auto& infos = case_measure_infos();
   const auto found =
       std::find_if(infos.begin(), infos.end(), [&](const CaseMeasureInfo& info) { return key == info.key; });
-  if (found == infos.end()) fail(path, "is no measure");
+  if (found == infos.end()) fail(path, "must be one of the measures");
   return found->measure;
 }
 

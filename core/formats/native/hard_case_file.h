@@ -21,7 +21,7 @@
 
 namespace talus {
 
-// The hard case that a level is; nothing if it is none. Errors are placed by key.
+// Returns the hard case in a level; nothing if the level is no hard case. Errors have their place by key.
 FormatResult<std::optional<HardCase>> hard_case_of(const Level& level);
 
 // Its keys in the order in which they are written.

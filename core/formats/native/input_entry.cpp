@@ -1,4 +1,4 @@
-// Input entries in and out.
+// Reads and writes input entries.
 #include "input_entry.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace talus {
 namespace {
 
-constexpr double kMaxMouse = 1e8;  // px; farther than any level reaches
+constexpr double kMaxMouse = 1e8;  // px; farther away than any level reaches
 
-// The keys that are held; those that the list does not name are up.
+// The keys in the list are held, all others are up.
 std::string take_keys(const Json& names, RecordedInput& entry) {
   if (!names.is_array()) return "\"keys\" must be a list of names";
   entry.left = entry.right = entry.jump = false;

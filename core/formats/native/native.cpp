@@ -1,5 +1,5 @@
-// Levels as JSON. Reading takes every key that it knows out of the document; what remains is kept as it is,
-// in its place, and put back when the level is written.
+// Levels as JSON. Reading takes every known key out of the document. The unknown ones that remain are kept in
+// their places, and written again with the level.
 #include "native.h"
 
 #include <algorithm>
@@ -24,16 +24,16 @@ namespace talus {
 namespace {
 
 constexpr std::array<const char*, 2> kSheetKeys = {"tiles", "sprites"};  // by SheetId
-constexpr const char* kNoTileNumber = "is no tile number from 0 to 255";
+constexpr const char* kNoTileNumber = "must be a tile number from 0 to 255";
 
-// Reads on after an error, which harms nothing, and remembers the first.
+// Goes on after an error, which does no harm, and remembers the first one.
 class Reader {
  public:
   explicit Reader(Progress progress) : progress_(std::move(progress)) {}
 
   FormatResult<Level> read(Json document) {
     read_version(document);
-    if (error_) return tl::unexpected(*error_);  // of a newer file nothing else can be trusted
+    if (error_) return tl::unexpected(*error_);  // nothing else in a file of a newer version can be trusted
     take(document, "palette", [this](Json& v) { read_palette(v); });
     take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
     take(document, "flag_fields",
@@ -46,7 +46,7 @@ class Reader {
                 [this](Json& v) { keep(take_auto_tiles(v), level_.auto_tiles); });
     take(document, "exports", [this](Json& v) { keep(take_exports(v), level_.exports); });
     take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
-      read_shapes(v, "flag_shapes", "is no flag from 0 to 7", level_.flag_shapes);
+      read_shapes(v, "flag_shapes", "must be a flag from 0 to 7", level_.flag_shapes);
     });
     take_object(document, "tile_shapes", "tile_shapes",
                 [this](Json& v) { read_shapes(v, "tile_shapes", kNoTileNumber, level_.tile_shapes); });
@@ -97,14 +97,14 @@ class Reader {
   }
 
   void read_version(Json& document) {
-    if (!document.is_object()) return fail("", "is JSON, but no Talus level");
-    if (!document.contains("talus")) return fail_key("talus", "is missing, so this is no Talus level");
+    if (!document.is_object()) return fail("", "is JSON, but not a Talus level");
+    if (!document.contains("talus")) return fail_key("talus", "is missing, so this is not a Talus level");
     take(document, "talus", [this](const Json& value) {
       constexpr std::int64_t kNewest = std::numeric_limits<std::int64_t>::max();
       if (!is_whole(value, 1, kNewest))
         return fail_key("talus", "must be the version, a whole number from 1");
       if (value > kNativeVersion) {
-        fail_key("talus", "this level has version " + value.dump() + ", and this Talus reads up to version " +
+        fail_key("talus", "has version " + value.dump() + ", but this Talus reads only up to version " +
                               std::to_string(kNativeVersion));
       }
     });
@@ -171,7 +171,7 @@ class Reader {
     }
   }
 
-  // Shapes by number; keys that are none are of the future and stay.
+  // Shapes by number. Other keys belong to a newer version and stay.
   void read_shapes(Json& shapes, const std::string& path, const char* no_number, std::span<TileShape> out) {
     for (std::size_t i = 0; i < out.size(); ++i) {
       const std::string key = std::to_string(i), entry = path + "." + key;
@@ -193,7 +193,8 @@ class Reader {
     check_numbers(tiles, path, kNoTileNumber, kTileCount);
   }
 
-  // What is left may have keys of the future, but no numbers that are out of range or written oddly.
+  // The remaining keys may belong to a newer version, but must not be numbers out of range or in another
+  // spelling.
   void check_numbers(const Json& object, const std::string& path, const char* message, std::size_t count) {
     for (auto it = object.begin(); it != object.end(); ++it) {
       const std::string& key = it.key();
@@ -235,8 +236,7 @@ class Reader {
     take_side("width", width);
     take_side("height", height);
     if (error_) return;
-    if (!is_terrain_size(width, height))
-      return fail_key("map", "has a width times a height of more than 16777216 cells");
+    if (!is_terrain_size(width, height)) return fail_key("map", "has more than 16777216 cells");
     level_.map = TileMap(width, height);
     take(map, "rows", [this](const Json& rows) { read_map_rows(rows); });
   }
@@ -262,13 +262,14 @@ class Reader {
       return fail(place,
                   "is longer than the map's width of " + std::to_string(level_.map.width()) + " cells");
     }
-    if (text.size() % 2 != 0) return fail(place, "must have two characters a cell");
+    if (text.size() % 2 != 0) return fail(place, "must have two characters for each cell");
     for (int x = 0; 2 * x < static_cast<int>(text.size()); ++x) {
       const char a = text[2 * x], b = text[2 * x + 1];
       if (a == '.' && b == '.') continue;
       const int high = hex_value(a), low = hex_value(b);
       if (high < 0 || low < 0)
-        return fail(place, "has a cell, number " + std::to_string(x) + ", that is no two hexadecimal digits");
+        return fail(place,
+                    "has a cell, number " + std::to_string(x) + ", that is not two hexadecimal digits");
       level_.map.set({x, y}, static_cast<std::uint8_t>(high << 4 | low));
     }
   }
@@ -287,7 +288,7 @@ class Reader {
 
 // ---- Writing ----
 
-// The member, made an object if it is none.
+// Returns the member; makes it an object if it is not one.
 Json& object_in(Json& parent, const std::string& key) {
   Json& member = parent[key];
   if (!member.is_object()) member = Json::object();
@@ -388,7 +389,7 @@ FormatResult<void> put_shapes(std::span<const TileShape> shapes, const std::stri
   return {};
 }
 
-// Sets a member to a list, unless it is empty.
+// Sets a member to a list; does nothing if the list is empty.
 FormatResult<void> put_list(FormatResult<Json> list, const std::string& key, Json& document) {
   if (!list) return tl::unexpected(list.error());
   if (!list->empty()) document[key] = *std::move(list);
@@ -406,7 +407,7 @@ void put_roles(const FlagRoles& roles, Json& json) {
   }
 }
 
-// What may be wrong with a level, in the order of the file.
+// Checks a level for errors, in the order of the file.
 FormatResult<void> put_physics(const Level& level, Json& document) {
   put_roles(level.roles, object_in(document, "roles"));
   if (auto good = put_shapes(level.flag_shapes, "flag_shapes", document); !good) return good;
@@ -417,7 +418,7 @@ FormatResult<void> put_physics(const Level& level, Json& document) {
   return put_shapes(level.tile_shapes, "tile_shapes", document);
 }
 
-// Of all objects at once: no two of them want a pair of keys in different orders.
+// For all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
   std::vector<std::string_view> order = {
       "talus",       "companion", "file",       "with",        "palette",     "flag_names",
@@ -487,12 +488,12 @@ FormatResult<std::string> print_document(const Json& document) {
 }
 
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context) {
-  constexpr double kParsed = 0.8;  // the share of the time
+  constexpr double kParsed = 0.8;  // share of the time
   auto document = parse_json(bytes, context.progress.part(0, kParsed));
   if (!document) return tl::unexpected(document.error());
   if (document->is_object() && document->contains("companion"))
     return tl::unexpected(FormatError{
-        "", "is no level of its own, but what Talus added to a cart: put it beside that, and open the cart"});
+        "", "is not a level, but the companion of a cart: put it beside the cart, and open the cart"});
   return level_of_document(*std::move(document), context.progress.part(kParsed, 1));
 }
 

@@ -1,54 +1,55 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"        version of the file, 1. A newer version is refused. The only key that must be there.
+//   "talus"        version of the file, 1. A newer version is refused. This is the only key that must be
+//                  there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
-//   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: none.
+//   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: no names.
 //   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
-//   "bits",
-//                  2..8; "values", up to 2^bits names of the values from 0, "" for none (none). No two share
-//                  a flag. Default: none.
-//   "roles"        which flag, 0..7 or null for none, is "solid" (0), "up_slope" (2), "down_slope" (3),
+//                  "bits", 2..8; "values", up to 2^bits names of the values from 0, "" for a value without
+//                  a name (no names). No two fields share a flag. Default: no fields.
+//   "roles"        which flag, 0..7 or null for no flag, is "solid" (0), "up_slope" (2), "down_slope" (3),
 //                  "ball" (1), "one_way" (null), "ceiling" (null).
 //   "flag_shapes"  by flag "0".."7": the shape that the flag stands for, as in "tile_shapes".
-//   "tuning"       "solver", "article", "bump" or "exact"; the numbers of level/tuning.h by their keys, units
-//                  and ranges; and objects "exact" and "player" with the numbers of these groups, each
-//                  written only when a number in it is not the default.
-//   "spawns"       bodies placed by hand: "name" (""), "x", "y" in px (0), "vx", "vy" in px/frame (0), each
-//                  within 100 million; "kind", "ball" or "player" ("ball"); "size", [width, height],
-//                  each 1/256..1024 px ([8, 8]); "foot", "box" or "centre" (the kind's own).
+//   "tuning"       "solver", "article", "bump" or "exact"; the numbers of level/tuning.h by their keys,
+//                  units and ranges; and objects "exact" and "player" with the numbers of these groups,
+//                  each written only if a number in it differs from its default.
+//   "spawns"       bodies placed by hand: "name" (""); "x", "y" in px (0) and "vx", "vy" in px/frame (0),
+//                  each within 100 million; "kind", "ball" or "player" ("ball"); "size", [width, height],
+//                  each 1/256..1024 px ([8, 8]); "foot", "box" or "centre" (default: by kind).
 //   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "kind",
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
-//                  struct of that name in collision/shape.h, points as [x, y], all needed but "upper" (true).
-//                  Ends lie on the map.
-//   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell takes
-//   a
-//                  tile of it at random (false); "rows", 1..256 of one length, 1..256 cells as in the map's.
-//   "auto_tiles"   which tile, 1..255, plays which part of painted ground, by the parts' names in
-//                  level/auto_tiles.h ("inside", "slope_up", ...). Default: none.
-//   "exports"      up to 100 presets of exports: "name" (""); "to", the id of an exporter (""), kept where it
-//                  is unknown; "path" of the file or folder, with '/', from the folder of the level's file or
-//                  absolute (""); "parts" of Lua's runtime besides those that the level uses (""), as in
-//                  "players, pairs"; each up to 4096 bytes; "on_save", whether the editor exports it whenever
-//                  it saves the level (false). Default: none.
-//   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (none: the flags give
-//                  the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles", 1..8 (1);
-//                  "heights", a list of numbers, 0..64 px: 2 of a slope, 3..65 of a profile.
-//   "tiles"        by tile number "0".."255": "flags", a list of the flags set (none), and "pixels", eight
-//                  rows of eight hexadecimal palette indices, "." for 0 (all 0). Blank tiles are left out.
+//                  struct of that name in collision/shape.h, with points as [x, y]. All are needed except
+//                  "upper" (true). The ends lie on the map.
+//   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell
+//                  takes a random tile of the brush (false); "rows", 1..256 rows of one length, 1..256
+//                  cells, as in the map.
+//   "auto_tiles"   which tile, 1..255, plays which part of painted ground, by the names of the parts in
+//                  level/auto_tiles.h ("inside", "slope_up", ...). Default: no tiles.
+//   "exports"      up to 100 presets of exports: "name" (""); "to", the id of an exporter (""), kept if it
+//                  is unknown; "path" of the file or folder, with '/', absolute or relative to the folder
+//                  of the level's file (""); "parts", those of the Lua runtime besides those that the level
+//                  uses (""), as in "players, pairs"; each up to 4096 bytes; "on_save", whether the editor
+//                  exports it whenever it saves the level (false). Default: no presets.
+//   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (default: the flags
+//                  give the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles",
+//                  1..8 (1); "heights", a list of numbers, 0..64 px: 2 for a slope, 3..65 for a profile.
+//   "tiles"        by tile number "0".."255": "flags", a list of the flags that are set (default: no
+//                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
+//                  (default: all 0). Blank tiles are left out.
 //   "sprites"      the same for the images that are not on the map.
-//   "map"          "width" (240) and "height" (136), 1..2097152 cells each and 16777216 in all; "rows", from
-//   the top: two hexadecimal
-//                  digits a cell, ".." for tile 0; empty cells at the end of a row and empty rows at the
-//                  end are left out.
-//   "cart"         what else the cart held that the level came from (see native_cart.h). Default: none.
+//   "map"          "width" (240) and "height" (136), 1..2097152 cells each and 16777216 cells in all;
+//                  "rows", from the top: two hexadecimal digits for each cell, ".." for tile 0. Empty cells
+//                  at the end of a row and empty rows at the end are left out.
+//   "cart"         the rest of the cart that the level came from (see native_cart.h). Default: no cart.
 //
-// With the member "companion" it is no level of its own, but what a cart lacks of one (see companion.h).
+// With the member "companion" a file is not a level, but what a cart's level has beyond the cart (see
+// companion.h).
 //
-// Keys that this version does not know are kept, in every object but the chunks and lines of "cart", which a
-// newer version cannot extend. A value outside its range, or of another type, is an error with its place, and
-// so is a shape or curve that cannot be used (see problem_of in collision/shape.h and level/level.h). What a
-// reader would refuse is not written either. What came after the first version is written only where it is
-// not the default, so that older files keep their bytes.
+// Unknown keys are kept, in every object except the chunks and lines of "cart", which a newer version cannot
+// extend. A value outside of its range, or of another type, is an error with its place; so is a shape or
+// curve that cannot be used (see problem_of in collision/shape.h and level/level.h). What a reader would
+// refuse is not written. Keys that came after the first version are written only if they are not the default,
+// so that older files keep their bytes.
 #pragma once
 
 #include <talus/formats/format.h>

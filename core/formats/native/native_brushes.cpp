@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-// Says what is wrong with the rows.
+// Returns what is wrong with the rows.
 std::optional<std::string> read_brush_rows(const Json& rows, Brush& brush) {
   const bool counted = rows.is_array() && !rows.empty() && rows.size() <= kMaxBrushSide;
   if (!counted) return "must be a list of 1 to 256 rows";
@@ -25,7 +25,7 @@ std::optional<std::string> read_brush_rows(const Json& rows, Brush& brush) {
     for (std::size_t i = 0; i < text.size(); i += 2) {
       const int high = hex_value(text[i]), low = hex_value(text[i + 1]);
       const bool is_empty = text[i] == '.' && text[i + 1] == '.';
-      if (!is_empty && (high < 0 || low < 0)) return "has a cell that is no two hexadecimal digits";
+      if (!is_empty && (high < 0 || low < 0)) return "has a cell that is not two hexadecimal digits";
       brush.tiles.push_back(is_empty ? std::uint8_t{0} : static_cast<std::uint8_t>(high << 4 | low));
     }
   }

@@ -8,7 +8,8 @@
 
 namespace talus {
 
-// Each takes the members that it knows out of the JSON and leaves the others; an error has its place by key.
+// Each function takes the members that it knows out of the JSON and leaves the others. An error has its place
+// by key.
 FormatResult<std::vector<Brush>> take_brushes(Json& list);
 FormatResult<AutoTiles> take_auto_tiles(Json& json);
 

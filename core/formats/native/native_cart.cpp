@@ -1,4 +1,4 @@
-// Carts as JSON. Sections that the level owns are named instead of stored.
+// Carts as JSON. A section that the level owns is named, not stored.
 #include "native_cart.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kDataRow = 64;  // bytes a row where the chunk has no rows of its own
-// More lines than these are no text for people, and go as data: each costs memory when it is read.
+constexpr std::size_t kDataRow = 64;  // bytes in each row, if the chunk has no rows of its own
+// A text of more lines is not meant for people, and is stored as data: each line costs memory in reading.
 constexpr std::ptrdiff_t kMostLines = 262'144, kMostChunkLines = 16'384;
 
 tl::unexpected<FormatError> error_at(const std::string& key, std::string message) {
@@ -50,14 +50,14 @@ FormatResult<std::string> bytes_of_hex(const Json& rows, const std::string& key)
     const std::string& text = row.get_ref<const std::string&>();
     for (std::size_t i = 0; i < text.size(); i += 2) {
       const int high = hex_value(text[i]), low = i + 1 < text.size() ? hex_value(text[i + 1]) : -1;
-      if (high < 0 || low < 0) return error_at(key, "has a row that is no pairs of hexadecimal digits");
+      if (high < 0 || low < 0) return error_at(key, "has a row that is not pairs of hexadecimal digits");
       bytes += static_cast<char>(high << 4 | low);
     }
   }
   return bytes;
 }
 
-// The section of the level that a chunk or tag of bank 0 holds; null for what the level does not own.
+// The section of the level that a chunk or tag of bank 0 holds; null if the level does not own it.
 const SectionInfo* level_section(const Level& level, int bank, const auto& matches) {
   for (const Section id : kLevelSections) {
     const SectionInfo& info = section_info(id);
@@ -117,7 +117,7 @@ void put_text(const Level& level, std::string_view bytes, std::string_view comme
   cart["lines"] = std::move(lines);
 }
 
-// One line, or the rows that stand for it, without the last line break.
+// One line, or the rows that it stands for, without the last line break.
 FormatResult<std::string> text_of_line(const Json& line, const Level& level, const std::string& comment,
                                        const std::string& key) {
   if (line.is_string()) return line.get<std::string>();
@@ -126,7 +126,9 @@ FormatResult<std::string> text_of_line(const Json& line, const Level& level, con
   if (!named) return error_at(key, "must be a string or {\"level\": SECTION}");
   const std::string& tag = line["level"].get_ref<const std::string&>();
   const SectionInfo* own = level_section(level, 0, [&](const SectionInfo& info) { return info.tag == tag; });
-  if (!own) return error_at(key, "names a section that the level has not, or a map too large for a cart");
+  if (!own)
+    return error_at(key,
+                    "names a section that the level does not have, or a map that is too large for a cart");
   std::string rows = text_rows(*own, section_bytes(level, own->id), comment, "\n");
   if (!rows.empty()) rows.pop_back();
   return rows;
@@ -140,7 +142,8 @@ FormatResult<std::string> take_lines(const Json& lines, const Level& level, cons
     if (!line) return line;
     if (i > 0) text += '\n';
     text += *line;
-    if (text.size() > kMaxCartBytes) return error_at("cart.lines", "make the cart larger than a cart can be");
+    if (text.size() > kMaxCartBytes)
+      return error_at("cart.lines", "make the cart larger than 4 MiB, the limit for carts");
   }
   return text;
 }
@@ -166,7 +169,7 @@ int chunk_type(const Json& json) {
   return -1;
 }
 
-// Whole and in 0..max; `fallback` where the key is missing, -1 for anything else.
+// A whole number in 0..max; `fallback` if the key is missing, -1 for anything else.
 int small_number(const Json& object, const char* key, int fallback, int max) {
   if (!object.contains(key)) return fallback;
   const Json& json = object[key];
@@ -181,7 +184,8 @@ FormatResult<std::string> chunk_data(const Json& json, const TicChunk& chunk, co
   if (json["data"] != "level") return bytes_of_hex(json["data"], key + ".data");
   const SectionInfo* own = level_section(level, chunk);
   if (!own)
-    return error_at(key + ".data", "names a section that the level has not, or a map too large for a cart");
+    return error_at(key + ".data",
+                    "names a section that the level does not have, or a map that is too large for a cart");
   return section_bytes(level, own->id);
 }
 
@@ -191,7 +195,7 @@ FormatResult<void> append_chunk(std::string& bytes, const Json& json, const Leve
   for (auto it = json.begin(); it != json.end(); ++it) {
     constexpr std::array<std::string_view, 5> kKeys = {"chunk", "bank", "reserved", "code", "data"};
     if (std::find(kKeys.begin(), kKeys.end(), it.key()) == kKeys.end()) {
-      return error_at(key, "has a key that no chunk has");
+      return error_at(key, "has an unknown key");
     }
   }
   TicChunk chunk = {.type = json.contains("chunk") ? chunk_type(json["chunk"]) : -1};
@@ -207,7 +211,8 @@ FormatResult<void> append_chunk(std::string& bytes, const Json& json, const Leve
   chunk.data = *data;
   const bool is_piece = chunk.type == kTicCode || chunk.type == kTicBinary;
   if (data->size() > kBankBytes - (is_piece ? 0 : 1) || (is_piece && data->empty())) {
-    return error_at(key, "has " + std::to_string(data->size()) + " bytes, which its header cannot say");
+    return error_at(key,
+                    "has " + std::to_string(data->size()) + " bytes, which a chunk's header cannot express");
   }
   append_tic_chunk(bytes, chunk);
   return {};
@@ -220,7 +225,8 @@ FormatResult<std::string> take_chunks(const Json& chunks, const Level& level) {
     const std::string key = "cart.chunks[" + std::to_string(i) + "]";
     if (const auto good = append_chunk(bytes, chunks[i], level, key); !good)
       return tl::unexpected(good.error());
-    if (bytes.size() > kMaxCartBytes) return error_at(key, "makes the cart larger than a cart can be");
+    if (bytes.size() > kMaxCartBytes)
+      return error_at(key, "makes the cart larger than 4 MiB, the limit for carts");
   }
   return bytes;
 }
@@ -241,8 +247,8 @@ void put_cart(const Level& level, Json& cart) {
   const bool is_tic = origin.kind == CartOrigin::Kind::tic;
   cart["kind"] = is_tic ? "tic" : "text";
   const auto edited = is_tic ? edited_tic(origin.bytes, level) : edited_text(origin, level);
-  // A cartridge that the edits empty or make too large, or a text project whose code does not let them in,
-  // stays as it was; the level itself holds the edits.
+  // A cartridge that the edits would empty or make too large stays as it was, and so does a text project
+  // whose code does not allow them. The level itself holds the edits.
   const bool usable = edited && !(is_tic && edited->empty()) && edited->size() <= kMaxCartBytes;
   const std::string& bytes = usable ? *edited : origin.bytes;
   if (!is_tic) return put_text(level, bytes, origin.comment, cart);

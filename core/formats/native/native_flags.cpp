@@ -1,4 +1,4 @@
-// Reading a field, and checking all of them together.
+// Reads each field, and checks all of them together.
 #include "native_flags.h"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ FormatResult<Json> parse_extra(const std::string& extra) {
   if (extra.empty()) return Json::object();
   auto json = parse_json(extra);
   if (!json || !json->is_object())
-    return tl::unexpected(FormatError{"", "the level's unknown keys are no JSON object"});
+    return tl::unexpected(FormatError{"", "the level's unknown keys are not a JSON object"});
   return json;
 }
 

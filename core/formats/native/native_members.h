@@ -1,8 +1,7 @@
-// The members of JSON objects, and lists of objects, in a native level (see native.h), for its parts to
-// share.
+// Members of JSON objects, and lists of objects; shared by the parts of native levels (see native.h).
 //
-// What is read is taken out of the JSON, so that what is left is unknown. Errors are placed by key:
-// "key curves[3].radius".
+// What is read is taken out of the JSON, so what remains is unknown. Errors have their place by key: "key
+// curves[3].radius".
 #pragma once
 
 #include <algorithm>
@@ -25,13 +24,13 @@ std::string choice_text(ChoiceNames names);
 // "must be a string of up to 1000 bytes".
 std::string length_text(std::size_t most);
 
-// Unknown keys as a level keeps them; an object in any case.
+// Unknown keys as a level keeps them. The result is an object in any case.
 FormatResult<Json> parse_extra(const std::string& extra);
 
 // Takes members out of an object and remembers the first error.
 class MemberTaker {
  public:
-  // Both must stay. JSON that is no object is an error.
+  // Both must outlive it. JSON that is not an object is an error.
   MemberTaker(Json& json, const std::string& path);
 
   // A member that must be there.
@@ -41,12 +40,12 @@ class MemberTaker {
     optional(key, value);
   }
   void require(const char* key);
-  // One that keeps its value if it is not there.
+  // A member that keeps its value if it is missing.
   template <class Value>
   void optional(const char* key, Value& value) {
     member(key, [&](const Json& json) { read(json, key, value); });
   }
-  // Whether the member is there and one of the names.
+  // Whether the member is there and is one of the names.
   template <class Enum>
   bool choice(const char* key, ChoiceNames names, Enum& value) {
     bool chosen = false;
@@ -61,7 +60,7 @@ class MemberTaker {
   void ranged(const char* key, double min, double max, std::string_view unit, double& value);
   // A string of up to `most` bytes.
   void text(const char* key, std::size_t most, std::string& value);
-  // Of a body.
+  // The size of a body.
   void size(const char* key, Vec2& value);
   // Calls read(value) if the member is there.
   template <class Read>
@@ -72,17 +71,17 @@ class MemberTaker {
     read(std::as_const(*found));
     json_.erase(key);
   }
-  // Of a member; of the whole, with the key "".
+  // Sets an error about a member; about the whole object with the key "".
   void fail(std::string_view key, std::string message);
 
-  // The value, unless something was wrong with a member, or is with the whole.
+  // Returns the value, unless a member or the whole object is wrong.
   template <class Value>
   FormatResult<Value> result(Value value, std::optional<std::string> problem = {}) {
     if (problem) fail("", *std::move(problem));
     if (error_) return tl::unexpected(*error_);
     return value;
   }
-  // The members that nobody took.
+  // The members that were not taken.
   std::string rest() const { return error_ || json_.empty() ? "" : json_.dump(); }
 
  private:
@@ -110,8 +109,8 @@ class MemberPutter {
   Json& json_;
 };
 
-// Reads each entry of a list with take(entry, path of the entry). A list of more than `most` is the error
-// `wanted`, as what is no list.
+// Reads each entry of a list with take(entry, path of the entry). Anything but a list, or a list of more than
+// `most` entries, is the error `wanted`.
 template <class Value, class Take>
 FormatResult<std::vector<Value>> take_list(Json& list, const std::string& path, Take take,
                                            std::size_t most = SIZE_MAX,
@@ -127,7 +126,7 @@ FormatResult<std::vector<Value>> take_list(Json& list, const std::string& path, 
   return values;
 }
 
-// Its counterpart: put(value, path) makes each entry.
+// The counterpart of take_list: put(value, path) makes each entry.
 template <class Value, class Put>
 FormatResult<Json> put_list(const std::vector<Value>& values, const std::string& path, Put put) {
   Json list = Json::array();

@@ -1,4 +1,4 @@
-// One list of members a kind of object, for reading and for writing.
+// One list of members for each kind of object serves reading and writing.
 #include "native_objects.h"
 
 #include <array>
@@ -91,7 +91,7 @@ FormatResult<Json> json_of(const LevelCurve& curve, const std::string& path, con
   if (curve.curve.faces != Curve::Faces::up)
     (*json)["faces"] = kFaces[static_cast<std::size_t>(curve.curve.faces)];
   MemberPutter put(*json);
-  auto form = curve.curve.form;  // a copy: one list of members serves readers, who change them
+  auto form = curve.curve.form;  // a copy: the list of members takes references, as readers need
   std::visit([&](auto& members) { list_members(put, members); }, form);
   if (const Arc* arc = std::get_if<Arc>(&form); arc != nullptr && !arc->upper) (*json)["upper"] = false;
   return json;

@@ -1,9 +1,8 @@
-// The parts of a native level that are objects of their own: shapes of tiles, curves and spawns (see
-// native.h).
+// Objects in a native level (see native.h): shapes of tiles, curves and spawns.
 //
-// Each take_ function takes the members that it knows out of `json`, which must be an object, leaves the
-// others and places its error by key under `path`: "key curves[3].radius". What is read can be used:
-// problem_of() says nothing about it.
+// Each take_ function takes the members that it knows out of `json`, which must be an object, and leaves the
+// others. Its error has its place by key under `path`: "key curves[3].radius". What was read can be used:
+// problem_of() finds nothing wrong.
 #pragma once
 
 #include "../text/json_text.h"
@@ -14,8 +13,7 @@ FormatResult<TileShape> take_shape(Json& json, const std::string& path);
 // Sets the members that differ from their defaults. A shape that take_shape would refuse is an error.
 FormatResult<void> put_shape(const TileShape& shape, const std::string& path, Json& json);
 
-// The lists are read with the unknown keys of each entry in its `extra`. The ends of a curve must lie on the
-// map.
+// Reads a list; the unknown keys of each entry go into its `extra`. The ends of a curve must lie on the map.
 FormatResult<std::vector<LevelCurve>> take_curves(Json& list, const std::string& path, const TileMap& map);
 FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::string& path,
                            const TileMap& map);

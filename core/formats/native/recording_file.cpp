@@ -19,10 +19,10 @@ namespace {
 constexpr std::string_view kVersionKey = "talus_recording";
 constexpr std::size_t kHashDigits = 16;
 constexpr std::size_t kHashesInText = 8;
-// Entries of lists that the patches of all edits may move; ours move none.
+// limit for the list entries that the patches of all edits may move; patches of Talus move none
 constexpr std::size_t kMostMovedEntries = 20'000'000;
 
-// Thrown within this file alone: a reader of nested values that stops at its first error.
+// Thrown and caught in this file only: ends the reading of nested values at the first error.
 struct Wrong {
   FormatError error;
 };
@@ -55,7 +55,7 @@ void check_keys(const Json& object, const std::string& path, std::initializer_li
   if (!object.is_object()) fail(path, "must be an object");
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end())
-      fail(path.empty() ? key : path + "." + key, "is not known in a recording");
+      fail(path.empty() ? key : path + "." + key, "is not a key of recordings");
   }
 }
 
@@ -65,12 +65,12 @@ Level level_in(const Json& json, const std::string& path) {
   return *std::move(level);
 }
 
-// What the edits of a recording take together, which is reckoned alike where it is read and written.
+// Measures what the edits of a recording take together, in the same way for reading and writing.
 class EditAmounts {
  public:
   explicit EditAmounts(const LevelVersion& first) : bytes_(memory_of(first, nullptr)) {}
 
-  // Nothing: the edit from one version to the next, of this level, fits.
+  // Returns nothing if the edit from one version to the next fits.
   std::optional<FormatError> add(const LevelVersion& before, const LevelVersion& after, const Level& edited) {
     read_ += size_of(edited);
     bytes_ += memory_of(after, &before);
@@ -93,11 +93,11 @@ class RecordingReader {
   explicit RecordingReader(Progress progress) : progress_(std::move(progress)) {}
 
   Recording read(Json document) {
-    if (!document.is_object()) throw Wrong{{"", "is JSON, but no recording"}};
+    if (!document.is_object()) throw Wrong{{"", "is JSON, but not a recording"}};
     const std::string version_key(kVersionKey);
-    if (!document.contains(version_key)) fail(version_key, "is missing, so this is no recording");
+    if (!document.contains(version_key)) fail(version_key, "is missing, so this is not a recording");
     if (whole(document, "", version_key.c_str(), 1, 1'000'000) > kRecordingVersion)
-      fail(version_key, "is of a newer Talus; this one reads version " + std::to_string(kRecordingVersion));
+      fail(version_key, "is newer than what this Talus reads, version " + std::to_string(kRecordingVersion));
     check_keys(document, "", {kVersionKey, "frames", "marks", "level", "edits", "input", "hashes"});
     read_hashes(document);
     read_marks(list_in(document, "marks"));
@@ -111,13 +111,13 @@ class RecordingReader {
   }
 
  private:
-  // They also tell how many frames there can be, before memory is taken for them.
+  // The hashes give the number of frames before memory is taken for them.
   void read_hashes(const Json& document) {
     if (!document.contains("hashes")) fail("hashes", "is missing");
     const Json& texts = list_in(document, "hashes");
     for (std::size_t i = 0; i < texts.size(); ++i) {
       const std::string path = entry_path("hashes", i);
-      if (!texts[i].is_string()) fail(path, "must be a text");
+      if (!texts[i].is_string()) fail(path, "must be a string");
       read_hash_text(texts[i].get_ref<const std::string&>(), path);
     }
     const bool has_any = !recording_.hashes.empty();
@@ -155,7 +155,7 @@ class RecordingReader {
       if (i > 0 && frame <= recording_.marks.back().frame)
         fail(path + ".frame", "is not after the one before");
       const Json name = marks[i].value("name", Json(""));
-      if (!name.is_string()) fail(path + ".name", "must be a text");
+      if (!name.is_string()) fail(path + ".name", "must be a string");
       recording_.marks.push_back({frame, name.get<std::string>()});
     }
   }
@@ -193,7 +193,7 @@ class RecordingReader {
     }
   }
 
-  // Without "copy", with which a short patch could make a level that fills the memory.
+  // "copy" is not allowed: with it a short patch could make a level that fills the memory.
   void apply_patch(const Json& patch, const std::string& path, Json& level) {
     if (!patch.is_array()) fail(path, "must be a list");
     for (std::size_t i = 0; i < patch.size(); ++i) {
@@ -211,8 +211,8 @@ class RecordingReader {
     }
   }
 
-  // What is added to a list or removed from it moves all entries behind it. Json::exception: there is no
-  // place.
+  // Adding an entry to a list, or removing one, moves all entries behind it. Json::exception: the place does
+  // not exist.
   void count_moves(const Json& operation, const std::string& path, const Json& level) {
     const Json::json_pointer place(operation.at("path").get_ref<const std::string&>());
     if (operation["op"] == "replace" || place.empty() || place.back() == "-") return;
@@ -227,7 +227,7 @@ class RecordingReader {
 
   Recording recording_;
   Progress progress_;
-  std::size_t moved_ = 0;  // entries of lists, by the patches so far
+  std::size_t moved_ = 0;  // entries of lists that the patches have moved so far
 };
 
 // ---- Writing ----
@@ -249,7 +249,7 @@ Json hash_texts(const std::vector<std::uint64_t>& hashes) {
   return texts;
 }
 
-// The list with one line an entry.
+// The list with one entry on each line.
 std::string input_text(const std::vector<RecordedInput>& input) {
   std::string text = "[";
   RecordedInput before;
@@ -266,8 +266,8 @@ std::string input_text(const std::vector<RecordedInput>& input) {
   return text + (input.empty() ? "]\n" : "\n]\n");
 }
 
-// The patch from one native level to another. Of a list that lost or got entries the diff would name every
-// one behind them, so a long one is put there as a whole.
+// The patch from one native level to another. If a list lost or got entries, the diff would name every entry
+// behind them; so a long list is replaced as a whole.
 Json patch_between(const Json& before, const Json& after) {
   constexpr std::size_t kLong = 256;
   Json patch = Json::array();
@@ -338,7 +338,7 @@ bool is_recording(std::string_view bytes, const FormatContext& context) {
 }
 
 FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress) {
-  constexpr double kParsed = 0.2;  // the share of the time, where the level was edited
+  constexpr double kParsed = 0.2;  // share of the time, if the level was edited
   auto document = parse_json(bytes, progress.part(0, kParsed));
   if (!document) return tl::unexpected(document.error());
   try {

@@ -16,7 +16,7 @@ namespace {
 
 using Name = std::int64_t;
 
-// An operation that is not written as the header says; never leaves this file.
+// An operation that is not written as the header says; thrown and caught in this file only.
 struct Malformed {
   std::string message;
 };
@@ -55,7 +55,7 @@ const Json& element(const Json& array, std::size_t index) {
   return index < array.size() ? array[index] : kNull;
 }
 
-// As Lua's tostring and type tell a value that is no number.
+// Lua's tostring and type of a value that is not a number.
 std::pair<std::string, std::string> lua_value(const Json& value) {
   if (value.is_null()) return {"nil", "nil"};
   if (value.is_string()) return {value.get<std::string>(), "string"};
@@ -116,7 +116,7 @@ class Replay {
          {"toCell", &Replay::to_cell}}};
     const auto row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) { return kind == r.kind; });
     if (row == kRows.end())
-      throw Malformed{"There is no operation " + (kind.is_string() ? kind.dump() : "of that kind") + "."};
+      throw Malformed{"Unknown operation " + (kind.is_string() ? kind.dump() : "of that kind") + "."};
     try {
       return (this->*row->run)(op);
     } catch (const WorldError& error) {
@@ -232,7 +232,7 @@ class Replay {
     line += '}';
   }
 
-  // The response of that name. An unknown one complains when a contact calls for it, not before.
+  // The response of that name. An unknown name is an error only when a contact needs it.
   Response response_named(const Json& value) {
     if (value.is_null()) return Response::ignore;
     if (!value.is_string()) throw Malformed{"A filter must answer with the name of a response or null."};
@@ -324,7 +324,7 @@ class Replay {
 
   World world_;
   std::map<Name, ItemId> ids_;
-  std::vector<Name> names_;  // by the item's index
+  std::vector<Name> names_;  // by the index of the item
   std::map<std::string, Response, std::less<>> reactions_;
   Response default_reaction_ = Response::slide;
   std::vector<Collision> hits_;

@@ -22,8 +22,8 @@
 
 namespace talus {
 
-// One answer an operation, without the line's end. The error's place is the byte of malformed JSON or the
-// operation, counted from 1: "op 12".
+// Returns one answer for each operation, without a line break. The error's place is the byte of malformed
+// JSON, or the number of the operation, from 1: "op 12".
 tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_view json);
 
 }  // namespace talus

@@ -1,5 +1,4 @@
-// PNG by stb. Its reader keeps nothing of a palette and unpacks whatever there is, so the chunks are looked
-// through first.
+// PNG by stb. stb's reader drops the palette and unpacks anything, so the chunks are checked first.
 #include "png_picture.h"
 
 #include <zlib.h>
@@ -13,10 +12,10 @@
 #include "../text/unpack.h"
 
 namespace {
-// Of zlib: the best takes nine times as long for the picture of a map, which is 2 % smaller then.
+// Level of zlib. The best one takes nine times as long for the picture of a map, and saves only 2 %.
 constexpr int kPngLevel = 7;
 
-// In stb's place, whose own compression gives files twice as large. Its caller frees the result.
+// Replaces stb's compression, whose files are twice as large. The caller frees the result.
 unsigned char* compress_for_png(unsigned char* data, int size, int* compressed_size, int) {
   uLongf length = compressBound(static_cast<uLong>(size));
   auto* compressed = static_cast<unsigned char*>(std::malloc(length));
@@ -60,11 +59,11 @@ std::string size_text(std::uint32_t width, std::uint32_t height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
-// What a file has to say, apart from its pixels.
+// What a file contains besides its pixels.
 struct Header {
   std::uint32_t width = 0, height = 0;
   std::vector<Rgb> palette;
-  std::string needed;  // the file again, with the chunks alone that make its pixels
+  std::string needed;  // the file again, with only the chunks that make its pixels
   std::string packed;  // the zlib stream of its rows, from all chunks
 };
 
@@ -80,7 +79,8 @@ tl::unexpected<FormatError> error_at(std::size_t byte, std::string message) {
   return tl::unexpected(FormatError{"byte " + std::to_string(byte), std::move(message)});
 }
 
-constexpr std::size_t kAround = 12, kHeaderSize = 13;  // bytes: of a chunk besides its content; of IHDR
+// bytes: those of a chunk besides its content; those of IHDR.
+constexpr std::size_t kAround = 12, kHeaderSize = 13;
 
 struct Chunk {
   std::string_view whole, type, content;
@@ -94,13 +94,13 @@ FormatResult<Chunk> chunk_at(std::string_view bytes, std::size_t at) {
   return Chunk{bytes.substr(at, length + kAround), bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
 }
 
-// Of pixels that are indices. stb reads beyond a short palette, so it gets a full one.
+// For pixels that are indices. stb reads beyond a short palette, so it gets a full one.
 void add_palette(std::string_view content, Header& header) {
   constexpr std::size_t kFull = 3 * 256;
   header.palette = palette_of(content);
   std::string colors(content.substr(0, kFull));
   colors.resize(kFull);
-  constexpr std::string_view kLength("\0\0\3\0", 4), kChecksum("\0\0\0\0", 4);  // which stb does not check
+  constexpr std::string_view kLength("\0\0\3\0", 4), kChecksum("\0\0\0\0", 4);  // stb does not check it
   header.needed.append(kLength).append("PLTE").append(colors).append(kChecksum);
 }
 
@@ -115,14 +115,15 @@ FormatResult<Header> read_header(std::string_view bytes) {
     if (!chunk) return tl::unexpected(chunk.error());
     const bool first = at == kSignature.size();
     if (first != (chunk->type == "IHDR") || (first && chunk->content.size() != kHeaderSize))
-      return error_at(at, "must be the picture's one header, and is not");
+      return error_at(at, "the header of the picture is missing, repeated or damaged");
     if (first) {
       header.width = u32_at(chunk->content, 0);
       header.height = u32_at(chunk->content, 4);
       indexed = chunk->content[kColorType] == kIndexed;
     }
     if (chunk->type == "IDAT") header.packed += chunk->content;
-    const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();  // stb copies it to no memory
+    // Stb copies it, without memory for it.
+    const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();
     if (chunk->type == "PLTE" && indexed)
       add_palette(chunk->content, header);
     else if (first || (chunk->type == "IDAT" && !empty_data) || chunk->type == "tRNS" ||
@@ -135,13 +136,13 @@ FormatResult<Header> read_header(std::string_view bytes) {
   return header;
 }
 
-// Of a picture that is not refused for its size.
+// The header of a picture, which is not refused for its size.
 FormatResult<Header> read_small_header(std::string_view bytes) {
-  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is not a PNG picture"});
   auto header = read_header(bytes);
   if (header && (header->width > kMaxPngSide || header->height > kMaxPngSide)) {
-    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
-                                              " px, and pictures of up to 1024x1024 px are read"});
+    return tl::unexpected(FormatError{
+        "", "is " + size_text(header->width, header->height) + " px, but may have at most 1024x1024 px"});
   }
   return header;
 }
@@ -151,7 +152,8 @@ tl::unexpected<FormatError> damaged_png(const std::string& reason) {
 }
 
 FormatResult<RgbaPicture> decode(const Header& header) {
-  // Eight bytes a pixel at most, and one before each row: interlaced, rows come in up to twice as many parts.
+  // At most eight bytes for each pixel, and one before each row. Interlaced rows come in up to twice as many
+  // parts.
   const std::size_t largest = (std::size_t{8} * header.width + 2) * header.height + 64;
   const auto rows = unpack_zlib(header.packed, largest);
   if (header.packed.size() > 2 * largest || (!rows && rows.error().is_too_large))
@@ -169,7 +171,7 @@ FormatResult<RgbaPicture> decode(const Header& header) {
   return RgbaPicture{width, height, {reinterpret_cast<const char*>(rgba.get()), count}};
 }
 
-// In pictures without a palette every colour may be.
+// In pictures without a palette any colour is possible.
 bool has_color(const PngPicture& picture, Rgb color) {
   const auto& palette = picture.palette;
   return palette.empty() || std::find(palette.begin(), palette.end(), color) != palette.end();
@@ -184,7 +186,7 @@ void append_bytes(void* text, void* data, int size) {
 bool is_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
 
 FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type) {
-  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is no PNG picture"});
+  if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is not a PNG picture"});
   for (std::size_t at = kSignature.size(); at < bytes.size();) {
     const auto chunk = chunk_at(bytes, at);
     if (!chunk) return tl::unexpected(chunk.error());
@@ -213,7 +215,7 @@ FormatResult<PngPicture> read_png(std::string_view bytes) {
     picture.transparent.push_back(transparent);
     picture.pixels.push_back(transparent ? Rgb{} : Rgb{c[0], c[1], c[2]});
     if (!transparent && !has_color(picture, picture.pixels.back()))
-      return tl::unexpected(FormatError{"", "has a pixel of a colour beyond its palette"});
+      return tl::unexpected(FormatError{"", "has a pixel whose colour is not in its palette"});
   }
   return picture;
 }
@@ -226,7 +228,7 @@ FormatResult<PngPicture> load_png(const std::string& path) {
 
 std::string encode_png(int width, int height, int channels, const std::uint8_t* bytes) {
   std::string png;
-  stbi_write_force_png_filter = 0;  // flat colours pack best as they are
+  stbi_write_force_png_filter = 0;  // flat colours pack best without filters
   if (!stbi_write_png_to_func(append_bytes, &png, width, height, channels, bytes, width * channels))
     return {};
   return png;

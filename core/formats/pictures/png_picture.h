@@ -1,4 +1,4 @@
-// PNG pictures: reading small ones with the palette that they come with, and writing.
+// PNG pictures: reads small ones together with their palette, and writes pictures.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace talus {
 
-// A picture of one opaque colour a pixel, or none.
+// A picture in which each pixel has one opaque colour, or is transparent.
 struct PngPicture {
   int width = 0, height = 0;      // px
   std::vector<Rgb> pixels;        // row by row from the top left
-  std::vector<bool> transparent;  // the same; of pixels that are less than half opaque, whose colour is black
-  std::vector<Rgb> palette;       // of the file, in its order; empty: it has none
+  std::vector<bool> transparent;  // by pixel; whether it is less than half opaque; its colour is black then
+  std::vector<Rgb> palette;       // of the file, in its order; empty: the file has none
 
   Rgb at(int x, int y) const { return pixels[index(x, y)]; }
   bool is_transparent(int x, int y) const { return transparent[index(x, y)]; }
@@ -24,24 +24,24 @@ struct PngPicture {
   }
 };
 
-inline constexpr int kMaxPngSide = 1024;  // px; larger pictures are refused unread
+inline constexpr int kMaxPngSide = 1024;  // px; larger pictures are refused without being read
 
-// A picture as it is, opacity and all.
+// A picture as it is in the file, with opacity.
 struct RgbaPicture {
   int width = 0, height = 0;  // px
-  std::string bytes;          // four a pixel: red, green, blue, opacity; row by row from the top left
+  std::string bytes;          // four for each pixel: red, green, blue, opacity; row by row from the top left
 };
 
-inline constexpr std::size_t kPngStart = 8;  // bytes that is_png() looks at
+inline constexpr std::size_t kPngStart = 8;  // bytes that is_png() needs
 bool is_png(std::string_view bytes);
-// The content of the first chunk of this type, four letters; empty when there is none.
+// Returns the content of the first chunk of this type (four letters); empty if there is none.
 FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type);
 FormatResult<RgbaPicture> read_rgba(std::string_view bytes);
 FormatResult<PngPicture> read_png(std::string_view bytes);
 FormatResult<PngPicture> load_png(const std::string& path);
 
-// channels: 3 for RGB or 4 with opacity; `bytes` has width*height*channels of them. Never empty, unless the
-// memory does not suffice.
+// channels: 3 for RGB, 4 with opacity. bytes: width*height*channels of them. Returns an empty text only if
+// there is not enough memory.
 std::string encode_png(int width, int height, int channels, const std::uint8_t* bytes);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Colours of pictures and of levels.
+// Matches the colours of pictures and levels.
 #include "png_sheet.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ void append(std::vector<std::uint8_t>& bytes, Rgb color) {
   bytes.insert(bytes.end(), {color.r, color.g, color.b});
 }
 
-// clear_zero: a fourth byte a pixel, 0 where its colour is colour 0.
+// clear_zero: adds a fourth byte for each pixel, 0 if its colour is colour 0.
 std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette, bool clear_zero) {
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < kSheetSide; ++y) {
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& pale
   return bytes;
 }
 
-// The opaque colours, in the order in which they come first; no more than `most` + 1.
+// The opaque colours in the order of their first pixels; at most `most` + 1.
 std::vector<Rgb> colors_of(const PngPicture& picture, std::size_t most) {
   std::vector<Rgb> colors;
   for (std::size_t i = 0; i < picture.pixels.size() && colors.size() <= most; ++i) {
@@ -43,7 +43,7 @@ std::vector<Rgb> colors_of(const PngPicture& picture, std::size_t most) {
   return colors;
 }
 
-// Colours that the palette has stay in their places, as other images may be drawn in them.
+// Colours that the palette has keep their places, as other images may use them.
 Palette with_colors(const std::vector<Rgb>& colors, Palette palette) {
   std::array<bool, kColors> used{};
   std::vector<Rgb> added;
@@ -111,7 +111,7 @@ FormatResult<Palette> palette_for(const PngPicture& picture, const Palette& pale
   }
   const std::vector<Rgb> colors = colors_of(picture, kColors);
   if (colors.size() > kColors)
-    return tl::unexpected(FormatError{"", "has more than 16 colours, so its palette cannot be taken over"});
+    return tl::unexpected(FormatError{"", "has more than 16 colours, too many for the palette of a level"});
   return with_colors(colors, palette);
 }
 
@@ -119,7 +119,7 @@ FormatResult<Palette> palette_in(const PngPicture& picture, const Palette& palet
   if (picture.height != 1 || picture.width > kColorCount) {
     return tl::unexpected(FormatError{"", "is " + std::to_string(picture.width) + "x" +
                                               std::to_string(picture.height) +
-                                              " px, and a palette is 1 to 16 px side by side"});
+                                              " px, but a palette must be 1 to 16 px side by side"});
   }
   Palette taken = palette;
   std::copy(picture.pixels.begin(), picture.pixels.end(), taken.begin());

@@ -1,4 +1,4 @@
-// A short mark of a file's content.
+// A short fingerprint of a file's content.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// Of the bytes of a file, equal on every machine: FNV-1a.
+// FNV-1a of the bytes; the same on every machine.
 std::uint64_t content_hash(std::string_view bytes);
 
 }  // namespace talus

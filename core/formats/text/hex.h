@@ -1,4 +1,4 @@
-// Hexadecimal digits, as cart texts and native levels spell bytes.
+// Hexadecimal digits, which cart texts and native levels use for bytes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace talus {
 
 inline constexpr std::string_view kHexDigits = "0123456789abcdef";
 
-// 0..15, or -1 when c is no digit; upper case reads like lower case.
+// Returns 0..15, or -1 if c is not a digit; upper case counts as lower case.
 constexpr int hex_value(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;

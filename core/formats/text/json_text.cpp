@@ -1,5 +1,5 @@
-// nlohmann's parser with a builder of its own, so that hostile nesting and counts cost no memory and no value
-// is replaced in silence; and a printer with a line for what a diff should show alone.
+// nlohmann's parser with a builder of its own: hostile nesting and counts cost no memory, and no value is
+// replaced in silence. And a printer that gives a line to each thing that a diff should show alone.
 #include "json_text.h"
 
 #include <algorithm>
@@ -15,21 +15,21 @@ namespace talus {
 namespace {
 
 constexpr std::size_t kMaxInline = 140;  // a tile with all its flags fits
-// What is deeper, which nothing of ours is, goes on one line: lines would be blanks above all.
+// Deeper values, which Talus never writes, go on one line: lines would be mostly blanks.
 constexpr int kMaxIndent = 32;
 
-// Thrown out of nlohmann's parser, which cannot be stopped within a value otherwise, and caught by
-// parse_json.
+// Thrown out of nlohmann's parser, which cannot be stopped within a value in another way. parse_json catches
+// it.
 struct Stopped {};
 
-// How far the parser is, which it does not tell of what it accepts.
+// Position of the parser, which it does not report for valid text.
 struct Reading {
   std::string_view text;
   const Progress& progress;
   std::size_t bytes = 0;
 };
 
-// Goes through the text, and tells the progress.
+// Goes through the text and reports the progress.
 class ReadingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -60,11 +60,11 @@ class StrictBuilder {
   enum class Problem { none, invalid, too_large, too_deep, too_many_keys, twice };
 
   Problem problem() const { return problem_; }
-  // That the parser had read when it found something wrong; 0: it found nothing.
+  // bytes that the parser had read at the error; 0: there was no error
   std::size_t bytes() const { return bytes_; }
   Json take() { return std::move(root_); }
 
-  // The value at which it stopped: "curves[2].radius". Empty: the whole.
+  // The value at which the parser stopped: "curves[2].radius". Empty: the whole text.
   std::string path() const {
     std::string path;
     for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -85,7 +85,7 @@ class StrictBuilder {
   bool number_unsigned(std::uint64_t value) { return add(value); }
   bool number_float(double value, const std::string&) { return add(value); }
   bool string(std::string& value) { return add(std::move(value)); }
-  bool binary(Json::binary_t&) { return false; }  // no text has any
+  bool binary(Json::binary_t&) { return false; }  // text has no binary values
   bool start_object(std::size_t) { return open(Json::value_t::object); }
   bool start_array(std::size_t) { return open(Json::value_t::array); }
   bool end_object() { return close(); }
@@ -109,7 +109,7 @@ class StrictBuilder {
     return false;
   }
 
-  // next: what is open in the object; null: what is read is its last key's.
+  // next: what is open in the object; null: the value of its last key is being read.
   std::string key_of(const Json& object, const Json* next) const {
     const Json* const wanted = next != nullptr ? next : member_;
     for (const auto& [key, value] : object.get_ref<const Json::object_t&>()) {
@@ -118,7 +118,7 @@ class StrictBuilder {
     return "";
   }
 
-  // Where the value now is.
+  // The place for the next value.
   template <class Value>
   Json& put(Value&& value) {
     if (open_.empty()) return root_ = std::forward<Value>(value);
@@ -137,20 +137,20 @@ class StrictBuilder {
     open_.push_back(&put(Json(kind)));
     return true;
   }
-  // In an object the next thing is a key.
+  // In an object, a key comes next.
   bool close() {
     open_.pop_back();
     return true;
   }
 
   Json root_;
-  std::vector<Json*> open_;  // objects and lists that are not at their end, from the outermost
-  Json* member_ = nullptr;   // of the innermost object that has the last key
+  std::vector<Json*> open_;  // objects and lists that have not ended, from the outermost
+  Json* member_ = nullptr;   // the value of the last key of the innermost object
   std::size_t bytes_ = 0;
   Problem problem_ = Problem::none;
 };
 
-// Of bytes before the offset in its line, from 1.
+// Column of the offset in its line, from 1.
 std::size_t column_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t line_break = before.rfind('\n');
@@ -172,11 +172,11 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
     case Problem::too_large:
       return {at_key, "has a number that is too large"};
     case Problem::twice:
-      return {at_key, "is there twice, in one object"};
+      return {at_key, "is twice in one object"};
     case Problem::too_deep:
-      return {place, "JSON is nested deeper here than 64 levels"};
+      return {place, "the JSON is nested deeper than 64 levels here"};
     case Problem::too_many_keys:
-      return {place, "JSON has an object of more than 65536 keys"};
+      return {place, "the JSON has an object with more than 65536 keys"};
     case Problem::none:
     case Problem::invalid:
       break;
@@ -184,8 +184,8 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
   return {place + ", column " + std::to_string(column_of(text, offset)), "this is not valid JSON"};
 }
 
-// The offset in valid JSON at which there is a value too many; npos: there is none. Looked for before any
-// value is made, as making them takes seconds and hundreds of MB.
+// The offset in valid JSON of the first value beyond the limit; npos if there are not so many. It is counted
+// before any value is made, since making them takes seconds and hundreds of MB.
 std::size_t value_too_many(std::string_view json) {
   constexpr std::size_t kMostWithout =
       2 * std::size_t{kMaxJsonValues} - 1;  // bytes: a value and a comma take 2
@@ -302,12 +302,13 @@ class Printer {
 
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line) {
   if (const std::size_t excess = value_too_many(text); excess != text.npos)
-    return tl::unexpected(FormatError{line_of(text, excess, first_line),
-                                      "JSON has more than " + std::to_string(kMaxJsonValues) + " values"});
+    return tl::unexpected(
+        FormatError{line_of(text, excess, first_line),
+                    "the JSON has more than " + std::to_string(kMaxJsonValues) + " values"});
   Reading reading{text, progress};
   const ReadingIterator begin(reading, text.data()), end(reading, text.data() + text.size());
   StrictBuilder builder;
-  const std::size_t zero = text.find('\0');  // which the parser takes for the end
+  const std::size_t zero = text.find('\0');  // the parser would take NUL for the end
   std::size_t bytes = 0;
   try {
     const bool is_good = Json::sax_parse(begin, end, &builder);
@@ -335,16 +336,16 @@ std::string print_json(const Json& value, std::span<const std::string_view> orde
 
 std::optional<std::string> problem_of_size(std::string_view printed) {
   if (printed.size() > kMaxFileBytes) {
-    return "takes " + std::to_string(printed.size() >> 20) + " MiB as a file, and Talus reads up to " +
+    return "takes " + std::to_string(printed.size() >> 20) + " MiB as a file, but Talus reads only up to " +
            std::to_string(kMaxFileBytes >> 20);
   }
   if (value_too_many(printed) != printed.npos)
-    return "has too many lines and numbers for a file that Talus reads";
+    return "has more lines and numbers than Talus reads from one file";
   return std::nullopt;
 }
 
 Json json_number(double value) {
-  constexpr double kExact = 9007199254740992;  // 2^53, up to where a double holds every whole number
+  constexpr double kExact = 9007199254740992;  // 2^53; up to there a double holds every whole number
   const bool whole =
       std::abs(value) < kExact && value == std::trunc(value) && !(value == 0 && std::signbit(value));
   return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);

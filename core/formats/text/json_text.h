@@ -1,4 +1,4 @@
-// JSON text in and out: bounded reading, and printing that people can read and diff.
+// JSON text: reads with limits, and prints text that people can read and diff.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,31 +12,32 @@ namespace talus {
 
 using Json = nlohmann::json;
 
-inline constexpr int kMaxJsonDepth = 64;             // levels have 5; printing recurses once a level
+inline constexpr int kMaxJsonDepth = 64;  // levels of Talus have 5; printing recurses once for each
 inline constexpr std::size_t kMaxJsonKeys = 65'536;  // of one object; those of a level have up to 256
-inline constexpr int kMaxJsonValues = 5'000'000;  // a text project of line breaks alone has 4.2 million lines
+// A text project that is all line breaks has 4.2 million lines.
+inline constexpr int kMaxJsonValues = 5'000'000;
 
-// The one way from text to JSON: each reader of JSON uses it. Text that is no JSON, nests deeper or has more
-// values or keys than the limits above, has a key twice in one object, a number that no double holds, or
-// anything but blanks after its end is an error, placed by line, and by the column or the key in it where
-// there is one. progress: told how much of the text is parsed; where it says so, that is an error.
-// first_line: the number that the text's first line has in its file.
+// Parses JSON; all readers of JSON use this function. An error is: text that is not JSON; deeper nesting, or
+// more values or keys, than the limits above; a key that is in one object twice; a number that no double
+// holds; anything but blanks after the end. The error's place is the line, with the column or the key if
+// there is one. progress: receives how much of the text is parsed, and may stop the work, which is an error.
+// first_line: the number of the text's first line in its file.
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {},
                               std::int64_t first_line = 1);
 
-// Whether the value is an integer from min to max. A comparison with nlohmann's own operators would take
-// integers from 2^63 for negative ones.
+// Whether the value is an integer from min to max. nlohmann's own operators would take integers from 2^63 on
+// for negative ones.
 bool is_whole(const Json& value, std::int64_t min, std::int64_t max);
 
-// One line a member, short rows of numbers and small objects on one; keys in `order`, then the others shorter
-// first. Strings must be UTF-8 (see utf8_text.h).
+// Prints one member on each line; short rows of numbers and small objects stay on one line. Keys come in
+// `order`, the others follow by length. Strings must be UTF-8 (see utf8_text.h).
 std::string print_json(const Json& value, std::span<const std::string_view> order);
 
-// Why read_file or parse_json would refuse a text that was printed: "takes 70 MiB as a file, and Talus reads
-// up to 64". Nothing: they would not.
+// Why read_file or parse_json would refuse a printed text: "takes 70 MiB as a file, and Talus reads up to
+// 64". Returns nothing if they would accept it.
 std::optional<std::string> problem_of_size(std::string_view printed);
 
-// A number that is whole prints without ".0".
+// A number that prints without ".0" if it is whole.
 Json json_number(double value);
 
 }  // namespace talus

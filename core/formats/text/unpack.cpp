@@ -11,7 +11,8 @@ namespace talus {
 tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit) {
   z_stream stream = {};
   constexpr int kEitherHeader = 32;
-  if (inflateInit2(&stream, MAX_WBITS + kEitherHeader) != Z_OK) throw std::bad_alloc();  // its only reason
+  // The only reason to fail.
+  if (inflateInit2(&stream, MAX_WBITS + kEitherHeader) != Z_OK) throw std::bad_alloc();
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib does not write to it
   stream.avail_in = static_cast<uInt>(packed.size());
   std::string content;

@@ -1,4 +1,4 @@
-// Unpacking zlib's streams, as carts, pictures and maps hold them, to a size that the caller bounds.
+// Unpacks zlib streams of carts, pictures and maps, up to a size that the caller sets.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ struct UnpackError {
   std::string reason = {};    // of a damaged stream: a few words, such as "incorrect data check"
 };
 
-// The content of one zlib or gzip stream; what follows its end is ignored. limit: bytes that it may unpack to.
+// Returns the content of one zlib or gzip stream; bytes after its end are ignored. A stream that unpacks to
+// more than `limit` bytes, or is damaged or cut off, is an error.
 tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// One decoder for all questions.
+// One decoder serves all functions.
 #include "utf8_text.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-// What shows nothing of its own but moves, colours, hides or turns round what stands beside it.
+// Whether the character is invisible, but moves, colours, hides or turns round the text beside it.
 bool is_hidden(std::uint32_t c) {
   const bool is_control = c < 0x20 || (c >= 0x7f && c <= 0x9f);
   const bool is_line_end = c == 0x2028 || c == 0x2029;

@@ -1,4 +1,4 @@
-// Text of unknown origin: whether it is UTF-8, and how it is shown.
+// Text from files: whether it is UTF-8, and how to show it safely.
 #pragma once
 
 #include <cstdint>
@@ -8,25 +8,25 @@
 namespace talus {
 
 struct CodePoint {
-  std::uint32_t value = 0;  // 0 to 0x10ffff, no surrogate
-  std::size_t bytes = 0;    // 1 to 4; 0: the text does not begin with a whole, shortest, valid one
+  std::uint32_t value = 0;  // 0 to 0x10ffff, but not a surrogate
+  std::size_t bytes = 0;    // 1 to 4; 0: the text does not begin with a valid code point in its shortest form
 };
 
-// text: not empty. Of what is no UTF-8 callers pass over one byte.
+// text: not empty. After an invalid byte, callers skip one byte.
 CodePoint first_code_point(std::string_view text);
 
 bool is_utf8(std::string_view text);
 
-// The text for one line of a terminal, a log or a window: control characters, line ends, what turns the
-// direction of writing and bytes that are no UTF-8 become "\n", "\x1b", "\u202e"; all else stays, backslashes
-// too, so that doing it twice changes nothing more.
+// Returns the text for one line of a terminal, a log or a window. Control characters, line ends, characters
+// that change the direction of writing, and bytes that are not UTF-8 become "
+// ", "\x1b", "\u202e". All else stays, backslashes too, so doing it twice changes nothing more.
 std::string printable(std::string_view text);
 
-// The same for a whole line that somebody's continuous integration may read: it cannot begin with "::"
-// or hold "##[" or "##vso[", with which logs give commands there.
+// The same for a whole line that a continuous integration may read: it cannot begin with "::" or contain
+// "##[" or "##vso[", which are commands in its logs.
 std::string printable_line(std::string_view line);
 
-// The text up to `most` bytes, and "..." in the place of what more there is. most: 3 or more.
+// Returns the text up to `most` bytes, and "..." instead of the rest. most: 3 or more.
 std::string shortened(std::string_view text, std::size_t most);
 
 }  // namespace talus

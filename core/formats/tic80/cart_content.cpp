@@ -1,4 +1,4 @@
-// The section table, and the way between a cart's bytes and a level.
+// The table of sections, and the conversion between a cart's bytes and a level.
 #include "cart_content.h"
 
 #include <algorithm>
@@ -199,7 +199,7 @@ Level level_of_bank(const Bank& bank) {
 FormatResult<void> check_fits_cart(const Level& level) {
   if (map_fits_cart(level)) return {};
   return tl::unexpected(
-      FormatError{"", "the map is " + size_text(level.map) + " cells, and a cart's map ends at 240x136"});
+      FormatError{"", "the map is " + size_text(level.map) + " cells, but a cart's map has at most 240x136"});
 }
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-// What a TIC-80 cart holds, apart from how a file spells it: the middle between the two cart formats and
-// levels.
+// CartContent: what a TIC-80 cart holds, independent of the file format. It stands between the two cart
+// formats and levels.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 namespace talus {
 
 inline constexpr int kBankCount = 8;
-inline constexpr std::size_t kBankBytes = 65'536;                   // a piece of code or of BINARY
-inline constexpr std::size_t kCodeLimit = 524'287;                  // bytes of code that TIC-80 has room for
+inline constexpr std::size_t kBankBytes = 65'536;                   // of a piece of code or of BINARY
+inline constexpr std::size_t kCodeLimit = 524'287;                  // bytes of code that TIC-80 can hold
 inline constexpr std::size_t kMaxCartBytes = std::size_t{4} << 20;  // twice a full cart
 
 // The binary sections, in the order of a text project.
@@ -45,12 +45,12 @@ struct SectionInfo {
 std::span<const SectionInfo, kSectionCount> section_infos();  // by Section
 const SectionInfo& section_info(Section id);
 
-// The sections that a Level edits, all in bank 0. The second palette, which a Level does not know, is the
-// second half of the palette section.
+// The sections that a level edits, all in bank 0. The second half of the palette section is a second palette,
+// which a level does not have.
 inline constexpr std::array kLevelSections = {Section::tiles, Section::sprites, Section::map, Section::flags,
                                               Section::palette};
 
-// Bytes of each section, by Section, without trailing zeros: the file formats cannot tell those apart.
+// Bytes of each section, by Section, without trailing zeros, which the file formats do not keep apart.
 using Bank = std::array<std::string, kSectionCount>;
 inline std::string& at(Bank& bank, Section id) { return bank[static_cast<std::size_t>(id)]; }
 inline const std::string& at(const Bank& bank, Section id) { return bank[static_cast<std::size_t>(id)]; }
@@ -59,30 +59,31 @@ struct CartContent {
   std::array<Bank, kBankCount> banks;
   std::string code;
   std::uint8_t lang = 0;
-  std::vector<std::string> rest;  // what only this form of cart holds, in phrases for WrittenLevel::dropped
+  std::vector<std::string>
+      rest;  // what only this form of cart can hold, in phrases for WrittenLevel::dropped
 };
 
-// Default palette and sounds, and code that shows the map: a cart for a level that never was one.
+// Default palette and sounds, and code that shows the map: for a level that did not come from a cart.
 CartContent new_cart();
 
-std::string_view default_palette_bytes();  // as the DEFAULT chunk of a .tic file means them
+std::string_view default_palette_bytes();  // the meaning of the DEFAULT chunk of a .tic file
 std::string_view default_wave_bytes();
 
 void trim_zeros(std::string& bytes);
 
-// A section's bytes as the level has it, without trailing zeros; the map must fit a cart (asserted).
+// Returns a section's bytes as the level has it, without trailing zeros. The map must fit a cart (asserted).
 std::string section_bytes(const Level& level, Section id);
 bool map_fits_cart(const Level& level);  // at most 240x136; a smaller map is padded with tile 0
 
-// Bank 0 with the level's sections in it; a section equal to what a reader would see stays byte for byte, and
-// so does the map of a level whose map does not fit.
+// Puts the level's sections into bank 0. A section that a reader would see as equal keeps its bytes; so does
+// the map if the level's map does not fit.
 Bank edited_bank(const Level& level, const Bank& before);
 
-// The level that bank 0 of a cart shows, without its origin. A palette of zeros shows as DB16, which TIC-80
-// gives the carts from before there were palettes.
+// Returns the level that bank 0 of a cart shows, without its origin. A palette of zeros shows as DB16,
+// TIC-80's palette for carts from before there were palettes.
 Level level_of_bank(const Bank& bank);
 
-// An error when the map does not fit: all else that no cart can hold goes into its companion.
+// Returns an error if the map does not fit. Anything else that carts cannot hold goes into the companion.
 FormatResult<void> check_fits_cart(const Level& level);
 
 }  // namespace talus

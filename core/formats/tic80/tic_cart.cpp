@@ -1,4 +1,4 @@
-// Chunks in, chunks out. The reader goes over the chunks twice, palettes first, as TIC-80 does: a WAVEFORM
+// Reads and writes chunks. The reader goes over the chunks twice, palettes first, as TIC-80 does: a WAVEFORM
 // chunk wins over a DEFAULT chunk wherever it stands.
 #include "tic_cart.h"
 
@@ -25,7 +25,7 @@ std::string name_or_number(int type) {
   return name.empty() ? "type " + std::to_string(type) : std::string(name);
 }
 
-// The section that a chunk holds; null for code, DEFAULT and what is kept unread.
+// The section that a chunk holds; null for code, DEFAULT, and chunks that are kept unread.
 const SectionInfo* section_of(const TicChunk& chunk) {
   for (const SectionInfo& info : section_infos()) {
     if (info.chunk == chunk.type) return &info;
@@ -33,7 +33,7 @@ const SectionInfo* section_of(const TicChunk& chunk) {
   return nullptr;
 }
 
-// TIC-80 copies a chunk over what an earlier one left, and keeps what lies behind a shorter one.
+// TIC-80 copies a chunk over the bytes of an earlier one; those behind a shorter chunk stay.
 void overlay(std::string& section, std::string_view data) {
   if (section.size() < data.size()) section.resize(data.size());
   section.replace(0, data.size(), data);
@@ -48,7 +48,7 @@ FormatResult<std::string> unpack_code(const TicChunk& chunk) {
   return error_at(chunk.offset, "the compressed code is damaged");
 }
 
-// Pieces of code from the highest bank down; of two for one bank, the later.
+// Pieces of code from the highest bank down; of two for one bank, the later one.
 std::string join_code(const std::vector<TicChunk>& chunks) {
   std::array<std::string_view, kBankCount> pieces;
   for (const TicChunk& chunk : chunks) {
@@ -76,7 +76,8 @@ void list_rest(const std::vector<TicChunk>& chunks, CartContent& cart) {
   }
 }
 
-// Where TIC-80 writes a chunk: by bank and then in this order, BINARY and code last. -1: it never does.
+// Order in which TIC-80 writes chunks: by bank and then in this order, BINARY and code last. -1: it never
+// writes them.
 int canonical_rank(int type, int bank) {
   constexpr std::array kOrder = {17, 12, 10, 1, 2, 4, 9, 15, 14, 6, 18};
   if (type == kTicBinary) return 1000;
@@ -93,7 +94,7 @@ void insert_canonically(std::vector<TicChunk>& chunks, const TicChunk& added) {
   chunks.insert(place, added);
 }
 
-// Puts `data` in place of the first chunk of this section in bank 0 and takes the others away.
+// Replaces the first chunk of this section in bank 0 with `data`, and removes the others.
 void replace_section(std::vector<TicChunk>& chunks, const SectionInfo& info, std::string_view data) {
   const auto is_old = [&](const TicChunk& chunk) { return chunk.type == info.chunk && chunk.bank == 0; };
   auto rest = std::find_if(chunks.begin(), chunks.end(), is_old);
@@ -124,7 +125,7 @@ void add_code(std::vector<TicChunk>& chunks, std::string_view code) {
   }
 }
 
-// The bytes of a cartridge with the level in it; adds to `dropped` what only a text project held.
+// The bytes of a cartridge with the level in it. Adds to `dropped` what only a text project could hold.
 FormatResult<std::string> tic_of(const Level& level, std::vector<std::string>& dropped) {
   if (level.cart && level.cart->kind == CartOrigin::Kind::tic) return edited_tic(level.cart->bytes, level);
   auto cart = level.cart ? text_content(level.cart->bytes, level.cart->comment) : new_cart();
@@ -151,7 +152,8 @@ std::string_view tic_chunk_name(int type) {
 
 FormatResult<std::vector<TicChunk>> parse_tic(std::string_view bytes) {
   if (bytes.empty()) return tl::unexpected(FormatError{"", "the file is empty"});
-  if (bytes.size() > kMaxCartBytes) return tl::unexpected(FormatError{"", "is larger than a cart can be"});
+  if (bytes.size() > kMaxCartBytes)
+    return tl::unexpected(FormatError{"", "is larger than 4 MiB, the limit for carts"});
   std::vector<TicChunk> chunks;
   for (std::size_t offset = 0; offset < bytes.size();) {
     if (bytes.size() - offset < kHeaderBytes)
@@ -278,11 +280,11 @@ FormatResult<WrittenLevel> write_tic(const Level& level, const FormatContext&) {
   if (!bytes) return tl::unexpected(bytes.error());
   if (bytes->empty()) {
     return tl::unexpected(
-        FormatError{"", "has neither drawings nor code, and TIC-80 loads no empty cartridge"});
+        FormatError{"", "has neither drawings nor code, but TIC-80 cannot load an empty cartridge"});
   }
   if (bytes->size() > kMaxCartBytes) {
     return tl::unexpected(FormatError{"", "takes " + std::to_string(bytes->size()) +
-                                              " bytes as a cartridge, and one has up to " +
+                                              " bytes as a cartridge, but may have only " +
                                               std::to_string(kMaxCartBytes)});
   }
   return WrittenLevel{*std::move(bytes), std::move(dropped)};

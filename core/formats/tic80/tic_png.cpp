@@ -1,4 +1,4 @@
-// PNG carts: finds the packed cart in the picture, unpacks it, and has it read as any other.
+// PNG carts: finds the packed cart in the picture, unpacks it, and reads it like any other cart.
 #include "tic_png.h"
 
 #include "../pictures/png_picture.h"
@@ -8,16 +8,15 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kHiddenHeader = 8;  // of the pixels' bytes
+constexpr std::size_t kHiddenHeader = 8;  // in the bytes of the pixels
 
 tl::unexpected<FormatError> no_cart() {
-  return tl::unexpected(FormatError{
-      "",
-      "is a picture without a TIC-80 cartridge in it; File > Import a picture and talus import --into take "
-      "its pixels"});
+  return tl::unexpected(FormatError{"",
+                                    "is a picture without a TIC-80 cartridge; to take its pixels, use File > "
+                                    "Import a picture or talus import --into"});
 }
 
-// The low bits of the bytes from `first` on, put together to `size` bytes, of which there must be enough.
+// Joins the low bits of the bytes from `first` on to `size` bytes. There must be enough.
 std::string low_bits(std::string_view bytes, std::size_t first, std::size_t bits, std::size_t size) {
   std::string out(size, '\0');
   for (std::size_t bit = 0; bit < 8 * size; ++bit) {
@@ -27,7 +26,7 @@ std::string low_bits(std::string_view bytes, std::size_t first, std::size_t bits
   return out;
 }
 
-// What the pixels hide; empty when it cannot be a cart.
+// Returns what the pixels hide; empty if it cannot be a cart.
 std::string hidden_in(std::string_view pixels) {
   if (pixels.size() < kHiddenHeader) return {};
   const std::string header = low_bits(pixels, 0, 4, 4);
@@ -37,7 +36,7 @@ std::string hidden_in(std::string_view pixels) {
   return low_bits(pixels, kHiddenHeader, bits, size);
 }
 
-// Whether it begins as a zlib stream: any pixels hide something, and few of them this.
+// Whether it begins like a zlib stream: all pixels hide some bytes, but few hide this.
 bool looks_packed(std::string_view bytes) {
   if (bytes.size() < 2) return false;
   const int method = static_cast<std::uint8_t>(bytes[0]), check = static_cast<std::uint8_t>(bytes[1]);

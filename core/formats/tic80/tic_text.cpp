@@ -1,4 +1,4 @@
-// Sections of comment lines in, and out again without touching the others.
+// Reads sections of comment lines, and writes them without touching the others.
 #include "tic_text.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::string_view line_at(std::string_view bytes, std::size_t at) {
   return without_trailing_space(bytes.substr(at, line_end(bytes, at) - at));
 }
 
-// The section that a tag such as "MAP" or "MAP3" names; nothing for an unknown tag.
+// Returns the section that a tag such as "MAP" or "MAP3" names; nothing for an unknown tag.
 std::optional<TextSection> section_of_tag(std::string_view tag) {
   TextSection section;
   section.tag = tag;
@@ -65,19 +65,20 @@ std::optional<TextSection> section_of_tag(std::string_view tag) {
   return std::nullopt;
 }
 
-// The tag of an opening line "-- <MAP>"; empty for any other line.
+// Returns the tag of an opening line "-- <MAP>"; empty for any other line.
 std::string_view tag_of_line(std::string_view line, std::string_view start) {
   if (!line.starts_with(start) || !line.ends_with('>')) return {};
   return line.substr(start.size(), line.size() - start.size() - 1);
 }
 
-// Fills in where a section that opens at `begin` lies.
+// Finds the extent of a section that opens at `begin`.
 FormatResult<void> locate(std::string_view bytes, std::string_view comment, TextSection& section) {
   const std::string open = tag_start(comment) + section.tag + ">";
   const std::size_t first = bytes.find(open);
   if (first != section.begin) {
-    return error_at_line(bytes, first,
-                         "\"" + open + "\" stands before its section, and TIC-80 would read it from here");
+    return error_at_line(
+        bytes, first,
+        "\"" + open + "\" stands before its section, but TIC-80 would read the section from here");
   }
   const std::size_t opened = line_end(bytes, section.begin);
   const std::size_t close = bytes.find("\n" + std::string(comment) + " </" + section.tag + ">", opened);
@@ -91,7 +92,8 @@ FormatResult<void> locate(std::string_view bytes, std::string_view comment, Text
   return {};
 }
 
-// One row "-- 012:00ff.." into data. Rows of the palette have the high digit first, the others the low one.
+// Reads one row "-- 012:00ff.." into data. Rows of the palette have the high digit first, the others the low
+// one.
 FormatResult<void> read_row(std::string_view bytes, std::size_t offset, std::string_view comment,
                             const SectionInfo& info, std::string& data) {
   std::string_view line = line_at(bytes, offset);
@@ -100,22 +102,22 @@ FormatResult<void> read_row(std::string_view bytes, std::size_t offset, std::str
   const bool has_head = line.size() >= head.size() + 4 && line.starts_with(head) &&
                         line[head.size() + 3] == ':' &&
                         std::all_of(&line[head.size()], &line[head.size() + 3], is_digit);
-  if (!has_head) return error_at_line(bytes, offset, "this is no row of " + std::string(info.tag));
+  if (!has_head) return error_at_line(bytes, offset, "this is not a row of " + std::string(info.tag));
   const int row = std::stoi(std::string(line.substr(head.size(), 3)));
   if (row >= info.rows) {
     return error_at_line(bytes, offset,
-                         std::string(info.tag) + " has rows 0 to " + std::to_string(info.rows - 1));
+                         std::string(info.tag) + " must have rows 0 to " + std::to_string(info.rows - 1));
   }
   line.remove_prefix(head.size() + 4);
   if (line.size() != 2 * static_cast<std::size_t>(info.row_bytes)) {
     return error_at_line(bytes, offset,
                          "a row of " + std::string(info.tag) + " has " + std::to_string(2 * info.row_bytes) +
-                             " digits, and this one " + std::to_string(line.size()));
+                             " digits, but this one has " + std::to_string(line.size()));
   }
   for (int i = 0; i < info.row_bytes; ++i) {
     int high = hex_value(line[2 * i]), low = hex_value(line[2 * i + 1]);
     if (high < 0 || low < 0)
-      return error_at_line(bytes, offset, "this row has a character that is no hexadecimal digit");
+      return error_at_line(bytes, offset, "this row has a character that is not a hexadecimal digit");
     if (info.id != Section::palette) std::swap(high, low);
     data[static_cast<std::size_t>(row) * info.row_bytes + i] = static_cast<char>(high << 4 | low);
   }
@@ -134,7 +136,7 @@ FormatResult<std::string> read_rows(std::string_view bytes, std::string_view com
   return data;
 }
 
-// A whole section with the empty line behind it; for one of zeros nothing, unless its tags are wanted.
+// A whole section with the empty line behind it. For a section of zeros nothing, unless its tags are wanted.
 std::string render_section(const SectionInfo& info, int bank, std::string_view data, std::string_view comment,
                            std::string_view newline, bool keep_tags = false) {
   const std::string rows = text_rows(info, data, comment, newline);
@@ -156,7 +158,7 @@ std::string render_text(const CartContent& cart, std::string_view comment) {
   return cart.code + (cart.code.empty() || sections.empty() ? "" : "\n") + sections;
 }
 
-// Code may hold what a reader takes for the start of a section, so what was written is read once more.
+// A reader could mistake code for the start of a section, so the result is read once more.
 FormatResult<void> check_reads_back(std::string_view bytes, std::string_view comment,
                                     const CartContent& cart) {
   const auto again = text_content(bytes, comment);
@@ -173,7 +175,7 @@ int rank_of(const TextSection& section) {
 }
 
 struct Edit {
-  std::size_t begin = 0, end = 0;  // what to replace; equal to insert
+  std::size_t begin = 0, end = 0;  // what to replace; equal for an insertion
   std::string text;
 };
 
@@ -189,7 +191,7 @@ Edit edit_of(const TextProject& project, std::size_t size, const SectionInfo& in
   return {end, end, std::move(text)};
 }
 
-// edits: in the order of the sections; those of one place stay in it.
+// edits: in the order of the sections; those of one place stay in that order.
 std::string apply(std::string_view bytes, std::vector<Edit> edits, std::string_view newline, bool code_only) {
   std::stable_sort(edits.begin(), edits.end(),
                    [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
@@ -241,9 +243,10 @@ std::span<const std::string_view> text_extensions() {
 }
 
 FormatResult<TextProject> parse_text(std::string_view bytes, std::string_view comment) {
-  if (bytes.size() > kMaxCartBytes) return tl::unexpected(FormatError{"", "is larger than a cart can be"});
+  if (bytes.size() > kMaxCartBytes)
+    return tl::unexpected(FormatError{"", "is larger than 4 MiB, the limit for carts"});
   if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos) {
-    return error_at_line(bytes, nul, "a text project has no NUL bytes");
+    return error_at_line(bytes, nul, "a text project must not have NUL bytes");
   }
   TextProject project;
   const std::string start = tag_start(comment);
@@ -317,7 +320,7 @@ FormatResult<std::string> edited_text(const CartOrigin& origin, const Level& lev
   const Bank before = cart->banks[0];
   cart->banks[0] = edited_bank(level, before);
   const std::string_view newline = bytes.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
-  // The first section ends the code: without its tags, stray lines behind it would become part of the code.
+  // The first section ends the code: without its tags, stray lines behind it would become code.
   const bool keep_tags = project->strays > 0;
   std::vector<Edit> edits;
   for (const Section id : kLevelSections) {

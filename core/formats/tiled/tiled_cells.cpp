@@ -1,4 +1,4 @@
-// CSV and Base64. Nothing is allocated before there is text for it.
+// CSV and Base64. Memory is allocated only when there is text for it.
 #include "tiled_cells.h"
 
 #include <charconv>
@@ -23,23 +23,21 @@ CellsResult decode_csv(std::string_view data) {
   for (skip_blanks(); at != end; skip_blanks()) {
     if (!cells.empty() && *at++ != ',') break;
     skip_blanks();
-    if (at == end) return cells;  // a comma after the last one
+    if (at == end) return cells;  // a comma may follow the last number
     std::uint32_t cell = 0;
     const auto [next, problem] = std::from_chars(at, end, cell);
     if (problem != std::errc()) break;
     cells.push_back(cell);
     at = next;
   }
-  if (at != end)
-    return tl::unexpected("has something else than a number in place of cell " +
-                          std::to_string(cells.size() + 1));
+  if (at != end) return tl::unexpected("must have a number as cell " + std::to_string(cells.size() + 1));
   return cells;
 }
 
 tl::expected<std::string, std::string> unpacked_base64(std::string_view data) {
   auto bytes = decode_base64(data);
   if (bytes) return *std::move(bytes);
-  return tl::unexpected(std::string("has a character that is none of Base64"));
+  return tl::unexpected(std::string("has a character that is not Base64"));
 }
 
 tl::expected<std::string, std::string> uncompressed(std::string bytes, std::string_view compression,
@@ -86,7 +84,7 @@ CellsResult decode_tiled_cells(std::string_view data, std::string_view encoding,
 }
 
 std::string tiled_count_problem(std::size_t cells, std::size_t count) {
-  return "has " + std::to_string(cells) + " cells, and its size gives " + std::to_string(count);
+  return "has " + std::to_string(cells) + " cells, but needs " + std::to_string(count);
 }
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The cells of a layer of Tiled, which come as text in several encodings.
+// The cells of a Tiled layer, which are text in several encodings.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace talus {
 
-// encoding: "csv" or "base64"; compression: "", "zlib" or "gzip", of base64 alone. `count` cells must come of
-// it; the error is the end of a sentence: "has 5 cells, and its size gives 6".
+// encoding: "csv" or "base64". compression: "", "zlib" or "gzip", for base64 only. The text must hold `count`
+// cells. The error is the end of a sentence: "has 5 cells, but needs 6".
 tl::expected<std::vector<std::uint32_t>, std::string> decode_tiled_cells(std::string_view data,
                                                                          std::string_view encoding,
                                                                          std::string_view compression,
                                                                          std::size_t count);
 
-// Why there are not `count` cells, as above.
+// Why there are not `count` cells, in the words above.
 std::string tiled_count_problem(std::size_t cells, std::size_t count);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The map's files: the map, its tilesets, their pictures.
+// The files of a map: the map, its tilesets, their pictures.
 #include "tiled_format.h"
 
 #include <algorithm>
@@ -21,26 +21,26 @@ namespace fs = std::filesystem;
 constexpr double kTiledParsed = 0.5, kTiledMapRead = 0.8;  // shares of the time
 
 char first_character(std::string_view bytes) {
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // byte order mark
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // the byte order mark
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first == bytes.npos ? '\0' : bytes[first];
 }
 
-// An error in a file that another one names.
+// An error in a file that another file names.
 tl::unexpected<FormatError> error_in(const std::string& file, const FormatError& error) {
   return tl::unexpected(error_within("file " + file, error));
 }
 
-// `name` as the file has it. Absolute paths lead to other places on other machines, and devices nowhere.
+// `name` as the file has it. Absolute paths would lead to other places on other machines.
 FormatResult<std::string> read_in(const std::string& folder, const std::string& name) {
   std::error_code failure;
   const fs::path path(name);
   const bool is_drive = name.size() > 1 && name[1] == ':';
   if (name.find('\0') != name.npos || path.is_absolute() || is_drive || name.find("://") != name.npos)
-    return error_in(name, {"", "is not looked for: only paths from the folder of the map are"});
+    return error_in(name, {"", "must be relative to the folder of the map"});
   const fs::path file = fs::path(folder) / path;
   if (fs::exists(file, failure) && !fs::is_regular_file(file, failure))
-    return error_in(name, {"", "is no file"});
+    return error_in(name, {"", "is not a file"});
   auto bytes = read_file(file.string());
   if (!bytes) return error_in(name, bytes.error());
   return bytes;
@@ -59,18 +59,18 @@ bool is_utf16(std::string_view bytes) {
   return start == "\xff\xfe"sv || start == "\xfe\xff"sv || start == "<\0"sv || start == "\0<"sv;
 }
 
-// Either form may have either name.
+// A file of either form may have either extension.
 FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& extension,
                                  const Progress& progress) {
   const auto wrong = [](std::string message) { return tl::unexpected(FormatError{"", std::move(message)}); };
   if (bytes.empty()) return wrong("is empty");
-  if (is_utf16(bytes)) return wrong("is text in UTF-16, and only UTF-8 is read");
+  if (is_utf16(bytes)) return wrong("is text in UTF-16, but must be UTF-8");
   if (first_character(bytes) == '<') return tiled_json_of_xml(bytes, progress);
   if (is_xml_name(extension) && first_character(bytes) != '{')
-    return wrong("is no XML, which begins with \"<\"");
+    return wrong("is not XML, which begins with \"<\"");
   auto json = parse_json(bytes, progress);
   if (!json && is_xml_name(extension) && !json.error().place.empty())
-    json.error().message += ", and no XML either";
+    json.error().message += ", and not XML either";
   return json;
 }
 
@@ -88,22 +88,22 @@ class TiledFiles {
 
   const FormatContext& context_;
   TiledDrops& drops_;
-  std::size_t bytes_ = 0;  // of the files beside the map, so far
+  std::size_t bytes_ = 0;  // bytes read from files beside the map so far
 };
 
-// All of them together are as large as one file may be: a thousand tilesets could name one large file each.
+// The limit is for all files together: a thousand tilesets could name one large file each.
 FormatResult<std::string> TiledFiles::read_beside(const std::string& name) {
   auto bytes = read_in(context_.folder, name);
   if (!bytes) return bytes;
   bytes_ += bytes->size();
   if (bytes_ > kMaxFileBytes) {
-    return error_in(name, {"", "is a file too many: those that a map names have up to " +
+    return error_in(name, {"", "is too large: all files that a map names may have up to " +
                                    std::to_string(kMaxFileBytes >> 20) + " MiB together"});
   }
   return bytes;
 }
 
-// A tileset alone gets an empty map.
+// A tileset without a map gets an empty map.
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
   const auto json = tiled_json_of(bytes, context_.extension, context_.progress.part(0, kTiledParsed));
   if (!json) return tl::unexpected(json.error());
@@ -129,12 +129,12 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
   return map;
 }
 
-// One in a file of its own.
+// A tileset in a file of its own.
 FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   if (tileset.source.empty()) return {};
   const std::string source = with_slashes(tileset.source);
   if (context_.folder.empty())
-    return error_in(source, {"", "is a tileset beside the map, and where that is is not known"});
+    return error_in(source, {"", "is a tileset in a file beside the map, but the map has no file"});
   const auto bytes = read_beside(source);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
@@ -143,7 +143,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   if (!read) return error_in(source, read.error());
   if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
   read->first_gid = tileset.first_gid;
-  if (!read->image.empty())  // from the tileset's folder
+  if (!read->image.empty())  // relative to the tileset's folder
     read->image = (fs::path(source).parent_path() / with_slashes(read->image)).string();
   tileset = *std::move(read);
   return {};
@@ -166,7 +166,7 @@ FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
       if (!picture) return tl::unexpected(picture.error());
       pixels += picture->rgba.bytes.size() / 4;
       if (pixels > kMaxTiledPixels) {
-        return error_in(name, {"", "is a picture too many: those that a map names have up to " +
+        return error_in(name, {"", "is too large: all pictures that a map names may have up to " +
                                        std::to_string(kMaxTiledPixels) + " pixels together"});
       }
       shared = std::make_shared<const TiledPicture>(*std::move(picture));

@@ -1,4 +1,4 @@
-// One pass over the JSON; the first thing that is wrong is kept.
+// Goes over the JSON once, and keeps the first error.
 #include "tiled_json.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace {
 
 using Keys = std::initializer_list<std::string_view>;
 
-// An object of the file with the way to it.
+// An object of the file, with its path.
 struct TiledNode {
   const Json& json;
-  std::string path;  // "layers[2]"; empty: the file
+  std::string path;  // "layers[2]"; empty: the file itself
 
   const Json* find(std::string_view key) const {
     const auto found = json.find(key);
@@ -31,7 +31,7 @@ struct TiledNode {
   }
 };
 
-// What says nothing as long as it is the default.
+// Members that mean nothing as long as they have their defaults.
 bool says_nothing(std::string_view key, const Json& value) {
   if (key == "opacity" || key == "parallaxx" || key == "parallaxy") return value == 1;
   if (key == "x" || key == "y" || key == "offsetx" || key == "offsety") return value == 0;
@@ -40,8 +40,8 @@ bool says_nothing(std::string_view key, const Json& value) {
 
 std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-// Layers of tiles in a map or group, which is no deeper than kMaxJsonDepth. What is no list or object is
-// none.
+// Counts the tile layers in a map or group, which is at most kMaxJsonDepth deep. What is not a list or object
+// has none.
 std::size_t tile_layers_in(const Json& json) {
   const auto layers = json.is_object() ? json.find("layers") : json.end();
   if (layers == json.end()) return 0;
@@ -67,7 +67,7 @@ class TiledReader {
   }
 
  private:
-  struct Group {  // that layers are in
+  struct Group {  // the group that layers are in
     std::string name;
     Vec2 offset;
   };
@@ -91,22 +91,22 @@ class TiledReader {
     const Json* value = node.find(key);
     if (value == nullptr) return fallback;
     if (value->is_number()) return value->get<double>();
-    fail(node, key, std::string("has something else than a number as ") + key);
+    fail(node, key, std::string("must have a number as ") + key);
     return fallback;
   }
   int whole(const TiledNode& node, const char* key, int min, int max, int fallback) {
     const double value = number(node, key, fallback);
     if (value >= min && value <= max && value == std::trunc(value)) return static_cast<int>(value);
-    fail(node, key,
-         "has something else than a whole number from " + std::to_string(min) + " to " + std::to_string(max) +
-             " as " + key);
+    fail(
+        node, key,
+        "must have a whole number from " + std::to_string(min) + " to " + std::to_string(max) + " as " + key);
     return fallback;
   }
   std::string text(const TiledNode& node, const char* key) {
     const Json* value = node.find(key);
     if (value == nullptr) return {};
     if (value->is_string()) return value->get<std::string>();
-    fail(node, key, std::string("has something else than a text as ") + key);
+    fail(node, key, std::string("must have a string as ") + key);
     return {};
   }
   bool truth(const TiledNode& node, const char* key) const {
@@ -118,16 +118,16 @@ class TiledReader {
   void for_each(const TiledNode& node, const char* key, Use use) {
     const Json* list = node.find(key);
     if (list == nullptr) return;
-    if (!list->is_array()) return fail(node, key, std::string("has something else than a list as ") + key);
+    if (!list->is_array()) return fail(node, key, std::string("must have a list as ") + key);
     for (std::size_t i = 0; i < list->size() && !error_; ++i) {
       const TiledNode entry{(*list)[i], node.path_of(key) + "[" + std::to_string(i) + "]"};
       if (entry.json.is_object())
         use(entry);
       else
-        fail(entry, "", "is no object");
+        fail(entry, "", "must be an object");
     }
   }
-  // Names the members that nobody reads.
+  // Adds the members that nobody reads to the dropped ones.
   void drop_others(const TiledNode& node, const std::string& of, Keys known) {
     for (auto it = node.json.begin(); it != node.json.end(); ++it) {
       const bool is_known = std::find(known.begin(), known.end(), it.key()) != known.end();
@@ -137,14 +137,14 @@ class TiledReader {
 
   TiledDrops& drops_;
   std::optional<FormatError> error_;
-  std::size_t objects_ = 0;  // so far
+  std::size_t objects_ = 0;  // objects read so far
 };
 
 TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   const TiledNode node{json, ""};
   TiledMap map;
   if (!json.is_object()) {
-    fail(node, "", "is no map of Tiled");
+    fail(node, "", "is not a Tiled map");
     return map;
   }
   if (!check_map(node)) return map;
@@ -153,14 +153,14 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   if (!error_ && !is_terrain_size(map.width, map.height)) {
     fail(node, "width",
          "has " + std::to_string(map.width) + "x" + std::to_string(map.height) +
-             " cells, and a level has up to 16777216");
+             " cells, but a level has at most 16777216");
   }
   const std::size_t layer_count = tile_layers_in(json);
   const auto cell_count = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   if (!error_ && layer_count * cell_count > kMaxTiledCells) {
     fail(node, "layers",
          "has " + std::to_string(layer_count) + " layers of " + std::to_string(map.width) + "x" +
-             std::to_string(map.height) + " tiles, and those of a map that is read have up to " +
+             std::to_string(map.height) + " tiles, but all layers of a map may have at most " +
              std::to_string(kMaxTiledCells) + " cells together");
   }
   check_tile_size(node);
@@ -181,10 +181,10 @@ bool TiledReader::check_map(const TiledNode& node) {
   const Json* layers = node.find("layers");
   const std::string orientation = text(node, "orientation");
   if (orientation.empty() || (layers == nullptr && !node.find("tilewidth")))
-    fail(node, "", "is no map of Tiled");
+    fail(node, "", "is not a Tiled map");
   else if (orientation != "orthogonal")
     fail(node, "orientation",
-         "is a map of the orientation " + tiled_quoted(orientation) + ", and levels are orthogonal");
+         "has the orientation " + tiled_quoted(orientation) + ", but must be orthogonal");
   else if (truth(node, "infinite"))
     fail(node, "infinite", "is an infinite map: switch Infinite off in Tiled, under Map > Map Properties");
   return !error_;
@@ -195,7 +195,7 @@ void TiledReader::check_tile_size(const TiledNode& node) {
   if (width == kTileSize && height == kTileSize) return;
   fail(node, "tilewidth",
        "has tiles of " + json_number(width).dump() + "x" + json_number(height).dump() +
-           " px, and those of a level are 8x8 px");
+           " px, but a level needs tiles of 8x8 px");
 }
 
 void TiledReader::layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map) {
@@ -235,7 +235,7 @@ void TiledReader::tile_layer(const TiledNode& node, Vec2 offset, const TiledMap&
   if (node.find("chunks") != nullptr)
     return fail(node, "chunks", "is a layer of an infinite map: switch Infinite off in Tiled");
   if (number(node, "width", map.width) != map.width || number(node, "height", map.height) != map.height)
-    return fail(node, "width", "is a layer of another size than the map");
+    return fail(node, "width", "must have the size of the map");
   if (offset != Vec2{0, 0}) drops_.add("the offset of the layer " + tiled_quoted(layer.name));
   layer.cells = cells(node, static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
 }
@@ -244,7 +244,7 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t
   const Json* data = node.find("data");
   std::vector<std::uint32_t> cells;
   if (data == nullptr) {
-    fail(node, "data", "is a layer of tiles without data");
+    fail(node, "data", "is a tile layer without data");
   } else if (data->is_string()) {
     auto decoded = decode_tiled_cells(data->get_ref<const std::string&>(), text(node, "encoding"),
                                       text(node, "compression"), count);
@@ -257,8 +257,7 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t
       const std::int64_t number = cell.is_number_integer() ? cell.get<std::int64_t>() : -1;
       const bool fits = number >= 0 && number <= std::numeric_limits<std::uint32_t>::max();
       if (!fits) {
-        fail(node, "data",
-             "has something else than a number in place of cell " + std::to_string(cells.size() + 1));
+        fail(node, "data", "must have a number as cell " + std::to_string(cells.size() + 1));
         break;
       }
       cells.push_back(static_cast<std::uint32_t>(number));
@@ -272,7 +271,7 @@ std::vector<TiledObject> TiledReader::objects(const TiledNode& node, Vec2 offset
   for_each(node, "objects", [&](const TiledNode& entry) {
     if (++objects_ > kMaxTiledObjects) {
       return fail(entry, "",
-                  "is an object too many: a map that is read has up to " + std::to_string(kMaxTiledObjects));
+                  "is one object too many: a map may have at most " + std::to_string(kMaxTiledObjects));
     }
     all.push_back(object(entry, offset));
   });
@@ -316,7 +315,7 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   constexpr int kMost = 1 << 20, kMostSpace = 1024;  // px; products of them fit an int
   TiledTileset tileset;
   if (!node.json.is_object()) {
-    fail(node, "", "is no tileset of Tiled");
+    fail(node, "", "is not a Tiled tileset");
     return tileset;
   }
   tileset.first_gid =
@@ -336,7 +335,8 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   properties(node, of);
   for_each(node, "tiles", [&](const TiledNode& entry) {
     if (entry.find("image") && tileset.image.empty())
-      fail(entry, "image", "is a tile with a picture of its own, and a level needs one picture of all tiles");
+      fail(entry, "image",
+           "is a tile with a picture of its own, but a level needs one picture for all tiles");
     tileset.tiles.push_back(tile(entry));
   });
   drop_others(node, of, {"firstgid",   "name",           "type",    "version",         "tiledversion",
@@ -356,7 +356,8 @@ TiledTile TiledReader::tile(const TiledNode& node) {
   return tile;
 }
 
-// `of`: what they belong to, where they say nothing to a level; of tiles and objects the level's maker tells.
+// `of`: the owner of properties that mean nothing to a level. What tiles and objects drop is said where the
+// level is made.
 TiledProperties TiledReader::properties(const TiledNode& node, const std::string& of) {
   TiledProperties all;
   const bool are_read = of == "a tile" || of == "an object" || of == "the map";

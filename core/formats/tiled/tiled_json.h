@@ -1,4 +1,5 @@
-// Reading maps and tilesets of Tiled from JSON, TMJ and TSJ, or from what tiled_xml.h makes of TMX and TSX.
+// Reads maps and tilesets of Tiled from JSON: from TMJ and TSJ, or from the JSON that tiled_xml.h makes of
+// TMX and TSX.
 #pragma once
 
 #include "../text/json_text.h"
@@ -6,13 +7,13 @@
 
 namespace talus {
 
-// In an object that was an element of XML, the number of its line, for errors.
+// In an object that was an XML element: its line number, for errors.
 inline constexpr const char* kTiledLineKey = "@line";
 
-// An error for what no level can be made of: another orientation than orthogonal, an infinite map, tiles that
-// are not 8x8 px, tilesets of many pictures, data that does not fit the size. What is left out is named in
-// `drops`. Tilesets in files of their own have nothing but `source`. progress: told how many of the layers
-// are read; where it says so, that is an error.
+// An error is anything that cannot become a level: another orientation than orthogonal, an infinite map,
+// tiles that are not 8x8 px, tilesets of many pictures, data that does not fit the size. What is left out is
+// added to `drops`. A tileset in a file of its own has only `source`. progress: receives how many of the
+// layers are read, and may stop the work, which is an error.
 FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops, const Progress& progress = {});
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops);
 

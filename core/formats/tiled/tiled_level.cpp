@@ -1,4 +1,4 @@
-// Puts a level together, from its own text in the map if there is one.
+// Makes the level, starting from Talus's own text in the map if there is one.
 #include "tiled_level.h"
 
 #include <algorithm>
@@ -21,16 +21,17 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostCorners = 1024;  // of a collision shape, far more than 64 px can show
+constexpr std::size_t kMostCorners = 1024;  // of a collision shape; far more than 64 px can show
 
 double x_of(const Spawn* base) { return base->position.x; }
 double x_of(const std::pair<const LevelCurve*, TiledObject>& base) { return base.second.position.x; }
 
-// What may have the x of an object that Tiled has written. Of hostile maps that may be all, so it is cut.
+// The spawns that an object's x may stand for, as Tiled rounds it. In hostile maps that may be all, so the
+// number is limited.
 template <class Entry>
 std::span<const Entry> near_in_x(std::span<const Entry> by_x, double x) {
   constexpr std::ptrdiff_t kMost = 512;
-  const double slack = 2 * tiled_slack(x);  // the larger number's counts
+  const double slack = 2 * tiled_slack(x);  // that of the larger number
   const auto first = std::lower_bound(by_x.begin(), by_x.end(), x - slack,
                                       [](const Entry& entry, double least) { return x_of(entry) < least; });
   const auto end = std::upper_bound(first, by_x.end(), x + slack,
@@ -81,8 +82,8 @@ class TiledLevelMaker {
   const TiledPictures& pictures_;
   TiledDrops& drops_;
   const Progress& progress_;
-  bool is_own_ = false;                    // the map was written by Talus
-  Level base_;                             // what it was then
+  bool is_own_ = false;                    // whether Talus wrote the map
+  Level base_;                             // the level when it was written
   std::vector<const Spawn*> spawns_by_x_;  // of base_
   Level level_;
   TiledTiles tiles_;
@@ -94,7 +95,7 @@ std::string named(std::string_view what, const std::string& name) {
   return std::string(what) + (name.empty() ? "" : " \"" + name + "\"");
 }
 
-// Its number in the level, and where that is another one, in its tileset.
+// The tile's number in the level and, if that differs, its number in the tileset.
 std::string name_of_tile(int number, const TiledSource& source) {
   const std::string name = "tile " + std::to_string(number);
   return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
@@ -112,7 +113,7 @@ std::string text_of(const NearestShape& nearest) {
   if (shape.one_way) return "which hangs in the air: its upper line is kept, as a one-way floor";
   const bool is_floor = shape.side == TileShape::Side::floor;
   const bool is_full = shape.kind == TileShape::Kind::solid;
-  std::string text = "which is no floor or ceiling of a level: ";
+  std::string text = "which is not a floor or ceiling of a level: ";
   text += is_full ? "a whole tile" : is_floor ? "the nearest floor" : "the nearest ceiling";
   constexpr double kSeen = 0.05;  // px²
   if (nearest.more < kSeen && nearest.less < kSeen)
@@ -123,8 +124,8 @@ std::string text_of(const NearestShape& nearest) {
   return text + (nearest.more >= kSeen ? " and " : "") + area_text(nearest.less) + " less";
 }
 
-// With the heights of the tile's words, where these give the same line: it may have more than its corners
-// need.
+// With the heights in the tile's properties, if these give the same line: it may have more of them than its
+// corners need.
 TileShape as_in_words(const TileShape& shape, const TiledTile& tile) {
   const auto* const text = find_property<std::string>(tile.properties, "shape_heights");
   if (text == nullptr || shape.heights.empty()) return shape;
@@ -139,7 +140,7 @@ TileShape as_in_words(const TileShape& shape, const TiledTile& tile) {
   return tile_shape_of(outline_of(outline.front()), shape.one_way) == shape ? said : shape;
 }
 
-// That the text is, from 1; else 0.
+// The number in the text, from 1; else 0.
 int number_in(const std::string& text) {
   int number = 0;
   const char* const end = text.data() + text.size();
@@ -158,7 +159,7 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
   const auto fail = [](std::string message, std::string remedy = {}) {
     return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
   };
-  if (layers.empty()) return fail("has no layer of tiles");
+  if (layers.empty()) return fail("has no tile layer");
   auto chosen = layers.begin();
   const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
   const auto by_number =
@@ -170,11 +171,11 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
                           [&](const TiledLayer* layer) { return layer->name == choices.layer; });
     if (chosen == layers.end()) chosen = by_number;
   } else if (layers.size() > 1) {
-    return fail("has the layers of tiles " + names + ", and a level has one",
-                "`talus import --layer NAME` takes the one of that name");
+    return fail("has the tile layers " + names + ", but a level has only one",
+                "choose one by `talus import --layer NAME`");
   }
   if (chosen == layers.end())
-    return fail("has no layer of tiles with the name \"" + choices.layer + "\", but " + names);
+    return fail("has no tile layer with the name \"" + choices.layer + "\", but " + names);
   const TiledLayer* const taken = *chosen;
   for (const TiledLayer* layer : layers) {
     if (layer != taken)
@@ -205,10 +206,11 @@ FormatResult<void> TiledLevelMaker::read_base() {
   return {};
 }
 
-// What of the base speaks of tiles by their numbers, when these have changed.
+// The parts of the base that name tiles by number, if the numbers have changed.
 void TiledLevelMaker::forget_numbers() {
-  if (!level_.brushes.empty()) drops_.add("the brushes, as tiles have other numbers");
-  if (level_.auto_tiles != AutoTiles()) drops_.add("the tiles of painted ground, as they have other numbers");
+  if (!level_.brushes.empty()) drops_.add("the brushes, since the numbers of tiles have changed");
+  if (level_.auto_tiles != AutoTiles())
+    drops_.add("the tiles of painted ground, since the numbers of tiles have changed");
   level_.brushes.clear();
   level_.auto_tiles = {};
 }
@@ -239,8 +241,8 @@ bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
          std::find(kKnown.begin(), kKnown.end(), property.name) != kKnown.end();
 }
 
-// Bools that no flag has the name of name the flag that the same tiles have by number, or else one of which
-// nothing is known.
+// A true bool that no flag has as its name becomes the name of the flag that the same tiles have by number,
+// or else of a flag that nothing is known about.
 void TiledLevelMaker::name_flags() {
   const auto names = tiled_flag_names(level_);
   for (int flag = 0; flag < kFlagCount; ++flag) flags_[names[static_cast<std::size_t>(flag)]] = flag;
@@ -273,7 +275,7 @@ void TiledLevelMaker::name_flags() {
   }
 }
 
-// Whether nothing gives the flag a meaning.
+// Whether the flag has no meaning.
 bool TiledLevelMaker::is_free(int flag) const {
   const auto infos = flag_role_infos();
   const bool has_role = std::any_of(
@@ -291,7 +293,7 @@ std::uint8_t TiledLevelMaker::flags_of(const TiledTile& tile) {
     if (number != nullptr && *number >= 0 && *number <= 255)
       flags = static_cast<std::uint8_t>(*number);
     else
-      drops_.add("`flags` of a tile, which is no whole number from 0 to 255");
+      drops_.add("`flags` of a tile, which is not a whole number from 0 to 255");
   }
   for (const TiledProperty& property : tile.properties) {
     const auto flag = flags_.find(property.name);
@@ -323,7 +325,7 @@ void TiledLevelMaker::take_tile(std::uint8_t number) {
   tell_stale_words(*tile, shape);
 }
 
-// before: the tile's own shape in the base. It stays where the outline is still that of the tile.
+// before: the tile's own shape in the base. It stays if the outline is still that of the tile.
 TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
                                         const TileShape& before) {
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
@@ -348,8 +350,8 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
   return source.turn == 0 ? as_in_words(shape, tile) : shape;
 }
 
-// Of several outlines the first that is a shape of a level, or else what comes nearest to the first that is
-// over its tile.
+// Of several outlines, the first one that is a shape of a level; else what comes nearest to the first one
+// that is over its tile.
 TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
                                             bool one_way) {
   std::vector<std::vector<Vec2>> outlines;
@@ -358,7 +360,7 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
     const std::size_t corners = outlines.back().size();
     if (corners > 0 && corners <= kMostCorners) continue;
     drops_.add("a collision shape of " + tile +
-               (corners == 0 ? std::string(", which is no box or polygon")
+               (corners == 0 ? std::string(", which is not a box or a polygon")
                              : " with " + std::to_string(corners) + " corners, of which up to " +
                                    std::to_string(kMostCorners) + " are looked at"));
     outlines.pop_back();
@@ -382,7 +384,7 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
   return {};
 }
 
-// The outline counts; words of Talus beside it that say otherwise do not.
+// The outline counts. Properties of Talus that say otherwise do not.
 void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& shape) {
   const TiledProperties words = tiled_properties(shape);
   for (const TiledProperty& property : tile.properties) {
@@ -414,7 +416,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
       drops_.add("the property \"" + property.name + "\" of a body");
   }
   if (object.rotation != 0) drops_.add("the rotation of a body");
-  if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, as a level holds up to 65536");
+  if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, since a level holds at most 65536");
   if (const Spawn* const old = base_spawn_like(spawn, object)) return level_.spawns.push_back(*old);
   if (const auto written = json_of(std::vector<Spawn>{spawn}, ""); !written)
     drops_.add(named("the body", spawn.name) + ", as a number of it " + written.error().message);
@@ -422,7 +424,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
     level_.spawns.push_back(std::move(spawn));
 }
 
-// The one that Talus wrote as this object; null: none.
+// The curve that Talus wrote as this object; null if there is none.
 const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObject& object) const {
   const double y = object.position.y;
   const auto near = near_in_x(std::span(spawns_by_x_), object.position.x);
@@ -451,7 +453,7 @@ void TiledLevelMaker::take_curve(const TiledObject& object) {
 
 void TiledLevelMaker::add_curve(const LevelCurve& curve) {
   if (level_.curves.size() == kMaxCurves)
-    drops_.add("a curve, as a level holds up to 16384");
+    drops_.add("a curve, since a level holds at most 16384");
   else if (const auto problem = problem_of(curve.curve, level_.map))
     drops_.add(named("the curve", curve.name) + ", which " + *problem);
   else

@@ -1,18 +1,20 @@
-// The level that a map of Tiled is.
+// Makes a level from a map of Tiled.
 #pragma once
 
 #include "tiled_tiles.h"
 
 namespace talus {
 
-// pictures: one for each tileset of the map. What the level cannot hold is named in `drops`; an error where
-// it cannot be made without a choice (see ImportChoices), or the map's own `talus_level` cannot be read.
+// pictures: one for each tileset of the map. What the level cannot hold is added to `drops`. It is an error
+// if the level cannot be made without a choice (see ImportChoices), or if the map's own `talus_level` cannot
+// be read.
 //
-// Flags: the int `flags`, and then each bool with the name of a flag (tiled_flag_names); other bools that are
-// true name a flag that the same tiles have by number, or else one that nothing is known of. Shapes: the
-// first outline of a tile that tile_shape_of knows or else what comes nearest, one-way where `shape_one_way`
-// or, without that word, `one_way` of the outline is true; `collidable` without an outline is a solid tile.
-// The picture's colours become the palette where they are 16 at most. progress: told how much is made.
+// Flags: the int `flags`, then each true bool with the name of a flag (tiled_flag_names). Other true bools
+// name a flag that the same tiles have by number, or else one that nothing is known about. Shapes: the first
+// outline of a tile that tile_shape_of knows, or else what comes nearest. It is one-way if `shape_one_way` is
+// true or, without that property, `one_way` of the outline. `collidable` without an outline is a solid tile.
+// If the picture has up to 16 colours, they become the palette. progress: receives how much of the level is
+// made.
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
                                    const ImportChoices& choices, TiledDrops& drops,
                                    const Progress& progress = {});

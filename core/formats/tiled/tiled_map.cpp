@@ -1,4 +1,4 @@
-// Colours as Tiled writes them, and what was dropped, as phrases.
+// Colours in Tiled's notation, and phrases for what was dropped.
 #include "tiled_map.h"
 
 #include "../text/utf8_text.h"

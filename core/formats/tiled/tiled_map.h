@@ -1,19 +1,18 @@
-// What a map of Tiled holds, as far as levels and maps have the same: the form between levels on the one side
-// and TMJ, TMX and Lua on the other.
+// TiledMap: what a map of Tiled holds that levels have, too. It stands between levels on one side and TMJ,
+// TMX and Lua on the other.
 //
 // How a level looks there (tiled_objects.h makes the objects):
-//   one tileset   "tiles", 16 columns, its picture beside the map. A tile has the int `flags`, a bool for
-//   each
-//                 flag that is set (see tiled_flag_names), what its shape is (`shape`, `shape_side`,
-//                 `shape_one_way`, `shape_heights`), and the shape as a polygon or box,
-//                 with the bool `one_way` where it is so, as importers into engines look for it there
+//   one tileset   "tiles", 16 columns, with its picture beside the map. A tile has the int `flags`; a bool
+//                 for each flag that is set (see tiled_flag_names); words for its shape (`shape`,
+//                 `shape_side`, `shape_one_way`, `shape_heights`); and the shape as a polygon or box, with
+//                 the bool `one_way` if it is one-way, as importers of engines look for it there
 //   background    the level's colour 0
-//   layer "map"   the tiles; cells with tile 0 are empty where tile 0 is blank
+//   layer "map"   the tiles; cells with tile 0 are empty if tile 0 is blank
 //   "spawns"      boxes of the type "ball" or "player" with `vx`, `vy`, `foot`
-//   "curves"      polylines of the type "curve" no further than kTiledTolerance off, with the exact numbers
-//   `talus_level` a property of the map: the rest of the level as a native one in one line, without its cells
-//                 and its pixels. What Tiled rounds to six digits is taken from there again, as long as it
-//                 was not changed in Tiled.
+//   "curves"      polylines of the type "curve", at most kTiledTolerance off, with the exact numbers
+//   `talus_level` a property of the map: the rest of the level as a native one in one line, without its
+//                 cells and pixels. Numbers that Tiled rounds to six digits are taken from there when the
+//                 map is read, unless they were changed in Tiled.
 #pragma once
 
 #include <cstdint>
@@ -28,14 +27,14 @@
 namespace talus {
 
 inline constexpr std::uint32_t kTiledIdBits =
-    0x0fffffff;  // of a cell's number; those above say how it is turned
+    0x0fffffff;  // bits of a cell's number; the others say how the tile is turned
 inline constexpr std::uint32_t kTiledFlipX = 0x80000000, kTiledFlipY = 0x40000000, kTiledFlipXY = 0x20000000;
 inline constexpr std::string_view kTiledLevelProperty = "talus_level";
 inline constexpr std::string_view kTiledSpawnLayer = "spawns", kTiledCurveLayer = "curves",
                                   kTiledTileLayer = "map";
 inline constexpr std::string_view kTiledCurveType = "curve";
 
-// What a map that is read has at most, in all layers and tilesets together.
+// Limits for a map that is read, over all of its layers and tilesets.
 inline constexpr std::size_t kMaxTiledCells = std::size_t{4} * kMaxTerrainCells;
 inline constexpr std::size_t kMaxTiledObjects = 262'144;
 inline constexpr std::size_t kMaxTiledPixels = std::size_t{1} << 25;  // of different pictures
@@ -47,7 +46,7 @@ struct TiledProperty {
 };
 using TiledProperties = std::vector<TiledProperty>;
 
-// The value of that name, null when there is none or it is of another type.
+// Returns the value of that name; null if there is none, or one of another type.
 template <class Value>
 const Value* find_property(const TiledProperties& properties, std::string_view name) {
   for (const TiledProperty& property : properties) {
@@ -58,16 +57,16 @@ const Value* find_property(const TiledProperties& properties, std::string_view n
 
 struct TiledObject {
   enum class Form : std::uint8_t {
-    box,  // also a point, without a size
+    box,  // also a point, which has no size
     polygon,
     polyline,
-    other  // an ellipse, a text, a picture, a template: what no level holds
+    other  // an ellipse, a text, a picture or a template, which no level holds
   };
   Form form = Form::box;
   std::string name, type;
   Vec2 position, size;       // px
   double rotation = 0;       // degrees
-  std::vector<Vec2> points;  // px, from the position; of polygons and polylines
+  std::vector<Vec2> points;  // px, from the position; for polygons and polylines
   TiledProperties properties;
   friend bool operator==(const TiledObject&, const TiledObject&) = default;
 };
@@ -81,25 +80,25 @@ struct TiledTile {
 struct TiledTileset {
   std::uint32_t first_gid = 1;  // number of its first tile in cells of the map
   std::string name;
-  std::string source;  // its own file, from the map's folder; empty: it is in the map
-  std::string image;   // from the map's folder or that of its own file; empty: none
+  std::string source;  // its own file, relative to the map's folder; empty: it is in the map
+  std::string image;   // relative to the map's folder or that of its own file; empty: it has none
   int columns = 0, tile_count = 0;
   int spacing = 0, margin = 0;  // px, between and around the tiles in the picture
   int image_width = 0, image_height = 0;
-  std::vector<TiledTile> tiles;  // those with something to say
+  std::vector<TiledTile> tiles;  // tiles that have properties or shapes
 };
 
 struct TiledLayer {
-  bool has_tiles = false;  // else objects
-  bool is_hidden = false;  // of what is written; what is read counts all the same
+  bool has_tiles = false;  // whether it is a tile layer; else an object layer
+  bool is_hidden = false;  // for writing; a layer that is read counts even if it is hidden
   std::string name;
-  std::vector<std::uint32_t> cells;  // row by row: 0 or a tile's number, with the bits of how it is turned
+  std::vector<std::uint32_t> cells;  // row by row: 0, or a tile's number with the bits that turn it
   std::vector<TiledObject> objects;
 };
 
 struct TiledMap {
   int width = 0, height = 0;  // cells
-  std::string background;     // colour, see tiled_color; empty: none
+  std::string background;     // colour, see tiled_color; empty: not set
   std::vector<TiledTileset> tilesets;
   std::vector<TiledLayer> layers;  // groups are taken apart
   TiledProperties properties;
@@ -107,12 +106,12 @@ struct TiledMap {
 
 std::string tiled_color(Rgb color);  // "#1a1c2c"
 
-// What was found and cannot be kept, each once.
+// What was found and cannot be kept, each thing once.
 class TiledDrops {
  public:
   void add(const std::string& phrase) { ++counts_[phrase]; }
-  // In alphabetical order; what came several times with the number: "the animation of a tile (3 times)". Of
-  // more than 1000 the last one is "and 234 more".
+  // In alphabetical order. A thing that was found several times has its count: "the animation of a tile (3
+  // times)". If there are more than 1000, the last one is "and 234 more".
   std::vector<std::string> phrases() const;
 
  private:

@@ -1,4 +1,4 @@
-// Geometry between levels and Tiled.
+// Converts geometry between levels and Tiled.
 #include "tiled_objects.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace talus {
 namespace {
 
 constexpr std::array<std::string_view, 3> kFaceWords = {"up", "down", "both"};
-constexpr double kOnGrid = 1.0 / 1024;  // px; nearer numbers are taken for the same
+constexpr double kOnGrid = 1.0 / 1024;  // px; numbers nearer than that count as equal
 
 bool is_near(double a, double b) { return std::abs(a - b) <= std::max(tiled_slack(a), tiled_slack(b)); }
 bool is_near(Vec2 a, Vec2 b) { return is_near(a.x, b.x) && is_near(a.y, b.y); }
@@ -50,8 +50,8 @@ struct CurveNumbers {
 constexpr std::array<std::string_view, 6> kCurveKinds = {"segment", "arc",  "parabola",
                                                          "cubic",   "sine", "polyline"};
 
-// A stretch bends to one side only, so that no point of it is more than twice as far from the chord as the
-// one in the middle.
+// A stretch bends to one side only, so no point of it is more than twice as far from the chord as the middle
+// one.
 void append_stretch(const CurveStretch<double>& stretch, Vec2 from, Vec2 to, int depth,
                     std::vector<Vec2>& points) {
   const double x = from.x + (to.x - from.x) / 2;
@@ -73,7 +73,7 @@ std::vector<Vec2> points_along(Curve curve) {
       points.push_back({line->x0 + (line->x1 - line->x0) * (static_cast<double>(i) / last), line->ys[i]});
     return points;
   }
-  curve.faces = Curve::Faces::up;  // one piece a stretch
+  curve.faces = Curve::Faces::up;  // one piece for each stretch
   constexpr int kMaxDepth = 12;
   const CurveOutline outline = cut_curves({&curve, 1});
   for (const Piece<double>& piece : outline.pieces) {
@@ -85,7 +85,7 @@ std::vector<Vec2> points_along(Curve curve) {
   return points;
 }
 
-// Ends in the order that a curve wants them in.
+// The ends in the order that a curve needs.
 Segment segment_between(Vec2 a, Vec2 b) {
   if (a.x > b.x || (a.x == b.x && a.y > b.y)) std::swap(a, b);
   return {a, b};
@@ -135,7 +135,7 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape) {
   }
   if (object.points.back().y != base) object.points.push_back({width, base});
   if (object.points.front().y != base) object.points.push_back({0, base});
-  if (object.points.size() < 3) return {};  // no height: there is nothing of it
+  if (object.points.size() < 3) return {};  // without a height it has no ground
   return {object};
 }
 

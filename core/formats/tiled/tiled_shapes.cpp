@@ -1,4 +1,4 @@
-// The exact shapes edge by edge, the nearest ones by columns.
+// Exact shapes are found edge by edge, the nearest ones by columns.
 #include "tiled_shapes.h"
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 namespace talus {
 namespace {
 
-constexpr double kSamePlace = 1.0 / 1024;  // px; nearer numbers are taken for the same
+constexpr double kSamePlace = 1.0 / 1024;  // px; numbers nearer than that count as equal
 constexpr double kHighest = kMaxShapeTiles * kTileSize;
 
 using Line = std::vector<Vec2>;  // from left to right
 
 bool is_at(double a, double b) { return std::abs(a - b) <= kSamePlace; }
 
-// Twice the area; positive when the points go round clockwise on the screen.
+// Twice the area; positive if the points go clockwise on the screen.
 double area_of(const Line& points) {
   double area = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -39,7 +39,7 @@ Line upside_down(Line points) {
   return points;
 }
 
-// Without those between two others on one line. The line goes on to the right, so that none is a turning
+// Drops the points that lie between two others on one line. The line goes to the right, so none of them turns
 // back.
 Line corners_of(const Line& line) {
   Line corners;
@@ -54,8 +54,8 @@ Line corners_of(const Line& line) {
   return corners;
 }
 
-// The edges of an outline that go to the right, one after the other, when all others are level at y 8 or
-// upright at x 0 and `width`; the outline is clockwise. Empty when it is otherwise.
+// The edges of an outline that go to the right, in order, if all other edges are level at y 8, or upright at
+// x 0 and `width`. The outline must be clockwise. Empty if it is not like this.
 Line upper_line(const Line& points, double width) {
   const std::size_t count = points.size();
   const auto at = [&](std::size_t i) { return points[i % count]; };
@@ -80,7 +80,7 @@ Line upper_line(const Line& points, double width) {
   return line;
 }
 
-// With what lies on the bottom beside it, from x 0 to `width`. Empty when the line does not end there.
+// Adds the parts at the bottom beside it, from x 0 to `width`. Empty if the line does not end there.
 Line over_whole_tiles(Line line, double width) {
   if (line.empty() || line.front().x < -kSamePlace || line.back().x > width + kSamePlace) return {};
   if (line.front().x > kSamePlace) {
@@ -94,7 +94,7 @@ Line over_whole_tiles(Line line, double width) {
   return line;
 }
 
-// The heights of a line at the fewest equal distances that have all its corners; empty: at none.
+// The heights of a line at the fewest equal distances that include all its corners; empty if there are none.
 std::vector<double> heights_of(const Line& line, double width) {
   for (int parts = 1; parts < kMaxShapeHeights; ++parts) {
     const double step = width / parts;
@@ -139,7 +139,7 @@ struct Stretch {  // of a column, from the upper y to the lower one
   double length() const { return std::max(0.0, to - from); }
 };
 
-// What of an upright line is in the outline, from top to bottom, as far as shapes reach.
+// The part of an upright line that is in the outline, from top to bottom, as far as shapes reach.
 std::vector<Stretch> column_at(const Line& outline, double x) {
   std::vector<double> crossings;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -155,7 +155,7 @@ std::vector<Stretch> column_at(const Line& outline, double x) {
   return column;
 }
 
-// Of the upper line at x; the bottom where there is nothing.
+// The upper line at x; the bottom if nothing is there.
 double top_at(const Line& outline, double x) {
   const std::vector<Stretch> column = column_at(outline, x);
   return column.empty() ? kTileSize
@@ -183,7 +183,7 @@ std::optional<Candidate> nearest_floor(const Line& outline) {
   auto shape = shape_under(line, width, TileShape::Side::floor);
   if (!shape) return {};
   Candidate nearest{*std::move(shape)};
-  constexpr int kSamples = 4;  // of each part
+  constexpr int kSamples = 4;  // for each part
   const double thickness = step / kSamples;
   for (int i = 0; i < kParts * kSamples; ++i) {
     const std::size_t part = static_cast<std::size_t>(i / kSamples);

@@ -10,9 +10,9 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kCellsAtOnce = 65'536;  // between looks whether to go on
+constexpr std::size_t kCellsAtOnce = 65'536;  // between checks of the progress
 constexpr std::uint32_t kTurns = kTiledFlipX | kTiledFlipY | kTiledFlipXY;
-constexpr const char* kTakeUsed = "`talus import --tiles-used` takes those that are shown";
+constexpr const char* kTakeUsed = "`talus import --tiles-used` takes only those that the map shows";
 
 FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message,
                        std::string remedy = {}) {
@@ -26,7 +26,7 @@ FormatError whole_error(std::string message, std::string remedy = {}) {
   return {"", std::move(message), std::move(remedy)};
 }
 
-// Columns and tiles of a tileset, reckoned from its picture where it does not say.
+// Columns and tiles of a tileset, computed from its picture if the file does not say.
 struct TilesetGrid {
   int columns, count;
 };
@@ -42,7 +42,7 @@ TilesetGrid grid_of(const TiledTileset& tileset) {
   return {columns > 0 ? columns : kSheetColumns, count > 0 ? count : kTileCount};
 }
 
-// By the number in the layer, with its bits of how the tile is turned.
+// By the number in the layer, with the bits that turn the tile.
 using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
 
 class TileNumberer {
@@ -66,7 +66,7 @@ class TileNumberer {
 
  private:
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
-  // What the different cells show; blank sources for empty ones.
+  // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
   FormatResult<int> only_tileset(const SourceOfCell& cells) const;
   bool is_blank(const TiledSource& source) const;
@@ -92,7 +92,7 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
     if ((i > 0 && cell == layer_.cells[i - 1]) || sources.contains(cell)) continue;
     if (sources.size() == kMostDifferent) {
       return tl::unexpected(whole_error("shows more than " + std::to_string(kMostDifferent) +
-                                        " different tiles, and a level has 255 beside the empty one"));
+                                        " different tiles, but a level has only 255 besides the empty one"));
     }
     const std::uint32_t gid = cell & kTiledIdBits;
     if (gid == 0) {
@@ -105,15 +105,15 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
     const int of = after == order_.begin() ? -1 : *std::prev(after);
     const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
     if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
-      return tl::unexpected(cell_error(
-          layer_, map_, i, "holds tile " + std::to_string(gid) + ", which is in none of the tilesets"));
+      return tl::unexpected(
+          cell_error(layer_, map_, i, "holds tile " + std::to_string(gid) + ", which no tileset has"));
     }
     sources[cell] = {of, static_cast<int>(id), cell & kTurns};
   }
   return sources;
 }
 
-// -1 when there is none.
+// -1 if there is none.
 FormatResult<int> TileNumberer::only_tileset(const SourceOfCell& cells) const {
   std::set<int> shown;
   for (const auto& [cell, source] : cells) {
@@ -121,21 +121,21 @@ FormatResult<int> TileNumberer::only_tileset(const SourceOfCell& cells) const {
   }
   if (shown.size() > 1) {
     return tl::unexpected(whole_error(
-        "shows tiles of " + std::to_string(shown.size()) + " tilesets, and a level has one", kTakeUsed));
+        "shows tiles of " + std::to_string(shown.size()) + " tilesets, but a level has only one", kTakeUsed));
   }
   const int only = !shown.empty() ? *shown.begin() : order_.empty() ? -1 : order_.front();
   for (const int i : order_) {
     if (i != only) drops_.add("the tileset \"" + tileset(i).name + "\", which the map does not show");
   }
   if (only >= 0 && grid_of(tileset(only)).count > kTileCount) {
-    return tl::unexpected(whole_error(
-        "has a tileset of " + std::to_string(grid_of(tileset(only)).count) + " tiles, and a level has 256",
-        kTakeUsed));
+    return tl::unexpected(whole_error("has a tileset of " + std::to_string(grid_of(tileset(only)).count) +
+                                          " tiles, but a level has only 256",
+                                      kTakeUsed));
   }
   return only;
 }
 
-// Nothing is drawn, and nothing said about it.
+// A tile with nothing drawn and nothing said about it.
 bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;
@@ -157,9 +157,10 @@ FormatResult<void> TileNumberer::free_tile_0() {
                                   [&](const TiledSource& source) { return is_blank(source); });
   if (blank == tiles_.sources.end()) {
     const std::set<std::uint32_t> cells(layer_.cells.begin(), layer_.cells.end());
-    return tl::unexpected(cell_error(layer_, map_, static_cast<std::size_t>(empty - layer_.cells.begin()),
-                                     "is empty, and each of the 256 tiles is drawn: none is left for it",
-                                     cells.size() <= kTileCount ? kTakeUsed : ""));
+    return tl::unexpected(
+        cell_error(layer_, map_, static_cast<std::size_t>(empty - layer_.cells.begin()),
+                   "is empty, but all 256 tiles have drawings: no tile is left for empty cells",
+                   cells.size() <= kTileCount ? kTakeUsed : ""));
   }
   std::swap(tiles_.sources[0], *blank);
   drops_.add("the number of tile 0, which is now " + std::to_string(blank - tiles_.sources.begin()) +
@@ -191,10 +192,9 @@ FormatResult<TiledTiles> TileNumberer::as_they_are() {
     return (cell & kTiledIdBits) != 0 && (cell & kTurns) != 0;
   });
   if (turned != layer_.cells.end()) {
-    return tl::unexpected(
-        cell_error(layer_, map_, static_cast<std::size_t>(turned - layer_.cells.begin()),
-                   "holds a tile that is mirrored or turned, which those of a level are not",
-                   "`talus import --tiles-used` makes a tile of its own of it"));
+    return tl::unexpected(cell_error(layer_, map_, static_cast<std::size_t>(turned - layer_.cells.begin()),
+                                     "holds a tile that is mirrored or turned, but a level cannot turn tiles",
+                                     "`talus import --tiles-used` makes it a tile of its own"));
   }
   if (*only >= 0) {
     const auto [columns, count] = grid_of(tileset(*only));
@@ -217,7 +217,7 @@ FormatResult<TiledTiles> TileNumberer::used() {
   shown.erase(TiledSource{});
   if (shown.size() >= kTileCount) {
     return tl::unexpected(whole_error("shows " + std::to_string(shown.size()) +
-                                      " different tiles, and a level has 255 beside the empty one"));
+                                      " different tiles, but a level has only 255 besides the empty one"));
   }
   std::copy(shown.begin(), shown.end(), tiles_.sources.begin() + 1);
   tiles_.keeps_numbers = false;
@@ -225,7 +225,7 @@ FormatResult<TiledTiles> TileNumberer::used() {
   return std::move(tiles_);
 }
 
-// Of the tileset's picture, the pixel that a turned tile shows at (x, y) of its own.
+// The pixel of the tileset's picture that a turned tile shows at its own (x, y).
 Cell pixel_of(const TiledTileset& tileset, const TiledSource& source, int x, int y) {
   if (source.turn & kTiledFlipY) y = kTileSize - 1 - y;
   if (source.turn & kTiledFlipX) x = kTileSize - 1 - x;

@@ -11,14 +11,14 @@ namespace talus {
 // The picture of a tileset.
 struct TiledPicture {
   RgbaPicture rgba;
-  std::vector<Rgb> palette;  // of the file; empty: it has none
+  std::vector<Rgb> palette;  // of the file; empty: the file has none
 };
-// By tileset; those of one file share it. Null: not known.
+// By tileset; tilesets of one file share it. Null: not known.
 using TiledPictures = std::vector<std::shared_ptr<const TiledPicture>>;
 
 // A tile of a tileset as cells of the map show it.
 struct TiledSource {
-  int tileset = -1;        // -1: none, a blank tile
+  int tileset = -1;        // -1: a blank tile
   int id = 0;              // in the tileset
   std::uint32_t turn = 0;  // the bits kTiledFlipX and so on
   friend auto operator<=>(const TiledSource&, const TiledSource&) = default;
@@ -27,23 +27,23 @@ struct TiledSource {
 struct TiledTiles {
   std::array<TiledSource, kTileCount> sources;  // by tile of the level
   TileMap map;
-  bool keeps_numbers = true;  // that each has the number, or the place on the sheet, of its tileset
+  bool keeps_numbers = true;  // whether each tile has the number of its tileset, or its place on the sheet
 };
 
 // Without `used_tiles` the map must show one tileset of up to 256 tiles, none of them turned. Tiles keep
-// their places on a sheet of up to 16x16 tiles, and of one of another form their numbers. Tile 0 is the empty
-// one: if the tileset's first is drawn and cells are empty, the two change numbers. progress: told how many
-// of the cells are numbered.
+// their places on a sheet of up to 16x16 tiles, and their numbers on others. Tile 0 is the empty one: if the
+// tileset's first tile is drawn and some cells are empty, it swaps its number with a free one. progress:
+// receives how many of the cells are numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
                                       const TiledPictures& pictures, bool used_tiles, Rgb background,
                                       TiledDrops& drops, const Progress& progress);
 
-// The sheet of 128x128 px that the level's tiles make. Transparent where nothing is known.
+// The sheet of 128x128 px with the level's tiles. Unknown pixels are transparent.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
-// A box or polygon as cells that turn it show it; others stay as they are.
+// A box or polygon as cells that turn it show it; other objects stay as they are.
 TiledObject turned(const TiledObject& object, std::uint32_t turn);
 
-const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null: there is nothing about it
+const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null if the file says nothing about it
 
 }  // namespace talus

@@ -1,6 +1,6 @@
-// Attributes become members, elements what Tiled's JSON has for them. The names of both are kept apart: what
-// elements make has a fixed set of names, which no attribute and no other element gets. pugixml reads no
-// file, no entity of others and no document type, and needs no stack for deep nesting.
+// Attributes become members; elements become what Tiled's JSON has for them. Their names do not mix: elements
+// make a fixed set of names, which no attribute and no other element may have. pugixml reads no other files,
+// entities or document types, and needs no stack for deep nesting.
 #include "tiled_xml.h"
 
 #include <algorithm>
@@ -16,20 +16,21 @@
 namespace talus {
 namespace {
 
-constexpr int kMaxGroups = 32;                   // levels of layers in layers, well below kMaxJsonDepth
-constexpr std::size_t kMaxXmlParts = 2'500'000;  // elements and attributes; of 4096x4096 cells CSV has none
+constexpr int kMaxGroups = 32;  // nested layers; well below kMaxJsonDepth
+constexpr std::size_t kMaxXmlParts =
+    2'500'000;  // elements and attributes; CSV needs none for 4096x4096 cells
 
 constexpr std::array<std::string_view, 21> kXmlNumbers = {
     "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
     "tileheight", "tilecount", "columns", "spacing", "margin",  "rotation",  "gid",
     "infinite",   "visible",   "opacity", "offsetx", "offsety", "parallaxx", "parallaxy"};
 
-// Members that elements make: no attribute becomes one of these, so that lists are lists.
+// Members that elements make. Attributes cannot have these names, so lists are always lists.
 constexpr std::array<std::string_view, 15> kElementMembers = {
     "layers",      "tilesets", "tiles",       "objects",     "properties",
     "objectgroup", "data",     "imagewidth",  "imageheight", "chunks",
     "encoding",    "polygon",  "compression", "polyline",    "transparentcolor"};
-// Elements that become a member of their name, and of which it is enough to know that they are there.
+// Elements that become a member of their name; only their presence counts.
 constexpr std::array<std::string_view, 12> kMarkElements = {
     "image",      "ellipse", "point",    "text",         "capsule",        "animation",
     "tileoffset", "grid",    "wangsets", "terraintypes", "editorsettings", "transformations"};
@@ -39,10 +40,10 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string_vie
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Finds text that is no UTF-8 any more now that references such as "&#xD800;" are characters.
+// Finds text that is no longer UTF-8 after references such as "&#xD800;" became characters.
 class BadText : public pugi::xml_tree_walker {
  public:
-  pugi::xml_node where;  // null: all is good
+  pugi::xml_node where;  // null: everything is fine
 
   bool for_each(pugi::xml_node& node) override {
     bool good = is_utf8(node.value());
@@ -56,11 +57,11 @@ std::size_t count_objects(std::string_view xml) {
   constexpr std::string_view kTag = "<object";
   std::size_t count = 0;
   for (std::size_t at = xml.find(kTag); at != xml.npos; at = xml.find(kTag, at + 1))
-    count += xml.substr(at + kTag.size(), 1) != "g" ? 1 : 0;  // an objectgroup is none
+    count += xml.substr(at + kTag.size(), 1) != "g" ? 1 : 0;  // an objectgroup is not an object
   return count;
 }
 
-// A number that JSON can hold; other text stays text, which the reader complains of.
+// A number that JSON can hold; other text stays text, which the reader reports.
 Json number_or_text(std::string_view text) {
   double number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -77,7 +78,7 @@ Json property_value(const pugi::xml_node& property) {
   return text;
 }
 
-// "0,8 16,0.5": points. What is none ends up without numbers, as text.
+// "0,8 16,0.5": points. A bad point stays text, without numbers.
 Json points_of_text(std::string_view text) {
   Json points = Json::array();
   while (!text.empty()) {
@@ -97,7 +98,7 @@ std::string_view layer_type(std::string_view element) {
   return is_layer ? element : "";
 }
 
-// Thrown and caught within this file.
+// Thrown and caught in this file only.
 struct XmlStopped {};
 
 class TiledXml {
@@ -112,11 +113,11 @@ class TiledXml {
       return error_at_line(text_, static_cast<std::size_t>(parsed.offset), "this is not valid XML");
     BadText bad;
     document.traverse(bad);
-    if (bad.where) fail(bad.where, "refers to a character that there is not");
+    if (bad.where) fail(bad.where, "refers to a character that does not exist");
     const pugi::xml_node root = document.document_element();
     const std::string_view name = root.name();
     if (!error_ && name != "map" && name != "tileset")
-      return tl::unexpected(FormatError{"", "is no map or tileset of Tiled"});
+      return tl::unexpected(FormatError{"", "is not a Tiled map or tileset"});
     Json json;
     if (!error_) json = name == "map" ? map(root) : tileset(root);
     if (error_) return tl::unexpected(*error_);
@@ -125,7 +126,7 @@ class TiledXml {
   }
 
  private:
-  // The attributes, with the line. Elements come in the order of the file, so that lines are counted once.
+  // The attributes, with the line. Elements come in the order of the file, so lines are counted once.
   Json attributes(const pugi::xml_node& node) {
     Json json = Json::object();
     json[kTiledLineKey] = line_of(node);
@@ -133,7 +134,7 @@ class TiledXml {
       std::string name = attribute.name();
       const bool is_number = is_one_of(kXmlNumbers, name);
       if (is_one_of(kElementMembers, name) || is_one_of(kMarkElements, name))
-        name += "=";  // as none is called
+        name += "=";  // nothing has such a name
       put_once(node, name, is_number ? number_or_text(attribute.value()) : Json(attribute.value()), json);
     }
     return json;
@@ -167,7 +168,7 @@ class TiledXml {
       add_common(child, json);
   }
 
-  // Of elements that nobody reads the name is enough: the reader tells of it.
+  // For elements that nobody reads the name is enough: the reader reports it.
   void add_common(const pugi::xml_node& child, Json& json) {
     const std::string name = child.name();
     if (name == "properties")
@@ -266,7 +267,7 @@ class TiledXml {
     return json;
   }
 
-  // What is there twice is an error, as in JSON. node: whose line that has.
+  // An element that is there twice is an error, as in JSON. node: the one whose line the error names.
   void put_once(const pugi::xml_node& node, const std::string& name, Json value, Json& json) {
     if (json.contains(name)) return fail(node, "has \"" + name + "\" twice");
     json[name] = std::move(value);
@@ -277,7 +278,7 @@ class TiledXml {
   }
 
   std::string_view text_;
-  std::size_t counted_ = 0;  // bytes of the text whose lines are counted
+  std::size_t counted_ = 0;  // bytes of the text in which lines have been counted
   std::int64_t lines_ = 1;
   std::optional<FormatError> error_;
   const Progress& progress_;
@@ -291,10 +292,10 @@ FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& prog
     return tl::unexpected(FormatError{"", "has too many elements"});
   if (const std::size_t objects = count_objects(text); objects > kMaxTiledObjects) {
     return tl::unexpected(FormatError{"", "has " + std::to_string(objects) +
-                                              " objects, and a map that is read has up to " +
+                                              " objects, but a map may have at most " +
                                               std::to_string(kMaxTiledObjects)});
   }
-  if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is no text in UTF-8"});
+  if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is not UTF-8 text"});
   try {
     return TiledXml(text, progress).read();
   } catch (const XmlStopped&) {
