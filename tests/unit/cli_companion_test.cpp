@@ -129,7 +129,7 @@ TEST_F(CliCompanions, AreNotWrittenOver) {
     words.insert(words.end(), {"-o", path("game.tic.talus.json")});
     const CliAnswer answer = run(command, "game.tic", words);
     EXPECT_EQ(answer.status, 1);
-    EXPECT_THAT(answer.err, HasSubstr("is the place of what game.tic beside it cannot hold"));
+    EXPECT_THAT(answer.err, HasSubstr("is the name of the companion of game.tic beside it"));
   }
   // Nor by what reads them, under whichever name.
   const std::string cart = bytes_of("game.tic");

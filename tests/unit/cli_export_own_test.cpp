@@ -158,9 +158,8 @@ TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
     const std::string name = std::string("x.") + ending;
     for (const char* option : {static_cast<const char*>(nullptr), "--playable"}) {
       EXPECT_EQ(run_to("tic-text", name, option), 1);
-      EXPECT_EQ(answer_.err, path("cave.talus.json") +
-                                 ": error: the cart's code does not fit the name " + name +
-                                 ": in its language the name must end with .lua\n");
+      EXPECT_EQ(answer_.err, path("cave.talus.json") + ": error: the cart's code does not fit the name " +
+                                 name + ": in its language the name must end with .lua\n");
       EXPECT_FALSE(exists(name));
     }
   }
@@ -201,7 +200,7 @@ TEST_F(CliOwnFiles, ACartWithTooMuchCodeIsWarnedOf) {
               testing::ContainsRegex("cave.tic: warning: the code has [0-9,]+ bytes, but TIC-80's free "
                                      "version allows only 65,536: use fewer shapes or kinds of bodies\n"));
   EXPECT_EQ(run_to("tic", "cave.tic"), 0);
-  EXPECT_EQ(answer_.err.find("the code takes"), std::string::npos) << "that is the user's own";
+  EXPECT_EQ(answer_.err.find("the code has"), std::string::npos) << "that is the user's own";
 }
 
 TEST_F(CliOwnFiles, AFolderThatCannotBeMadeIsNamed) {

@@ -44,7 +44,7 @@ TEST_F(CliExport, TablesAreAFolder) {
   for (const char* name : {"map.csv", "flags.csv", "polygons.csv", "lines.csv", "bodies.csv"})
     EXPECT_TRUE(exists(std::string("tables/") + name)) << name;
   EXPECT_EQ(run({"csv", "-o", "-"}), 1);
-  EXPECT_NE(answer_.err.find("is a folder: name one"), std::string::npos) << answer_.err;
+  EXPECT_NE(answer_.err.find("is a folder: name a folder"), std::string::npos) << answer_.err;
 }
 
 TEST_F(CliExport, LoveIsAFolder) {
@@ -68,7 +68,7 @@ TEST_F(CliExport, PartsOfTheRuntimeAreAskedFor) {
 
 TEST_F(CliExport, AFolderIsNoStandardOutput) {
   EXPECT_EQ(run({"love", "-o", "-"}), 1);
-  EXPECT_NE(answer_.err.find("is a folder: name one"), std::string::npos) << answer_.err;
+  EXPECT_NE(answer_.err.find("is a folder: name a folder"), std::string::npos) << answer_.err;
 }
 
 TEST_F(CliExport, AFolderUnderAFileIsRefused) {

@@ -37,9 +37,10 @@ class CliImportTest : public FolderTest {
 
 TEST_F(CliImportTest, AsksForAChoice) {
   EXPECT_EQ(import({}), 1);
-  EXPECT_EQ(errors(),
-            "two.tmx: error: has the layers of tiles \"front\", \"back\", and a level has one: choose one by "
-            "`talus import --layer NAME`\n");
+  EXPECT_EQ(
+      errors(),
+      "two.tmx: error: has the tile layers \"front\", \"back\", but a level has only one: choose one by "
+      "`talus import --layer NAME`\n");
   EXPECT_EQ(import({"--layer", "back"}), 1);
   EXPECT_EQ(errors(),
             "two.tmx: error: has a tileset of 300 tiles, but a level has only 256: `talus import "

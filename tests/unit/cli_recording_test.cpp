@@ -99,7 +99,8 @@ TEST_F(CliRecording, RefusesOtherInputAndBadFiles) {
   const std::string bad = put("bad.talusrec", "{\"talus_recording\": 2}");
   const CliAnswer answer = sim({bad, "--verify"});
   EXPECT_EQ(answer.status, kExitBad);
-  EXPECT_THAT(answer.err, StartsWith(bad + ":key talus_recording: error: is of a newer Talus"));
+  EXPECT_THAT(answer.err,
+              StartsWith(bad + ":key talus_recording: error: is newer than what this Talus reads"));
   EXPECT_EQ(answer.out, "");
   EXPECT_EQ(sim({path("no_such.talusrec")}).status, kExitBad);
 }

@@ -60,8 +60,7 @@ TEST_F(CliSim, InputIsReadWithBounds) {
   const std::string at = path("in.jsonl") + ":line 2";
   EXPECT_EQ(error("\n{\"frame\": 1, \"keys\": " + keys),
             at + ": error: the JSON is nested deeper than 64 levels here\n");
-  EXPECT_EQ(error("\n{\"frame\": 1, \"frame\": 2}"),
-            at + ", key frame: error: is there twice, in one object\n");
+  EXPECT_EQ(error("\n{\"frame\": 1, \"frame\": 2}"), at + ", key frame: error: is twice in one object\n");
   EXPECT_EQ(error("\n{\"frame\": 1} {}"), at + ", column 14: error: this is not valid JSON\n");
   EXPECT_EQ(error("\n{\"frame\": 9223372036854775808}"),
             at + ": error: \"frame\" must be a whole number from 1\n");

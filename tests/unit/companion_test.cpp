@@ -235,7 +235,7 @@ TEST_F(Companions, KeepTheirPlaceBesideACart) {
   const std::string before = bytes_of("game.tic.talus.json");
   const auto saved = save_level(Level(), *find_format("native"), path("game.tic.talus.json"));
   ASSERT_FALSE(saved);
-  EXPECT_EQ(saved.error().message, "is the place of what game.tic beside it cannot hold: give another name");
+  EXPECT_EQ(saved.error().message, "is the name of the companion of game.tic beside it: choose another name");
   EXPECT_EQ(bytes_of("game.tic.talus.json"), before);
   save(Level(), "other.tic.talus.json");  // beside nothing
 }
@@ -272,7 +272,7 @@ TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
   with(R"("cart": {"kind": "tic", "chunks": []})");
   expect_not_read("key cart: is what the file beside it holds");
   put("game.tic.talus.json", R"({"talus": 99, "companion": {"file": "game.tic"}})");
-  EXPECT_THAT(load("game.tic").note, HasSubstr("this level has version 99"));
+  EXPECT_THAT(load("game.tic").note, HasSubstr("has version 99"));
 }
 
 TEST_F(Companions, ThatAreNoFilesAreNotOpened) {

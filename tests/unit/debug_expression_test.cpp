@@ -201,7 +201,7 @@ TEST(ExpressionErrors, SayWhereAndWhat) {
   EXPECT_EQ(problem("x > \xc3\xbc"), "4: unexpected character");
   EXPECT_EQ(problem("1e999"), "0: the number is too large or too small for a double");
   EXPECT_EQ(problem("3x"), "1: a letter follows the number directly");
-  EXPECT_EQ(problem(std::string(1001, '1')), "1000: an expression has no more than 1000 bytes");
+  EXPECT_EQ(problem(std::string(1001, '1')), "1000: the expression is longer than 1000 bytes");
 }
 
 TEST(ExpressionErrors, OfNames) {

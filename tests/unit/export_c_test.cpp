@@ -79,7 +79,7 @@ TEST(ExportC, CurvesAreDroppedAndSaidToBe) {
 TEST(ExportC, AMapTooLongForFixedPointIsRefused) {
   Level level;
   level.map = TileMap(1 << 20, 1);
-  EXPECT_THAT(header(level), HasSubstr("over 1048575 cells long"));
+  EXPECT_THAT(header(level), HasSubstr("longer than 1048575 cells"));
 }
 
 // Compiles the header of a level into a program that prints floors.

@@ -255,9 +255,8 @@ TEST(ImportTiled, RefusesWhatNoLevelIs) {
     return error_of(text.replace(text.find(what), what.size(), by));
   };
   const std::string good = map_text({});
-  EXPECT_EQ(
-      with(good, "orthogonal", "isometric"),
-      "map:key orientation: error: is a map of the orientation \"isometric\", and levels are orthogonal");
+  EXPECT_EQ(with(good, "orthogonal", "isometric"),
+            "map:key orientation: error: has the orientation \"isometric\", but must be orthogonal");
   EXPECT_EQ(with(good, "\"infinite\":false", "\"infinite\":true"),
             "map:key infinite: error: is an infinite map: switch Infinite off in Tiled, under Map > Map "
             "Properties");
@@ -274,14 +273,15 @@ TEST(ImportTiled, RefusesWhatNoLevelIs) {
   EXPECT_EQ(with(good, "[1,2,0,1]", "7"), "map:key layers[0].data: error: has 0 cells, but needs 4");
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":3"),
             "map:key tilesets[0].tiles: error: must have a list as tiles");
-  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[3]"), "map:key tilesets[0].tiles[0]: error: is no object");
+  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[3]"),
+            "map:key tilesets[0].tiles[0]: error: must be an object");
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":1e300}]"),
             "map:key tilesets[0].tiles[0].id: error: must have a whole number from 0 to "
             "1048576 as id");
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":0,\"image\":\"a.png\"}]"),
             "map:key tilesets[0].tiles[0].image: error: is a tile with a picture of its own, but a level "
             "needs one picture for all tiles");
-  EXPECT_EQ(error_of("{}"), "map: error: is no map of Tiled");
+  EXPECT_EQ(error_of("{}"), "map: error: is not a Tiled map");
   EXPECT_EQ(error_of("<a/>", "tmx"), "map: error: is not a Tiled map or tileset");
   EXPECT_EQ(error_of("<map>\n<layer", "tmx"), "map:line 2: error: this is not valid XML");
   EXPECT_EQ(error_of("{\"a\":" + std::string(100, '[')),
@@ -336,12 +336,11 @@ TEST(ImportTiled, NamesOfXmlDoNotMeetInJson) {
   EXPECT_THAT(dropped("<data ", "<data/><data "), ElementsAre("map:line 1: error: has \"data\" twice"));
   EXPECT_THAT(dropped("name=\"l\"", "name=\"&#xD800;\""),
               ElementsAre("map:line 1: error: refers to a character that does not exist"));
-  EXPECT_THAT(
-      dropped("</tileset>",
-              "</tileset>\n<layer name=\"a&#10;::error::&#27;[31m\"><data "
-              "encoding=\"csv\">2</data></layer>"),
-      ElementsAre(R"(map: error: has the layers of tiles "a\n::error::\x1b[31m", "l", and a level has )"
-                  "one: choose one by `talus import --layer NAME`"));
+  EXPECT_THAT(dropped("</tileset>",
+                      "</tileset>\n<layer name=\"a&#10;::error::&#27;[31m\"><data "
+                      "encoding=\"csv\">2</data></layer>"),
+              ElementsAre(R"(map: error: has the tile layers "a\n::error::\x1b[31m", "l", but a level has )"
+                          "only one: choose one by `talus import --layer NAME`"));
 }
 
 TEST(ImportTiled, NoEntityOfAFileGrows) {
@@ -366,7 +365,7 @@ TEST(ImportTiled, ChoosesOneOfSeveralLayers) {
       {.layers =
            R"(,{"type":"group","name":"g","layers":[{"type":"tilelayer","name":"back","data":[3,3,3,3]}]})"});
   EXPECT_EQ(error_of(text),
-            "map: error: has the layers of tiles \"ground\", \"back\", and a level has one: choose one by "
+            "map: error: has the tile layers \"ground\", \"back\", but a level has only one: choose one by "
             "`talus import --layer NAME`");
   FormatContext context{"tmj"};
   std::vector<std::string> dropped;
@@ -428,7 +427,7 @@ TEST(ImportTiled, SaysWhatIsNeitherXmlNorJson) {
   EXPECT_EQ(error_of("", "tmx"), "map: error: is empty");
   EXPECT_EQ(error_of("", "tmj"), "map: error: is empty");
   EXPECT_EQ(error_of("[1]", "tmx"), "map: error: is not XML, which begins with \"<\"");
-  EXPECT_EQ(error_of("{", "tmx"), "map:line 1, column 2: error: this is not valid JSON, and no XML either");
+  EXPECT_EQ(error_of("{", "tmx"), "map:line 1, column 2: error: this is not valid JSON, and not XML either");
   EXPECT_EQ(error_of("{", "tmj"), "map:line 1, column 2: error: this is not valid JSON");
   for (const std::string& text : {"\xff\xfe<\0m\0"s, "\xfe\xff\0<\0m"s, "<\0m\0"s, "\0<\0m"s})
     EXPECT_EQ(error_of(text, "tmx"), "map: error: is text in UTF-16, but must be UTF-8");
@@ -610,7 +609,7 @@ TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
   EXPECT_EQ(error_with("/etc/passwd"),
             "map:file /etc/passwd: error: must be relative to the folder of the map");
   EXPECT_EQ(error_with("C:\\t.tsx"), "map:file C:/t.tsx: error: must be relative to the folder of the map");
-  EXPECT_EQ(error_with("."), "map:file .: error: is no file");
+  EXPECT_EQ(error_with("."), "map:file .: error: is not a file");
   put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"8\"/>");
   EXPECT_EQ(error_with("t.tsx"),
             "map:file t.tsx, line 1: error: has tiles of 16x8 px, but a level needs tiles of 8x8 px");

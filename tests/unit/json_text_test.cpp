@@ -24,11 +24,11 @@ TEST(JsonText, IsReadAsItIsMeant) {
 }
 
 TEST(JsonText, AKeyThatIsThereTwiceIsAnErrorWithItsPlace) {
-  EXPECT_EQ(error_of("{\"a\": 1,\n\"b\": 2,\n \"a\": 3}"), "line 3, key a: is there twice, in one object");
+  EXPECT_EQ(error_of("{\"a\": 1,\n\"b\": 2,\n \"a\": 3}"), "line 3, key a: is twice in one object");
   EXPECT_EQ(error_of(R"({"map": [0, {"rows": 1, "x": {}, "rows": 2}]})"),
-            "line 1, key map[1].rows: is there twice, in one object");
+            "line 1, key map[1].rows: is twice in one object");
   EXPECT_EQ(error_of(R"([{"a": 1}, {"a": 1}])"), "") << "of two objects";
-  EXPECT_EQ(error_of(R"({"a": 1, "\u0061": 2})"), "line 1, key a: is there twice, in one object");
+  EXPECT_EQ(error_of(R"({"a": 1, "\u0061": 2})"), "line 1, key a: is twice in one object");
 }
 
 TEST(JsonText, NothingMayFollowTheEnd) {
@@ -69,7 +69,7 @@ TEST(JsonText, NumbersThatNoDoubleHoldsAreErrors) {
 
 TEST(JsonText, LinesOfAFileAreNumberedAsTheyAreThere) {
   EXPECT_EQ(error_of("{\"a\": }", 7), "line 7, column 7: this is not valid JSON");
-  EXPECT_EQ(error_of("[[],\n{\"a\": 1, \"a\": 2}]", 7), "line 8, key [1].a: is there twice, in one object");
+  EXPECT_EQ(error_of("[[],\n{\"a\": 1, \"a\": 2}]", 7), "line 8, key [1].a: is twice in one object");
 }
 
 TEST(JsonText, WholeNumbersDoNotWrapAround) {

@@ -17,7 +17,7 @@ std::string error_of(Exception exception) {
 TEST(LastCatch, WhatAReaderThrowsIsASentence) {
   EXPECT_EQ(error_of(std::bad_alloc()), "cannot be read: there is not enough memory");
   EXPECT_EQ(error_of(std::out_of_range("index 7")), "cannot be read: an unexpected error: index 7");
-  EXPECT_EQ(error_of(3), "cannot be read: an error that is not expected here");
+  EXPECT_EQ(error_of(3), "cannot be read: an unexpected error");
 }
 
 TEST(LastCatch, WhatAReaderGivesStays) {

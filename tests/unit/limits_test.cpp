@@ -184,7 +184,7 @@ TEST(LevelLimits, ACartThatEditsMakeTooLargeIsNotSavedAsOne) {
   std::fill(level->map.cells().begin(), level->map.cells().end(), std::uint8_t{3});
   const auto cart = write_tic(*level, {});
   ASSERT_FALSE(cart);
-  EXPECT_THAT(cart.error().message, HasSubstr("bytes as a cartridge, and one has up to 4194304"));
+  EXPECT_THAT(cart.error().message, HasSubstr("bytes as a cartridge, but may have only 4194304"));
   EXPECT_TRUE(level_of_native(native_of_level(*level)) == *level);
 }
 

@@ -134,7 +134,7 @@ TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
     d["frames"] = (1 << 21) + 1;
   });
   expect("key hashes: is missing", [](json& d) { d.erase("hashes"); });
-  expect("key hashes[2]: must be a text", [](json& d) { d["hashes"][2] = 7; });
+  expect("key hashes[2]: must be a string", [](json& d) { d["hashes"][2] = 7; });
   for (const char* text : {"0123", "0123456789abcdeg", "0123456789abcdef ",
                            "0123456789abcdef  0123456789abcdef", "0123456789abcdef0123456789abcdef"}) {
     expect("key hashes[0]: must be hashes of 16 hexadecimal digits with a space between them",

@@ -96,7 +96,7 @@ TEST_F(SessionExports, ALevelWithoutAFileHasNoPlaceButSizes) {
   EXPECT_GT(shown.files[0].size, 0u);
   ASSERT_TRUE(shown.problem);
   EXPECT_EQ(shown.problem->field, ExportProblem::Field::path);
-  EXPECT_EQ(shown.problem->error.message.substr(0, 27), "this level has no file yet,");
+  EXPECT_EQ(shown.problem->error.message.substr(0, 45), "the path is relative to the level's file, but");
   run();
   EXPECT_TRUE(session().message()->is_error);
 }

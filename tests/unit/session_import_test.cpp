@@ -49,8 +49,7 @@ TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
   EXPECT_EQ(session.level().map.at({0, 0}), 4);
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
-  EXPECT_THAT(session.message()->text,
-              testing::HasSubstr("room.tmx:line 1: error: is a map of the orientation "));
+  EXPECT_THAT(session.message()->text, testing::HasSubstr("room.tmx:line 1: error: has the orientation "));
 }
 
 // Two layers, and a tile that is mirrored in the second.
