@@ -46,7 +46,7 @@ tl::expected<std::string, PlaceProblem> place_within(const ExportBounds& bounds,
   const auto kind = fs::symlink_status(*place, error).type();
   if (kind != fs::file_type::not_found && kind != fs::file_type::regular &&
       kind != fs::file_type::directory && kind != fs::file_type::none)
-    return tl::unexpected(PlaceProblem{path + " is a device or a pipe, where a file is to be written"});
+    return tl::unexpected(PlaceProblem{path + " is a device or a pipe, but must be a regular file"});
   return *place;
 }
 

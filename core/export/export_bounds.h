@@ -29,14 +29,14 @@ ExportBounds bounds_of_level(const std::string& level_file);
 // it.
 ExportBounds bounds_of_output(const std::string& output, bool is_folder);
 
-// Why nothing is written to a path.
+// Why a path may not be written.
 struct PlaceProblem {
   std::string message;      // one sentence without its full stop
   bool is_outside = false;  // the place is outside of the bounds: without bounds it would be written
 };
 
-// The place that is written for a path, which has no link in it any more where there are bounds; or why it
-// may not be. is_named: as of holds().
+// Returns the place that a path leads to; with bounds, without any link left in it. The error says why it may
+// not be written. is_named: as in holds().
 tl::expected<std::string, PlaceProblem> place_within(const ExportBounds& bounds, const std::string& path,
                                                      bool is_named);
 

@@ -69,8 +69,8 @@ struct Exporter {
   // Names of all files that it may write besides the named one, or in the folder. * stands for the given name
   // without its extension, ** for the whole name.
   std::span<const std::string_view> beside = {};
-  bool shares_sheet = false;  // a PNG of it shows the tiles and no more: that of another one is the same
-  bool keeps_code = false;  // what it writes has the code of the cart that the level was, and TIC-80 runs it
+  bool shares_sheet = false;  // whether its PNG shows only the tiles: those of other exporters are the same
+  bool keeps_code = false;    // whether it keeps the code of the level's cart, which TIC-80 runs
 
   bool is_folder() const { return extensions.empty(); }
   // Makes the files. A stopped progress is an error like any other.

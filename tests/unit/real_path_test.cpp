@@ -63,7 +63,7 @@ TEST_F(RealPath, BoundsHoldWhateverLinksLieThere) {
             path("in/dangling") + " leads to " + below("init.lua") + ", which is outside of " + below("in"));
   ASSERT_EQ(::mkfifo(path("in/pipe").c_str(), 0600), 0);
   EXPECT_EQ(place("in/pipe").error().message,
-            path("in/pipe") + " is a device or a pipe, where a file is to be written");
+            path("in/pipe") + " is a device or a pipe, but must be a regular file");
   EXPECT_FALSE(place_within(bounds_of_level(""), path("in/x"), true))
       << "a level without a file has no folder";
 }

@@ -49,7 +49,7 @@ tl::expected<std::string, std::string> uncompressed(std::string bytes, std::stri
   }
   auto content = unpack_zlib(bytes, limit);
   if (content) return std::move(*content);
-  return tl::unexpected(std::string(content.error().is_too_large ? "unpacks to more cells than its size gives"
+  return tl::unexpected(std::string(content.error().is_too_large ? "unpacks to more cells than the layer has"
                                                                  : "has compressed cells that are damaged"));
 }
 
