@@ -6,18 +6,19 @@
 namespace talus {
 namespace {
 
-// Puts boxes between two heights over the cell's bottom, or, of a ceiling, under its top.
+// Puts boxes between two heights over the cell's bottom or, for a ceiling, under its top.
 class BoxMaker {
  public:
   explicit BoxMaker(const TileShape& shape)
       : is_ceiling_(shape.kind != TileShape::Kind::solid && shape.side == TileShape::Side::ceiling),
         one_way_(shape.one_way) {}
 
-  // The straight part of the ground's line over x .. x + w. Of a longer line it is one box down to the base,
-  // which has no seam that rounding could make a step of; one alone is a slope on a full box.
+  // The straight part of the ground's line over x .. x + w. A part of a longer line becomes one box down to
+  // the base: a seam in it could become a step by rounding. A single straight line becomes a slope on a full
+  // box.
   void add_part(double x, double w, double h0, double h1, bool is_alone) {
     const auto [low, high] = std::minmax(h0, h1);
-    if (one_way_) return add(x, w, low - 1, high, {{h0, h1}});  // a level line's box needs a height
+    if (one_way_) return add(x, w, low - 1, high, {{h0, h1}});  // the box of a level line needs a height
     add(x, w, is_alone ? low : 0, high, {{h0, h1}});
     if (is_alone) add(x, w, 0, low, {});
   }

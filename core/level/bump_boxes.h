@@ -1,5 +1,5 @@
-// A shape as the solvers article and bump, and bump.lua, have it: boxes, each full or with one straight line
-// across it.
+// A shape for the solvers article and bump, and for bump.lua: boxes that are full, or have one straight line
+// across them.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,24 @@
 
 namespace talus {
 
-// A line from the left side of a box to its right side. Ground lies between it and the box's bottom, or, of a
-// ceiling, its top.
+// A line from the left side of a box to its right side. Ground lies between the line and the box's bottom;
+// for a ceiling, its top.
 struct BumpLine {
-  double h0 = 0, h1 = 0;  // px at the left and the right side, from the bottom; of a ceiling from the top
+  double h0 = 0, h1 = 0;  // px at the left and the right side, from the bottom; for a ceiling from the top
   bool is_ceiling = false;
-  bool one_way = false;  // the line alone stops bodies, and only from its open side
+  bool one_way = false;  // only the line stops bodies, and only those from its open side
   friend bool operator==(const BumpLine&, const BumpLine&) = default;
 };
 
 struct BumpBox {
   Rect box;                      // px
-  std::optional<BumpLine> line;  // none: it is full
+  std::optional<BumpLine> line;  // nothing: the box is full
   friend bool operator==(const BumpBox&, const BumpBox&) = default;
 };
 
-// The boxes of a shape, a usable one (see problem_of), from left to right, relative to its cell. With the
-// cell's corner added to x and y they are those of add_ground() in assets/runtime/bump_slopes.lua, in its
-// order and to the last bit. None of a shape without height.
+// Returns the boxes of a usable shape (see problem_of) from left to right, relative to its cell. With the
+// cell's corner added they are the same as those of add_ground() in assets/runtime/bump_slopes.lua, in the
+// same order and to the last bit. Empty for a shape without height.
 std::vector<BumpBox> bump_boxes(const TileShape& shape);
 
 }  // namespace talus

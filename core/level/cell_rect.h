@@ -14,13 +14,13 @@ struct CellRect {
   friend bool operator==(const CellRect&, const CellRect&) = default;
 };
 
-// The smallest rectangle with both.
+// The smallest rectangle that contains both.
 inline CellRect spanned(Cell a, Cell b) {
   const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
   return {left, top, std::max(a.x, b.x) - left + 1, std::max(a.y, b.y) - top + 1};
 }
 
-// What two rectangles share; nothing where they do not meet.
+// The part that two rectangles share; nothing if they do not meet.
 inline std::optional<CellRect> shared(const CellRect& a, const CellRect& b) {
   const int left = std::max(a.x, b.x), top = std::max(a.y, b.y);
   const int w = std::min(a.x + a.w, b.x + b.w) - left, h = std::min(a.y + a.h, b.y + b.h) - top;

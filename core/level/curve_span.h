@@ -8,7 +8,7 @@ namespace talus {
 struct CurveSpan {
   Vec2 from, to;  // px
 };
-// Of a polyline without heights, at height 0; of numbers that are none, the same.
+// A polyline without heights counts as one at height 0, as does a number that is not finite.
 CurveSpan span_of(const Curve& curve);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Where a level's tiles have some flags.
+// Finds the tiles of a level that have certain flags.
 #pragma once
 
 #include <array>
@@ -7,17 +7,17 @@
 
 namespace talus {
 
-// The tiles whose flags match a pattern, and how often the map shows them.
+// The tiles whose flags match a pattern, and their number on the map.
 struct FlagUse {
   std::vector<int> tiles;                       // numbers of tiles of the sheet, in order
-  std::array<std::size_t, kTileCount> cells{};  // of the map, by tile; 0 of tiles that do not match
+  std::array<std::size_t, kTileCount> cells{};  // number on the map, by tile; 0 for tiles that do not match
   std::size_t cell_count = 0;                   // their sum
 };
 FlagUse find_flag_use(const Level& level, FlagPattern pattern);
 
-// The next cell of the map, row by row, whose tile matches, or the one before; around the map's end, so that
-// it is `from` itself when it is the only one. Nothing when there is none. Without `from`: the first or the
-// last one. tile: 0..255 looks for that tile alone; -1: for all that match.
+// Returns the next cell of the map, row by row, whose tile matches, or the previous one. The search goes on
+// around the map's end, and returns `from` itself if no other cell matches; nothing if no cell does. Without
+// `from` it returns the first or the last one. tile: 0..255 looks only for that tile; -1: for all that match.
 std::optional<Cell> find_flagged_cell(const Level& level, FlagPattern pattern, std::optional<Cell> from,
                                       bool forwards, int tile = -1);
 

@@ -1,4 +1,4 @@
-// What is equal at the begin and at the end of both lists is the same.
+// Spawns that are equal at the beginning and at the end of both lists are the same.
 #include "followed_spawn.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which spawn is which after the list of spawns was edited.
+// Finds spawns again after the list of spawns was edited.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace talus {
 
-// Where the spawn of this index is after spawns were added, removed or changed in one place of the list;
-// none: it is gone.
+// Returns the new index of a spawn after spawns were added, removed or changed in one place of the list;
+// nothing if it is gone.
 std::optional<int> followed_spawn(const std::vector<Spawn>& before, const std::vector<Spawn>& after,
                                   int index);
 

@@ -8,8 +8,8 @@
 namespace talus {
 namespace {
 
-// The sum over all cells of what a tile counts. Maps are large, so that most are not gone through: what no
-// tile counts is not in their sum.
+// The sum over all cells of the count of their tile. Maps are large: if no tile counts anything, the map is
+// not read.
 template <class Count>
 std::size_t sum_over_map(const Level& level, const Count& count) {
   std::array<std::size_t, kTileCount> counts{};
@@ -24,7 +24,7 @@ std::size_t sum_over_map(const Level& level, const Count& count) {
   return sum;
 }
 
-// Of the solvers article, which makes a box or two of a tile that it knows, and bump.
+// Counts for the solvers article, which makes one or two boxes of each tile that it knows, and bump.
 std::size_t ground_boxes(const Level& level) {
   return sum_over_map(level, [&](std::uint8_t tile) -> std::size_t {
     const TileShape shape = shape_of_tile(level, tile);
@@ -70,10 +70,9 @@ std::optional<std::string> ground_problem(const Level& level) {
   const std::size_t has = is_exact ? ground_lines(level) : ground_boxes(level);
   const std::size_t most = is_exact ? kMaxGroundLines : kMaxGroundBoxes;
   if (has <= most) return std::nullopt;
-  return "has ground of " + std::to_string(has) + (is_exact ? " lines" : " boxes") + ", and the solver " +
-         std::string(solver_name(level.tuning.solver)) + " can take " + std::to_string(most) +
-         (is_exact ? ": fewer slopes and profiles, or simpler ones, make it smaller"
-                   : ": choose the solver exact");
+  return "has ground of " + std::to_string(has) + (is_exact ? " lines" : " boxes") + ", but the solver " +
+         std::string(solver_name(level.tuning.solver)) + " can take only " + std::to_string(most) +
+         (is_exact ? ": use fewer or simpler slopes and profiles" : ": choose the solver exact");
 }
 
 }  // namespace talus

@@ -20,7 +20,7 @@ double y_at(const Sine& s, double x) {
   return s.middle + s.amplitude * std::sin(2 * std::numbers::pi * (turns - std::round(turns)));
 }
 
-// Where a part is highest between two x, if that is not at one of them.
+// The highest point of a part between two x, if it is not at one of them.
 double crest(const Segment&, double left, double) { return left; }
 double crest(const Arc& a, double left, double right) {
   return a.upper ? std::clamp(a.center.x, left, right) : left;

@@ -1,4 +1,4 @@
-// How messages write places, lengths and roles.
+// Words for places, lengths and roles in messages about a level.
 #pragma once
 
 #include <string>
@@ -10,9 +10,10 @@ namespace talus {
 std::string cell_text(Cell cell);  // "(12, 9)"
 // A length or position in px, rounded to a millionth, without the zeros of a whole number.
 std::string px_text(double px);
-std::string role_label(TileRole role);                       // "up-slope"
-std::string role_with_article(TileRole role);                // "an up-slope"
-std::string spawn_name(const Level& level, int index);       // "spawn "hero"", or as below
-std::string kind_and_number(const Level& level, int index);  // "player 2", counted among all spawns from 1
+std::string role_label(TileRole role);         // "up-slope"
+std::string role_with_article(TileRole role);  // "an up-slope"
+// Its name, as in: spawn "hero"; without a name as below.
+std::string spawn_name(const Level& level, int index);
+std::string kind_and_number(const Level& level, int index);  // "player 2", counted from 1 among all spawns
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Versions of a level that share what is equal in them.
+// Versions of a level, which share equal parts.
 #include "level_version.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-// The part as it was before, where it is equal.
+// Returns the part of the version before, if it is equal.
 template <class Part>
 std::shared_ptr<const Part> shared_part(Part part, const std::shared_ptr<const Part>& before) {
   if (before != nullptr && *before == part) return before;
@@ -77,7 +77,7 @@ LevelVersion version_of(const Level& level, const LevelVersion& before, std::spa
 }
 
 std::size_t memory_of(const LevelVersion& version, const LevelVersion* before) {
-  constexpr std::size_t kRow = 48;  // bytes, of a row besides its tiles
+  constexpr std::size_t kRow = 48;  // bytes of a row besides its tiles
   static const LevelVersion kNone;
   const LevelVersion& old = before != nullptr ? *before : kNone;
   std::size_t bytes = sizeof(LevelVersion) + version.rows.size() * sizeof(version.rows[0]);

@@ -1,4 +1,4 @@
-// Counting what a level holds.
+// Counts what a level holds.
 #include <talus/level/limits.h>
 
 namespace talus {
@@ -8,7 +8,7 @@ struct Amounts {
   std::size_t heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0, unknown_bytes = 0;
 };
 
-// Of an entry of a list, as all of them have them.
+// The texts that every kind of list entry has.
 template <class Entry>
 void count_texts(const Entry& entry, Amounts& amounts) {
   amounts.name_bytes += entry.name.size();
@@ -48,25 +48,24 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
     std::size_t has, most;
     const char* what;
   };
-  for (const Row& row :
-       {Row{level.spawns.size(), kMaxSpawns, "bodies"},
-        {level.curves.size(), kMaxCurves, "curves"},
-        {amounts.heights, kMaxLevelHeights, "heights of polylines"},
-        {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
-        {level.brushes.size(), kMaxBrushes, "brushes"},
-        {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
-        {level.exports.size(), kMaxExports, "export presets"},
-        {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
-        {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of members that Talus does not know"}}) {
+  for (const Row& row : {Row{level.spawns.size(), kMaxSpawns, "bodies"},
+                         {level.curves.size(), kMaxCurves, "curves"},
+                         {amounts.heights, kMaxLevelHeights, "heights of polylines"},
+                         {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
+                         {level.brushes.size(), kMaxBrushes, "brushes"},
+                         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
+                         {level.exports.size(), kMaxExports, "export presets"},
+                         {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
+                         {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of unknown members"}}) {
     if (row.has > row.most)
-      return "has " + std::to_string(row.has) + " " + row.what + ", and a level holds up to " +
+      return "has " + std::to_string(row.has) + " " + row.what + ", but a level holds at most " +
              std::to_string(row.most);
   }
   return std::nullopt;
 }
 
 std::size_t size_of(const Level& level) {
-  constexpr std::size_t kEntry = 128;  // bytes, about what one takes in memory, or as text
+  constexpr std::size_t kEntry = 128;  // bytes, about what an entry takes in memory or as text
   const Amounts amounts = amounts_of(level);
   return level.map.cells().size() + amounts.brush_cells + amounts.heights * sizeof(double) +
          amounts.name_bytes + amounts.unknown_bytes +

@@ -1,4 +1,4 @@
-// Cuts a window out of the map, and compiles that.
+// Compiles a window of the map.
 #include "local_ground.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// A recording as data: a level, what was held in each frame, the edits made meanwhile, and the hash of every
-// frame, by which a replay is told to be the same.
+// Recording: a level, the input of each frame, the edits made meanwhile, and the hash of every frame, which
+// shows whether a replay is the same.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace talus {
 
-// What is held from a frame on; counted from 1, the first step.
+// The input from a frame on. Frames count from 1, the first step.
 struct RecordedInput : CaseInput {
   int grab = 0;  // as Input::grab
 };
 
-// The level became this after the step of that frame, and before the next one.
+// The level became this version after the step of that frame, before the next step.
 struct RecordedEdit {
   std::int64_t frame = 1;
   std::shared_ptr<const LevelVersion> version;  // never null
@@ -30,12 +30,12 @@ struct Mark {
 };
 
 struct Recording {
-  Level level;                       // of frame 0
-  std::int64_t frames = 0;           // steps
-  std::vector<RecordedInput> input;  // by frame, each once, 1..frames; nothing is held before the first
-  std::vector<RecordedEdit> edits;   // by frame, 1..frames; of one frame in the order in which they were made
-  std::vector<Mark> marks;           // by frame, each once, 0..frames
-  std::vector<std::uint64_t> hashes;  // frame_hash() of the frames 0..frames, after their edits; or none
+  Level level;                        // of frame 0
+  std::int64_t frames = 0;            // steps
+  std::vector<RecordedInput> input;   // by frame, each once, 1..frames; nothing is held before the first
+  std::vector<RecordedEdit> edits;    // by frame, 1..frames; those of one frame in the order of the edits
+  std::vector<Mark> marks;            // by frame, each once, 0..frames
+  std::vector<std::uint64_t> hashes;  // frame_hash() of the frames 0..frames, after their edits; or empty
 };
 
 }  // namespace talus

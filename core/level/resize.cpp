@@ -45,7 +45,7 @@ class Resizer {
     }
   }
 
-  // The ways, px, by which something may go to its place: with wrap, also to the other side.
+  // The distances, px, that may lead something to its new place; with wrap, also to the other side.
   std::vector<Vec2> ways() const {
     const Vec2 by{frame_.shift.x * 1.0 * kTileSize, frame_.shift.y * 1.0 * kTileSize};
     if (!frame_.wrap) return {by};
@@ -62,7 +62,7 @@ class Resizer {
   void shift(const Spawn& spawn) {
     const std::vector<Vec2> all = ways();
     const auto lies_there = [&](Vec2 by) { return meets(spawn, by, result_.map); };
-    // One that lies across an edge belongs, if it can, to the side where its corner is.
+    // What lies across an edge belongs to the side of its corner, if possible.
     const auto lies_well = [&](Vec2 by) {
       const Vec2 at = spawn.position + by;
       return lies_there(by) && at.x >= 0 && at.y >= 0;

@@ -1,4 +1,4 @@
-// Column by column, from left to right.
+// Goes column by column, from left to right.
 #include "slope_tiles.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ tl::unexpected<std::string> failure(std::string message) {
   return tl::unexpected<std::string>(std::move(message));
 }
 
-// The floor to follow: a line, level beyond its ends.
+// The floor to follow: a line that goes on level beyond its ends.
 struct Line {
   Vec2 from, to;  // whole px, from.x < to.x
 
@@ -43,13 +43,13 @@ bool is_floor(const TileShape& shape) {
   return shape.kind == Kind::solid || shape.side == TileShape::Side::floor;
 }
 
-// Collects what to place; a cell keeps the first tile that it is given.
+// Collects what to place. A cell keeps the first tile that it is given.
 class Layer {
  public:
   explicit Layer(const TileMap& map) : map_(map) {}
 
   void place(Cell cell, std::uint8_t tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
-  // A cell that the floor stands in, under which SlopeTilesOptions::below goes.
+  // A cell with a part of the floor in it. SlopeTilesOptions::below goes under it.
   void own(Cell cell) { owners_.push_back(cell); }
 
   Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<std::uint8_t> below) {
@@ -94,10 +94,11 @@ class Drawer {
     const double lowest = std::max(line_.grained_y_at(x0), line_.grained_y_at(x1));
     const double highest = std::min(line_.grained_y_at(x0), line_.grained_y_at(x1));
     int bottom_row = cells_up_to(lowest);
-    if (highest == bottom_row * kTileSize) ++bottom_row;  // level, and on a cell's side: of the cell below it
+    // A level floor on the side of two cells belongs to the lower one.
+    if (highest == bottom_row * kTileSize) ++bottom_row;
     const double bottom = bottom_row * kTileSize;
     if (bottom - highest > kMaxShapeTiles * kTileSize)
-      return "the slope is too steep: a tile's floor rises by 64 px at most";
+      return "the slope is too steep: the floor of a tile can rise by at most 64 px";
 
     TileShape shape;
     const bool straight = line_.is_straight_over(x0, x1);
@@ -128,8 +129,8 @@ class Drawer {
     return image;
   }
 
-  // A tile that is so already, or has been drawn so, or can be; none when the blank ones have run out. A
-  // blank image without a shape is tile 0.
+  // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
+  // blank tiles. A blank image without a shape is tile 0.
   std::optional<std::uint8_t> tile_with(const TileImage& image, const TileShape& shape) {
     if (image == TileImage{} && shape == TileShape()) return 0;
     for (const SlopeTiles::Drawn& drawn : drawn_) {
@@ -172,12 +173,12 @@ class Chooser {
   }
 
   Result run() {
-    if (candidates_.empty()) return failure("no tile of the set is a floor");
+    if (candidates_.empty()) return failure("the set has no tile with a floor");
     int column = cell_of(line_.from.x);
-    std::optional<double> floor;  // px, where the last tile ended
+    std::optional<double> floor;  // px, at the end of the last tile
     while (column < cells_up_to(line_.to.x)) {
       const std::optional<Choice> best = choose(column, floor);
-      if (!best) return failure("no tile of the set begins where the slope's tile before it ends");
+      if (!best) return failure("the set has no tile that begins where the tile before it ends");
       if (best->off > kTileSize)
         return failure("the tiles of the set would leave the line by more than a tile");
       lay(*best, column);
@@ -195,11 +196,11 @@ class Chooser {
   struct Choice {
     const Candidate* candidate = nullptr;
     int bottom_row = 0;  // the first row below its cell
-    double off = 0;      // px, the furthest that its floor is from the line
+    double off = 0;      // px, largest distance of its floor from the line
     double end = 0;      // px, its floor at its right side
   };
 
-  // The tile, and the row for it, that stays nearest to the line; of equals the first of the set.
+  // The tile, and its row, that stays nearest to the line; of equally good ones, the first of the set.
   std::optional<Choice> choose(int column, std::optional<double> floor) const {
     std::optional<Choice> best;
     for (const Candidate& candidate : candidates_) {

@@ -1,4 +1,5 @@
-// "Tiles along a slope", the wish at the end of the article: the tiles that follow a line between two points.
+// "Tiles along a slope", the wish at the end of the article: finds the tiles that follow a line between two
+// points.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace talus {
 
 // What to put into the level, in this order.
 struct SlopeTiles {
-  struct Drawn {  // a blank tile to be given an image and a shape
+  struct Drawn {  // a blank tile that gets an image and a shape
     std::uint8_t tile = 0;
     TileImage image{};
     TileShape shape;
@@ -30,25 +31,25 @@ struct SlopeTiles {
 };
 
 struct SlopeTilesOptions {
-  // Tiles to choose from, by shape_of_tile: floors and solid ones. A slope that spans several cells brings
+  // The tiles to choose from: floors and solid tiles, as shape_of_tile says. A slope of several cells brings
   // the tiles beside and above it on the sheet. Empty: blank tiles are drawn.
   std::span<const std::uint8_t> set = {};
-  std::optional<std::uint8_t> below = {};  // a tile to put under each column of the slope; none: nothing
-  std::uint8_t line_color = 5;             // 0..15, of drawn tiles: their topmost pixels
-  std::uint8_t ground_color = 15;          // 0..15, the pixels below
+  // The tile under each column of the slope; nothing: no tile is put there.
+  std::optional<std::uint8_t> below = {};
+  std::uint8_t line_color = 5;     // 0..15, colour of the topmost pixels of drawn tiles
+  std::uint8_t ground_color = 15;  // 0..15, colour of the pixels below
 };
 
 // The heights of drawn tiles are rounded to this, as a terrain's are.
 inline constexpr double kSlopeTileGrain = 1.0 / 256;  // px
 
-// The tiles whose floor is the line between two points on the map, in px, each rounded to a whole one; they
-// may come in any order. To the left and right of the points, as far as the outermost tiles reach, the floor
-// is level.
+// Returns the tiles whose floor is the line between two points on the map, in px, rounded to whole ones, in
+// any order. Left and right of the points, as far as the outermost tiles reach, the floor is level.
 //
-// Drawn tiles have the line's height to within half of kSlopeTileGrain at every column of pixels. Of a set,
-// each tile begins at the height at which the one before it ends, and that tile is taken which stays nearest
-// to the line. The error is one clear sentence: the line is vertical or too steep, leaves the map, the blank
-// tiles run out, or the tiles of the set would leave the line by more than a tile.
+// At every column of pixels, drawn tiles are within half of kSlopeTileGrain of the line. With a set, each
+// tile begins at the height at which the one before it ends, and the tile that stays nearest to the line is
+// taken. The error is one sentence: the line is vertical or too steep, leaves the map, the blank tiles run
+// out, or the tiles of the set would leave the line by more than a tile.
 tl::expected<SlopeTiles, std::string> slope_tiles(const Level& level, Vec2 a, Vec2 b,
                                                   const SlopeTilesOptions& options = {});
 

@@ -53,7 +53,7 @@ void change_curves(Level& level, const Change& change) {
   for (LevelCurve& curve : level.curves) change_form(curve.curve, change);
 }
 
-// The image of a vertical segment that faces one way faces the other.
+// The mirror image of a vertical segment faces the other way.
 void turn_faces(Curve& curve) {
   const auto* segment = std::get_if<Segment>(&curve.form);
   if (segment == nullptr || segment->from.x != segment->to.x || curve.faces == Curve::Faces::both) return;

@@ -11,7 +11,7 @@ using S = SharedTuning;
 using E = ExactTuning;
 using P = PlayerTuning;
 
-// Where a tuning keeps a number: TuningField::in.
+// For TuningField::in: where a tuning keeps a number.
 template <auto Group, auto Number>
 double& member(Tuning& tuning) {
   return tuning.*Group.*Number;

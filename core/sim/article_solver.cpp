@@ -71,7 +71,7 @@ std::optional<SlopeProbe> ArticleSolver::probe_slope(const Body& body, const Pla
   return probe;
 }
 
-// Puts the body on the slope's floor when it is below it.
+// Puts the body on the slope's floor if it is below the floor.
 std::optional<SlopeProbe> ArticleSolver::settle_on_slope(Body& body, Placed& placed, double speed,
                                                          ContactRecord* contact) {
   std::optional<SlopeProbe> probe = probe_slope(body, placed, speed);

@@ -1,5 +1,6 @@
-// The solver of the article "Slopes in AABB collision systems" (A. Listopadov, 2026), to the last bit,
-// defects included: blocks snag at seams, the slope's floor is rounded, and only the body's centre is on it.
+// The solver of the article "Slopes in AABB collision systems" (A. Listopadov, 2026), to the last bit and
+// with its defects: blocks snag at seams, the floor of a slope is rounded, and only the body's centre stands
+// on it.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The broad phase between bodies: which of them are near a box?
+// BodyGrid: the broad phase between bodies. It finds the bodies near a box.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace talus {
 
-// Holds each body, by its index in the state, in the cells that its box meets.
+// Keeps each body, by its index in the state, in the cells that its box meets.
 class BodyGrid {
  public:
-  // Takes over the boxes as they are; cheap for those that have not moved.
+  // Takes the current boxes; cheap for bodies that have not moved.
   void synchronise(const std::vector<Body>& bodies) {
     if (bodies.size() < placed_.size()) clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) place(static_cast<std::uint32_t>(i), bodies[i].box);
@@ -30,8 +30,8 @@ class BodyGrid {
     old = range;
   }
 
-  // The bodies in the cells that the box meets, in order, each once. False, and none of them: there are more
-  // than `most`, one in several cells counting in each.
+  // Finds the bodies in the cells that the box meets, in order, each once. Returns false, and no bodies, if
+  // there are more than `most`; a body counts once for each of its cells.
   bool near(const Rect& box, std::int64_t most, std::vector<std::uint32_t>& found) const {
     found.clear();
     const CellRange range = cells_of(box);

@@ -7,8 +7,8 @@
 namespace talus {
 namespace {
 
-// The velocity after a contact. On a level floor and at a wall the article's; on a slope the part along the
-// slope is kept, and the part into it turned round.
+// The velocity after a contact. On a level floor and at a wall it is the article's. On a slope the part along
+// the slope is kept, and the part into it is reversed.
 Vec2 bounced(Vec2 v, Vec2 normal, const SharedTuning& t) {
   const double out = v.x * normal.x + v.y * normal.y;
   if (out >= 0) return v;
@@ -24,8 +24,8 @@ BumpSolver::BumpSolver(std::shared_ptr<const Scene> scene)
                   [this](const World& world, Collision& hit, Rect, Vec2 goal, World::Filter filter,
                          std::vector<Collision>& next) { return respond(world, hit, goal, filter, next); }) {}
 
-// The way goes on from where this leg of it began, not from where the whole move did: an earlier contact may
-// have turned it.
+// The way goes on from where this leg began, not from where the whole move did: an earlier contact may have
+// turned it.
 Vec2 BumpSolver::respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
                          std::vector<Collision>& next) const {
   Rect from = hit.item_rect;
@@ -73,7 +73,7 @@ void BumpSolver::drag(Body& body, Placed& placed, const Input& input) {
   }
 }
 
-// A contact that turned the body, and where on a slope it was.
+// A contact that turned the body and, on a slope, its place on the slope.
 void BumpSolver::note_surface(std::size_t i) {
   ContactRecord* contact = contact_of_hit(i);
   if (contact == nullptr) return;

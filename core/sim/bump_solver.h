@@ -1,5 +1,6 @@
-// Slopes as one more response of `World`: move() alone carries a body along the ground, and whether it stands
-// is one check(). The article's bodies and numbers, without its rounding and with the slopes' true normals.
+// Slopes as one more response of `World`: move() carries a body along the ground, and one check() finds
+// whether it stands. The article's bodies and numbers, without its rounding, and with the true normals of
+// slopes.
 #pragma once
 
 #include "world_solver.h"
@@ -10,7 +11,8 @@ class BumpSolver final : public WorldSolver {
  public:
   explicit BumpSolver(std::shared_ptr<const Scene> scene);
 
-  // Whether the body stands on something: one check, kGroundReach down. False when there is no such body.
+  // Whether the body stands on something: one check, kGroundReach down. Returns false if there is no such
+  // body.
   bool is_grounded(const State& state, int body);
   static constexpr double kGroundReach = 1.0 / 64;  // px
 
@@ -19,7 +21,7 @@ class BumpSolver final : public WorldSolver {
   void drag(Body& body, Placed& placed, const Input& input) override;
   Vec2 respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
                std::vector<Collision>& next) const;
-  void note_surface(std::size_t i);  // of the hit of this number
+  void note_surface(std::size_t i);  // of the hit with this index
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// What a hard case holds down while it runs.
+// The input of a hard case during its run.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace talus {
 
-// The input of the step that leads to `frame` (from 1): the last entry that is not later; none before the
-// first. Entries by frame.
+// The input of the step that leads to `frame` (from 1): the last entry that is not later, or empty input
+// before the first one. Entries must be sorted by frame.
 Input case_input(std::span<const CaseInput> entries, std::int64_t frame);
 
 Input input_of(const RecordedInput& entry);
 
-// Both at once: what either holds is held, and the mouse is where `live` has it unless the case alone
+// Joins two inputs: what either holds is held. The mouse is where `live` has it, unless only the hard case
 // holds its button.
 Input added(const Input& of_case, const Input& live);
 

@@ -11,7 +11,7 @@
 
 namespace talus {
 
-// The numbers of a tuning that a step needs, in its precision.
+// The numbers of a tuning that a step needs, in the precision of the step.
 template <class Real>
 struct ExactNumbers {
   explicit ExactNumbers(const Tuning& t)
@@ -52,14 +52,14 @@ class BallRule {
   using Vec = BasicVec2<Real>;
   BallRule(const ExactNumbers<Real>& numbers, Moving<Real>& body) : n_(numbers), body_(body) {}
 
-  // Once in a step: falling as in the article, and rolling to rest.
+  // Called once in a step: falls as in the article, and rolls to rest.
   void pull() {
     Vec& v = body_.velocity;
     if (!(n_.gravity > 0)) v.y = lerp(v.y, n_.fall_speed, n_.fall_blend);
     v.x = lerp(v.x, n_.drift_speed, n_.drift_blend);
   }
 
-  // Before each of the equal parts, `part` of a step long, that a step is cut into.
+  // Called before each of the equal parts of a step. part: its length in steps.
   void begin(Real part) {
     part_ = time_left_ = part;
     if (n_.gravity > 0) body_.velocity.y += n_.gravity * part;
@@ -67,15 +67,15 @@ class BallRule {
 
   bool grounded() const { return grounded_; }
 
-  // Turns the velocity round, and gives the motion to go on with: as in the article what is left of the
-  // motion slides, or, where the tuning says so, it bounces. motion: of which the contact is a part.
+  // Reverses the velocity and returns the motion to go on with. As in the article, the rest of the motion
+  // slides, or bounces if the tuning says so. motion: the one that the contact is a part of.
   Vec respond(const Contact<Real>& contact, Vec motion) {
     const Vec normal = contact.normal;
     const Vec rest = motion * (1 - contact.t);
     const bool level = is_level(contact, n_.steepest);
     grounded_ = grounded_ || (level && normal.y < 0);
     const Vec slide = slide_along(normal, rest);
-    if (contact.t == 1) return slide;  // it has only just arrived: the next step bounces
+    if (contact.t == 1) return slide;  // it has just arrived: the next step bounces
 
     Vec& v = body_.velocity;
     const Real into = -dot(v, normal);
@@ -89,9 +89,9 @@ class BallRule {
   }
 
  private:
-  // Under constant gravity g a ball flies a parabola, on which the parts' ends are points; its velocity there
-  // is v + g/2 * part. It bounces from level ground where the parabola meets it, and not the chord between
-  // two frames, so that no energy is made or lost.
+  // Under constant gravity g a ball flies along a parabola through the ends of the parts. Its velocity there
+  // is v + g/2 * part. It bounces from level ground where the parabola meets the ground, not where the chord
+  // between two frames does, so that it neither gains nor loses energy.
   Vec rebound(const Contact<Real>& contact, Vec motion, Vec kept, Real into, Real bounce) {
     const Vec normal = contact.normal;
     const Real pull = std::max<Real>(0, -n_.gravity * normal.y);  // into the ground
@@ -120,11 +120,11 @@ class BallRule {
   const ExactNumbers<Real>& n_;
   Moving<Real>& body_;
   bool grounded_ = false;
-  Real part_ = 1;       // steps, that the part under way takes
-  Real time_left_ = 1;  // steps, of that part, when the motion under way began
+  Real part_ = 1;       // steps, length of the current part
+  Real time_left_ = 1;  // steps, left of that part when the current motion began
 };
 
-// A player: runs along the ground at the speed that is asked for, and jumps off it.
+// A player: runs along the ground at the speed asked for, and jumps off it.
 template <class Real>
 class PlayerRule {
  public:
@@ -132,7 +132,7 @@ class PlayerRule {
   PlayerRule(const ExactNumbers<Real>& numbers, Moving<Real>& body, Gait& gait)
       : n_(numbers), body_(body), gait_(gait) {}
 
-  // The keys change the velocity. When the jump key is let go, a jump under way is cut.
+  // The keys change the velocity. Letting go of the jump key cuts a jump.
   void take(const Input& input) {
     Vec& v = body_.velocity;
     const int direction = (input.right ? 1 : 0) - (input.left ? 1 : 0);
@@ -160,8 +160,8 @@ class PlayerRule {
     return {x, x * slope_of(normal)};
   }
 
-  // What a player does on meeting something, in the air and on the ground alike: level ground it follows,
-  // keeping its horizontal motion; along anything else it slides, and a walk ends there.
+  // What a player does on a contact, in the air and on the ground. It follows level ground and keeps its
+  // horizontal motion. Along anything else it slides, which ends a walk.
   Vec respond(const Contact<Real>& contact, Vec motion) {
     const Vec normal = contact.normal;
     const Vec rest = motion * (1 - contact.t);

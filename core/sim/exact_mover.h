@@ -1,5 +1,5 @@
-// Moves one box through the ground, contact by contact. What a contact does to the rest of the motion is the
-// caller's rule; that the box is put on what it hit, and follows it, is the mover's.
+// Mover: moves one box through the ground, contact by contact. The caller decides what a contact does to the
+// rest of the motion; the mover puts the box on what it hit and makes it follow that.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace talus {
 
-// A box that is no further than so many times its rounding_slack() from a surface is put on it.
+// A box within this many times its rounding_slack() of a surface is put on the surface.
 inline constexpr int kSettledSlacks = 4;
 
 template <class Real>
@@ -23,19 +23,19 @@ struct Moving {
   Foot foot = Foot::box;
 };
 
-// dy/dx of the floor or ceiling with this normal.
+// dy/dx of a floor or ceiling with this normal.
 template <class Real>
 Real slope_of(BasicVec2<Real> normal) {
   return -normal.x / normal.y;
 }
 
-// What a surface with this normal leaves of a motion into it.
+// The part of a motion that a surface with this normal leaves.
 template <class Real>
 BasicVec2<Real> slide_along(BasicVec2<Real> normal, BasicVec2<Real> motion) {
   return motion - normal * dot(motion, normal);
 }
 
-// Whether a contact is with ground level enough to stand on, or to bounce from as from a floor: |dy/dx| is at
+// Whether a contact is with ground level enough to stand on, or to bounce from like a floor: |dy/dx| is at
 // most `steepest`, compared exactly.
 template <class Real>
 bool is_level(const Contact<Real>& contact, Real steepest) {
@@ -48,15 +48,15 @@ bool is_level(const Contact<Real>& contact, Real steepest) {
   return slope != steepest ? slope < steepest : p->slope * p->slope_rest <= 0;
 }
 
-// What a box met that fell straight down from where it already touched the ground. Of a fall of up to two
-// cells the answer depends on neither its length nor its speed, so a box at rest need not ask again.
+// RestMemo: what a box met that fell straight down while it touched the ground. For a fall of up to two cells
+// the answer depends neither on its length nor on its speed, so a box at rest need not ask again.
 template <class Real>
 class RestMemo {
  public:
   static bool is_fall(const Cast<Real>& cast) {
     return cast.motion.y > 0 && cast.motion.y <= 2 * kTileSide && !moves_sideways(cast);
   }
-  // The answer to a fall, or null.
+  // The answer for a fall, or null.
   const Contact<Real>* find(const Cast<Real>& fall) const {
     return known_ && foot_ == fall.foot && box_ == fall.box ? &contact_ : nullptr;
   }
@@ -81,20 +81,20 @@ class Mover {
   using Vec = BasicVec2<Real>;
   struct Result {
     int passes = 0;
-    bool capped = false;     // the passes were used up, and the rest of the motion dropped
-    bool wedged = false;     // between the last two contacts: the rest of the motion leads nowhere
-    bool cut_short = false;  // the budget was used up: it stopped where nothing is met yet
+    bool capped = false;     // the passes were used up, and the rest of the motion was dropped
+    bool wedged = false;     // wedged between the last two contacts: the rest of the motion leads nowhere
+    bool cut_short = false;  // the budget was used up: the box stopped where nothing is met yet
   };
 
   // rest: what this body met before, in this terrain and without others; null: nothing is remembered. budget:
-  // of all casts together; null: none.
+  // of all casts together; null: no limit.
   Mover(const BasicTerrain<Real>& terrain, std::span<const BasicRect<Real>> others, int max_passes,
         RestMemo<Real>* rest = nullptr, CastBudget* budget = nullptr)
       : terrain_(terrain), others_(others), max_passes_(max_passes), rest_(rest), budget_(budget) {}
 
-  // Moves the body by `motion`. respond(contact, motion) is called for each contact, a part of that motion;
-  // it may change the body's velocity, and returns the motion to go on with. seen(contact, motion) is told of
-  // each contact before.
+  // Moves the body by `motion`. For each contact, first calls seen(contact, motion), then respond(contact,
+  // motion), where motion is the one that the contact is a part of. respond may change the body's velocity,
+  // and returns the motion to go on with.
   template <class Respond, class Seen>
   Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen) {
     Result result;
@@ -134,7 +134,7 @@ class Mover {
       body.box.y = contact.position.y;
       surface_ = contact.on_end ? nullptr : contact.piece;
       motion = respond(contact, motion);
-      // Sliding along one plane into the one before, there is nowhere to go.
+      // Sliding along one plane leads into the one before: there is nowhere to go.
       const bool slides = dot(motion, contact.normal) <= tolerance(motion);
       if (before && slides && dot(motion, *before) < -tolerance(motion)) {
         result.wedged = true;
@@ -152,7 +152,7 @@ class Mover {
   }
 
  private:
-  // Good until the next call.
+  // Valid until the next call.
   const Contact<Real>& first_contact(const Cast<Real>& cast, const Piece<Real>* followed) {
     const bool may_rest = rest_ != nullptr && followed == nullptr && RestMemo<Real>::is_fall(cast);
     if (may_rest) {
@@ -165,13 +165,13 @@ class Mover {
 
   static Real tolerance(Vec motion) { return (std::abs(motion.x) + std::abs(motion.y)) * kRounding<Real>; }
 
-  // A curve that bends towards the box: whoever slides along it meets it again at once.
+  // A curve bends towards the box: whatever slides along it meets it again at once.
   bool is_hollow(const Piece<Real>& piece) const {
     if (piece.stretch == 0) return false;
     return terrain_.stretches()[piece.stretch - 1].bends_down != (piece.facing == Facing::up);
   }
 
-  // Turns a motion along the tangent of a hollow curve into the chord to where it goes on the curve.
+  // Turns a motion along the tangent of a hollow curve into the chord to its end on the curve.
   void follow(const Moving<Real>& body, Vec& motion, Vec& after) {
     const Piece<Real>& piece = *surface_;
     Moving<Real> there = body;
@@ -195,8 +195,7 @@ class Mover {
     body.box.y += motion.y;
   }
 
-  // A box that slid along a surface, and is not beyond its end, is on it and not a rounding error away from
-  // it.
+  // A box that slid along a surface, and is not beyond its end, is on it exactly, without a rounding error.
   void settle(Moving<Real>& body) const {
     if (surface_ == nullptr || surface_->is_wall() || is_steep(*surface_)) return;
     const Real x = body.box.x + foot_offset(*surface_, body.box.w, body.foot);
@@ -211,9 +210,9 @@ class Mover {
   const int max_passes_;
   RestMemo<Real>* const rest_;
   CastBudget* const budget_;
-  Contact<Real> contact_;                 // the last one
+  Contact<Real> contact_;                 // the last contact
   const Piece<Real>* surface_ = nullptr;  // of the last contact
-  Vec goal_;                              // where following a curve leads
+  Vec goal_;                              // the end of the way along a curve
 };
 
 }  // namespace talus

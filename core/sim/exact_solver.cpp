@@ -169,8 +169,8 @@ class ExactSolver final : public Solver {
     record_->paths.back().capped = record_->paths.back().capped || result.capped;
   }
 
-  // The other bodies that the motion, whichever way it turns, may meet. False: there are more than the body
-  // may look at.
+  // Finds the other bodies that the motion may meet, whichever way it turns. Returns false if there are more
+  // than the body may look at.
   bool gather(const State& state, std::size_t index, const Moving<Real>& moving, Vec motion) {
     if (!pairs_) return true;
     const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
@@ -190,7 +190,7 @@ class ExactSolver final : public Solver {
     return true;
   }
 
-  // Where looking at all of its cells is more than it may, it stays inside.
+  // A body whose cells would exceed the budget stays inside of the ground.
   void leave_ground(Moving<Real>& moving) {
     const double columns = moving.box.w / kTileSide + 2, rows = moving.box.h / kTileSide + 2;
     if (columns * rows > static_cast<double>(budget_.left)) return note_cut_short();
@@ -211,7 +211,7 @@ class ExactSolver final : public Solver {
     if (record_ != nullptr) record_->paths.back().limited = true;
   }
 
-  // The id of the first body that has the point inside, not on a side; 0: none.
+  // The id of the first body that contains the point, not on a side; 0 if there is none.
   static int body_at(const State& state, Vec2 point) {
     for (const Body& body : state.bodies) {
       const Rect& box = body.box;
@@ -282,15 +282,15 @@ class ExactSolver final : public Solver {
   const ExactNumbers<Real> numbers_;
   const bool pairs_;  // whether bodies block one another
   const int max_passes_, substeps_;
-  const Real part_;    // of a step, that a sub-step takes
+  const Real part_;    // length of a sub-step in steps
   CastBudget budget_;  // of the body that moves
   BodyGrid grid_;
   std::vector<std::uint32_t> near_;        // indices of bodies
   std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves
-  std::vector<const Body*> other_bodies_;  // theirs
-  std::vector<RestMemo<Real>> rests_;      // by index of the body; not with pairs
-  StepRecord* record_ = nullptr;           // of the step under way; null when nobody wants it
-  int order_ = 0;                          // of the next contact of the body that moves
+  std::vector<const Body*> other_bodies_;  // the bodies of others_
+  std::vector<RestMemo<Real>> rests_;      // by index of the body; not used with pairs
+  StepRecord* record_ = nullptr;           // of the current step; null if nobody wants it
+  int order_ = 0;                          // of the body's next contact
 };
 
 }  // namespace

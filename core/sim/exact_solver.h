@@ -1,5 +1,5 @@
-// The exact solver: bodies are swept against the ground's outline, put on what they hit, and slide, bounce or
-// walk along it.
+// The exact solver: sweeps bodies against the ground's outline and puts them on what they hit. They slide,
+// bounce or walk along it.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Five lanes side by side, so that no multiplication waits for the one before.
+// Five lanes side by side, so that no multiplication waits for the one before it.
 #include "frame_hash.h"
 
 #include <array>

@@ -15,17 +15,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What a run leaves behind of one body in one frame.
+// What is kept of one body in one frame.
 struct Sample {
   Rect box;
   Vec2 velocity;
-  double further = 0;         // px moved further than asked
-  std::vector<Vec2> normals;  // of what it met
+  double further = 0;         // px moved further than asked for
+  std::vector<Vec2> normals;  // of its contacts
 };
-// By frame, then by body in the order of their ids; frame 0 is the start.
+// By frame, then by body in the order of ids; frame 0 is the start.
 using Run = std::vector<std::vector<Sample>>;
 
-// The larger one; NaN wins.
+// The larger number; NaN wins.
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 double length(Vec2 v) { return std::hypot(v.x, v.y); }
@@ -83,7 +83,7 @@ Run run(const HardCase& hard, const Level& level, InputAt input, Solvers solvers
   return frames;
 }
 
-// Greatest distance between two runs, where `image` says which sample of the other one belongs to each.
+// Greatest distance between two runs. `image` gives the sample of the other run that belongs to each sample.
 template <class Image>
 double distance(const Run& run, const Run& other, Image image) {
   double most = 0;

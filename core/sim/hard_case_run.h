@@ -11,10 +11,10 @@ namespace talus {
 struct CaseResult {
   CaseCheck check;
   bool passed = false;
-  double measured = 0;  // as the check's measure says; NaN when the run left the numbers
+  double measured = 0;  // in the unit of the check's measure; NaN if the run left the range of numbers
 };
 
-// The results of all checks, in order, with the solver that the level's tuning names.
+// Results of all checks, in order, with the solver that the level's tuning names.
 std::vector<CaseResult> run_hard_case(const HardCase& hard, const Level& level);
 
 }  // namespace talus

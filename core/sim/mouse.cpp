@@ -1,4 +1,4 @@
-// Taking and throwing bodies.
+// Grabs and throws bodies.
 #include "mouse.h"
 
 #include "lerp.h"

@@ -1,4 +1,4 @@
-// The search: states in the order in which they were found, each followed with every choice of keys.
+// The search follows states in the order in which they were found, each with every choice of keys.
 #include "reach.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace talus {
 namespace {
 
 constexpr std::uint8_t kLeft = 1, kRight = 2, kJump = 4;
-// In the order in which they are tried.
+// In the order of the tries.
 constexpr std::array<std::uint8_t, 6> kAllKeys = {0, kLeft, kRight, kJump, kLeft | kJump, kRight | kJump};
 
 Input input_of(std::uint8_t keys) {
@@ -23,12 +23,12 @@ Input input_of(std::uint8_t keys) {
 
 Scene without_others(const Scene& scene) {
   Scene alone = scene;
-  alone.items.clear();  // the ground is all that the exact solver needs
+  alone.items.clear();  // the exact solver needs only the ground
   alone.features.pairs = false;
   return alone;
 }
 
-// Which part of the scale a number is in, counted from 0; what is beyond its ends is in the last ones.
+// The part of the scale that a number is in, from 0; numbers beyond its ends are in the outermost parts.
 std::uint64_t part_of(double value, double part, int bits) {
   const double most = std::exp2(bits - 1);
   return static_cast<std::uint64_t>(std::clamp(std::floor(value / part) + most, 0.0, 2 * most - 1));
@@ -63,7 +63,7 @@ bool ReachSearch::advance(int states) {
 std::uint64_t ReachSearch::key_of(const Body& body) const {
   std::uint64_t key = part_of(body.box.x, options_.grain, 26);
   key = key << 25 | part_of(body.box.y, options_.grain, 25);
-  // Sixths of the fastest, so that standing still is in the middle of one.
+  // Sixths of the fastest speed, so that standing still is in the middle of one.
   key = key << 4 | part_of(body.velocity.x / fastest_x_ + 1.0 / 12, 1.0 / 6, 4);
   key = key << 4 | part_of(body.velocity.y / fastest_y_ + 1.0 / 12, 1.0 / 6, 4);
   const Gait& gait = body.gait;
@@ -71,7 +71,7 @@ std::uint64_t ReachSearch::key_of(const Body& body) const {
          (gait.coyote > 0 ? 1u : 0u);
 }
 
-// Nothing is below, left and right of the map, so that it would only fall for ever.
+// Below, left and right of the map there is nothing, so a player would fall for ever.
 bool ReachSearch::is_lost(const Body& body) const {
   return body.box.y >= height_ * kTileSide || body.box.right() <= 0 || body.box.x >= width_ * kTileSide;
 }

@@ -1,6 +1,6 @@
-// ReachSearch: where a player gets to from its start, found by letting the solver play. What is marked has
-// been reached: way_to() tells the keys. What is not marked may still be reachable, by keys that change more
-// often than each ReachOptions::hold frames, or by a way through states so alike that only one was followed.
+// ReachSearch: finds where a player gets to from its start by letting the solver play. Marked cells have been
+// reached: way_to() returns the keys. Other cells may still be reachable: by keys that change more often than
+// every ReachOptions::hold frames, or through states that the search took for the same.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,39 @@
 namespace talus {
 
 struct ReachOptions {
-  int hold = 4;                         // frames for which keys are held before they may change, 1..60
-  double grain = 4;                     // px, 1..64: two places of one grain are alike
-  std::size_t most_states = 1'000'000;  // at which the search ends, >= 1
+  int hold = 4;                         // frames, 1..60: keys are held so long before they may change
+  double grain = 4;                     // px, 1..64: two places in one grain count as the same
+  std::size_t most_states = 1'000'000;  // the search ends at this number; at least 1
 };
 
-// Breadth-first over states of the one player: all that is reached in n * hold frames before what takes
-// longer. Two states are alike in the same grain of x and y, with speeds in the same sixth of the fastest,
-// and with the same feet: on the ground, able to jump, rising, the key held. The first one found is followed,
-// which the order of the keys decides; so a search has the same result on every machine.
+// Breadth-first over the states of one player: all that is reached in n * hold frames comes before what takes
+// longer. Two states count as the same if they are in the same grain of x and y, have speeds in the same
+// sixths of the fastest speed, and the same feet: on the ground, able to jump, rising, key held. Only the
+// first of them is followed. The order of keys decides which is first, so a search has the same result on
+// every machine.
 class ReachSearch {
  public:
-  // scene: of the exact solver; only its ground and its tuning count, as if `player` were alone. player: one
-  // of the bodies at the start (asserted to be a player).
+  // scene: of the exact solver; only its ground and tuning count, as if `player` were alone. player: one of
+  // the bodies at the start (must be a player, asserted).
   ReachSearch(const Scene& scene, const Body& player, ReachOptions options = {});
 
-  // Follows so many states; true when there are none left to follow, or too many are known.
+  // Follows so many states. Returns true if there are no more to follow, or too many are known.
   bool advance(int states);
   bool finished() const { return next_ == nodes_.size() || is_full(); }
   bool is_full() const { return nodes_.size() >= options_.most_states; }
 
-  std::size_t known() const { return nodes_.size(); }  // states
-  std::size_t followed() const { return next_; }       // of them
+  std::size_t known() const { return nodes_.size(); }  // number of states found
+  std::size_t followed() const { return next_; }       // number of those that were followed
   std::size_t cells() const { return visits_.size(); }
   int frames() const {
     return nodes_[next_ - (next_ == nodes_.size() ? 1 : 0)].frames;
-  }  // of all ways so far
+  }  // in all ways so far
 
-  bool reached(Cell cell) const { return visits_.contains(index_of(cell)); }  // its box was in the cell
-  bool stood_at(Cell cell) const { return stood_.contains(index_of(cell)); }  // its feet were, on the ground
-  // What to hold in each frame to get to the cell; empty where it starts, and of cells that are not reached.
+  // Whether its box was in the cell.
+  bool reached(Cell cell) const { return visits_.contains(index_of(cell)); }
+  // Whether its feet stood in the cell.
+  bool stood_at(Cell cell) const { return stood_.contains(index_of(cell)); }
+  // The input of each frame that leads to the cell; empty for the start, and for cells that were not reached.
   std::vector<Input> way_to(Cell cell) const;
 
  private:
@@ -52,12 +55,12 @@ class ReachSearch {
     Gait gait;
     bool is_clear = false;
     std::uint8_t keys = 0;     // held on the way here
-    std::uint32_t parent = 0;  // the first node is its own
+    std::uint32_t parent = 0;  // the parent of the first node is the node itself
     int frames = 0;            // from the start
   };
   struct Visit {
-    std::uint32_t node = 0;  // from which it was reached
-    std::uint8_t keys = 0;   // held from there
+    std::uint32_t node = 0;  // the node from which it was reached
+    std::uint8_t keys = 0;   // held from there on
     std::uint8_t frames = 0;
   };
 
@@ -71,13 +74,13 @@ class ReachSearch {
   void mark(const Body& body, const Visit& visit);
 
   ReachOptions options_;
-  std::shared_ptr<const Scene> scene_;  // of the player alone
+  std::shared_ptr<const Scene> scene_;  // with only the player
   std::unique_ptr<Solver> solver_;
-  State state_;  // whose body is the one under way
+  State state_;  // the state under test
   int width_, height_;
   double fastest_x_, fastest_y_;  // px/frame
-  std::vector<Node> nodes_;       // in the order in which they were found
-  std::size_t next_ = 0;          // to be followed
+  std::vector<Node> nodes_;       // in the order of finding
+  std::size_t next_ = 0;          // the next node to follow
   std::unordered_set<std::uint64_t> seen_;
   std::unordered_map<std::int64_t, Visit> visits_;  // by cell of the map
   std::unordered_set<std::int64_t> stood_;

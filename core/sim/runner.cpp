@@ -1,4 +1,4 @@
-// Going along a branch.
+// Goes along a branch.
 #include "runner.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-// Bodies keep to their spawns, wherever those are now in the list; those of spawns that are gone go too.
+// A body belongs to its spawn, wherever that is in the list now. A body whose spawn is gone goes, too.
 void follow_spawns(State& state, const std::vector<Spawn>& before, const std::vector<Spawn>& after) {
   if (before == after) return;
   std::erase_if(state.bodies, [&](Body& body) {

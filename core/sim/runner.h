@@ -1,4 +1,4 @@
-// Runner: a state on its way along a branch, with the scene and the solver that take it on.
+// Runner: a state at a place of a branch, with the scene and the solver for the next step.
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@
 
 namespace talus {
 
-// The state that goes on when the level becomes another version: bodies keep to their spawns, and
+// The state to go on with when the level becomes another version. Bodies belong to their spawns, and
 // carry_over() does the rest; at frame 0 it is the initial state. scene: of `after`.
 State edited_state(State state, const LevelVersion& before, const LevelVersion& after, const Scene& scene);
 
@@ -21,58 +21,58 @@ class Runner {
 
   explicit Runner(SceneCache& scenes) : scenes_(scenes) {}
 
-  // Goes to a frame that the branch has been run to, by as few steps as it takes from where it is or from a
-  // keyframe, and by no more than `most_steps`, 1 or more (asserted). False: it is on the way there, and the
-  // next call goes on. record: if not null, of the step that led to where it is then; empty at frame 0.
+  // Goes to a frame that the branch has been run to, in as few steps as possible, from the current place or
+  // from a keyframe; in at most `most_steps` (1 or more, asserted). Returns false if it is still on the way:
+  // the next call goes on. record: if not null, gets the record of the last step; empty at frame 0.
   bool go_to(const Branch& branch, std::int64_t frame, StepRecord* record = nullptr,
              std::int64_t most_steps = kAllSteps);
-  // The steps from where it is to that frame, if it can go there without starting from a keyframe; nothing:
-  // it cannot.
+  // The number of steps from the current place to that frame; nothing if it must start from a keyframe.
   std::optional<std::int64_t> steps_to(const Branch& branch, std::int64_t frame) const;
-  // From where it is on this branch to its next frame, with the recorded input and the edits of that frame.
+  // Goes to the next frame of this branch, with the recorded input and the edits of that frame.
   void step(const Branch& branch, StepRecord* record = nullptr);
 
-  // Goes on from where it is by itself; the caller appends to the branch what it did.
+  // Steps on its own; the caller appends the step to the branch.
   void step_by(const Input& input, StepRecord* record);
-  bool edit(const VersionPtr& version);  // whether the bodies are still the same ones
+  bool edit(const VersionPtr& version);  // whether the bodies are still the same
 
-  // That branch has what this one has up to the frame where the runner is.
+  // Says that this branch equals the runner's branch up to the runner's frame.
   void change_branch(int branch) { branch_ = branch; }
-  // Where it is is no longer part of any branch.
+  // The current place no longer belongs to any branch.
   void forget() { branch_ = 0; }
 
   const State& state() const { return state_; }
   const ScenePtr& scene() const { return scene_; }
-  std::int64_t steps_again() const { return steps_again_; }  // made by go_to() and step() so far
+  std::int64_t steps_again() const { return steps_again_; }  // steps made by go_to() and step() so far
 
  private:
   void use(const VersionPtr& version);
   void start(const Branch& branch, std::int64_t frame);
 
   SceneCache& scenes_;
-  int branch_ = 0;  // that the state is a frame of; 0: of none
+  int branch_ = 0;  // the branch of the current state; 0: no branch
   State state_;
   VersionPtr version_;
-  ScenePtr scene_;                  // of version_
+  ScenePtr scene_;                  // the scene of version_
   std::shared_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it
   std::int64_t steps_again_ = 0;
 };
 
-// Several of them, so that whoever goes along one place of a run does not send back who is at another.
+// Several runners, so that two readers of different places do not send each other back.
 class Runners {
  public:
   explicit Runners(SceneCache& scenes) : scenes_(scenes) {}
 
-  // The nearest before that frame; where there is none, the one used longest ago. Good until the next call.
+  // The nearest runner before that frame; if there is none, the one used longest ago. Valid until the next
+  // call.
   Runner& nearest(const Branch& branch, std::int64_t frame);
-  void forget();                     // as each of them
-  std::int64_t steps_again() const;  // of those that there are
+  void forget();                     // forgets the places of all
+  std::int64_t steps_again() const;  // sum over all runners
 
  private:
   static constexpr std::size_t kMost = 4;
 
   SceneCache& scenes_;
-  std::list<Runner> runners_;  // the one used last is first
+  std::list<Runner> runners_;  // the last used one is first
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// A list with one entry a frame whose copies share what is equal in them.
+// SharedLog: a list with one entry for each frame. Copies share equal parts.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace talus {
 
-// Copying takes time and memory by the number of chunks; a copy that is changed gets its own of the chunks
-// that change. For one thread.
+// Copying takes time and memory by the number of chunks. A changed copy gets its own versions of the changed
+// chunks. For one thread.
 template <class T>
 class SharedLog {
  public:
@@ -32,7 +32,7 @@ class SharedLog {
     assert(i < size_);
     own(i)[i % kChunk] = entry;
   }
-  // Keeps the first `count` entries, if there are more.
+  // Keeps at most the first `count` entries.
   void cut(std::size_t count) {
     if (count >= size_) return;
     size_ = count;
@@ -40,7 +40,7 @@ class SharedLog {
     if (size_ % kChunk != 0) own(size_).resize(size_ % kChunk);
   }
 
-  // The first entry that is not equal in both, as far as both go.
+  // Index of the first entry that differs, within the length of both.
   std::optional<std::size_t> first_difference(const SharedLog& other) const {
     const std::size_t both = std::min(size_, other.size_);
     for (std::size_t begin = 0; begin < both; begin += kChunk) {
@@ -57,14 +57,14 @@ class SharedLog {
   static constexpr std::size_t kChunk = 1024;
   using Chunk = std::vector<T>;
 
-  // The chunk of an entry, unshared.
+  // The chunk of an entry, not shared.
   Chunk& own(std::size_t i) {
     std::shared_ptr<Chunk>& chunk = chunks_[i / kChunk];
     if (chunk.use_count() > 1) chunk = std::make_shared<Chunk>(*chunk);
     return *chunk;
   }
 
-  std::vector<std::shared_ptr<Chunk>> chunks_;  // all but the last are full
+  std::vector<std::shared_ptr<Chunk>> chunks_;  // all are full except the last
   std::size_t size_ = 0;
 };
 

@@ -20,12 +20,12 @@ class Passage {
   Passage(const Slope& slope, const Rect& mover, Vec2 goal)
       : slope_(slope), mover_(mover), d_(goal - mover.position()) {}
 
-  // The part of the way on which the box is above, in or under the slope; nothing when enter >= leave.
+  // The part of the way on which the box is above, in or under the slope; nothing if enter >= leave.
   double enter() const {
     return d_.x == 0 ? (beside() ? 1 : 0) : std::clamp(std::min(to_left(), to_right()), 0.0, 1.0);
   }
   double leave() const { return d_.x == 0 ? 1 : std::clamp(std::max(to_left(), to_right()), 0.0, 1.0); }
-  // When the foot passes the slope's high end, where the floor has its only bend.
+  // The time at which the foot passes the slope's high end, the only bend of the floor.
   double bend() const { return d_.x == 0 ? 0 : (high_end() - corner(mover_.x)) / d_.x; }
 
   double depth(double t) const { return mover_.bottom() + t * d_.y - floor_at(mover_.x + t * d_.x); }
@@ -34,8 +34,8 @@ class Passage {
     return slope_.direction > 0 ? past >= 0 : past <= 0;
   }
 
-  // Whether a foot under the floor is lifted onto it: when that is the shortest way out, as it is for what
-  // rounding, or an edit of the level, has sunk a little.
+  // Whether a foot under the floor is lifted onto it. It is if that is the shortest way out, as after
+  // rounding or an edit of the level has sunk it a little.
   bool lifts() const {
     const Rect& box = slope_.box;
     const double side = slope_.direction > 0 ? box.right() - mover_.x : mover_.right() - box.x;
@@ -55,7 +55,7 @@ class Passage {
     const Vec2 along{-contact.normal.y, contact.normal.x};
     const double into = rest.x * contact.normal.x + rest.y * contact.normal.y;
     contact.goal = contact.touch + (into < 0 ? along * (rest.x * along.x + rest.y * along.y) : rest);
-    // Along the slope the height comes from the slope, not from the sum.
+    // Along the slope the slope gives the height, not the sum.
     if (into < 0 && !on_high_end) contact.goal.y = line(corner(contact.goal.x)) - mover_.h;
     return contact;
   }

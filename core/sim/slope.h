@@ -1,4 +1,4 @@
-// A slope as the solvers on `World` know it: a straight line across a box, that reaches its top at one end.
+// A slope for the solvers on `World`: a straight line across a box that reaches its top at one end.
 #pragma once
 
 #include <talus/collision/geometry.h>
@@ -8,33 +8,33 @@ namespace talus {
 
 struct Slope {
   Rect box;              // px
-  double direction = 0;  // +1 rises to the right, -1 to the left, or is level; 0: no slope
-  double low = 0;        // px, 0 to box.h, height of its lower end over the bottom of the box
-  bool ceiling = false;  // it hangs from the top of the box, and heights are measured downwards from there
-  bool one_way = false;  // stops only what comes from the open side
+  double direction = 0;  // +1: rises to the right, or is level; -1: rises to the left; 0: no slope
+  double low = 0;        // px, 0 to box.h, height of its lower end over the box's bottom
+  bool ceiling = false;  // whether it hangs from the top of the box; heights are measured downwards then
+  bool one_way = false;  // whether it stops only what comes from the open side
 };
 
 double slope_direction(TileRole role);
 Vec2 slope_normal(const Slope& slope);  // unit, out of the slope
 
-// How a box meets a slope. Its foot is the higher of its two bottom corners on the floor. A ceiling is a
-// floor seen in a mirror that lies on y = 0.
+// How a box meets a slope. The foot is the higher of its two bottom corners above the floor. A ceiling is a
+// floor mirrored at y = 0.
 struct SlopeContact {
   enum class Kind {
-    none,     // it passes above the floor, or beside the slope
-    surface,  // its foot meets the floor
-    solid     // it comes from below or from a side, and meets the slope as it would meet its box
+    none,     // passes above the floor, or beside the slope
+    surface,  // the foot meets the floor
+    solid     // comes from below or from a side, and meets the slope's box
   };
   Kind kind = Kind::none;
-  double ti = 0;       // the fields below: of `surface` alone. Fraction of the move
-  Vec2 touch;          // px, top-left corner with its foot on the floor
-  Vec2 normal;         // unit; upright where the foot stands on the slope's high end
-  Vec2 goal;           // px, where the rest of the move leads along the surface
-  double delta = 0;    // how far along the slope the foot is, 0 at its left end to 1 at its right end
-  double floor_y = 0;  // px, of the line at the foot
+  double ti = 0;       // like the fields below only for `surface`; fraction of the move
+  Vec2 touch;          // px, top-left corner when the foot is on the floor
+  Vec2 normal;         // unit; points straight up if the foot stands on the slope's high end
+  Vec2 goal;           // px, end of the rest of the move along the surface
+  double delta = 0;    // how far along the slope the foot is: 0 at its left end, 1 at its right end
+  double floor_y = 0;  // px, y of the line at the foot
 };
 
-// The mover's way from where it is to `goal`; it may start inside the slope's box.
+// The mover's way to `goal`; it may start inside the slope's box.
 SlopeContact meet_slope(const Slope& slope, const Rect& mover, Vec2 goal);
 
 }  // namespace talus

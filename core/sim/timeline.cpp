@@ -1,5 +1,5 @@
-// Showing frames and going on from them. Running again is in timeline_rerun.cpp, branches and recordings are
-// in timeline_branches.cpp.
+// Shows frames and goes on from them. timeline_rerun.cpp runs again; timeline_branches.cpp has branches and
+// recordings.
 #include "timeline.h"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ bool Timeline::has_room() const {
 }
 
 // Whether the simulation sees a difference. Spawns count though they look the same to it: their order tells
-// which body is whose after the next edit; and so does the size of the map, by which later cells are found.
+// which body belongs to which after the next edit. So does the size of the map, which later cells refer to.
 bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
   const bool is_known = compiled != nullptr;
   ScenePtr scene = std::move(compiled);
@@ -105,7 +105,7 @@ bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, Sce
                                                            : compile_scene(level));
   auto version = std::make_shared<const LevelVersion>(cells != nullptr ? version_of(level, *version_, *cells)
                                                                        : version_of(level, version_.get()));
-  // What was compiled elsewhere is large, and shares nothing that would make it quick to compare.
+  // A level that was compiled elsewhere is large, and shares nothing that would make the comparison quick.
   const auto size = [](const LevelVersion& v) { return std::pair(v.rows.size(), v.rows.front()->size()); };
   if (!is_known && *scene == *scene_ && version->spawns == version_->spawns &&
       size(*version) == size(*version_))
@@ -116,8 +116,8 @@ bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, Sce
   return true;
 }
 
-// The level as it is now holds from the shown frame on, which is the branch's last. Edits of one frame that
-// leave the bodies alone are one chapter: the state after the last of them is the same without the others.
+// The current level holds from the shown frame on, which is the last one of the branch. Edits of one frame
+// that leave the bodies alone make one chapter: the state after the last edit is the same without the others.
 void Timeline::begin_chapter() {
   Branch& branch = now();
   if (frame() == 0) return start_over();
@@ -135,7 +135,7 @@ void Timeline::begin_chapter() {
   keep(branch, state(), true);
 }
 
-// The current branch holds frame 0 of the level as it is now, and nothing else.
+// The current branch then holds only frame 0 of the current level.
 void Timeline::start_over() {
   Branch& branch = now();
   branch.chapters = {{0, version_, false}};

@@ -1,4 +1,4 @@
-// Timeline: its branches, their marks, and recordings of them.
+// Timeline: branches, marks and recordings.
 #include <algorithm>
 #include <utility>
 
@@ -132,7 +132,7 @@ int Timeline::fork() {
   return current_;
 }
 
-// The copy shares all up to the frame. What the old branch held after it is left to it.
+// The copy shares everything up to the frame. The rest stays with the old branch.
 void Timeline::fork_at(std::int64_t frame) {
   Branch branch = current();
   branch.parent = current_;

@@ -1,4 +1,4 @@
-// Timeline: running recorded input again.
+// Timeline: runs recorded input again.
 #include <algorithm>
 #include <utility>
 
@@ -48,11 +48,11 @@ void Timeline::change_inputs(std::int64_t first, std::int64_t last, FunctionRef<
   show_wanted();
 }
 
-// The bodies that the level as it is now starts may have other numbers: what the mouse held, it shall hold.
+// The bodies of the current level may have other numbers: the mouse shall hold the same body as before.
 void Timeline::renumber_grabs(Branch& branch) {
   const VersionPtr before = branch.chapters.front().version;
   State old = initial_state(*scenes_.scene_of(before));
-  old.frame = 1;  // so that its bodies go on with the numbers that they have
+  old.frame = 1;  // so that its bodies keep their numbers
   const State carried = edited_state(std::move(old), *before, *version_, *scene_);
   const State now = initial_state(*scene_);
   const auto number_now = [&](int number) {
@@ -74,7 +74,8 @@ void Timeline::begin_series() {
   if (current().played_on) now().draft = Draft::none;
 }
 
-// The current branch if it is such a draft, or a draft of it. kept: the last frame that stays as it was.
+// The current branch if it is such a draft; else a new draft of it. kept: the last frame that stays as it
+// was.
 Branch& Timeline::draft(Draft kind, std::int64_t kept) {
   const bool is_lost = kind == Draft::input && current().played_on;
   if (current().draft != kind || is_lost) {
@@ -90,7 +91,7 @@ Branch& Timeline::draft(Draft kind, std::int64_t kept) {
   return branch;
 }
 
-// What comes after a frame is still to be run; after -1, all.
+// Marks what comes after a frame as still to be run; after -1, everything.
 void Timeline::run_again_after(Branch& branch, std::int64_t frame) {
   frame = std::min(frame, branch.run_frame());
   ++branch.revision;

@@ -16,8 +16,8 @@ Slope slope_of(const SceneItem& item) {
   return {item.box, line.rises_to_the_right ? 1.0 : -1.0, line.low, line.ceiling, line.one_way};
 }
 
-// The side of a cell of the world. Only speed depends on it, so that where the level's would cost much
-// memory, since boxes are very large for it, it is doubled until they cover few enough.
+// The side of a cell of the world. Only speed depends on it. If boxes are so large that their cells would
+// cost much memory, it is doubled until they cover few enough.
 double cell_size_for(const Scene& scene) {
   double size = scene.tuning.shared.cell_size;
   constexpr double kFree = World::kMaxCellsOfItem, kMost = World::kMaxCells / 2;
@@ -43,8 +43,7 @@ WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunc
   rebuild(initial_state(*scene_));
 }
 
-// Adds everything in map order, so that ties are the article's: the bodies that the scene starts take their
-// place among the tiles.
+// Adds everything in map order, so that ties are the article's: bodies take their places among the tiles.
 void WorldSolver::rebuild(const State& state) {
   world_ = World(cell_size_);
   if (slope_response_) moving_[kSlopeGroup] = world_.add_response("slope", slope_response_);
@@ -115,7 +114,7 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
   ++state.frame;
 }
 
-// The first ball, in scene order, that has the point inside; 0 when there is none.
+// The first ball, in scene order, that contains the point; 0 if there is none.
 int WorldSolver::body_at(const State& state, Vec2 point) {
   if (!balls_block_) {
     const auto found = std::find_if(state.bodies.begin(), state.bodies.end(),
@@ -154,7 +153,7 @@ void WorldSolver::move(Body& body, Placed& placed, Vec2 wanted) {
   if (record_ != nullptr) note_contacts(body.id);
 }
 
-// The table and the function say the same; the function also notes what is tested.
+// The table and the function give the same answers; the function also records what is tested.
 Vec2 WorldSolver::run(const Placed& placed, Vec2 goal) {
   if (record_ == nullptr) return check(placed, goal, moving_, hits_);
   const auto noting = [&](ItemId, ItemId other) {
@@ -182,7 +181,7 @@ Obstacle WorldSolver::obstacle(ItemId item) const {
   return what;
 }
 
-// A body's way is tested again after each response; its candidates are noted once.
+// A body's way is tested again after each response; its candidates are recorded once.
 void WorldSolver::note_test(int body, ItemId other) {
   std::uint64_t& mark = tested_marks_[other.index];
   if (mark == test_mark_) return;

@@ -1,5 +1,5 @@
-// What the solvers that move their bodies in a World have in common: the items, the mouse, the order of the
-// bodies and the records. What a body does in a step is theirs.
+// WorldSolver: what the solvers that move bodies in a World share: the items, the mouse, the order of bodies
+// and the records. A subclass says what a body does in a step.
 #pragma once
 
 #include <memory>
@@ -19,39 +19,39 @@ class WorldSolver : public Solver {
   // Groups of items in the world.
   enum Group { kSolidGroup, kSlopeGroup, kBallGroup };
 
-  // An item of the world: what it is, and, of a ball, which body.
+  // An item of the world: what it is and, for a ball, which body.
   struct Entry {
     Obstacle what;
-    Slope slope;  // of a slope
+    Slope slope;  // for a slope
     Group group = kSolidGroup;
     bool is_slope() const { return group == kSlopeGroup; }
   };
-  // Where the world believes that a body is. Balls that pass through each other are no items of the world,
-  // and then `item` is null: nobody can meet them.
+  // Where the world has a body. Balls that pass through each other are not in the world, as nobody can meet
+  // them: then `item` is null.
   struct Placed {
     int id;
     ItemId item;
     Rect box;
   };
 
-  // slope_response: how a moving body reacts to slopes; none: it crosses them. Everything else it slides
-  // along.
+  // slope_response: how a moving body reacts to slopes; nothing: it crosses them. It slides along everything
+  // else.
   explicit WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunction slope_response = {});
 
-  // One step of a body: free, or held by the mouse. Each calls move() once.
+  // One step of a body that is free, or that the mouse holds. Each calls move() once.
   virtual void fall(Body& body, Placed& placed) = 0;
   virtual void drag(Body& body, Placed& placed, const Input& input) = 0;
 
-  // The world is only a cache of the state: whatever differs is brought up to date, so that a step depends on
-  // nothing but its arguments.
+  // The world is only a cache of the state. Differences are brought up to date, so a step depends only on its
+  // arguments.
   void synchronise(const State& state);
-  void pull(Body& body) const;                         // gravity and drag change the velocity
-  void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_, and the record
+  void pull(Body& body) const;                         // lets gravity and drag change the velocity
+  void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_ and the record
   Vec2 check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
              std::vector<Collision>& hits) const;
   void place(Placed& placed, const Rect& box);
   void limit_velocity(Body& body);
-  ContactRecord* contact_of_hit(std::size_t i);  // null when nobody records
+  ContactRecord* contact_of_hit(std::size_t i);  // null if nobody records
 
   const SharedTuning& tuning() const { return scene_->tuning.shared; }
   const Entry& entry(ItemId item) const { return entries_[item.index]; }
@@ -75,12 +75,12 @@ class WorldSolver : public Solver {
   World::ResponseFunction slope_response_;
   World::GroupResponses moving_;  // how a moving body reacts to each group
   std::vector<Entry> entries_;    // by ItemId::index
-  std::vector<Placed> placed_;    // as State::bodies
+  std::vector<Placed> placed_;    // in the order of State::bodies
   std::vector<ItemId> under_mouse_;
   bool balls_block_;
-  std::vector<std::uint64_t> tested_marks_;  // by ItemId::index: the last mark under which it was noted
+  std::vector<std::uint64_t> tested_marks_;  // by ItemId::index: the last mark under which it was recorded
   std::uint64_t test_mark_ = 0;              // one for each body and step
-  StepRecord* record_ = nullptr;             // of the step under way; null when nobody wants it
+  StepRecord* record_ = nullptr;             // of the current step; null if nobody wants it
 };
 
 }  // namespace talus

@@ -107,7 +107,7 @@ TEST_F(CliPresetPaths, NeverWaitForAPipe) {
   ASSERT_EQ(::mkfifo(path("level/data.lua").c_str(), 0600), 0);
   save("lua", "data.lua");
   EXPECT_EQ(all("--force"), 1);
-  EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe, where a file is to be written\n"));
+  EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe, but must be a regular file\n"));
 }
 
 TEST_F(CliPresetPaths, OfAMapOfTiledFollowTheSameRules) {

@@ -35,7 +35,8 @@ TEST_F(SavedLimits, WhatIsTooMuchIsSaidAndTheOldFileStays) {
   const std::string before = bytes_of("cave.talus.json");
   const auto saved = save_level(with_spawns(kMaxSpawns + 1), *find_format("native"), file);
   ASSERT_FALSE(saved);
-  EXPECT_EQ(to_string(saved.error(), "cave"), "cave: error: has 65537 bodies, and a level holds up to 65536");
+  EXPECT_EQ(to_string(saved.error(), "cave"),
+            "cave: error: has 65537 bodies, but a level holds at most 65536");
   EXPECT_EQ(bytes_of("cave.talus.json"), before);
 }
 
@@ -96,7 +97,8 @@ TEST(LevelLimits, CurvesAreReckonedByTheCellsThatTheyPass) {
   level.curves = {{"", {Sine{0, 1900, 500, 400, 2, 0}, Curve::Faces::up}, ""}};
   EXPECT_FALSE(problem_of_amounts(level));
   level.curves.resize(20, level.curves.front());
-  EXPECT_EQ(problem_of_amounts(level), "has 3881760 cells that curves pass, and a level holds up to 2097152");
+  EXPECT_EQ(problem_of_amounts(level),
+            "has 3881760 cells that curves pass, but a level holds at most 2097152");
   EXPECT_FALSE(write_native(level, {}));
 
   std::vector<double> heights;
@@ -113,8 +115,7 @@ TEST(LevelLimits, UnknownMembersAreKeptUpToAMegabyte) {
   for (int i = 0; i < 50'000; ++i) keys += ",\"key of a later version " + std::to_string(i) + "\":0";
   const auto read = read_native(R"({"talus":1)" + keys + "}", {});
   ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().message,
-              HasSubstr("bytes of members that Talus does not know, and a level holds"));
+  EXPECT_THAT(read.error().message, HasSubstr("bytes of unknown members, but a level holds"));
 }
 
 TEST(LevelLimits, NamesAndUnknownMembersOfAllListsCount) {
@@ -126,7 +127,7 @@ TEST(LevelLimits, NamesAndUnknownMembersOfAllListsCount) {
     EXPECT_THAT(problem_of_amounts(level).value_or(""), HasSubstr(" bytes of names"));
     (level.*list)[0].name.clear();
     (level.*list)[0].extra.assign(kMaxUnknownBytes + 1, 'x');
-    EXPECT_THAT(problem_of_amounts(level).value_or(""), HasSubstr(" bytes of members that Talus does not"));
+    EXPECT_THAT(problem_of_amounts(level).value_or(""), HasSubstr(" bytes of unknown"));
   };
   expect_counted(&Level::flag_fields);
   expect_counted(&Level::spawns);
@@ -271,7 +272,7 @@ TEST(EditLimits, AnEditThatWouldMakeTooManyIsRefusedWithAMessage) {
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
   EXPECT_EQ(session.message()->text,
-            "Place a body: not done, as the level then has 65537 bodies, and a level holds up to 65536.");
+            "Place a body: not done, as the level then has 65537 bodies, but a level holds at most 65536.");
 }
 
 TEST(EditLimits, OldEditsAreForgottenForMemory) {
@@ -336,7 +337,7 @@ TEST(TiledLimits, WhatALevelCannotBeSavedWithIsNotRead) {
       std::string(kMaxNameBytes + 1, 'n') + "\"}]}";
   const auto read = read_level(tiled_map(1, "", layers), {"tmj"});
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().message, "has 4194305 bytes of names, and a level holds up to 4194304");
+  EXPECT_EQ(read.error().message, "has 4194305 bytes of names, but a level holds at most 4194304");
 }
 
 class TiledFilesLimits : public FolderTest {

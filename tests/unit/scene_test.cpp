@@ -98,9 +98,9 @@ TEST(Scene, OfTooMuchGroundForItsSolverHasNone) {
   EXPECT_FALSE(ground_problem(level));
   for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
     level.tuning.solver = solver;
-    EXPECT_EQ(ground_problem(level), "has ground of 2099200 boxes, and the solver " +
+    EXPECT_EQ(ground_problem(level), "has ground of 2099200 boxes, but the solver " +
                                          std::string(solver_name(solver)) +
-                                         " can take 2097152: choose the solver exact");
+                                         " can take only 2097152: choose the solver exact");
     EXPECT_EQ(compile_scene(level).items.size(), 1u);
   }
   level.map.set({0, 0}, 0);
@@ -119,13 +119,14 @@ TEST(Scene, GroundIsReckonedByTheHeightsOfItsTiles) {
   level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .one_way = true, .heights = heights};
   level.spawns.resize(1);
   level.tuning.solver = SolverKind::bump;
-  EXPECT_EQ(ground_problem(level),
-            "has ground of 10240000 boxes, and the solver bump can take 2097152: choose the solver exact");
+  EXPECT_EQ(
+      ground_problem(level),
+      "has ground of 10240000 boxes, but the solver bump can take only 2097152: choose the solver exact");
   EXPECT_EQ(compile_scene(level).items.size(), 1u);
   level.tuning.solver = SolverKind::exact;
   EXPECT_EQ(ground_problem(level),
-            "has ground of 20480000 lines, and the solver exact can take 16777216: fewer slopes and profiles, "
-            "or simpler ones, make it smaller");
+            "has ground of 20480000 lines, but the solver exact can take only 16777216: use fewer or simpler "
+            "slopes and profiles");
   const Scene scene = compile_scene(level);
   EXPECT_FALSE(scene.ground->has_pieces());
 

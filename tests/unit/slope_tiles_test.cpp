@@ -123,7 +123,7 @@ TEST(SlopeTiles, ErrorsSayWhy) {
   EXPECT_EQ(error_of(level, {0, std::nan("")}, {8, 16}), "an end of the slope is not on the map");
   EXPECT_EQ(error_of(level, {0, 136}, {8, 136}), "the slope's tiles would leave the map");
   EXPECT_EQ(error_of(level, {0, 120}, {8, 50}),
-            "the slope is too steep: a tile's floor rises by 64 px at most");
+            "the slope is too steep: the floor of a tile can rise by at most 64 px");
   for (int tile = 1; tile < kTileCount; ++tile) level.sheet(SheetId::tiles).images[tile].fill(3);
   EXPECT_EQ(error_of(level, {0, 8}, {8, 0}), "there are too few blank tiles to draw the slope with");
 }
@@ -171,7 +171,7 @@ TEST(SlopeTiles, ASetMustBeAbleToFollow) {
             "the tiles of the set would leave the line by more than a tile");
   EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kUpOnly}),
             "the tiles of the set would leave the line by more than a tile");
-  EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kPicture}), "no tile of the set is a floor");
+  EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kPicture}), "the set has no tile with a floor");
 }
 
 }  // namespace talus::slope_tiles_test

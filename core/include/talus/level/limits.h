@@ -34,7 +34,7 @@ inline constexpr std::size_t kMaxEditedBytes = std::size_t{2} << 30;
 // Of the edits that can be undone; the oldest are forgotten beyond it.
 inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
 
-// What a level has more of than it may: "has 70000 bodies, and a level holds up to 65536". Nothing: all is
+// What a level has more of than it may: "has 70000 bodies, but a level holds at most 65536". Nothing: all is
 // well.
 std::optional<std::string> problem_of_amounts(const Level& level);
 
