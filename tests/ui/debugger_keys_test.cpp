@@ -236,9 +236,9 @@ TEST_F(UiDebuggerKeys, RulesForEditsAreTakenInTurn) {
 TEST_F(UiDebuggerKeys, ACaseTellsThatItsOwnInputPlays) {
   EXPECT_EQ(case_note(session()), "");
   start(TALUS_SOURCE_DIR "/assets/hard_cases/13-downhill.talus.json");
-  EXPECT_EQ(case_note(session()), "The case holds Right; your keys are added");
+  EXPECT_EQ(case_note(session()), "The hard case holds Right; your keys count as well");
   session().apply(action::HoldKeys{.left = true, .right = false, .jump = false});
-  EXPECT_EQ(case_note(session()), "The case holds Right, you the opposite: together they go nowhere");
+  EXPECT_EQ(case_note(session()), "The hard case holds Right and you hold the opposite key: the two cancel out");
 }
 
 TEST_F(UiDebuggerKeys, AfterEnterAFieldOfPlotsKeepsTheKeys) {

@@ -174,7 +174,7 @@ TEST_F(UiShape, IsSuggestedFromPixelsForAllSelectedTiles) {
   click(on_sheet(30));
   click("shape/suggest");
   ASSERT_TRUE(session().message());
-  EXPECT_EQ(session().message()->text, "Nothing to suggest: the tile has no pixels but colour 0.");
+  EXPECT_EQ(session().message()->text, "Nothing to suggest: all pixels of the tile have colour 0.");
 }
 
 TEST_F(UiShape, WhatIsChangedChangesInAllSelectedTiles) {
@@ -247,11 +247,11 @@ TEST_F(UiShape, NumbersThatNoShapeHasAreRefused) {
   const TileShape before = shape(9);
   type_number("shape/kind_height2", "99");
   ASSERT_TRUE(session().message());
-  EXPECT_EQ(session().message()->text, "Not taken: a height is 0 to 64 px.");
+  EXPECT_EQ(session().message()->text, "Not changed: a height must be 0 to 64 px.");
   type_number("shape/kind_tiles", "9");
-  EXPECT_EQ(session().message()->text, "Not taken: a width is 1 to 8 tiles.");
+  EXPECT_EQ(session().message()->text, "Not changed: a width must be 1 to 8 tiles.");
   type_number("shape/kind_tiles", "1.5");
-  EXPECT_EQ(session().message()->text, "Not taken: a width is whole tiles.");
+  EXPECT_EQ(session().message()->text, "Not changed: a width must be whole tiles.");
   EXPECT_EQ(shape(9), before);
   EXPECT_EQ(session().history().edits().size(), 1u);
   type_number("shape/kind_height2", "64");

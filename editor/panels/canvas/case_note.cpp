@@ -24,8 +24,8 @@ std::string case_note(const Session& session) {
   const Input own = case_input(session.hard_case()->input, session.state().frame + 1);
   const Input& user = session.playback().input;
   if ((own.left && user.right) || (own.right && user.left))
-    return "The case holds " + held_text(own) + ", you the opposite: together they go nowhere";
-  return "The case holds " + held_text(own) + "; your keys are added";
+    return "The hard case holds " + held_text(own) + " and you hold the opposite key: the two cancel out";
+  return "The hard case holds " + held_text(own) + "; your keys count as well";
 }
 
 }  // namespace talus

@@ -65,9 +65,8 @@ std::vector<Command> brush_commands() {
       {
           {.id = "map/ground",
            .label = "Ground",
-           .help =
-               "Paints ground: each cell gets the tile that fits its neighbours. With Ctrl it is taken away, "
-               "with Shift a rectangle is filled. Its tiles are chosen under Brushes.",
+           .help = "Paints ground: each cell gets the tile that fits its neighbours. With Ctrl it removes "
+                   "ground, with Shift it fills a rectangle. Choose the ground's tiles under Brushes.",
            .key = KeyChord{'g'},
            .menu = menus::kMapTools,
            .icon = Icon::ground,
@@ -83,7 +82,7 @@ std::vector<Command> brush_commands() {
            .checked = [](S session, const Ui&) { return session.choices().random_stamp; }},
           {.id = "map/shuffle",
            .label = "Other tiles at random",
-           .help = "What is painted at random from now on takes other tiles.",
+           .help = "Chooses other random tiles for what is painted from now on.",
            .key = shift('d'),
            .menu = menus::kMapBrushes,
            .run = shuffle},
@@ -95,15 +94,14 @@ std::vector<Command> brush_commands() {
            .run = save_brush},
           {.id = "ground/propose",
            .label = "Propose tiles for ground",
-           .help =
-               "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or, if one "
-               "alone is selected, all tiles of the sheet.",
+           .help = "Chooses the ground's tiles by their shapes and pixels, among the selected tiles, or "
+                   "among all tiles of the sheet if only one is selected.",
            .key = shift('g'),
            .menu = menus::kMapBrushes,
            .run = propose_ground},
           {.id = "ground/clear",
            .label = "Clear the tiles for ground",
-           .help = "Chooses no tiles for ground.",
+           .help = "Removes all tiles from the set for ground.",
            .run = clear_ground,
            .enabled = [](S session, const Ui&) { return !session.level().auto_tiles.empty(); }},
           {.id = "map/minimap",

@@ -58,26 +58,26 @@ std::vector<Command> cursor_keys() {
   return {
       {.id = "cursor/press",
        .label = "Press the left button",
-       .help = "Does what the left button does there, until the key goes up; with Ctrl, "
-               "Shift and Alt as with the mouse.",
+       .help = "Acts as the left button at the cursor until the key is released; Ctrl, Shift and Alt work as "
+               "with the mouse.",
        .key = KeyChord{' '},
        .run = press_button(KeyCursor::kLeft),
        .any_modifiers = true},
       {.id = "cursor/press_right",
        .label = "Press the right button",
-       .help = "Does what the right button does there, until the key goes up.",
+       .help = "Acts as the right button at the cursor until the key is released.",
        .key = KeyChord{kKeyBackspace},
        .run = press_button(KeyCursor::kRight),
        .any_modifiers = true},
       {.id = "cursor/next",
        .label = "To the next canvas",
-       .help = "Takes it to the next of the map, the play view, the sheet, the pixels and the shape.",
+       .help = "Moves the cursor to the next canvas: map, play view, sheet, pixels or shape.",
        .key = ctrl(kKeyTab),
        .run = [](S, A, U ui) { ui.view.cursor.go_to_next(); }},
       {.id = "cursor/end",
        .label = "Pen up, or end",
-       .help = "Takes the pen up, and its drag back; then gives the arrows back to the view and to what is "
-               "selected. So does a move of the mouse.",
+       .help = "Lifts the pen and cancels its drag; then hides the cursor, so that the arrows move the view "
+               "or the selection again. A move of the mouse hides it, too.",
        .key = KeyChord{kKeyEscape},
        .run = end_cursor},
   };
@@ -86,27 +86,25 @@ std::vector<Command> cursor_keys() {
 }  // namespace
 
 std::vector<Command> cursor_commands() {
-  std::vector<Command> all = {
-      {.id = "view/cursor",
-       .label = "Keyboard's cursor, pen down and up",
-       .help = "Shows a cursor on the map or the pixels that the arrows move, and where "
-               "Space does what the left button "
-               "does. While it is shown, takes the pen down, which holds that button, and "
-               "up again: so one hand draws.",
-       .key = KeyChord{kKeyEnter},
-       .menu = menus::kViewFocus,
-       .run = show_or_draw,
-       .checked = [](S, const Ui& ui) { return ui.view.cursor.on(); },
-       .any_modifiers = true}};
-  const std::vector<Command> own =
-      in_scope(Scope::cursor,
-               joined({arrows("cursor/", "Cursor ", Stride::cell, alone,
-                              "Goes to the next cell or pixel, and the view with it."),
-                       arrows("cursor/far_", "Cursor far ", Stride::far, shift,
-                              "Goes over eight cells or pixels at once."),
-                       arrows("cursor/px_", "Cursor 1 px ", Stride::unit, ctrl_shift,
-                              "Goes a px of the level, for the ends of lines and the places of bodies."),
-                       cursor_keys()}));
+  std::vector<Command> all = {{.id = "view/cursor",
+                               .label = "Keyboard's cursor, pen down and up",
+                               .help = "Shows a cursor on the map or the pixels. The arrows move it, and "
+                                       "Space acts as the left button. While it is shown, this puts the pen "
+                                       "down, which holds that button, or lifts it: one hand can draw.",
+                               .key = KeyChord{kKeyEnter},
+                               .menu = menus::kViewFocus,
+                               .run = show_or_draw,
+                               .checked = [](S, const Ui& ui) { return ui.view.cursor.on(); },
+                               .any_modifiers = true}};
+  const std::vector<Command> own = in_scope(
+      Scope::cursor,
+      joined({arrows("cursor/", "Cursor ", Stride::cell, alone,
+                     "Moves the cursor to the next cell or pixel; the view follows."),
+              arrows("cursor/far_", "Cursor far ", Stride::far, shift,
+                     "Moves the cursor by eight cells or pixels."),
+              arrows("cursor/px_", "Cursor 1 px ", Stride::unit, ctrl_shift,
+                     "Moves the cursor by one px of the level, to place bodies and the ends of lines."),
+              cursor_keys()}));
   return joined({all, own});
 }
 

@@ -63,10 +63,9 @@ std::vector<Command> curve_commands() {
       {
           {.id = "map/curve",
            .label = "Draw curves",
-           .help =
-               "Drag from end to end: an arc, a parabola and so on; press the key again for the next kind. "
-               "Drag a line to move it, a chosen one's handles to bend it; with Shift, a drag always draws. "
-               "Ends snap; Ctrl: to half pixels, Alt: not at all.",
+           .help = "Drag from end to end to draw an arc, a parabola and so on; press the key again for the "
+                   "next kind. Drag a curve to move it, or a handle of the chosen one to bend it; with "
+                   "Shift, a drag always draws. Ends snap; with Ctrl to half pixels, with Alt not at all.",
            .key = KeyChord{'c'},
            .menu = menus::kMapTools,
            .icon = Icon::curve,
@@ -79,7 +78,7 @@ std::vector<Command> curve_commands() {
            .checked = draws_kind(CurveKind::arc)},
           {.id = "map/curve_parabola",
            .label = "Draw a parabola",
-           .help = "A hill or a bowl whose control point is half way.",
+           .help = "A hill or a bowl whose control point is half way between its ends.",
            .run = draw_kind(CurveKind::parabola),
            .checked = draws_kind(CurveKind::parabola)},
           {.id = "map/curve_cubic",
@@ -99,7 +98,8 @@ std::vector<Command> curve_commands() {
            .checked = draws_kind(CurveKind::polyline)},
           {.id = "map/duplicate",
            .label = "Duplicate",
-           .help = "Copies the chosen body, with the body tool, or the chosen curve, a tile further on.",
+           .help = "Copies the chosen body, with the body tool, or the chosen curve to a place one tile "
+                   "further on.",
            .key = ctrl('d'),
            .menu = menus::kMapBrushes,
            .run = duplicate,

@@ -108,7 +108,7 @@ std::vector<Command> seek_commands() {
   return {
       {.id = "timeline/start",
        .label = "To the first frame",
-       .help = "Shows frame 0 of what is recorded.",
+       .help = "Shows frame 0 of the recording.",
        .key = KeyChord{kKeyHome},
        .menu = menus::kTimelineSeek,
        .icon = Icon::first_frame,
@@ -156,7 +156,7 @@ std::vector<Command> seek_commands() {
        .enabled = has_frames},
       {.id = "timeline/mark",
        .label = "Mark this frame",
-       .help = "Sets a mark at the shown frame, or takes it away.",
+       .help = "Sets a mark at the shown frame, or removes it.",
        .key = ctrl('m'),
        .menu = menus::kTimelineMarks,
        .run = toggle_mark,
@@ -189,7 +189,7 @@ std::vector<Command> frame_zoom_commands() {
   return {
       {.id = "timeline/zoom_in",
        .label = "Zoom the timeline in",
-       .help = "Shows fewer frames in the timeline and the plots; the wheel does it at the mouse.",
+       .help = "Shows fewer frames in the timeline and the plots; the wheel zooms at the mouse.",
        .key = alt('='),
        .menu = menus::kTimelineZoom,
        .run = zoom_timeline(3),
@@ -197,7 +197,7 @@ std::vector<Command> frame_zoom_commands() {
        .repeats = true},
       {.id = "timeline/zoom_out",
        .label = "Zoom the timeline out",
-       .help = "Shows more frames in the timeline and the plots; the wheel does it at the mouse.",
+       .help = "Shows more frames in the timeline and the plots; the wheel zooms at the mouse.",
        .key = alt('-'),
        .menu = menus::kTimelineZoom,
        .run = zoom_timeline(-3),
@@ -246,21 +246,20 @@ std::vector<Command> branch_commands() {
        .enabled = has_frames},
       {.id = "timeline/edit_rule",
        .label = "Next rule for edits",
-       .help = "What an edit does with the recording: goes on from the shown frame, or runs it again.",
+       .help = "Chooses what an edit does with the recording: go on from the shown frame, or run it again.",
        .key = alt('e'),
        .run = next_edit_rule},
       {.id = "timeline/rerun",
        .label = "Run again from frame 0",
-       .help = "Makes the whole run again with the recorded input, on the level as it is now.",
+       .help = "Runs all of the recorded input again, on the level as it is now.",
        .key = ctrl_shift('r'),
        .menu = menus::kBranchesRerun,
        .run = [](S, A actions, U) { actions.push_back(action::Rerun{0}); },
        .enabled = after_start},
       {.id = "timeline/cancel",
        .label = "Stop running again or searching",
-       .help =
-           "The branch ends where it has come to; a search leaves the shown frame; a comparison whose other "
-           "side is still being run ends.",
+       .help = "A branch that is run again ends at the frame that it has reached; a search keeps the shown "
+               "frame; a comparison that is still being run ends.",
        .key = shift(kKeyF5),
        .menu = menus::kBranchesRerun,
        .run = cancel,
@@ -306,7 +305,7 @@ std::vector<Command> stop_commands() {
        .run = go_to_field(panel_id::kStops, "stops/new", PanelIn::debugger)},
       {.id = "stops/switch_all",
        .label = "Breakpoints off or on",
-       .help = "Switches all breakpoints off, or, when all are off, on.",
+       .help = "Switches all breakpoints off or, if all are off, on.",
        .key = ctrl_shift(kKeyF9),
        .menu = menus::kStopsSwitch,
        .run = switch_all_stops,
@@ -322,7 +321,7 @@ std::vector<Command> stop_commands() {
        .repeats = true},
       {.id = "why/before",
        .label = "Stage before",
-       .help = "Draws the stage before; before the first, none.",
+       .help = "Draws the previous stage; before the first one, nothing.",
        .key = shift(kKeyF11),
        .menu = menus::kDebugStages,
        .icon = Icon::step_back,
@@ -336,7 +335,8 @@ void pick_cell(S session, A actions, U ui) {
   go_to_field(panel_id::kStops, "", PanelIn::debugger)(session, actions, ui);
   bool& picks = ui.view.debugger.picks_cell;
   picks = !picks;
-  if (picks) actions.push_back(action::ShowMessage{"Click a cell on the map or the play view; Esc: none."});
+  if (picks)
+    actions.push_back(action::ShowMessage{"Click a cell on the map or in the play view; Esc cancels."});
 }
 
 std::vector<Command> choice_commands() {
@@ -369,7 +369,7 @@ std::vector<Command> choice_commands() {
        .run = go_to_field(panel_id::kTuning, "tuning/solver")},
       {.id = "tuning/fields",
        .label = "Change the tuning...",
-       .help = "Gives the keys to the first number of the tuning; Tab goes to the next.",
+       .help = "Goes to the first number of the tuning; Tab goes on to the next one.",
        .key = alt('t'),
        .menu = menus::kTuning,
        .run = go_to_field(panel_id::kTuning, "tuning/" + tuning_fields()[0].path()),
@@ -401,9 +401,8 @@ std::vector<Command> watch_commands() {
        .checked = is_on<&View::shows_times>},
       {.id = "compare/next",
        .label = "Compare with the next",
-       .help =
-           "The same input through exact, its single precision, bump and article, then the other branches, "
-           "then nothing.",
+       .help = "Compares with the same input in another solver: exact, exact in single precision, bump, "
+               "article; then with the other branches; then with nothing.",
        .key = shift(kKeyF7),
        .menu = menus::kCompare,
        .run = compare_with_next},
@@ -417,7 +416,8 @@ std::vector<Command> watch_commands() {
        .checked = is_on<&View::split_compared>},
       {.id = "compare/first",
        .label = "First parting frame",
-       .help = "Shows the first frame in which a body is further than that from its other self.",
+       .help = "Shows the first frame in which a body is further than the threshold from the same body on "
+               "the other side.",
        .key = ctrl(kKeyF7),
        .menu = menus::kCompareParting,
        .run = [](S session, A actions,
@@ -425,7 +425,7 @@ std::vector<Command> watch_commands() {
        .enabled = has_other},
       {.id = "compare/stop",
        .label = "Stop where they part",
-       .help = "Adds a breakpoint that stops a run where they part.",
+       .help = "Adds a breakpoint that stops the run where the two sides part.",
        .key = ctrl_shift(kKeyF7),
        .menu = menus::kCompareParting,
        .run =

@@ -71,7 +71,7 @@ std::vector<Command> commands_of_flag(int flag) {
   return {
       {.id = "flags/switch" + number,
        .label = "Switch flag " + number,
-       .help = "Sets it in the selected tiles, or clears it where any has it.",
+       .help = "Sets the flag in the selected tiles, or clears it if any of them has it.",
        .run = switch_flag(flag),
        .checked = is_flag_set(flag),
        .words = "set clear toggle bit lamp property"},
@@ -102,7 +102,7 @@ std::vector<Command> commands_of_all_flags() {
        .help =
            "The left button paints the tinted flag: on the sheet, and on the map, where it changes the tile "
            "in all its cells. A drag that begins where the flag is set clears it; one over the map that "
-           "begins on a drawn tile leaves out blank ones. Escape takes the drag back.",
+           "begins on a drawn tile leaves out blank ones. Escape cancels the drag.",
        .key = ctrl_shift('f'),
        .menu = menus::kEditFlags,
        .run = toggle_brush,

@@ -129,7 +129,7 @@ void KeysPanel::draw_row(int row, Ui& ui) {
   ImGui::TableNextColumn();
   const std::string id(command.id);
   if (bindings.changed.contains(command.id) &&
-      ui.icon_button("keys/reset/" + id, Icon::restart, false, "Gives the command its first keys back.",
+      ui.icon_button("keys/reset/" + id, Icon::restart, false, "Gives the command its default keys back.",
                      "Ctrl+Delete"))
     reset_keys(command, bindings);
 }
@@ -171,7 +171,7 @@ void KeysPanel::draw_taken_question(const Command& command, const Command* other
   }
   if (dialog_button({.widget = "keys/none",
                      .label = "No key",
-                     .help = "Leaves this place without a key.",
+                     .help = "Removes this key from the command.",
                      .letter = 'N'},
                     ui)) {
     bind_key(command, capture.index, {}, bindings);
@@ -200,7 +200,7 @@ void KeysPanel::draw_question(Ui& ui) {
   }
   ui.hint(
       "Up and Down choose a command, Left and Right its key; Enter or a click changes it, Delete clears it, "
-      "Ctrl+Delete gives the first ones back. Keys of a place work where the focus is.");
+      "Ctrl+Delete gives the default keys back. Keys of a place work if the focus is there.");
   if (dialog_button({.widget = "keys/close",
                      .label = "Close",
                      .help = "Keeps the keys as they are now.",
@@ -210,12 +210,13 @@ void KeysPanel::draw_question(Ui& ui) {
                     ui))
     program.keys_open = false;
   ImGui::SameLine();
-  if (dialog_button({.widget = "keys/reset_all",
-                     .label = asks_reset_ ? "Really reset all" : "Reset all",
-                     .help = "Gives every command its first keys back; asks once more. In the text: Alt+R.",
-                     .letter = 'R',
-                     .enabled = !bindings.changed.empty()},
-                    ui)) {
+  if (dialog_button(
+          {.widget = "keys/reset_all",
+           .label = asks_reset_ ? "Really reset all" : "Reset all",
+           .help = "Gives every command its default keys back; asks once more. While typing: Alt+R.",
+           .letter = 'R',
+           .enabled = !bindings.changed.empty()},
+          ui)) {
     if (asks_reset_) bindings.changed.clear();
     asks_reset_ = !asks_reset_;
   }

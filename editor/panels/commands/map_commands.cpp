@@ -122,7 +122,7 @@ std::vector<Command> map_tool_commands() {
        .checked = is_map_tool(MapTool::stamp)},
       {.id = "map/pan",
        .label = "Move the view",
-       .help = "Drags the view; so do the right button, and Space where it is no player's.",
+       .help = "Drags the view; so do the right button, and Space unless a player uses it.",
        .key = KeyChord{'2'},
        .menu = menus::kMapTools,
        .icon = Icon::pan,
@@ -132,7 +132,7 @@ std::vector<Command> map_tool_commands() {
        .label = "Select",
        .help = "Selects a dragged rectangle of cells. Drag inside it, or press the arrows, "
                "to move its tiles; with "
-               "Ctrl, a drag leaves a copy behind. A click elsewhere selects nothing.",
+               "Ctrl, a drag leaves a copy behind. A click elsewhere clears the selection.",
        .key = KeyChord{'3'},
        .menu = menus::kMapTools,
        .icon = Icon::select,
@@ -175,7 +175,7 @@ std::vector<Command> map_tool_commands() {
        .checked = is_map_tool(MapTool::ellipse)},
       {.id = "map/slope",
        .label = "Lay a slope",
-       .help = "Drag a line: the selected slope tiles are laid along it, or, without any, new ones drawn.",
+       .help = "Drag a line: the selected slope tiles are laid along it; without any, new ones are drawn.",
        .key = KeyChord{'8'},
        .menu = menus::kMapTools,
        .icon = Icon::slope,
@@ -183,11 +183,10 @@ std::vector<Command> map_tool_commands() {
        .checked = is_map_tool(MapTool::slope)},
       {.id = "map/segment",
        .label = "Add a segment",
-       .help =
-           "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
-           "ceiling. For the exact solver. Drag one that is there to move it, a chosen one's ends to turn "
-           "it; "
-           "with Shift, a drag always draws. Ends snap; Ctrl: to half pixels, Alt: not at all.",
+       .help = "Drag a line: it stops bodies on its left, so to the right it is a floor, to the left a "
+               "ceiling. For the exact solver. Drag a segment to move it, or an end of the chosen one to "
+               "turn it; "
+               "with Shift, a drag always draws. Ends snap; with Ctrl to half pixels, with Alt not at all.",
        .key = KeyChord{'9'},
        .menu = menus::kMapTools,
        .icon = Icon::segment,
@@ -196,8 +195,8 @@ std::vector<Command> map_tool_commands() {
        .words = "line edge collision"},
       {.id = "map/body",
        .label = "Place bodies",
-       .help = "Places a ball or a player, as the inspector says, or moves one that is there; the "
-               "chosen one's arrow is its velocity at the start.",
+       .help = "Places a ball or a player, as the inspector says, or moves a body; the arrow of the chosen "
+               "body is its velocity at the start.",
        .key = KeyChord{'0'},
        .menu = menus::kMapTools,
        .icon = Icon::body,
@@ -243,16 +242,16 @@ std::vector<Command> selection_commands() {
        .enabled = has_selected_cells},
       {.id = "map/paste",
        .label = "Paste",
-       .help = "Takes tiles from the clipboard, of TIC-80's map editor too: they hang at the mouse until a "
-               "click puts them down.",
+       .help = "Pastes tiles from the clipboard, also those of TIC-80's map editor: they follow the mouse "
+               "until a click puts them down.",
        .key = ctrl('v'),
        .menu = menus::kMapSelection,
        .run = paste_at_mouse},
       {.id = "map/delete",
        .label = "Delete",
-       .help = "Paints tile 0 over the selection, or else under the mouse, as large as the stamp; "
-               "with the body tool, removes the chosen body, and with those that draw curves, the "
-               "one under the mouse, or the chosen one.",
+       .help = "Paints tile 0 over the selection or, without one, under the mouse, as large as the stamp. "
+               "The body tool removes the chosen body; tools that draw curves remove the curve under the "
+               "mouse, or the chosen one.",
        .key = KeyChord{kKeyDelete},
        .menu = menus::kMapSelection,
        .run = erase_hovered,
@@ -266,7 +265,7 @@ std::vector<Command> selection_commands() {
        .enabled = has_selected_cells},
       {.id = "map/mirror_v",
        .label = "Mirror up and down",
-       .help = "Mirrors the selected tiles; floors become the tiles that are such ceilings.",
+       .help = "Mirrors the selected tiles; floors become the tiles that are ceilings of the same form.",
        .key = KeyChord{'v'},
        .menu = menus::kMapSelection,
        .run = mirror_selection(MirrorAxis::vertical),

@@ -14,7 +14,7 @@ std::vector<Command> picture_commands() {
   return {
       {.id = "picture/import",
        .label = "Import a picture...",
-       .help = "Takes a PNG into a sheet or the palette; what it changes is shown first.",
+       .help = "Imports a PNG into a sheet or the palette, and first shows what it would change.",
        .key = ctrl('i'),
        .menu = menus::kFilePictures,
        .run = ask_for_file(FileDialog::import_png),

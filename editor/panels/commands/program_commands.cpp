@@ -167,9 +167,8 @@ std::vector<Command> file_guard_commands() {
        .run = [](S, A, U ui) { ui.view.program.recovery_open = true; }},
       {.id = "program/tic80",
        .label = "Open in TIC-80",
-       .help =
-           "Saves the cart and opens it in TIC-80; of a level that is no cart, a copy, which is written with "
-           "it whenever it is saved. TIC-80 reads either again then.",
+       .help = "Saves the cart and opens it in TIC-80. A level that is not a cart gets a copy, which is "
+               "written whenever the level is saved. TIC-80 then reads the file again.",
        .key = ctrl_shift('t'),
        .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::tic80)},

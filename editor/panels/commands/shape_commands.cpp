@@ -27,8 +27,8 @@ void suggest(const Session& session, Actions& actions, Ui& ui) {
     edit.label = "Suggest a shape from pixels";
   }
   if (!edit.empty()) return actions.push_back(action::EditLevel{std::move(edit)});
-  actions.push_back(action::ShowMessage{found ? "The shape is as the pixels suggest already."
-                                              : "Nothing to suggest: the tile has no pixels but colour 0.",
+  actions.push_back(action::ShowMessage{found ? "The shape is already as the pixels suggest."
+                                              : "Nothing to suggest: all pixels of the tile have colour 0.",
                                         false});
 }
 

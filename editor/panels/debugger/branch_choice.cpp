@@ -23,11 +23,10 @@ std::string short_name(const Branch& branch) {
 
 void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
   const auto percent = static_cast<int>(session.timeline().progress() * 100);
-  if (ui.text_button(
-          "timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
-          "The recorded input is run again on the changed level. Click to stop here: the branch ends "
-          "where it has come to.",
-          keys_of(find_command("timeline/cancel"), ui), true, ui.px(kProgressWidth)))
+  if (ui.text_button("timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
+                     "The recorded input is run again on the changed level. Click to stop: the branch ends "
+                     "at the frame that it has reached.",
+                     keys_of(find_command("timeline/cancel"), ui), true, ui.px(kProgressWidth)))
     actions.push_back(action::CancelRerun{});
 }
 

@@ -67,7 +67,7 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   double parting = session.debugger().parting();
   if (ImGui::InputDouble("##threshold", &parting, 0, 0, "%.6g"))
     actions.push_back(action::SetParting{parting});
-  ui.item("compare/threshold", "How far apart, px, counts as parted.");
+  ui.item("compare/threshold", "Distance in px from which on bodies count as parted.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("px");
@@ -77,7 +77,8 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   command_text_button("compare/stop", session, actions, ui);
   ui.end_row();
   if (const Series* series = session.debugger().parting_series())
-    draw_timeline_plot("compare/plot", "How far the chosen body is from its other self, px. ", series,
+    draw_timeline_plot("compare/plot",
+                       "Distance in px of the chosen body from the same body on the other side. ", series,
                        theme::tone(theme::kError), ui.px(44), session, actions, ui);
 }
 

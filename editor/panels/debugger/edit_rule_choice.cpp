@@ -18,7 +18,7 @@ void draw_edit_rule_choice(const Session& session, Actions& actions, Ui& ui) {
   using Kind = EditRule::Kind;
   const EditRule now = session.edit_rule();
   if (!ui.begin_combo("timeline/edit_rule", short_rule(now), ui.px(kEditRuleWidth),
-                      "What becomes of the recording when the level is edited: it goes on from the shown "
+                      "What happens to the recording when the level is edited: it goes on from the shown "
                       "frame on the edited level, or all of it is run again there.",
                       keys_of(find_command("timeline/edit_rule"), ui)))
     return;

@@ -65,8 +65,8 @@ bool ExpressionField::draw(std::string_view name, std::string& text, bool condit
   const auto error = text.empty() ? std::nullopt : error_of(text, condition);
   // What is said of the text is below it, where help would cover it.
   constexpr std::string_view kHelp =
-      "An expression such as \"vy > 3 && grounded\". Tab completes a name, and goes on where "
-      "there is none; Up and Down go to the other rows.";
+      "An expression such as \"vy > 3 && grounded\". Tab completes a name, or goes on if there is nothing to "
+      "complete; Up and Down go to the other rows.";
   ui.item(name, error || active ? std::string_view() : kHelp);
   if (error) draw_error(text, *error, ui);
   if (active || open_) draw_candidates(name, edge, text, ui);

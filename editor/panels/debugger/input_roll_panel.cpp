@@ -26,8 +26,8 @@ bool holds(const Branch& branch, std::int64_t frame, InputKey key) {
 void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (session.timeline().last_frame() == 0) {
     ui.hint(
-        "Nothing played yet. What is held in each frame is shown here, and can be changed: press a key on a "
-        "frame, or drag to hold it over several, and the run is made again with it.");
+        "Nothing was played yet. This strip shows what is held in each frame, and can change it: click a "
+        "frame, or drag over several, and the run is made again with the new input.");
     return;
   }
   const float column = ui.px(kColumn);

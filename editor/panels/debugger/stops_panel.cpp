@@ -199,10 +199,10 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   ImGui::AlignTextToFramePadding();
   ui.right_aligned(std::to_string(breakpoint.id), theme::tone(stopped ? theme::kAccent : theme::kMuted));
   ui.item(name + (stopped ? "/stopped" : "/number"),
-          stopped ? "The shown frame is where this one stopped it." : "Its number, which messages tell.");
+          stopped ? "The shown frame is where this one stopped it." : "Its number, which messages show.");
   ImGui::TableNextColumn();
   ImGui::Checkbox("##enabled", &changed.enabled);
-  ui.item(name + "/enabled", "Whether it stops.", "Ctrl+Enter in its condition");
+  ui.item(name + "/enabled", "Whether it is switched on.", "Ctrl+Enter in its condition");
   ImGui::TableNextColumn();
   std::string& text = texts_.try_emplace(breakpoint.id, breakpoint.condition).first->second;
   ExpressionField& field = condition_fields_[breakpoint.id];
@@ -222,12 +222,12 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   take_text_focus(name + "/body", ui);
   ImGui::InputInt("##body", &changed.body, 0);
   changed.body = std::max(changed.body, 0);
-  ui.item(name + "/body", "The id of the body that it is asked about; 0: any.");
+  ui.item(name + "/body", "The id of the body that the condition is about; 0: any body.");
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   ImGui::InputInt("##count", &changed.count, 0);
   changed.count = std::max(changed.count, 1);
-  ui.item(name + "/count", "Stops at this hit and those after it; hits are counted from frame 0.");
+  ui.item(name + "/count", "Stops at this hit and all later ones; hits are counted from frame 0.");
   ImGui::TableNextColumn();
   const auto hits = session.debugger().stops().hits(breakpoint.id, session.state().frame);
   ui.right_aligned(!breakpoint.enabled ? "-" : hits ? std::to_string(*hits) : "...");

@@ -84,7 +84,7 @@ void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& ac
   const std::string name = "watch/" + std::to_string(index);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::SmallButton("x")) actions.push_back(action::RemoveWatch{index});
-  ui.item(name + "/remove", "No longer watches it.", "Enter in its emptied field");
+  ui.item(name + "/remove", "Stops watching it.", "Enter in its emptied field");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(index));
   draw_text(index, session, actions, ui);
@@ -126,7 +126,7 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
 void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::SmallButton("x")) ui.view.shows_times = false;
-  ui.item("watch/times/remove", "No longer shows it.", keys_of(find_command("watch/choose_times"), ui));
+  ui.item("watch/times/remove", "Stops showing it.", keys_of(find_command("watch/choose_times"), ui));
   ImGui::SameLine();
   ImGui::TextUnformatted("ns a step");
   ui.tooltip("Nanoseconds that each step took when it was made last, of all bodies together.");

@@ -63,11 +63,11 @@ float height_of(const std::string& lines) {
 void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const int body = session.choices().body;
   if (session.state().find(body) == nullptr) {
-    ui.hint("No body chosen: click one in the play view, and every stage of its step is told here.");
+    ui.hint("No body chosen: click one in the play view to see every stage of its step here.");
     return;
   }
   if (session.state().frame == 0) {
-    ui.hint("No step yet: F10 makes one, and what happened in it is told here.");
+    ui.hint("No step yet: press F10 to make one, and see here what happens in it.");
     return;
   }
   draw_lines(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),

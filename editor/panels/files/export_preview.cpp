@@ -17,8 +17,8 @@ constexpr float kSizeColumn = 84, kPlaceColumn = 210;  // px at scale 1
 
 std::string code_text(std::size_t bytes) {
   const std::string sizes = size_text(bytes) + " of the " + size_text(kMostTicCode);
-  return bytes > kMostTicCode ? "Too large for TIC-80's free version: its code takes " + sizes +
-                                    " that there are. Fewer shapes or kinds of bodies make it smaller."
+  return bytes > kMostTicCode ? "Too large for TIC-80's free version: its code has " + sizes +
+                                    " that are allowed. Use fewer shapes or kinds of bodies."
                               : "Code: " + sizes + " of TIC-80's free version.";
 }
 
@@ -60,10 +60,7 @@ void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
   draw_text(place);
   ImGui::PopStyleColor();
-  if (is_foreign)
-    ui.tooltip(
-        "What is there is not as an export wrote it: it is somebody's own, or was changed since. "
-        "Exporting asks first.");
+  if (is_foreign) ui.tooltip("The file there is not an export, or was changed since. Exporting asks first.");
 }
 
 void draw_kept_file(const PlannedFile& file, Ui& ui) {
@@ -74,7 +71,7 @@ void draw_kept_file(const PlannedFile& file, Ui& ui) {
   ImGui::TableNextColumn();
   ui.right_aligned(size_text(static_cast<std::size_t>(file.old_size)));
   ImGui::TableNextColumn();
-  ui.hint("kept: it is yours by now");
+  ui.hint("kept: this file is yours now");
   ui.tooltip(
       "Exports begin this file, and it is yours to change. Delete it, and the next export begins it anew.");
 }
@@ -83,7 +80,7 @@ void draw_file_table(const ExportOutcome* outcome, bool is_cancelled, Ui& ui) {
   if (outcome == nullptr)
     return ui.hint(is_cancelled ? "The preview was cancelled. Preview below makes one, Export needs none."
                                 : "Making the files, to see how large they are...");
-  if (outcome->files.empty()) return ui.hint("Nothing, until the error above is gone.");
+  if (outcome->files.empty()) return ui.hint("Nothing, as long as there is the error above.");
   if (!ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("file");
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ui.px(kSizeColumn));
@@ -225,7 +222,7 @@ void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
   const std::optional<ExportProgress> preview = long_preview(session);
   const bool works = outcome != nullptr ? !outcome->problem : session.exporting().preview_cancelled();
   const std::string help = outcome != nullptr && !outcome->foreign.empty()
-                               ? "Asks before it replaces what no export wrote."
+                               ? "Asks before it replaces a file that was not exported."
                                : "Writes this preset's files, all of them or none.";
   if (ui.text_button("export/export", (preview ? "Export" : export_label(outcome)), true, help, {}, works,
                      ui.px(preview ? 88 : 220)))

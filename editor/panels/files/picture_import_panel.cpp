@@ -96,7 +96,7 @@ void draw_match(const PngImportPlan& plan, Ui& ui) {
   if (plan.approximated == 0) return ui.hint("Every pixel keeps its own colour.");
   const std::string place = std::to_string(plan.farthest.x) + ", " + std::to_string(plan.farthest.y);
   const std::string text =
-      "In the nearest colour in place of their own: " + count_of(plan.approximated, "pixel") +
+      "In the nearest colour instead of their own: " + count_of(plan.approximated, "pixel") +
       ". The one at (" + place + ") changes most:";
   draw_text(text);
   ui.item("import/match");
@@ -123,7 +123,7 @@ void draw_choices(PngImportOptions& options, bool enabled, Ui& ui) {
     ui.item(name, help, {}, enabled);
   };
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("What is no whole tile or has no room:");
+  ImGui::TextUnformatted("Parts that are not a whole tile, or have no room:");
   fit_choice(PngFit::fill_up, "import/fill_up", "fill up", "With colour 0, to whole tiles of 8x8 px.");
   fit_choice(PngFit::cut_off, "import/cut_off", "cut off",
              "Only the whole tiles of 8x8 px are taken, as many as there is room for.");

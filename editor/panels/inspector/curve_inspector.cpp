@@ -43,7 +43,7 @@ class FormFields {
     point("to", p.to);
     row();
     number("control", "control y ", p.control_y,
-           "The height of its control point half way, px; it comes half as close.");
+           "The y of its control point half way, px; the curve goes half as far.");
   }
   void draw(Cubic& c) {
     point("from", c.from);
@@ -129,12 +129,12 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   command_text_button("map/duplicate", session, actions, ui, {}, "inspector/curve_duplicate");
   ImGui::SameLine();
-  if (ui.text_button("inspector/curve_remove", "Remove", false, "Takes the curve out of the level.", "Del")) {
+  if (ui.text_button("inspector/curve_remove", "Remove", false, "Removes the curve from the level.", "Del")) {
     actions.push_back(action::EditLevel{remove_curve(session.level(), curve)});
     actions.push_back(action::SelectCurve{});
   }
   if (session.level().tuning.solver != SolverKind::exact)
-    ui.hint("Curves stop bodies with the exact solver alone: see Tuning.");
+    ui.hint("Curves stop bodies only with the exact solver: see Tuning.");
   shown_ = curve;
 }
 
@@ -205,7 +205,7 @@ void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& 
 void CurveInspector::change(const Session& session, Actions& actions, int curve, LevelCurve changed,
                             std::string label, int stroke) {
   auto edit = change_curve(session.level(), curve, std::move(changed), std::move(label));
-  problem_ = edit ? std::string() : "Not taken: " + edit.error() + ".";
+  problem_ = edit ? std::string() : "Not changed: " + edit.error() + ".";
   if (edit) actions.push_back(action::EditLevel{*std::move(edit), stroke});
 }
 

@@ -38,8 +38,8 @@ void change(const Session& session, int index, Spawn spawn, std::string label, i
 // Further away, or faster, nothing can be.
 void refuse(const std::string& part, Actions& actions) {
   const std::string most = no_decimals(kMaxCoordinate);
-  actions.push_back(
-      action::ShowMessage{"Not taken: " + part + " is a number from -" + most + " to " + most + ".", true});
+  actions.push_back(action::ShowMessage{
+      "Not changed: " + part + " must be a number from -" + most + " to " + most + ".", true});
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void SpawnInspector::draw(const Session& session, int index, Actions& actions, U
   draw_name(session, index, actions, ui);
   draw_start(session, index, actions, ui);
   if (spawn_of(session, index).kind == BodyKind::player && session.level().tuning.solver != SolverKind::exact)
-    ui.hint("Players run with the exact solver alone: see Tuning.");
+    ui.hint("Players run only with the exact solver: see Tuning.");
 }
 
 void SpawnInspector::draw_kind(const Session& session, int index, Actions& actions, Ui& ui) {
@@ -71,7 +71,7 @@ void SpawnInspector::draw_kind(const Session& session, int index, Actions& actio
     actions.push_back(action::SelectSpawn{static_cast<int>(session.level().spawns.size())});
   }
   ui.same_line_if_fits(ui.px(64));
-  if (ui.text_button("inspector/remove", "Remove", false, "Takes the body out of the level."))
+  if (ui.text_button("inspector/remove", "Remove", false, "Removes the body from the level."))
     actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});
   if (kind) {
     spawn.kind = *kind == 1 ? BodyKind::player : BodyKind::ball;

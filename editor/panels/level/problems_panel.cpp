@@ -43,7 +43,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_bar(session, actions, ui);
   const std::vector<std::size_t> rows = listed_rows(ui);
   if (rows.empty()) {
-    ui.hint(session.is_linting() ? looking_text(session) : "None of this kind is left.");
+    ui.hint(session.is_linting() ? looking_text(session) : "No problem of this kind is left.");
     return;
   }
   draw_rows(rows, session, actions, ui);
@@ -101,15 +101,15 @@ void ProblemsPanel::draw_kinds(Ui& ui) {
 
 void ProblemsPanel::draw_seam(const Session& session, Actions& actions, Ui& ui) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Jumps of up to");
+  ImGui::TextUnformatted("Allow jumps of up to");
   ImGui::SameLine();
   double seam = session.lint_options().seam;
   ImGui::SetNextItemWidth(ui.px(56));
   if (ImGui::InputDouble("##seam", &seam, 0, 0, "%.6g")) actions.push_back(action::SetLintOptions{{seam}});
-  ui.item("problems/seam", "So many px, below 8, a floor or a ceiling may jump without being listed.");
+  ui.item("problems/seam", "Jumps of a floor or a ceiling up to this many px, below 8, are not listed.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("px are meant");
+  ImGui::TextUnformatted("px");
 }
 
 void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Session& session, Actions& actions,
@@ -191,7 +191,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   ImGui::Separator();
   if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(problem.code, session, actions, ui);
   ui.item("problems/choice_all");
-  if (ImGui::MenuItem("List this kind alone")) ui.view.problems.kind = problem.code;
+  if (ImGui::MenuItem("List only this kind")) ui.view.problems.kind = problem.code;
   ui.item("problems/choice_kind");
   ImGui::EndPopup();
 }

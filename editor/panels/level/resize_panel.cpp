@@ -27,8 +27,8 @@ std::string text_of_limits() {
 // Why there can be no such map; empty when there can.
 std::string problem_of(const MapFrame& frame) {
   const std::string most = std::to_string(kMaxTerrainSide);
-  if (!is_in(frame.width, 1, kMaxTerrainSide)) return "The width is 1 to " + most + " cells.";
-  if (!is_in(frame.height, 1, kMaxTerrainSide)) return "The height is 1 to " + most + " cells.";
+  if (!is_in(frame.width, 1, kMaxTerrainSide)) return "The width must be 1 to " + most + " cells.";
+  if (!is_in(frame.height, 1, kMaxTerrainSide)) return "The height must be 1 to " + most + " cells.";
   const auto cells = std::int64_t{frame.width} * frame.height;
   if (cells > kMaxTerrainCells)
     return "These are " + std::to_string(cells) + " cells; a map has at most " +

@@ -134,7 +134,7 @@ Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
   const auto typed = color_of(typed_);
   if (!typed) {
     actions.push_back(action::ShowMessage{
-        "\"" + typed_ + "\" is no colour: that is six hexadecimal digits, or three such as f80 for ff8800.",
+        "\"" + typed_ + "\" is not a colour: type six hexadecimal digits, or three, such as f80 for ff8800.",
         true});
     return chosen;
   }

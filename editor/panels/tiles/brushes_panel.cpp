@@ -86,7 +86,7 @@ void draw_part(GroundPart part, const Session& session, Actions& actions, Ui& ui
       tile == 0 ? "none" : "tile #" + std::to_string(number_on_screen(SheetId::tiles, tile));
   ui.item(name,
           "The " + std::string(info.label) + ": " + now + ". A click takes the tile selected on the sheet.",
-          "right click: none");
+          "right click: no tile");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (tile != 0) draw_tile_image(list, tile, at, {at.x + side, at.y + side}, ui);
   const bool hovered = ImGui::IsItemHovered();

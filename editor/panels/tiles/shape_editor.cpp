@@ -78,7 +78,7 @@ class ShapeFields {
     const auto tiles = number("tiles", format, shape_.tiles, 1, kMaxShapeTiles,
                               "Over how many tiles it reaches, from the one that has it to the right.", 88);
     if (!tiles) return;
-    if (*tiles != std::round(*tiles)) return refuse("a width is whole tiles");
+    if (*tiles != std::round(*tiles)) return refuse("a width must be whole tiles");
     if (*tiles != shape_.tiles) shape_ = with_width(shape_, static_cast<int>(*tiles));
     changed_ = true;
   }
@@ -109,14 +109,14 @@ class ShapeFields {
       return std::nullopt;
     const double kept = std::clamp<double>(value, least, most);
     if (kept == value || ImGui::IsItemActive()) return kept;  // active: a drag, which stops at its ends
-    const std::string what = part == "tiles" ? "a width is " : "a height is ";
+    const std::string what = part == "tiles" ? "a width must be " : "a height must be ";
     refuse(what + std::to_string(least) + " to " + std::to_string(most) +
            (part == "tiles" ? " tiles" : " px"));
     return std::nullopt;
   }
 
   void refuse(const std::string& why) {
-    actions_.push_back(action::ShowMessage{"Not taken: " + why + ".", true});
+    actions_.push_back(action::ShowMessage{"Not changed: " + why + ".", true});
   }
 
   void check(std::string_view part, std::string_view label, bool& value, std::string_view help) {

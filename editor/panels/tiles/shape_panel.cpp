@@ -47,7 +47,7 @@ std::string tiles_text(const std::vector<int>& tiles) {
 void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const SpriteArea& area = session.choices().area;
   if (area.sheet != SheetId::tiles) {
-    ui.hint("Sprites are no ground: choose a tile on the sheet, and give it a shape here.");
+    ui.hint("Sprites are not ground: choose a tile on the sheet, and give it a shape here.");
     return;
   }
   const int tile = area.tile_at(0, 0);

@@ -84,7 +84,7 @@ void draw_control_keys(Ui& ui) {
   ui.heading("In dialogs, menus, windows such as the settings, and tabs that the command palette went to");
   if (!begin_help_table("controls", ui)) return;
   draw_help_row("Arrows, Tab, Shift+Tab", "To the next control",
-                "It has a frame. In a list the arrows alone.", ui);
+                "The control gets a frame. In a list only the arrows move.", ui);
   draw_help_row("Space, Enter", "Press it", "Enter also presses the highlighted answer of a dialog.", ui);
   draw_help_row("Underlined letters", "Press a button", "While a text is typed, with Alt.", ui);
   draw_help_row("Esc", "Cancel, close, end",

@@ -172,7 +172,7 @@ void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
 void MenuPanel::draw_edit_rule(const Session& session, Actions& actions, Ui& ui) {
   using Kind = EditRule::Kind;
   const bool open = ImGui::BeginMenu("When the level is edited");
-  ui.item("menu/edit_rule", "What becomes of the recording when the level changes under it.");
+  ui.item("menu/edit_rule", "What happens to the recording when the level is edited.");
   if (!open) return;
   const EditRule now = session.edit_rule();
   const std::int64_t frame = session.state().frame;

@@ -40,8 +40,8 @@ void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
                  "Processor time for handing the picture to OpenGL, without showing it. A driver that has no "
                  "graphics hardware draws then.",
                  ui);
-      metric_row("vertices", "%.0f", last.vertices, "That Dear ImGui drew in the last frame.", ui);
-      metric_row("draw calls", "%.0f", last.draw_calls, "That they were drawn with.", ui);
+      metric_row("vertices", "%.0f", last.vertices, "Drawn by Dear ImGui in the last frame.", ui);
+      metric_row("draw calls", "%.0f", last.draw_calls, "The calls that drew them.", ui);
       if (steps != nullptr && !steps->points().empty())
         metric_row("step   ns", "%.0f", steps->points().back().last,
                    "Of the last step of the simulation, all bodies.", ui);

@@ -28,7 +28,7 @@ constexpr std::array<AnswerChoice, 3> kUnsavedAnswers = {
      {"question/discard", "Discard", "Goes on without saving.", action::Answer::discard, 'D'},
      {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, 'C'}}};
 constexpr std::array<AnswerChoice, 2> kChangedAnswers = {
-    {{"question/reload", "Read again", "Takes what the file has now; Undo brings your changes back.",
+    {{"question/reload", "Read again", "Reads the file as it is now; Undo brings your changes back.",
       action::Answer::reload, 'R'},
      {"question/keep", "Keep mine", "Leaves the level as it is here; the next save replaces the file.",
       action::Answer::keep, 'K'}}};
@@ -53,7 +53,7 @@ constexpr std::array<AnswerChoice, 3> kUnstoredAnswers = {
      {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, 'C'}}};
 
 constexpr std::array<AnswerChoice, 2> kAllowAnswers = {
-    {{"question/not_now", "Not now", "Writes nothing of them. The level is saved all the same.",
+    {{"question/not_now", "Not now", "Writes none of their files. The level is saved all the same.",
       action::Answer::cancel, 'N'},
      {"question/allow", "Allow", "Writes them, now and later, as long as nobody else changes the presets.",
       action::Answer::allow, 'A'}}};

@@ -95,7 +95,7 @@ void SettingsPanel::draw_programs(Ui& ui) {
     if (!ImGui::IsItemActive()) typed_[index] = preferences.programs[index];
     ui.item(widget, info.settings);
     ImGui::SameLine();
-    if (ui.icon_button(widget + "_reset", Icon::restart, false, "Puts the first command back.", {},
+    if (ui.icon_button(widget + "_reset", Icon::restart, false, "Restores the default command.", {},
                        preferences.programs[index] != info.command))
       preferences.programs[index] = std::string(info.command);
   }

@@ -94,7 +94,7 @@ void draw_file(const Session& session, const std::string& before, Ui& ui) {
   draw_short_text(text, ImGui::GetContentRegionAvail().x - size_of_text(before).x - ui.px(16),
                   theme::tone(warns ? theme::kWarning : theme::kMuted));
   if (!problem.empty())
-    ui.item("status/not-saved-by-itself", text + ". It is tried again until it succeeds.");
+    ui.item("status/not-saved-by-itself", text + ". Talus tries again until it succeeds.");
   else
     ui.item("status/file", session.path().empty() ? "Not in a file yet." : session.path());
 }
