@@ -94,12 +94,12 @@ void add_bench_command(CLI::App& program, CommandContext& context) {
       ->required()
       ->check(CLI::Range(1, 10'000'000));
   command->add_flag("--pairs", options->pairs,
-                    "Balls block one another; without it they pass, so that the cost of a body is its own");
+                    "Balls block one another; by default they pass, so that each body costs the same");
   add_physics_options(*command, options->physics);
   command
-      ->add_option("--threads", options->threads,
-                   "Threads at most; every solver steps its bodies in order, on one thread, so that more "
-                   "change nothing")
+      ->add_option(
+          "--threads", options->threads,
+          "Maximum of threads; every solver steps its bodies in order, on one thread, so more change nothing")
       ->check(CLI::Range(1, 256));
   command->add_option("--seed", options->seed, "Where the balls start");
   command->callback([&context, options] { bench(context, *options); });

@@ -37,7 +37,7 @@ std::string apply_setting(const std::string& setting, Tuning& tuning) {
   const auto fields = tuning_fields();
   const auto field =
       std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.path() == key; });
-  if (field == fields.end()) return "there is no number of the tuning called \"" + key + "\"";
+  if (field == fields.end()) return "the tuning has no number \"" + key + "\"";
   double value = 0;
   const char* end = setting.data() + setting.size();
   const auto [rest, code] = std::from_chars(setting.data() + equals + 1, end, value);
@@ -77,7 +77,7 @@ int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::o
     const auto commands = program.get_subcommands();
     const std::string command = commands.empty() ? "" : " " + commands.front()->get_name();
     if (context.doing.empty()) context.doing = "running talus" + command;
-    fail(context, "talus", "", "ended while " + context.doing + ": " + caught_text());
+    fail(context, "talus", "", "failed while " + context.doing + ": " + caught_text());
   }
   if (!out.flush()) fail(context, "-", "", "standard output cannot be written");
   return context.status;
@@ -124,7 +124,8 @@ std::vector<std::string> solver_names() {
 }
 
 void add_physics_options(CLI::App& command, PhysicsOptions& options) {
-  command.add_option("--solver", options.solver, "The solver; without it, the level's own, of a cart: exact")
+  command
+      .add_option("--solver", options.solver, "The solver; default: that of the level, or exact for a cart")
       ->check(CLI::IsMember(solver_names()));
   command.add_option("--set", options.settings, "Change a number of the tuning: --set fall_speed=3")
       ->type_name("KEY=VALUE")

@@ -40,7 +40,7 @@ std::string unknown_preset(const std::string& name, const std::vector<ExportPres
     known += (known.empty() ? "" : ", ") + ("\"" + preset.name + "\"");
   }
   return "there is no preset \"" + name + "\"; " +
-         (known.empty() ? "the level has none: they are made in the editor, in File > Export"
+         (known.empty() ? "the level has none: make them in the editor, in File > Export"
                         : "the level has " + known);
 }
 
@@ -63,7 +63,7 @@ void export_presets(CommandContext& context, const ExportOptions& options, Level
       return fail(context, options.input, "", problem);
   }
   if (presets.empty())
-    return fail(context, options.input, "", "has no presets: they are made in the editor, in File > Export");
+    return fail(context, options.input, "", "has no presets: make them in the editor, in File > Export");
   const auto& names = options.presets;
   std::erase_if(presets, [&](const ExportPreset& preset) {
     return !options.all && std::find(names.begin(), names.end(), preset.name) == names.end();
@@ -104,7 +104,7 @@ void export_file(CommandContext& context, const ExportOptions& options) {
 std::string waiting_text(const std::string& file) {
   std::error_code ignored;
   const auto bytes = read_file(file);
-  if (bytes || !std::filesystem::exists(file, ignored)) return "is not there; waiting for it";
+  if (bytes || !std::filesystem::exists(file, ignored)) return "does not exist; waiting for it";
   return bytes.error().message + "; waiting for a file";
 }
 
@@ -130,12 +130,12 @@ void watch_and_export(CommandContext& context, ExportOptions options) {
 void check_options(const ExportOptions& options) {
   const bool is_cart = options.target == "tic" || options.target == "tic-text";
   if (options.playable && !is_cart)
-    throw CLI::ValidationError("--playable", "goes with --to tic and --to tic-text alone");
+    throw CLI::ValidationError("--playable", "can only be used with --to tic and --to tic-text");
   const Exporter* exporter = find_exporter(options.target + (options.playable ? "-playable" : ""));
   if (!options.parts.empty() && (exporter == nullptr || !exporter->takes_parts))
     throw CLI::ValidationError("--parts",
-                               "goes with what has the runtime for Lua in it: love, lua-runtime, "
-                               "tic --playable and tic-text --playable");
+                               "can only be used with the formats that contain the Lua runtime: love, "
+                               "lua-runtime, tic --playable and tic-text --playable");
   if (!options.takes_presets() && (options.target.empty() || options.output.empty()))
     throw CLI::ValidationError("export", "needs --to and --output, or --preset, or --all");
   if (options.watch && options.output == "-")
@@ -150,31 +150,34 @@ void add_export_command(CLI::App& program, CommandContext& context) {
   command->add_option("FILE", options->input, "Level or cart")->required();
   CLI::Option* target =
       command->add_option("--to", options->target, "Format to write")->check(CLI::IsMember(exporter_ids()));
-  CLI::Option* output = command->add_option("-o,--output", options->output,
-                                            "File to write, - for standard output; of some formats a folder");
-  CLI::Option* presets = command->add_option(
-      "--preset", options->presets, "Instead of both: a preset of the level, by its name; may be repeated");
-  command->add_flag("--all", options->all, "Instead: all presets of the level, made in its export window")
+  CLI::Option* output = command->add_option(
+      "-o,--output", options->output, "File to write, - for standard output; for some formats a folder");
+  CLI::Option* presets =
+      command->add_option("--preset", options->presets,
+                          "Instead of --to and --output: the name of a preset of the level; may be repeated");
+  command
+      ->add_flag("--all", options->all,
+                 "Instead of --to and --output: all presets of the level, as made in File > Export")
       ->excludes(target)
       ->excludes(output)
       ->excludes(presets);
   presets->excludes(target)->excludes(output);
   command->add_flag("--watch", options->watch,
-                    "Export at once and after every change of FILE, until Ctrl+C; a line for each");
+                    "Export now and after every change of FILE, until Ctrl+C; prints a line for each export");
   command->add_flag("--playable", options->playable,
-                    "With tic and tic-text: put code into the cart that plays the level at once");
+                    "With tic and tic-text: put code into the cart that plays the level");
   command
       ->add_option("--parts", options->parts,
-                   "Of the runtime for Lua, besides what the level uses: " + lua_part_names() +
-                       "; with commas between, for what the game adds while it runs")
+                   "Parts of the Lua runtime besides those that the level uses, for what the game adds while "
+                   "it runs: " +
+                       lua_part_names() + "; separated by commas")
       ->excludes(presets);
   command->add_flag(
       "--fresh", options->rules.fresh,
-      "Write files that are yours to change, such as main.lua, anew; otherwise changed ones stay");
-  command->add_flag(
-      "--force", options->rules.force,
-      "Replace files beside the named one, in the folder, or of a preset, that no export wrote as "
-      "they are");
+      "Write the files that you may change, such as main.lua, anew; by default changed ones stay");
+  command->add_flag("--force", options->rules.force,
+                    "Replace files beside the named one, in the folder, or of a preset, even if they are not "
+                    "unchanged exports");
   command->add_flag(
       "--allow-outside", options->rules.allow_outside,
       "Let presets write outside of the folder of FILE, and exports through links that lead out "

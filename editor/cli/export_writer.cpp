@@ -34,7 +34,7 @@ void warn_of_losses(CommandContext& context, const Exporter& exporter, const Exp
 
 void fail_with(CommandContext& context, const ExportOrder& order, const ExportProblem& problem) {
   FormatError error = problem.error;
-  if (problem.is_outside) error.message += ": --allow-outside means it";
+  if (problem.is_outside) error.message += ": to write there, use --allow-outside";
   if (error.message.starts_with(order.output + " ")) error.message.erase(0, order.output.size() + 1);
   if (problem.field == ExportProblem::Field::target)
     fail(context, order.input, "preset \"" + order.preset + "\"", error.message);
@@ -85,12 +85,13 @@ std::string problem_of_file(const ExportOrder& order, const ExportPlan& plan, st
   const bool was_typed = content.name.empty() && !order.is_of_level;
   if (was_typed) return output_problem({file.path, content.bytes, {order.input}, /*may_be_unknown=*/true});
   if (is_same_file(file.path, order.input))
-    return "is the level itself, and the export has a file of this name: name another place";
+    return "is the level itself, which the export would overwrite: name another place";
   if (file.place != Place::other || content.is_starter || may_replace ||
       (file.old && record.has(file.path, *file.old)))
     return "";
-  return record.knows(file.path) ? "was changed since it was exported: move it away, or replace it by --force"
-                                 : "is there, and no export wrote it: move it away, or replace it by --force";
+  return record.knows(file.path)
+             ? "was changed since it was exported: move it away, or replace it with --force"
+             : "exists, and is not an export: move it away, or replace it with --force";
 }
 
 // Says which files are in the way; true: there are some.
@@ -168,7 +169,7 @@ void carry_out(CommandContext& context, const ExportOrder& order) {
     context.out.flush();
   }
   for (const std::string& path : kept)
-    say(context.err, path + ": note: kept, as it is yours by now; --fresh writes it anew");
+    say(context.err, path + ": note: kept, as this file is yours now; --fresh writes it anew");
   warn_of_losses(context, *plan->exporter, plan->content, order.output);
 }
 

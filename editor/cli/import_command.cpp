@@ -20,17 +20,17 @@ void import_level(CommandContext& context, const std::string& input, const Impor
 
 void add_import_command(CLI::App& program, CommandContext& context) {
   CLI::App* command = program.add_subcommand(
-      "import", "Turn any readable file into a native level, or take a PNG into a level");
+      "import", "Convert any readable file to a native level, or import a PNG into a level");
   auto input = std::make_shared<std::string>();
   auto into = std::make_shared<PngIntoLevel>();
   auto choices = std::make_shared<ImportChoices>();
-  command->add_option("FILE", *input, "Level, cart or map of Tiled; with --into, a PNG of up to 128x128 px")
+  command->add_option("FILE", *input, "Level, cart or Tiled map; with --into, a PNG of up to 128x128 px")
       ->required();
   command
       ->add_option("-o,--output", into->output,
                    "Native level to write, with --into in the format of its name; - for standard output")
       ->required();
-  CLI::Option* level = command->add_option("--into", into->level, "The level that the PNG is taken into");
+  CLI::Option* level = command->add_option("--into", into->level, "The level that gets the PNG");
   command->add_option("--part", into->part, "What the PNG becomes: images of a sheet, or the palette")
       ->check(CLI::IsMember(png_part_names()))
       ->needs(level);
@@ -38,21 +38,18 @@ void add_import_command(CLI::App& program, CommandContext& context) {
       ->check(CLI::Range(0, kTileCount - 1))
       ->needs(level);
   command
-      ->add_flag(
-          "--take-palette", into->take_palette,
-          "Take over its palette of up to 16 colours; without, each pixel takes the level's colour with "
-          "the smallest squared distance in RGB")
+      ->add_flag("--take-palette", into->take_palette,
+                 "Take over the PNG's palette of up to 16 colours; by default each pixel gets the level's "
+                 "colour with the smallest squared distance in RGB")
       ->needs(level);
   command
-      ->add_option(
-          "--layer", choices->layer,
-          "Of a map with several layers of tiles, the name of the one to take, or its number, from 1")
+      ->add_option("--layer", choices->layer,
+                   "The tile layer to take from a map with several: its name, or its number, from 1")
       ->excludes(level);
   command
-      ->add_flag(
-          "--tiles-used", choices->used_tiles,
-          "Of a map of Tiled, take the tiles that it shows, with new numbers, also from several tilesets; "
-          "mirrored ones become tiles of their own")
+      ->add_flag("--tiles-used", choices->used_tiles,
+                 "Take only the tiles that a Tiled map shows, with new numbers, also from several tilesets; "
+                 "mirrored ones become tiles of their own")
       ->excludes(level);
   command->callback([&context, input, into, choices, level] {
     if (level->empty()) return import_level(context, *input, *choices, into->output);

@@ -50,7 +50,7 @@ std::string output_problem(const OutputFile& output) {
   if (output.path == "-") return "";
   for (const std::string& input : output.inputs) {
     if (reads(input, output.path))
-      return "is what this command reads, and would be written over: name another file";
+      return "is the input of this command, which it would overwrite: name another file";
   }
   std::error_code ignored;
   if (!fs::is_regular_file(output.path, ignored)) return "";
@@ -59,7 +59,7 @@ std::string output_problem(const OutputFile& output) {
   const std::string kind(content_kind(*old));
   const bool is_same = is_of_kind(*old, output.bytes);
   if (is_same || (kind.empty() && output.may_be_unknown)) return "";
-  return (kind.empty() ? "is a file of another kind" : "is there, and is a " + kind) +
+  return (kind.empty() ? "exists, and is a file of another kind" : "exists, and is a " + kind) +
          ", which would be lost: name another file, or move it away";
 }
 

@@ -15,7 +15,7 @@ void write_level(CommandContext& context, const Level& level, const CompanionFil
                  const std::string& output, const std::string& picture) {
   const Format* format = output == "-" ? find_format("native") : format_for_file(output);
   if (format == nullptr)
-    return fail(context, output, "", "has the name of no format that a level can be written in");
+    return fail(context, output, "", "must have the extension of a format in which levels can be written");
   const auto written = format->write(level, context_for_file(output));
   if (!written) return fail(context, output, written.error().place, written.error().message);
   if (output == "-") {

@@ -43,7 +43,7 @@ bool write(CommandContext& context, const std::string& path, const std::string& 
 void report(CommandContext& context, const ReportOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.folder, problem);
-  if (problem) return fail(context, options.folder, "", "cannot be made a folder");
+  if (problem) return fail(context, options.folder, "", "cannot be created as a folder");
   const std::string folder = options.folder + '/';
 
   const BuildFacts facts = build_facts();
@@ -69,7 +69,8 @@ void report(CommandContext& context, const ReportOptions& options) {
   say(context.out, std::to_string(rows.size()) + " rows in " + folder + "report.csv, " +
                        std::to_string(pictures.size()) + " plots");
   if (pictures.size() < report_plots().size()) {
-    fail(context, options.folder, "", "gnuplot is missing or failed, so there are tables but not all plots");
+    fail(context, options.folder, "",
+         "gnuplot is missing or failed: the tables are written, but not all plots");
   }
 }
 
@@ -79,12 +80,13 @@ void add_report_command(CLI::App& program, CommandContext& context) {
   CLI::App* command = program.add_subcommand(
       "report", "Measure what each solver costs and how far it is from the right answers: tables and plots");
   auto options = std::make_shared<ReportOptions>();
-  command->add_option("-o", options->folder, "The folder to write to; made if there is none")
+  command->add_option("-o", options->folder, "The folder to write to; it is created if it does not exist")
       ->required()
       ->type_name("DIR");
-  command->add_flag("--quick", options->quick, "Fewer moves: less than a minute");
+  command->add_flag("--quick", options->quick, "Measure fewer moves, in less than a minute");
   command
-      ->add_option("--moves", options->moves, "Moves of a row; a twentieth of them balls that roll or bounce")
+      ->add_option("--moves", options->moves,
+                   "Moves in each row; a twentieth as many for balls that roll or bounce")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   command->callback([&context, options] { report(context, *options); });
 }

@@ -102,7 +102,7 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
 // Draws into a file of its own and copies that to standard output, since pictures are written atomically.
 void shoot_to_output(CommandContext& context, ShotCommandOptions& options) {
   std::string folder = (std::filesystem::temp_directory_path() / "talus-shot-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr) return fail(context, folder, "", "cannot be made a folder");
+  if (::mkdtemp(folder.data()) == nullptr) return fail(context, folder, "", "cannot be created as a folder");
   options.output = folder + "/shot.png";
   shoot(context, options);
   if (context.status == kExitGood) context.out << read_file(options.output).value_or("");
@@ -140,7 +140,8 @@ void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   command.add_option("--compare", options.compared, "Show the same input through this solver, too")
       ->check(CLI::IsMember(solver_names()))
       ->needs(window);
-  command.add_flag("--two-views", shot.two_views, "In a view of its own")->needs("--compare");
+  command.add_flag("--two-views", shot.two_views, "Show the other side of --compare in a view of its own")
+      ->needs("--compare");
   command.add_option("--stage", shot.stage, "Draw this stage of the body's step, from 0")->needs(window);
 }
 
@@ -156,15 +157,15 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
   command->add_option("--overlay", options->overlays, "Overlays to draw")
       ->delimiter(',')
       ->check(CLI::IsMember(overlay_keys()));
-  command->add_option("--zoom", options->shot.zoom, "Pixels of the picture for one of the level")
+  command->add_option("--zoom", options->shot.zoom, "Pixels of the picture for each px of the level")
       ->check(CLI::Range(1, 16));
-  command->add_option("--body", options->shot.body, "Body whose details are labelled, by its id");
+  command->add_option("--body", options->shot.body, "Id of the body whose details are labelled");
   command->add_option("--window", options->window, "Draw the editor's whole window in this size")
       ->type_name("WxH")
       ->check(check_size)
       ->excludes(std::string("--set"), std::string("--zoom"));
   add_debugger_options(*command, *options);
-  command->add_flag("--metrics", options->metrics, "Play 120 frames more, and print what they cost")
+  command->add_flag("--metrics", options->metrics, "Play 120 more frames, and print what they cost")
       ->needs("--window");
   command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {

@@ -111,7 +111,7 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
   CLI::Option* frames =
       command
           ->add_option("--frames", options->frames,
-                       "Steps to make; of a recording, at most and by default all of its own")
+                       "Steps to make; for a recording at most its own, which is the default")
           ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
   CLI::Option* verify_flag =
       command->add_flag("--verify", options->verify,
@@ -119,15 +119,14 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
                         "a recording, and compare the hash of each frame");
   add_physics_options(*command, options->physics);
   command->add_option("--input", options->input,
-                      "Recorded mouse and keys (JSON lines), besides those of a hard case");
+                      "Recorded mouse and keys (JSON lines), in addition to those of a hard case");
   command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
   command->add_flag("--no-contacts", options->no_contacts, "Leave the contacts out of the trace");
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
   command
-      ->add_option(
-          "--until", options->until,
-          "Stop at the first frame in which this holds of any body, as in \"penetration > 1\", and print "
-          "the frame and why; exit status 1 when there is none")
+      ->add_option("--until", options->until,
+                   "Stop at the first frame in which this holds for any body, such as \"penetration > 1\", "
+                   "and print the frame and why; the exit status is 1 if there is none")
       ->check(problem_of_condition);
   for (const char* other : {"--frames", "--input", "--trace", "--hash", "--until"})
     verify_flag->excludes(other);

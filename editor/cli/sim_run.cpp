@@ -55,7 +55,7 @@ bool catch_up(CommandContext& context, const SimOptions& options, Timeline& time
 // Why the trace must not be written where it is asked for; empty: it may.
 std::string trace_problem(const SimOptions& options) {
   if (has_name_of_level(options.trace))
-    return "has the name of a level or a recording, and a trace would be written: name another file";
+    return "has the name of a level or a recording, but would hold a trace: name another file";
   return output_problem({options.trace, kTraceBeginning, {options.file, options.input}});
 }
 
@@ -63,7 +63,7 @@ std::string trace_problem(const SimOptions& options) {
 void verify(CommandContext& context, const SimOptions& options, Timeline& timeline) {
   const Branch& branch = timeline.current();
   if (branch.expected.size() == 0) {
-    context.out << "failed: the recording holds no hashes to compare with\n";
+    context.out << "failed: the recording has no hashes to compare with\n";
     context.status = kExitBad;
     return;
   }

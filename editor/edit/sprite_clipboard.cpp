@@ -158,7 +158,8 @@ tl::expected<Edit, std::string> paste_palette(const Level& level, int color, std
   const std::size_t count = digits ? digits->size() : 0;
   if (count != kDigitsOfAColor && count != kDigitsOfAColor * kColorCount)
     return tl::unexpected<std::string>(
-        "The clipboard holds no palette: that is 96 hex digits, as TIC-80 copies it, or 6 for one colour.");
+        "The clipboard holds no palette: it must be 96 hex digits, as TIC-80 copies it, or 6 for one "
+        "colour.");
   const auto byte = [&](std::size_t at) {
     return static_cast<std::uint8_t>((*digits)[at] << 4 | (*digits)[at + 1]);
   };

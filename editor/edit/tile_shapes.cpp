@@ -321,7 +321,7 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
     return tl::unexpected("a copy at tile " + std::to_string(target) +
                           " would lie over part of its original");
   constexpr std::array<const char*, 4> kLabels = {"Copy a tile", "Mirror a tile", "Turn a tile upside down",
-                                                  "Turn a tile by a half"};
+                                                  "Turn a tile by 180 degrees"};
   Edit edit{kLabels[static_cast<std::size_t>(turn)], {}};
   copy_pixels(level, from, to, turn, edit);
   add_shape_change(level, target, image, edit);

@@ -140,7 +140,7 @@ std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& ti
       return SlopeFault{"slope-overlap", where + " is solid: it stands inside the slope's box"};
     if (tiles.is_slope(other)) {
       return SlopeFault{"slope-overlap",
-                        where + " has a slope's flag too: a slope is flagged on its left tile alone"};
+                        where + " has a slope's flag too: only the left tile of a slope may be flagged"};
     }
   }
   return std::nullopt;

@@ -81,7 +81,7 @@ class LevelLinter {
     }
     if (level_.curves.empty() || level_.tuning.solver == SolverKind::exact) return;
     add(Severity::warning, "curves-need-exact",
-        "curves and segments stop bodies of the exact solver alone, and the level's is " +
+        "curves and segments stop only bodies of the exact solver, but the level's solver is " +
             std::string(solver_name(level_.tuning.solver)));
   }
 
@@ -110,7 +110,7 @@ class LevelLinter {
     if (count > 3) tiles += " and " + std::to_string(count - 3) + " more";
     add(Severity::warning, "ground-not-in-article",
         "bodies pass through tile" + std::string(count == 1 ? " " : "s ") + tiles +
-            ": the article knows no one-way ground, ceilings and profiles; the solvers bump and exact do",
+            ": the article's solver does not know one-way ground, ceilings and profiles; bump and exact do",
         {}, first);
   }
 

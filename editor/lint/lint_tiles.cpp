@@ -160,7 +160,7 @@ void LintTiles::check_steepness(const Level& level, int tile) {
   if (rise <= width * steepest) return;
   add(Severity::warning, "too-steep", tile,
       "rises " + px_text(rise) + " px in " + px_text(width) + " px; more than " + px_text(width * steepest) +
-          " px is no floor to stand on");
+          " px is not a floor to stand on");
 }
 
 void LintTiles::check_picture(int tile) {

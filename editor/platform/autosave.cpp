@@ -98,14 +98,14 @@ tl::expected<SavedWork, std::string> read_parts(const std::string& file, const j
       return damaged("a recording is missing");
     auto recording =
         read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>()), progress); });
-    if (!recording) return damaged("of its recording " + to_text(recording.error()));
+    if (!recording) return damaged("its recording " + to_text(recording.error()));
     work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
     rest.remove_prefix(size.get<std::size_t>());
   }
   FormatContext context{kNativeExtension};
   context.progress = progress;
   auto level = read_guarded([&] { return find_format("native")->read(rest, context); });
-  if (!level) return damaged("of its level " + to_text(level.error()));
+  if (!level) return damaged("its level " + to_text(level.error()));
   work.level = std::make_shared<const Level>(std::move(*level));
   if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
   if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
@@ -145,7 +145,7 @@ tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, co
   const std::size_t line = bytes->find('\n');
   if (line == std::string::npos) return damaged("its first line has no end");
   const auto about = parse_json(std::string_view(*bytes).substr(0, line));
-  if (!about || !about->is_object()) return damaged("its first line does not tell what it holds");
+  if (!about || !about->is_object()) return damaged("its first line does not say what it holds");
   return read_parts(file, *about, std::string_view(*bytes).substr(line + 1), progress.part(0.1, 1));
 } catch (...) {
   return tl::unexpected("cannot be read: " + caught_text());
@@ -173,7 +173,7 @@ tl::expected<void, std::string> Autosave::hold_lock() {
     if (!fs::exists(file_, error)) lock_ = locked(lock_file(file_), O_CREAT);
   }
   if (lock_ >= 0) return {};
-  return tl::unexpected("no file can be made: " + std::generic_category().message(errno));
+  return tl::unexpected("no file can be created: " + std::generic_category().message(errno));
 }
 
 std::optional<std::string> Autosave::follow(const Session& session, double now) {

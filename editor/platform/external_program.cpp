@@ -34,7 +34,7 @@ tl::expected<std::string, std::string> filled_in(const std::string& word, const 
     else if (name == "{folder}")
       text += folder;
     else
-      return tl::unexpected(name + " stands for nothing: write {file} or {folder}.");
+      return tl::unexpected(name + " is unknown: write {file} or {folder}.");
     at = close + 1;
   }
   return text;
@@ -81,7 +81,7 @@ std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, Op
   }
   const auto copy = copies.write(session, info);
   if (!copy) return fail(copy.error());
-  FileToOpen file{copy->path, "Wrote a copy of the level, which is written again with every saving. "};
+  FileToOpen file{copy->path, "Wrote a copy of the level, which is written again at every save. "};
   if (!copy->kept.empty())
     file.note += "What another program had saved there is kept as " + copy->kept + ". ";
   if (!copy->record_problem.empty()) file.note += copy->record_problem + " ";

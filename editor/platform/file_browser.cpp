@@ -138,8 +138,9 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) 
     ui.item("files/entry/" + entry.name);
   });
   if (entries_.size() <= 1)
-    ui.hint(request_.names_folder() ? "No folder here. The one that is named below will be made."
-                                    : "No folder and no such file here. Known endings: " + known_endings());
+    ui.hint(request_.names_folder()
+                ? "There is no folder here. The one that you name below will be created."
+                : "There is no folder and no readable file here. Known extensions: " + known_endings());
   ImGui::EndChild();
   ImGui::PopStyleVar();
   if (!entered.empty()) {

@@ -116,7 +116,7 @@ std::string GlWindow::start(const WindowOptions& options) {
   if (!ImGui_ImplOpenGL3_Init("#version 330")) return "Dear ImGui cannot use OpenGL.";
   // Without it a full window, of more than 65,536 corners, would end the program.
   if ((ImGui::GetIO().BackendFlags & ImGuiBackendFlags_RendererHasVtxOffset) == 0)
-    return "OpenGL 3.2 is missing: the one that is here cannot draw a window of more than 65,536 corners.";
+    return "OpenGL 3.2 is missing: this version cannot draw more than 65,536 vertices.";
   return {};
 }
 

@@ -116,7 +116,7 @@ std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
   const ProgramInfo& info = info_of(copy.program);
   if (copy.stamp && file_change(copy.written.path, *copy.stamp) == FileChange::content)
     return "The copy for " + std::string(info.label) +
-           " was changed by another program, and is left as it is: it does not follow this level any more.";
+           " was changed by another program and stays as it is: it no longer follows this level.";
   const Exporter& exporter = *find_exporter(info.format);
   const auto made = make_copy(session.level(), exporter, copy.written.path);
   const auto written = made ? write_copy(*made, exporter, copy.written.path) : tl::unexpected(made.error());

@@ -54,7 +54,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
   if (reading)
     ui.hint("Reading what was saved ...");
   else if (works.empty())
-    ui.hint("Nothing is left to recover. Unsaved changes are saved by themselves every few seconds.");
+    ui.hint("Nothing is left to recover. Unsaved changes are saved automatically every few seconds.");
   else
     ui.hint(
         "Talus ended without saving these. Recovered changes can be undone, and are saved when you save.");

@@ -160,7 +160,7 @@ std::string settings_path() { return (fs::path(config_folder()) / "settings.json
 FormatResult<Settings> settings_of_text(std::string_view text) {
   const auto root = parse_json(text);
   if (!root) return tl::unexpected(root.error());
-  if (!root->is_object()) return tl::unexpected(FormatError{"", "is JSON, but no settings"});
+  if (!root->is_object()) return tl::unexpected(FormatError{"", "is JSON, but not settings"});
   return from_json(*root);
 }
 

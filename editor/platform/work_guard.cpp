@@ -43,7 +43,7 @@ void WorkGuard::offer(View& view) {
 // The message tells when it begins and ends; between them, the status bar does.
 bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
   if (autosave_.follow(session, now)) {
-    told_ = "Unsaved work cannot be saved by itself: " + *autosave_.problem() +
+    told_ = "Unsaved work cannot be saved automatically: " + *autosave_.problem() +
             ". It is tried again until it succeeds; the folder is " + autosave_.folder() + ".";
     session.apply(action::ShowMessage{told_, true});
   }
@@ -51,7 +51,7 @@ bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
   const bool changed = std::exchange(view.program.autosave_problem, problem) != problem;
   if (changed && problem.empty() && session.message() && session.message()->text == told_)
     session.apply(session.modified()
-                      ? Action(action::ShowMessage{"Unsaved work is saved by itself again.", false})
+                      ? Action(action::ShowMessage{"Unsaved work is saved automatically again.", false})
                       : Action(action::DismissMessage{}));
   return changed;
 }
@@ -120,7 +120,8 @@ void WorkGuard::finish_recovery(Session& session, View& view) {
   view.program.autosave_problem = autosave_.problem().value_or("");
   if (!saved)
     session.apply(action::ShowMessage{
-        "Recovered, but not saved by itself again: " + saved.error() + ". " + work.file + " stays.", true});
+        "Recovered, but not saved automatically again: " + saved.error() + ". " + work.file + " stays.",
+        true});
   else if (const auto gone = Autosave::discard(work); !gone)
     session.apply(action::ShowMessage{gone.error(), true});
 }

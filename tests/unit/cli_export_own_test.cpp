@@ -52,8 +52,9 @@ TEST_F(CliOwnFiles, ChangedStartersAreKept) {
     ASSERT_EQ(run_to(format, game), 0) << answer_.err;
     for (const char* name : names) {
       EXPECT_EQ(bytes_of(game + "/" + name), "mine");
-      EXPECT_THAT(answer_.err, HasSubstr(path(game + "/" + name) +
-                                         ": note: kept, as it is yours by now; --fresh writes it anew\n"));
+      EXPECT_THAT(answer_.err,
+                  HasSubstr(path(game + "/" + name) +
+                            ": note: kept, as this file is yours now; --fresh writes it anew\n"));
     }
     ASSERT_EQ(run_to(format, game, "--fresh"), 0) << answer_.err;
     EXPECT_EQ(bytes_of(game + "/" + names[0]), begun);
@@ -73,7 +74,7 @@ TEST_F(CliOwnFiles, WhatWasNotNamedIsNotReplaced) {
   EXPECT_EQ(run_to("tmj", "cave.tmj"), 1);
   EXPECT_EQ(answer_.err,
             path("cave-tiles.png") +
-                ": error: is there, and no export wrote it: move it away, or replace it by --force\n");
+                ": error: exists, and is not an export: move it away, or replace it with --force\n");
   EXPECT_EQ(bytes_of("cave-tiles.png"), "art");
   EXPECT_FALSE(exists("cave.tmj")) << "nothing is written";
   put("cave.tmj", "a map of mine");
@@ -106,7 +107,7 @@ TEST_F(CliOwnFiles, WhatWasChangedSinceIsNotReplaced) {
   EXPECT_EQ(run_to("love", "game"), 1);
   EXPECT_EQ(answer_.err,
             path("game/level.lua") +
-                ": error: was changed since it was exported: move it away, or replace it by --force\n");
+                ": error: was changed since it was exported: move it away, or replace it with --force\n");
   EXPECT_EQ(bytes_of("game/level.lua"), "mine");
   EXPECT_EQ(bytes_of("game/talus.lua"), talus);
 }
@@ -132,9 +133,8 @@ TEST_F(CliOwnFiles, TheLevelItselfIsNeverReplacedBeside) {
   const CliAnswer answer =
       cli_answer({"export", file, "--to", "cpp", "-o", folder_.string(), "--force", "--fresh"});
   EXPECT_EQ(answer.status, 1);
-  EXPECT_EQ(
-      answer.err,
-      file + ": error: is the level itself, and the export has a file of this name: name another place\n");
+  EXPECT_EQ(answer.err,
+            file + ": error: is the level itself, which the export would overwrite: name another place\n");
   EXPECT_EQ(bytes_of("level.talus.json"), before);
   EXPECT_FALSE(exists("main.cpp"));
 }

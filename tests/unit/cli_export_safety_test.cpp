@@ -46,7 +46,7 @@ TEST_F(CliPresetPaths, StayThereUnlessToldOtherwise) {
     save("lua", to);
     EXPECT_EQ(all(), 1) << to;
     EXPECT_THAT(answer_.err, HasSubstr("outside of " + fs::canonical(path("level")).string() +
-                                       ": --allow-outside means it\n"));
+                                       ": to write there, use --allow-outside\n"));
     EXPECT_EQ(all("--force"), 1) << "that is about other things";
     EXPECT_FALSE(exists("home/a.lua"));
     EXPECT_EQ(all("--allow-outside"), 0) << answer_.err;
@@ -86,7 +86,7 @@ TEST_F(CliPresetPaths, ReplaceNothingThatNoExportWrote) {
   EXPECT_EQ(all(), 1);
   EXPECT_EQ(answer_.err,
             path("level/main.lua") +
-                ": error: is there, and no export wrote it: move it away, or replace it by --force\n");
+                ": error: exists, and is not an export: move it away, or replace it with --force\n");
   EXPECT_THAT(bytes_of("level/main.lua"), HasSubstr("require"));
   EXPECT_EQ(all("--force"), 0) << answer_.err;
   EXPECT_EQ(all(), 0) << "by now it is an export";

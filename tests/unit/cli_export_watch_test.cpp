@@ -208,7 +208,7 @@ TEST_F(CliWatch, AfterABadFileItGoesOn) {
             path("cave.talus.json") + ":key palette: error: must be a list of 16 colours\n");
   fs::remove(path("cave.talus.json"));
   const std::string gone = wait_for(err_text_, 2);
-  EXPECT_NE(gone.find("is not there; waiting for it\n"), std::string::npos) << gone;
+  EXPECT_NE(gone.find("does not exist; waiting for it\n"), std::string::npos) << gone;
   save({}, 5);
   wait_for(out_text_, 2);
   interrupt();
@@ -265,7 +265,7 @@ TEST_F(CliWatch, KeepsCodeThatIsChangedMeanwhile) {
   interrupt();
   EXPECT_EQ(bytes_of("game/main.lua"), "mine") << "--fresh was said of what was there at first";
   EXPECT_EQ(err_text_.text(),
-            path("game/main.lua") + ": note: kept, as it is yours by now; --fresh writes it anew\n");
+            path("game/main.lua") + ": note: kept, as this file is yours now; --fresh writes it anew\n");
 }
 
 }  // namespace talus::cli_export_watch_test

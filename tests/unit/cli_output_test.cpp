@@ -132,7 +132,7 @@ TEST_F(CliOutput, AReportReplacesReportsAlone) {
   const CliAnswer answer = cli_answer({"report", "--moves", "20", "-o", path("report")});
   EXPECT_EQ(answer.status, 1);
   EXPECT_THAT(answer.err,
-              HasSubstr("report.csv: error: is there, and is a Talus level, which would be lost"));
+              HasSubstr("report.csv: error: exists, and is a Talus level, which would be lost"));
   EXPECT_EQ(bytes_of("cave.talus.json"), before);
   fs::remove(path("report/report.csv"));
   fs::create_hard_link(path("notes.txt"), path("report/report.md"));

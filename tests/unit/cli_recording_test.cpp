@@ -61,7 +61,7 @@ TEST_F(CliRecording, NamesTheFirstFrameThatDiffers) {
   recording.hashes.clear();
   const CliAnswer unhashed = sim({saved("unhashed.talusrec", recording), "--verify"});
   EXPECT_EQ(unhashed.status, kExitBad);
-  EXPECT_EQ(unhashed.out, "failed: the recording holds no hashes to compare with\n");
+  EXPECT_EQ(unhashed.out, "failed: the recording has no hashes to compare with\n");
   const CliAnswer other = sim({saved("good.talusrec", sample()), "--verify", "--set", "fall_speed=4"});
   EXPECT_EQ(other.status, kExitBad);
   EXPECT_THAT(other.out, StartsWith("failed frame 10: hash ")) << "the first in which the ball falls";

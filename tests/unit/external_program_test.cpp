@@ -31,7 +31,7 @@ TEST(SplitCommand, SaysWhatIsWrong) {
   EXPECT_EQ(split_command("", "f").error(), "The command is empty.");
   EXPECT_EQ(split_command("  ", "f").error(), "The command is empty.");
   EXPECT_EQ(split_command("x \"y", "f").error(), "A \" is missing at the end of the command.");
-  EXPECT_EQ(split_command("x {fill}", "f").error(), "{fill} stands for nothing: write {file} or {folder}.");
+  EXPECT_EQ(split_command("x {fill}", "f").error(), "{fill} is unknown: write {file} or {folder}.");
   EXPECT_FALSE(split_command("x {file", "f"));
 }
 
@@ -281,7 +281,7 @@ TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {
   open_in_program(session, ProgramId::tic80, wrong, copies_);
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
-  EXPECT_NE(session.message()->text.find("{fil} stands for nothing"), std::string::npos);
+  EXPECT_NE(session.message()->text.find("{fil} is unknown"), std::string::npos);
   EXPECT_TRUE(session.modified());
 }
 

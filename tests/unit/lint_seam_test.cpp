@@ -137,8 +137,9 @@ TEST(LintTiles, AFloorIsTooSteep) {
   level.tile_shapes[kSlopeA].heights = {0, 16};
   EXPECT_THAT(lint_lines(level), IsEmpty());
   level.tile_shapes[kSlopeA].heights = {0, 20};
-  EXPECT_THAT(lint_lines(level), ElementsAre("too-steep: tile 2 rises 20 px in 8 px; more than 16 px is no "
-                                             "floor to stand on"));
+  EXPECT_THAT(
+      lint_lines(level),
+      ElementsAre("too-steep: tile 2 rises 20 px in 8 px; more than 16 px is not a floor to stand on"));
   level.tuning.exact.steepest = 2.5;
   EXPECT_THAT(lint_lines(level), IsEmpty());
 }
@@ -218,8 +219,9 @@ TEST(LintSeams, HardCasesHaveFewProblems) {
                         problem.message);
     }
   }
-  EXPECT_THAT(lines, ElementsAre("12 too-steep: tile 12 rises 64 px in 8 px; more than 8 px is no floor to "
-                                 "stand on"));
+  EXPECT_THAT(
+      lines,
+      ElementsAre("12 too-steep: tile 12 rises 64 px in 8 px; more than 8 px is not a floor to stand on"));
 }
 
 }  // namespace talus::lint_seam_test

@@ -159,7 +159,7 @@ TEST(Lint, ASlopeOverlapsItsNeighbour) {
                           "inside the slope's box",
                           "E slope-overlap (0, 1) 3: tile 3 at (0, 1) is an up-slope, but the tile to its "
                           "right has a slope's flag "
-                          "too: a slope is flagged on its left tile alone"));
+                          "too: only the left tile of a slope may be flagged"));
 }
 
 TEST(Lint, ALongerSlopeNeedsMoreTiles) {
@@ -263,9 +263,8 @@ TEST(Lint, CurvesThatTheSolverTakesNoNoticeOf) {
   level.curves.push_back({"", {Segment{{2, 4}, {20, 4}}, Curve::Faces::up}, ""});
   EXPECT_THAT(problems(level), IsEmpty());
   level.tuning.solver = SolverKind::bump;
-  EXPECT_THAT(problems(level),
-              ElementsAre("W curves-need-exact: curves and segments stop bodies of the exact solver "
-                          "alone, and the level's is bump"));
+  EXPECT_THAT(problems(level), ElementsAre("W curves-need-exact: curves and segments stop only bodies of the "
+                                           "exact solver, but the level's solver is bump"));
 }
 
 TEST(Lint, ShapesDecideWhatIsSolid) {
@@ -329,10 +328,9 @@ TEST(Lint, GroundThatTheArticleDoesNotKnow) {
     EXPECT_THAT(problems(level), IsEmpty());
   }
   level.tuning.solver = SolverKind::article;
-  EXPECT_THAT(
-      problems(level),
-      ElementsAre("W ground-not-in-article 20: bodies pass through tile 20: the article knows no one-way "
-                  "ground, ceilings and profiles; the solvers bump and exact do"));
+  EXPECT_THAT(problems(level),
+              ElementsAre("W ground-not-in-article 20: bodies pass through tile 20: the article's solver "
+                          "does not know one-way ground, ceilings and profiles; bump and exact do"));
 }
 
 TEST(Lint, ABodyThatIsTooFast) {

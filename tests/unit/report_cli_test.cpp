@@ -114,7 +114,7 @@ TEST(ReportCommand, SaysWhenItCannotWrite) {
   EXPECT_EQ(cli_answer({"report"}).status, kExitUsage);
   const CliAnswer answer = cli_answer({"report", "--quick", "-o", "/dev/null/there"});
   EXPECT_EQ(answer.status, kExitBad);
-  EXPECT_THAT(answer.err, testing::HasSubstr("/dev/null/there: error: cannot be made a folder"));
+  EXPECT_THAT(answer.err, testing::HasSubstr("/dev/null/there: error: cannot be created as a folder"));
 }
 
 }  // namespace talus::report_cli_test

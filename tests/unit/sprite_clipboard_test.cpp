@@ -149,9 +149,9 @@ TEST(SpriteClipboard, OtherTextIsNoPalette) {
        {std::string(), std::string("12345"), std::string("12345g"), std::string(95, '0'), kClipTileText}) {
     const auto edit = paste_palette(Level(), 0, text);
     ASSERT_FALSE(edit) << text;
-    EXPECT_EQ(
-        edit.error(),
-        "The clipboard holds no palette: that is 96 hex digits, as TIC-80 copies it, or 6 for one colour.");
+    EXPECT_EQ(edit.error(),
+              "The clipboard holds no palette: it must be 96 hex digits, as TIC-80 copies it, or 6 for one "
+              "colour.");
   }
 }
 

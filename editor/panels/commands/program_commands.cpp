@@ -161,7 +161,7 @@ std::vector<Command> file_guard_commands() {
   return {
       {.id = "file/recover",
        .label = "Recover...",
-       .help = "Offers what was saved by itself before the program was killed.",
+       .help = "Offers the work that was saved automatically before the program was killed.",
        .key = ctrl_shift('y'),
        .menu = menus::kFileSave,
        .run = [](S, A, U ui) { ui.view.program.recovery_open = true; }},

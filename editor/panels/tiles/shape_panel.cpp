@@ -16,7 +16,7 @@ namespace {
 constexpr float kLeastCanvas = 104, kMostCanvas = 260;  // px at scale 1, height
 constexpr float kBelowCanvas = 140;                     // px at scale 1, what is drawn there
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
-                                                    "turned by a half"};
+                                                    "turned by 180 degrees"};
 
 // What the shape comes from, and what can be done with its picture.
 std::string origin_text(const Level& level, int tile) {

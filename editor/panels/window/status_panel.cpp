@@ -88,7 +88,7 @@ void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
 void draw_file(const Session& session, const std::string& before, Ui& ui) {
   const std::string& problem = ui.view.program.autosave_problem;
   const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");
-  const std::string text = problem.empty() ? name : "Not saved by itself: " + problem;
+  const std::string text = problem.empty() ? name : "Not saved automatically: " + problem;
   const bool warns = session.modified() || !problem.empty();
   ImGui::SameLine(ui.px(kFile));
   draw_short_text(text, ImGui::GetContentRegionAvail().x - size_of_text(before).x - ui.px(16),
