@@ -460,7 +460,7 @@ TEST_F(WriteFaults, WhatIsAllowedAndCannotBeRememberedIsTold) {
       << later.message()->text;
 }
 
-TEST_F(WriteFaults, AChangeByAnotherProgramIsSeenAlsoWhereTheFileCouldNotBeReadBefore) {
+TEST_F(WriteFaults, AChangeIsSeenIfTheFileWasUnreadableBefore) {
   Session session(painted(1), "", "a");
   FailingCalls calls(folder_.string());
   session.apply(action::SaveFileAs{path("a.talus.json")});

@@ -164,7 +164,7 @@ CaseCheck check_of(CaseCheck::Measure measure, double bound, std::int64_t first 
 
 // Case 30 mirrors every scene, and case 31 adds every scene's bodies in another order. A millionth of a
 // pixel: bounces make the most of the finer doubles on the left.
-TEST(HardCaseFiles, MirroredAndInAnotherOrderAllAreTheSameInTheExactSolver) {
+TEST(HardCaseFiles, ExactIsTheSameMirroredAndInAnotherOrder) {
   for (const std::string& name : case_names()) {
     const auto keep = [](Tuning&) {};
     const std::int64_t frames = std::min<std::int64_t>(load_case(name).hard.frames, 600);

@@ -36,7 +36,7 @@ class Threads : public FolderTest {
   }
 };
 
-TEST_F(Threads, CompileExportAndSaveByThemselvesWhileTheLevelIsPaintedOn) {
+TEST_F(Threads, CompileExportAndSaveWhileTheLevelIsPainted) {
   const auto session = start();
   Autosave autosave(path("autosave"));
   double now = 0;

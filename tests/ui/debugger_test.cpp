@@ -78,7 +78,7 @@ TEST_F(UiDebugger, MarksAreSetByKeyAndJumpedTo) {
   EXPECT_EQ(timeline().current().marks.size(), 2u);
 }
 
-TEST_F(UiDebugger, TakingTheBallInThePastMakesABranchThatCanBeSwitchedFromAndDropped) {
+TEST_F(UiDebugger, TakingABallInThePastMakesABranch) {
   play(30);
   click(on_track(10));
   ASSERT_EQ(frame(), 10);

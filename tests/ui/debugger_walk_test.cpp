@@ -91,7 +91,7 @@ TEST_F(UiDebuggerWalk, TheLegendFoldsAndIsRemembered) {
   EXPECT_EQ(size_of("play/legend").x, open);
 }
 
-TEST_F(UiDebuggerWalk, TheLegendHasSwatchesAloneWhereNamesWouldHideTheLevel) {
+TEST_F(UiDebuggerWalk, ATightLegendHasOnlySwatches) {
   for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, true});
   frames(2);
   const ImVec2 legend = size_of("play/legend"), canvas = size_of("play/canvas");
@@ -306,7 +306,7 @@ TEST_F(UiDebuggerWalk, TheViewFollowsTheChosenBody) {
   EXPECT_TRUE(in_sight());
 }
 
-TEST_F(UiDebuggerWalk, AnotherFileIsComparedWithNothingAndHasNoStopOfTheOldOne) {
+TEST_F(UiDebuggerWalk, AnotherFileHasNoComparisonAndNoOldStop) {
   drop(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
   frames(3);
   EXPECT_TRUE(session().choices().overlays.has(OverlayId::answer));

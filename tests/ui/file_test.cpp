@@ -291,7 +291,7 @@ TEST_F(UiFile, WhatIsTypedReplacesTheNameThatSaveAsProposes) {
   EXPECT_EQ(read(path("first.talus.json")).map.at({12, 9}), 1);
 }
 
-TEST_F(UiFile, TheFirstClickIntoTheProposedNameSelectsAllOfItAndTheNextOneAPlace) {
+TEST_F(UiFile, TheFirstClickSelectsTheProposedName) {
   change_the_level();
   key(ctrl_shift('s'));
   frames(3);

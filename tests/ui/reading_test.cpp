@@ -52,7 +52,7 @@ TEST_F(UiReading, ALargeFileTellsHowFarItIsAndCanBeCancelled) {
   EXPECT_TRUE(session().modified());
 }
 
-TEST_F(UiReading, QuittingMeanwhileWorksAndWhatIsReadToTheEndIsOpened) {
+TEST_F(UiReading, QuittingMeanwhileWorksAndReadFilesOpen) {
   start();
   const std::string file = save_large_map();
   session().apply(action::OpenFile{file});

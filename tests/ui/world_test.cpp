@@ -192,7 +192,7 @@ TEST_F(UiWorld, TheLongestMapIsOpenedAndSeenWhole) {
   EXPECT_EQ(tile_at({far.x, 0}), 3);
 }
 
-TEST_F(UiWorld, TheGroundOfALargeLevelIsCompiledWhileTheEditorGoesOn) {
+TEST_F(UiWorld, LargeGroundCompilesWhileTheEditorGoesOn) {
   open_large(1024, 1024);
   for (int i = 0; i < 100'000 && session().compile_progress(); ++i) frames();
   ASSERT_FALSE(session().compile_progress());

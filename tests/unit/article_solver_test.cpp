@@ -8,7 +8,7 @@
 
 #include <talus/formats/format.h>
 #include <talus/sim/solver.h>
-#include "level_text.h"
+#include "level_picture.h"
 
 namespace talus::article_solver_test {
 

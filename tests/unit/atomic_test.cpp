@@ -150,7 +150,7 @@ TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenTo) {
             "cannot be written: No space left on device");
 }
 
-TEST_F(AtomicFileTest, WhatKilledProcessesLeftIsRemovedAndWhatIsBeingWrittenStays) {
+TEST_F(AtomicFileTest, FilesOfKilledProcessesAreRemovedOthersStay) {
   put(".x.0.tmp", "left by a killed process");
   auto first = StagedFile::write(path("x"), "first");
   ASSERT_TRUE(first);

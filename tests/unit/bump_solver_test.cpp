@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include <talus/formats/format.h>
-#include "level_text.h"
+#include "level_picture.h"
 
 namespace talus::bump_solver_test {
 

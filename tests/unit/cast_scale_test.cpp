@@ -7,7 +7,7 @@
 
 #include <talus/collision/cast.h>
 #include <talus/sim/solver.h>
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/exact_mover.h"
 #include "test_map.h"
 

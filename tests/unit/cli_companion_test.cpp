@@ -8,7 +8,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/text/json_text.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "png_bytes.h"
 
 namespace talus::cli_companion_test {

@@ -90,7 +90,7 @@ TEST_F(CliOutput, AShotReplacesPicturesAlone) {
   expect_refused(shot_to(path("text.png")), path("text.png"));
 }
 
-TEST_F(CliOutput, AnExportReplacesNoLevelCartOrRecordingOfAnotherKind) {
+TEST_F(CliOutput, AnExportReplacesNoFileOfAnotherKind) {
   const std::string level = path("cave.talus.json");
   for (const Exporter& exporter : exporters()) {
     if (exporter.is_folder()) continue;
@@ -131,8 +131,7 @@ TEST_F(CliOutput, AReportReplacesReportsAlone) {
   const std::string before = bytes_of("cave.talus.json");
   const CliAnswer answer = cli_answer({"report", "--moves", "20", "-o", path("report")});
   EXPECT_EQ(answer.status, 1);
-  EXPECT_THAT(answer.err,
-              HasSubstr("report.csv: error: exists, and is a Talus level, which would be lost"));
+  EXPECT_THAT(answer.err, HasSubstr("report.csv: error: exists, and is a Talus level, which would be lost"));
   EXPECT_EQ(bytes_of("cave.talus.json"), before);
   fs::remove(path("report/report.csv"));
   fs::create_hard_link(path("notes.txt"), path("report/report.md"));

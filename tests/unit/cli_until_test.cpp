@@ -8,7 +8,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/native/recording_file.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/timeline.h"
 
 namespace talus::cli_until_test {

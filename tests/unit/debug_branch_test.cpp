@@ -8,7 +8,7 @@
 #include "debug/explain.h"
 #include "debug/stop_search.h"
 #include "formats/native/hard_case_file.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/case_input.h"
 #include "sim/timeline.h"
 

@@ -8,7 +8,7 @@
 
 #include "debug/stop_search.h"
 #include "debug/watch.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "recorded_run.h"
 
 namespace talus::debug_compare_test {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "debug/number_text.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "recorded_run.h"
 
 namespace talus::debug_explain_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "level_text.h"
+#include "level_picture.h"
 #include "recorded_run.h"
 
 namespace talus::debug_metrics_test {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include <talus/formats/format.h>
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/exact_mover.h"
 
 namespace talus::exact_solver_test {
@@ -101,7 +101,7 @@ TEST(ExactSolver, ABallOnASlopeIsOnItsLineAndBouncesByItsNormal) {
   EXPECT_TRUE(met);
 }
 
-TEST(ExactSolver, PassesFromFlatGroundOverASlopeToFlatGroundWithoutAJolt) {
+TEST(ExactSolver, PassesOverASlopeBetweenFloorsWithoutAJolt) {
   Level level = exact_level({"..........",  //
                              "..........",  //
                              "...../-###",  //

@@ -56,7 +56,7 @@ TEST_F(FileChangeTest, ATouchedFileWithTheSameContentIsNoNews) {
   EXPECT_FALSE(session_.question());
 }
 
-TEST_F(FileChangeTest, IsReadAgainWithoutUnsavedChangesAndUndoTakesThatBack) {
+TEST_F(FileChangeTest, AnUnchangedLevelIsReadAgainUndoably) {
   write(level_with(7));
   session_.apply(action::CheckFile{});
   EXPECT_EQ(first_tile(), 7);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "level/flag_search.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "native_text.h"
 
 namespace talus::flag_fields_test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/hard_case_run.h"
 
 namespace talus::hard_case_test {

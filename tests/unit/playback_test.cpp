@@ -268,7 +268,7 @@ TEST(Playback, ShapesRecompileTheGround) {
       set_curves(session.level(), {{"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""}}, "Bend"));
 }
 
-TEST(Playback, UnderTheExactSolverEditsOfCellsGiveTheSceneOfTheEditedLevel) {
+TEST(Playback, EditsOfCellsGiveTheSceneOfTheEditedLevel) {
   Level level = ball_over_floor();
   level.tuning.solver = SolverKind::exact;
   Session session(level);

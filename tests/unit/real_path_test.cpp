@@ -68,7 +68,7 @@ TEST_F(RealPath, BoundsHoldWhateverLinksLieThere) {
       << "a level without a file has no folder";
 }
 
-TEST_F(RealPath, WhatTheUserHasTypedMayBeAnywhereButNotWhatBelongsToIt) {
+TEST_F(RealPath, OnlyTheTypedFileMayBeAnywhere) {
   link("in/cave.tmj", "../out/cave.tmj");
   link("in/cave-tiles.png", "../out/tiles.png");
   const ExportBounds bounds = bounds_of_output(path("in/cave.tmj"), false);

@@ -10,7 +10,7 @@
 
 #include <talus/formats/format.h>
 #include "folder_test.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/timeline.h"
 
 namespace talus::recording_test {

@@ -13,7 +13,7 @@
 
 namespace talus::report_cli_test {
 
-TEST(ReportMetrics, PercentileIsTheLeastValueThatEnoughOthersDoNotExceed) {
+TEST(ReportMetrics, PercentileIsTheLeastValueThatCoversTheShare) {
   EXPECT_EQ(percentile({5}, 0.999), 5);
   EXPECT_EQ(percentile({4, 1, 3, 2}, 0.5), 2);
   EXPECT_EQ(percentile({4, 1, 3, 2}, 0.51), 3);

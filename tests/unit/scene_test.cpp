@@ -6,7 +6,7 @@
 
 #include <talus/level/ground.h>
 #include <talus/sim/solver.h>
-#include "level_text.h"
+#include "level_picture.h"
 
 namespace talus::scene_test {
 
@@ -29,7 +29,7 @@ TEST(Scene, ItemsComeColumnByColumn) {
   EXPECT_EQ(picture_of(scene), "#0,0 #0,2 o1,0 /1,2 #2,1 ");
 }
 
-TEST(Scene, ASlopeIsOneBoxOfTwoTilesAndItsSecondHalfIsDecoration) {
+TEST(Scene, ASlopeIsOneBoxOfTwoTiles) {
   const Scene scene = compile_scene(level_of({"..\\-"}));
   ASSERT_EQ(scene.items.size(), 1u);
   EXPECT_EQ(scene.items[0].box, (Rect{16, 0, 16, 8}));

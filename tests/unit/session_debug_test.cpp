@@ -258,7 +258,7 @@ TEST_F(SessionDebug, TheOtherSideHasTheSameInputAndAnotherSolver) {
   EXPECT_EQ(session.other_state(), nullptr);
 }
 
-TEST_F(SessionDebug, SinglePrecisionPartsFromDoubleAtTheFrameThatIsFound) {
+TEST_F(SessionDebug, SinglePrecisionPartsAtTheFoundFrame) {
   step(60);
   session.apply(action::CompareVariant{Variant{SolverKind::exact, true}});
   settle();
@@ -305,7 +305,7 @@ TEST_F(SessionDebug, StagesAreThoseOfTheStepMadeAgain) {
   }
 }
 
-TEST_F(SessionDebug, BreakpointsStopAndPlotsGoOnBeyondTheEndOfTheOtherSide) {
+TEST_F(SessionDebug, BreakpointsAndPlotsGoOnAfterTheOtherSideEnds) {
   step(3);
   session.apply(action::SeekFrame{1});
   session.apply(action::TakeOver{});

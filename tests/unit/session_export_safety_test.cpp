@@ -333,7 +333,7 @@ TEST_F(ForeignPresets, APathThatTheUserHasTypedMayLeave) {
   EXPECT_TRUE(session().message()->is_error);
 }
 
-TEST_F(ForeignPresets, APlaceOutsideThatTheUserHasAllowedIsStillAskedAboutOnce) {
+TEST_F(ForeignPresets, AnAllowedPlaceOutsideIsStillAskedAboutOnce) {
   fs::create_directories(path("game"));
   ExportPreset preset = data_;
   preset.path = "../game/a.lua";

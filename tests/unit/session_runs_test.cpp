@@ -133,7 +133,7 @@ TEST_F(SessionRuns, SavedByItselfAndRecovered) {
   EXPECT_TRUE(next.question()) << "it is in no file yet";
 }
 
-TEST_F(SessionRuns, AllAreSavedByThemselvesAndRecoveredThoughNoneHasBeenRunAgain) {
+TEST_F(SessionRuns, UnrunRunsAreSavedAutomaticallyAndRecovered) {
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::SetInput{3, 6, InputKey::left, true});
   run_again(session_);

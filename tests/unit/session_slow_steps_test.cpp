@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "folder_test.h"
-#include "level_text.h"
+#include "level_picture.h"
 #include "session/run/work_share.h"
 #include "session/session.h"
 

@@ -170,7 +170,7 @@ TEST_F(SessionTimeline, AnEditGoesOnFromHereUnlessTheRuleSaysOtherwise) {
   EXPECT_EQ(timeline().branches().size(), 2u);
 }
 
-TEST_F(SessionTimeline, AnEditRunsTheRecordingAgainAndAStrokeMakesOneBranch) {
+TEST_F(SessionTimeline, AStrokeRunsAgainAndMakesOneBranch) {
   steps(120);
   const State before = session_.state();
   session_.apply(act::SetEditRule{{EditRule::Kind::from_start, 0}});
@@ -238,7 +238,7 @@ TEST_F(SessionTimeline, TheInputRollIsEdited) {
 }
 
 // Painting while it plays: a stroke is one run, however many frames pass, and the next stroke another.
-TEST_F(SessionTimeline, AStrokeWhileItPlaysMakesOneBranchAndTheNextAnother) {
+TEST_F(SessionTimeline, EachStrokeDuringPlayMakesOneBranch) {
   steps(20);
   session_.apply({act::SetEditRule{{.kind = EditRule::Kind::from_start}}, act::Play{}});
   for (int stroke = 1; stroke <= 2; ++stroke) {
@@ -314,7 +314,7 @@ TEST_F(SessionTimeline, ARecordingThatComesOutOtherwiseIsToldOf) {
   EXPECT_TRUE(session_.message()->is_error);
 }
 
-TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutAndABadFileChangesNothing) {
+TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutBadFilesIgnored) {
   steps(3);
   paint({9, 9});
   const std::string file = put("bad.talusrec", "{\"talus_recording\": 1}");

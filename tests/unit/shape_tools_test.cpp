@@ -40,7 +40,7 @@ TEST(ShapeTools, SlopeIsDrawnWhereTheStampHasNone) {
   EXPECT_EQ(laid.map.at({2, 5}), 1);
 }
 
-TEST(ShapeTools, SlopeStaysInsideTheSelectionAndDrawsNoTileForWhatIsOutside) {
+TEST(ShapeTools, SlopeStaysInsideTheSelection) {
   const Level level = level_with_slopes();
   const CellRect selection{2, 0, 2, 17};
   const Level laid = after(level, lay_slope(level, {0, 48}, {64, 16}, {1, 1, {1}}, 12, selection));

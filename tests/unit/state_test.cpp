@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "level_text.h"
+#include "level_picture.h"
 
 namespace talus::state_test {
 

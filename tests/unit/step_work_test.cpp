@@ -6,7 +6,7 @@
 #include "collision/ground_queries.h"
 #include "debug/explain.h"
 #include "debug/metrics.h"
-#include "level_text.h"
+#include "level_picture.h"
 
 namespace talus::step_work_test {
 

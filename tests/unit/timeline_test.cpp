@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "level_text.h"
+#include "level_picture.h"
 #include "sim/frame_hash.h"
 
 namespace talus::timeline_test {
@@ -257,7 +257,7 @@ TEST(Timeline, RestartLeavesTheOldRunButNoEmptyOne) {
   EXPECT_EQ(timeline.last_frame(), 4);
 }
 
-TEST(Timeline, AnEditedLevelIsRunAgainAndTheFirstDifferentFrameFound) {
+TEST(Timeline, ARerunFindsTheFirstDifferentFrame) {
   Timeline timeline(drop());
   played(timeline, 120);
   std::int64_t hit = 1;  // the first frame in which the ball is lower than it may be above the new tile
@@ -299,7 +299,7 @@ TEST(Timeline, FurtherEditsRunTheSameDraftAgain) {
   EXPECT_EQ(timeline.branches().size(), 3u) << "it was no draft any more";
 }
 
-TEST(Timeline, TheMouseHoldsTheSameBodyAgainThoughItsNumberIsAnother) {
+TEST(Timeline, TheMouseHoldsABodyWhoseNumberChanges) {
   Level level = level_of({".o...", ".....", ".....", "#####"});
   Timeline timeline(level);
   for (int i = 0; i < 20; ++i) timeline.step({.mouse = {30, 12}, .mouse_down = true, .grab = 1});
@@ -411,7 +411,7 @@ TEST(Timeline, OtherInputLeavesWhatWasPlayedOnADraftAsItIs) {
   EXPECT_TRUE(timeline.find(draft)->input(5).left);
 }
 
-TEST(Timeline, AStrokeMayBePlayedThroughButTheNextOneLeavesWhatWasPlayed) {
+TEST(Timeline, TheNextStrokeLeavesWhatWasPlayed) {
   Timeline timeline(drop());
   played(timeline, 20);
   Level level = drop();
@@ -454,7 +454,7 @@ TEST(Timeline, ABranchOfARerunLeavesItsParentWhereItIsRunAgain) {
   EXPECT_EQ(timeline.current().fork, 10);
 }
 
-TEST(Timeline, BeginsAnewWhereTheLevelsOfABranchTakeTooMuchMemory) {
+TEST(Timeline, BeginsAnewWhenLevelsTakeTooMuchMemory) {
   Level level = drop();
   const std::size_t one = memory_of(version_of(level), nullptr);
   Timeline timeline(level, Timeline::kKeyframeBytes, 10 * one);
@@ -474,7 +474,7 @@ TEST(Timeline, BeginsAnewWhereTheLevelsOfABranchTakeTooMuchMemory) {
   EXPECT_TRUE(add_body()) << "there is room again";
 }
 
-TEST(Timeline, ManyEditsOfOneFrameAreOneChapterUnlessABodyComesOrGoes) {
+TEST(Timeline, EditsOfOneFrameAreOneChapter) {
   Timeline timeline(drop());
   played(timeline, 5);
   Level level = drop();

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include <talus/sim/scene.h>
-#include "level_text.h"
+#include "level_picture.h"
 
 namespace talus::transform_test {
 
