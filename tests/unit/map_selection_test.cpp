@@ -5,7 +5,7 @@
 
 #include "edit/map_stroke.h"
 #include "map_text.h"
-#include "session/map_clipboard.h"
+#include "session/editing/map_clipboard.h"
 #include "session/session.h"
 
 namespace talus::map_selection_test {

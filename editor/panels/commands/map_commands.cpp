@@ -11,7 +11,7 @@
 #include "edit/tile_search.h"
 #include "panels/inspector/chosen_curve.h"
 #include "panels/inspector/chosen_spawn.h"
-#include "session/map_clipboard.h"
+#include "session/editing/map_clipboard.h"
 
 namespace talus {
 namespace {
