@@ -15,7 +15,7 @@
 #include "level/hard_case.h"
 #include "lint/lint.h"
 #include "overlay/overlay_id.h"
-#include "reach_finder.h"
+#include "session/checks/reach_finder.h"
 #include "session/debugger/debugger.h"
 #include "session/files/exporting.h"
 #include "session/files/file_reader.h"

@@ -2,7 +2,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/real_path.h"
 #include "formats/tic80/tic_png.h"
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 namespace {

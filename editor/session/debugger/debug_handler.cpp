@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 
 #include "edit/export_presets.h"
 #include "formats/text/utf8_text.h"
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 namespace {

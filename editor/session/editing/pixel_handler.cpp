@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "edit/sprite_turn.h"
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 

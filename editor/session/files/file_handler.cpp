@@ -11,7 +11,7 @@
 #include "formats/native/hard_case_file.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
-#include "session_impl.h"
+#include "session/session_impl.h"
 
 namespace talus {
 namespace {
