@@ -16,72 +16,19 @@
 #include "lint/lint.h"
 #include "overlay/overlay_id.h"
 #include "session/checks/reach_finder.h"
+#include "session/choices/choices.h"
 #include "session/debugger/debugger.h"
+#include "session/editing/open_level.h"
 #include "session/files/exporting.h"
 #include "session/files/file_reader.h"
 #include "session/files/level_import.h"
 #include "session/files/png_import.h"
+#include "session/messages/message.h"
+#include "session/run/playback.h"
 #include "session/run/step_times.h"
 #include "session/run/trail.h"
 
 namespace talus {
-
-inline constexpr double kStepsPerSecond = 60;  // at speed 1; TIC-80's rate
-
-// What the user has chosen; changed by the actions of the same names.
-struct Choices {
-  MapTool map_tool = MapTool::stamp;
-  SpriteTool sprite_tool = SpriteTool::pencil;
-  SpriteArea area;                        // shown in the canvas and the flags panel
-  int brush = 1;                          // px, of the sprite tools, 1..kMaxBrush
-  PixelSelection pixels;                  // in the canvas, with the select tool
-  Stamp stamp;                            // painted on the map
-  bool random_stamp = false;              // each cell takes a tile of the stamp at random
-  std::uint32_t random_seed = 1;          // see random_tile()
-  std::optional<CellRect> selection;      // on the map, wholly inside it
-  std::optional<Stamp> pasted;            // hangs at the mouse
-  int color = 12;                         // left button, 0..15
-  int secondary_color = 0;                // right button, 0..15
-  int body = 0;                           // id of the chosen body; 0: none
-  int curve = -1;                         // index of the chosen curve; of none: no curve
-  CurveKind curve_kind = CurveKind::arc;  // that the curve tool draws
-  OverlaySet overlays;                    // shown in the play view
-  OverlayPalette overlay_palette = OverlayPalette::standard;
-  std::optional<FlagPattern> flag_overlay;  // tinted, painted and looked for
-  bool grid = true;
-  bool screen_borders = true;
-};
-
-inline constexpr double kMinSpeed = 1.0 / 8;
-inline constexpr double kMaxSpeed = 8;
-
-struct Playback {
-  bool running = false;
-  double speed = 1;  // kMinSpeed to kMaxSpeed
-  Input input;       // held until changed
-};
-
-inline constexpr const char* kUnnamed = "untitled";
-
-struct Message {
-  std::string text;
-  bool is_error = false;
-};
-
-// Something that would lose unsaved changes waits for an answer.
-struct Question {
-  enum class Kind {
-    unsaved_changes,
-    changed_outside,
-    drop_branch,
-    replace_files,
-    unsaved_run,
-    unstored,
-    allow_exports
-  };
-  std::string text;  // "Save the changes to demo.talus.json?"
-  Kind kind = Kind::unsaved_changes;
-};
 
 // Whatever plays is recorded (see sim/timeline.h). Playing and stepping at the end of the recording append to
 // it. At an earlier frame they show the next recorded ones, and append when they come to the end, unless a
@@ -115,7 +62,6 @@ class Session {
   // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a
   // longer pause the rest is dropped.
   void advance(double seconds);
-  static constexpr int kMaxCatchUpSteps = 64;
 
   const Level& level() const;
   std::uint64_t revision() const;  // grows with every change of the level, undo and opening included

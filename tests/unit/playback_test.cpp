@@ -92,9 +92,9 @@ TEST(Playback, DropsWhatItCannotCatchUpWith) {
   Session session(ball_over_floor());
   session.apply(act::Play{});
   session.advance(3600);
-  EXPECT_EQ(session.state().frame, Session::kMaxCatchUpSteps);
+  EXPECT_EQ(session.state().frame, kMaxCatchUpSteps);
   session.advance(0);
-  EXPECT_EQ(session.state().frame, Session::kMaxCatchUpSteps);
+  EXPECT_EQ(session.state().frame, kMaxCatchUpSteps);
 }
 
 TEST(Playback, StepFramePausesAndMakesOneStep) {

@@ -1,9 +1,10 @@
-// Session: what is likely wrong in the level, and where a player of it gets to.
+// Looking for problems, and for where a player gets to.
+#include "check_handler.h"
+
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-
-#include "session/session_impl.h"
+#include <utility>
+#include <variant>
 
 namespace talus {
 namespace {
@@ -13,56 +14,78 @@ constexpr double kReachSeconds = 0.006;  // the same
 
 }  // namespace
 
-void Session::Impl::carry_out(const action::SetLintOptions& a) {
-  lint_options.seam = a.options.seam >= 0 ? std::min(a.options.seam, kMaxSeam) : 0;
-  lint_cache.note_rest();
+template <>
+void CheckHandler::carry_out(const action::SetLintOptions& a) {
+  lint_options_.seam = a.options.seam >= 0 ? std::min(a.options.seam, kMaxSeam) : 0;
+  lint_cache_.note_rest();
 }
 
-void Session::Impl::lint_some() {
+template <>
+void CheckHandler::carry_out(const action::FindReach&) {
+  run_.refresh_scene();
+  follow_scene();
+  if (run_.compile_progress())
+    return messages_.tell_error("The level is still being compiled: look again when that is done.");
+  const Body* chosen = run_.simulation().state().find(choices_.choices().body);
+  const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
+  if (const auto problem = reach_.start(*run_.timeline().level_scene(), origin))
+    return messages_.tell_error(*problem);
+  choices_.show_overlay(OverlayId::reach, true);
+}
+
+template <>
+void CheckHandler::carry_out(const action::CancelReach&) {
+  reach_.cancel();
+}
+
+template <>
+void CheckHandler::carry_out(const action::ShowWay& a) {
+  follow_scene();
+  if (reach_.found() == nullptr || reach_.is_stale()) return;
+  if (const std::vector<Input> way = reach_.found()->way_to(a.cell); !way.empty()) run_.play_new(way);
+}
+
+void CheckHandler::apply(const CheckAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+const std::vector<Problem>& CheckHandler::problems() {
+  lint_cache_.finish(open_.level, lint_options_);
+  return lint_cache_.problems();
+}
+
+void CheckHandler::note_edit(const Edit& edit) {
+  for (const Change& change : edit.changes) {
+    if (const auto* cell = std::get_if<CellChange>(&change)) {
+      lint_cache_.note_cell(cell->cell);
+    } else if (std::holds_alternative<MapChange>(change)) {
+      lint_cache_.note_map();
+    } else {
+      lint_cache_.note_rest();
+    }
+  }
+}
+
+void CheckHandler::forget_level() {
+  lint_cache_.note_map();
+  reach_.forget();
+}
+
+void CheckHandler::follow_scene() {
+  if (std::exchange(scene_, run_.scenes()) != run_.scenes()) reach_.note_change();
+}
+
+void CheckHandler::advance() {
+  lint_some();
+  follow_scene();
+  reach_.advance(kReachSeconds);
+}
+
+void CheckHandler::lint_some() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const std::chrono::duration<double> most(kLintSeconds);
-  lint_cache.advance(level, lint_options, [&] { return Clock::now() - start < most; });
+  lint_cache_.advance(open_.level, lint_options_, [&] { return Clock::now() - start < most; });
 }
-
-void Session::Impl::carry_out(const action::FindReach&) {
-  refresh_scene();
-  if (compiler.is_busy()) {
-    message = Message{"The level is still being compiled: look again when that is done.", true};
-    return;
-  }
-  const Body* chosen = simulation.state().find(choices.body);
-  const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
-  if (const auto problem = reach.start(*simulation.timeline().level_scene(), origin)) {
-    message = Message{*problem, true};
-    return;
-  }
-  choices.overlays.set(OverlayId::reach, true);
-}
-
-void Session::Impl::carry_out(const action::ShowWay& a) {
-  if (reach.found() == nullptr || reach.is_stale()) return;
-  const std::vector<Input> way = reach.found()->way_to(a.cell);
-  if (way.empty()) return;
-  keep_chosen_body([&] {
-    simulation.set_running(false);
-    simulation.reset();
-    for (std::size_t i = 0; i < way.size(); ++i) simulation.timeline().step(way[i], i + 1 == way.size());
-    simulation.show();
-  });
-}
-
-void Session::Impl::find_reach() { reach.advance(kReachSeconds); }
-
-const std::vector<Problem>& Session::problems() const {
-  impl_->lint_cache.finish(impl_->level, impl_->lint_options);
-  return impl_->lint_cache.problems();
-}
-
-const std::vector<Problem>& Session::listed_problems() const { return impl_->lint_cache.problems(); }
-bool Session::is_linting() const { return !impl_->lint_cache.is_done(); }
-double Session::lint_progress() const { return impl_->lint_cache.progress(); }
-const LintOptions& Session::lint_options() const { return impl_->lint_options; }
-const ReachFinder& Session::reach() const { return impl_->reach; }
 
 }  // namespace talus

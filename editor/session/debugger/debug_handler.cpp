@@ -1,64 +1,98 @@
-// Session: stopping, watching and comparing.
+// Stopping, watching and comparing.
+#include "debug_handler.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "session/session_impl.h"
-
 namespace talus {
 
-void Session::Impl::carry_out(const action::RunToStop& a) {
-  refresh_scene();
-  simulation.set_running(false);
-  plays_on = a.direction == SearchDirection::forwards;
-  nothing_found = "No breakpoint stops before this frame.";
-  debugger.follow(simulation.timeline(), level);
-  debugger.search(simulation.timeline(), a.direction);
+template <>
+void DebugHandler::carry_out(const action::SetBreakpoint& a) {
+  debugger_.put(a.breakpoint);
 }
 
-void Session::Impl::carry_out(const action::FindParting& a) {
-  refresh_scene();
-  simulation.set_running(false);
-  plays_on = false;
-  nothing_found = "As far as they have been run, no body is further from its other self.";
-  debugger.follow(simulation.timeline(), level);
-  debugger.search_parting(a.threshold);
+template <>
+void DebugHandler::carry_out(const action::RemoveBreakpoint& a) {
+  debugger_.remove_breakpoint(a.breakpoint);
 }
 
-void Session::Impl::carry_out(const action::SetParting& a) {
-  if (std::isfinite(a.threshold)) debugger.set_parting(std::max(a.threshold, 0.0));
+template <>
+void DebugHandler::carry_out(const action::RunToStop& a) {
+  run_.refresh_scene();
+  run_.set_running(false);
+  plays_on_ = a.direction == SearchDirection::forwards;
+  nothing_found_ = "No breakpoint stops before this frame.";
+  follow();
+  debugger_.search(run_.timeline(), a.direction);
 }
 
-void Session::Impl::play(double seconds) {
-  debugger.follow(simulation.timeline(), level);
-  const auto may_step = [this] { return debugger.may_step(simulation.timeline()); };
+template <>
+void DebugHandler::carry_out(const action::FindParting& a) {
+  run_.refresh_scene();
+  run_.set_running(false);
+  plays_on_ = false;
+  nothing_found_ = "As far as they have been run, no body is further from its other self.";
+  follow();
+  debugger_.search_parting(a.threshold);
+}
+
+template <>
+void DebugHandler::carry_out(const action::SetParting& a) {
+  if (std::isfinite(a.threshold)) debugger_.set_parting(std::max(a.threshold, 0.0));
+}
+
+template <>
+void DebugHandler::carry_out(const action::CancelSearch&) {
+  debugger_.cancel_search();
+}
+
+template <>
+void DebugHandler::carry_out(const action::SetWatch& a) {
+  debugger_.put(a.index, a.watch);
+}
+
+template <>
+void DebugHandler::carry_out(const action::RemoveWatch& a) {
+  debugger_.remove_watch(a.index);
+}
+
+template <>
+void DebugHandler::carry_out(const action::CompareVariant& a) {
+  debugger_.compare_with(a.variant);
+}
+
+void DebugHandler::apply(const DebugAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+void DebugHandler::play(double seconds) {
+  follow();
+  const auto may_step = [this] { return debugger_.may_step(run_.timeline()); };
   const auto stops = [this] {
-    const bool stops_here = debugger.stops_at(simulation.timeline(), level);
+    const bool stops_here = debugger_.stops_at(run_.timeline(), open_.level);
     if (stops_here) note_stop();
     return stops_here;
   };
-  simulation.advance(seconds, may_step, stops);
+  run_.advance(seconds, may_step, stops);
 }
 
 // Says why it stands still, and shows the body that it is about where none is chosen.
-void Session::Impl::note_stop() {
-  const Stop& stop = *debugger.stop();
-  message = Message{text_of(stop), false};
-  if (choices.body == 0) choices.body = stop.body;
+void DebugHandler::note_stop() {
+  const Stop& stop = *debugger_.stop();
+  messages_.tell(text_of(stop));
+  if (choices_.choices().body == 0) choices_.choose_body(stop.body);
 }
 
-void Session::Impl::debug() {
-  const bool was_searching = debugger.searching();
-  if (const auto frame = debugger.advance(simulation.timeline(), level, choices.body)) {
-    simulation.seek(*frame);
+void DebugHandler::advance() {
+  const bool was_searching = debugger_.searching();
+  if (const auto frame = debugger_.advance(run_.timeline(), open_.level, choices_.choices().body)) {
+    run_.show_frame(*frame);
     note_stop();
   }
-  if (!was_searching || debugger.searching() || !debugger.search_failed()) return;
-  if (!plays_on) {
-    message = Message{nothing_found, false};
-    return;
-  }
-  simulation.seek(simulation.timeline().last_frame());
-  simulation.set_running(true);
+  if (!was_searching || debugger_.searching() || !debugger_.search_failed()) return;
+  if (!plays_on_) return messages_.tell(nothing_found_);
+  run_.show_frame(run_.timeline().last_frame());
+  run_.set_running(true);
 }
 
 }  // namespace talus

@@ -1,48 +1,47 @@
-// Session: the selected pixels of the sprite canvas.
-#include <algorithm>
-#include <utility>
+// Moving, turning and pasting the selected pixels.
+#include "pixel_handler.h"
+
+#include <variant>
 
 #include "edit/sprite_turn.h"
-#include "session/session_impl.h"
 
 namespace talus {
 
-void Session::Impl::carry_out(const action::SetSpriteTool& a) {
-  if (a.tool != SpriteTool::select) choices.pixels.drop();
-  choices.sprite_tool = a.tool;
-}
-
-void Session::Impl::carry_out(const action::SetBrush& a) { choices.brush = std::clamp(a.size, 1, kMaxBrush); }
-
-void Session::Impl::carry_out(const action::SelectPixels& a) {
-  if (a.rect)
-    choices.pixels.select(choices.area, *a.rect);
-  else
-    choices.pixels.drop();
-}
-
-void Session::Impl::carry_out(const action::MovePixels& a) {
-  if (!choices.pixels.rect()) return;
+template <>
+void PixelHandler::carry_out(const action::MovePixels& a) {
+  PixelSelection& pixels = choices_.pixels();
+  const SpriteArea& area = choices_.choices().area;
+  if (!pixels.rect()) return;
   // A new entry each time that they are lifted.
-  if (!choices.pixels.floats(level, choices.area)) pixel_stroke = ++last_stroke;
-  const auto hole = static_cast<std::uint8_t>(choices.secondary_color);
-  carry_out(action::EditLevel{choices.pixels.move(level, choices.area, a.by, hole), pixel_stroke});
+  if (!pixels.floats(open_.level, area)) stroke_ = level_.begin_stroke();
+  level_.edit_by_user(pixels.move(open_.level, area, a.by, hole()), stroke_);
 }
 
-void Session::Impl::carry_out(const action::TurnPixels& a) {
-  const auto hole = static_cast<std::uint8_t>(choices.secondary_color);
-  if (choices.pixels.rect()) {
-    carry_out(action::EditLevel{choices.pixels.turn(level, choices.area, a.turn, hole)});
-    pixel_stroke = ++last_stroke;
-  } else if (a.turn != PixelTurn::rotate || choices.area.tiles.w == choices.area.tiles.h) {
-    carry_out(action::EditLevel{turn_pixels(level, choices.area, a.turn)});
+template <>
+void PixelHandler::carry_out(const action::TurnPixels& a) {
+  PixelSelection& pixels = choices_.pixels();
+  const SpriteArea& area = choices_.choices().area;
+  if (pixels.rect()) {
+    level_.edit_by_user(pixels.turn(open_.level, area, a.turn, hole()));
+    stroke_ = level_.begin_stroke();
+  } else if (a.turn != PixelTurn::rotate || area.tiles.w == area.tiles.h) {
+    level_.edit_by_user(turn_pixels(open_.level, area, a.turn));
   }
 }
 
-void Session::Impl::carry_out(const action::PastePixels& a) {
-  choices.sprite_tool = SpriteTool::select;
-  pixel_stroke = ++last_stroke;
-  carry_out(action::EditLevel{choices.pixels.paste(level, choices.area, a.block, a.at), pixel_stroke});
+template <>
+void PixelHandler::carry_out(const action::PastePixels& a) {
+  choices_.choose_sprite_tool(SpriteTool::select);
+  stroke_ = level_.begin_stroke();
+  level_.edit_by_user(choices_.pixels().paste(open_.level, choices_.choices().area, a.block, a.at), stroke_);
+}
+
+void PixelHandler::apply(const PixelAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+std::uint8_t PixelHandler::hole() const {
+  return static_cast<std::uint8_t>(choices_.choices().secondary_color);
 }
 
 }  // namespace talus

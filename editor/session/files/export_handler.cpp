@@ -1,11 +1,12 @@
-// Session: exports of the level's presets, and what is said about them.
+// Exports of the level's presets, and what is said about them.
+#include "export_handler.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "edit/export_presets.h"
 #include "formats/text/utf8_text.h"
-#include "session/session_impl.h"
 
 namespace talus {
 namespace {
@@ -88,85 +89,106 @@ std::string names_of(const std::vector<ExportOutcome>& outcomes) {
 
 }  // namespace
 
-void Session::Impl::carry_out(const action::SetExportPath& a) {
-  if (a.preset >= level.exports.size()) return;
-  ExportPreset moved = level.exports[a.preset];
+template <>
+void ExportHandler::carry_out(const action::SetExportPath& a) {
+  const std::vector<ExportPreset>& presets = open_.level.exports;
+  if (a.preset >= presets.size()) return;
+  ExportPreset moved = presets[a.preset];
   moved.path = a.path;
-  if (moved != level.exports[a.preset])
-    carry_out(action::EditLevel{set_export(level, a.preset, std::move(moved), "Change export path")});
-  permissions.allow_place(level.exports[a.preset]);
+  if (moved != presets[a.preset])
+    level_.edit_by_user(set_export(open_.level, a.preset, std::move(moved), "Change export path"));
+  permissions_.allow_place(presets[a.preset]);
 }
 
-void Session::Impl::carry_out(const action::PreviewExport& a) {
-  if (a.preset < level.exports.size())
-    exporting.preview(level, revision, task_of_preset(level, a.preset, path, permissions));
+template <>
+void ExportHandler::carry_out(const action::PreviewExport& a) {
+  if (a.preset < open_.level.exports.size()) exporting_.preview(open_.level, open_.revision, task(a.preset));
 }
 
-void Session::Impl::carry_out(const action::RunExports& a) {
+template <>
+void ExportHandler::carry_out(const action::RunExports& a) {
   export_presets([&](std::size_t i) { return a.preset.value_or(i) == i; }, false);
 }
 
-void Session::Impl::export_on_save() {
+template <>
+void ExportHandler::carry_out(const action::CancelExport&) {
+  exporting_.cancel();
+}
+
+void ExportHandler::apply(const ExportAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+ExportTask ExportHandler::task(std::size_t preset) const {
+  return task_of_preset(open_.level, preset, open_.path, permissions_);
+}
+
+void ExportHandler::export_on_save() {
   std::string not_allowed;
   const auto is_wanted = [&](std::size_t i) {
-    const ExportPreset& preset = level.exports[i];
-    const bool was_declined = std::find(declined.begin(), declined.end(), preset) != declined.end();
-    const bool is_declined = was_declined && !permissions.allows(preset);
+    const ExportPreset& preset = open_.level.exports[i];
+    const bool was_declined = std::find(declined_.begin(), declined_.end(), preset) != declined_.end();
+    const bool is_declined = was_declined && !permissions_.allows(preset);
     if (preset.on_save && is_declined) not_allowed += (not_allowed.empty() ? "" : ", ") + label_of(preset);
     return preset.on_save && !is_declined;
   };
   export_presets(is_wanted, true);
-  if (!not_allowed.empty() && message) message->text += " " + not_allowed_text(not_allowed);
+  if (!not_allowed.empty()) messages_.add(not_allowed_text(not_allowed));
 }
 
-void Session::Impl::export_presets(FunctionRef<bool(std::size_t)> is_wanted, bool on_save) {
-  ExportRun run{.tasks = {}, .level = nullptr, .may_replace = {}, .on_save = on_save, .revision = revision};
-  for (std::size_t i = 0; i < level.exports.size(); ++i) {
+void ExportHandler::export_presets(FunctionRef<bool(std::size_t)> is_wanted, bool on_save) {
+  ExportRun run{
+      .tasks = {}, .level = nullptr, .may_replace = {}, .on_save = on_save, .revision = open_.revision};
+  for (std::size_t i = 0; i < open_.level.exports.size(); ++i) {
     if (!is_wanted(i)) continue;
-    if (!permissions.allows(level.exports[i])) run.to_allow.insert(run.tasks.size());
-    run.tasks.push_back(task_of_preset(level, i, path, permissions));
+    if (!permissions_.allows(open_.level.exports[i])) run.to_allow.insert(run.tasks.size());
+    run.tasks.push_back(task(i));
   }
   if (run.tasks.empty()) return;
-  run.level = Exporting::snapshot(level);
-  exporting.run(std::move(run));
+  run.level = Exporting::snapshot(open_.level);
+  exporting_.run(std::move(run));
 }
 
-void Session::Impl::take_exports() {
-  auto finished = exporting.advance();
+void ExportHandler::take_exports() {
+  auto finished = exporting_.advance();
   if (!finished) return;
   if (finished->asks == FinishedRun::Asks::to_allow) return ask_to_allow(*std::move(finished));
   if (finished->asks == FinishedRun::Asks::to_replace) return ask_to_replace(*std::move(finished));
-  if (finished->cancelled) {
-    message = Message{"The export was cancelled: nothing was written.", false};
-    return;
-  }
-  const std::string written = written_text(finished->outcomes);
-  std::string problems = problems_text(finished->outcomes);
-  for (const std::string& problem : {finished->record_problem, std::exchange(not_remembered, "")}) {
+  if (finished->cancelled) return messages_.tell("The export was cancelled: nothing was written.");
+  tell_of(*finished);
+}
+
+void ExportHandler::tell_of(const FinishedRun& finished) {
+  const std::string written = written_text(finished.outcomes);
+  std::string problems = problems_text(finished.outcomes);
+  for (const std::string& problem : {finished.record_problem, std::exchange(not_remembered_, "")}) {
     if (!problem.empty()) problems += (problems.empty() ? "" : "\n") + problem;
   }
   std::string text = problems + (problems.empty() || written.empty() ? "" : "\n") + written;
   // What saving said is still news.
-  const bool adds = finished->run.on_save && message;
+  const std::optional<Message>& message = messages_.message();
+  const bool adds = finished.run.on_save && message;
   const bool is_error = !problems.empty() || (adds && message->is_error);
   if (adds) text = message->text + "\n" + text;
-  message = Message{std::move(text), is_error};
+  is_error ? messages_.tell_error(std::move(text)) : messages_.tell(std::move(text));
 }
 
 // Of a level that has been left meanwhile, nothing is written.
-void Session::Impl::ask_to_allow(FinishedRun finished) {
-  if (finished.run.tasks.front().level_file != path) return;
+void ExportHandler::ask_to_allow(FinishedRun finished) {
+  if (finished.run.tasks.front().level_file != open_.path) return;
   std::string text =
       "These exports came with the level's file. Nothing of them is written until you allow it.";
   if (brings_code(finished.run))
     text += "\nThe TIC-80 carts among them bring the level's own code, which TIC-80 runs when you open them.";
-  asked_run = std::move(finished);
-  question = Question{std::move(text), Question::Kind::allow_exports};
+  asked_run_ = std::move(finished);
+  messages_.ask(Question{std::move(text), Question::Kind::allow_exports}, [this](action::Answer answer) {
+    answer_to_allow(answer == action::Answer::allow);
+  });
 }
 
 // What was shown is allowed, and no more; without, the run goes on with the presets that are allowed already.
-void Session::Impl::answer_to_allow(bool allowed) {
-  auto asked = std::exchange(asked_run, std::nullopt);
+void ExportHandler::answer_to_allow(bool allowed) {
+  auto asked = std::exchange(asked_run_, std::nullopt);
   if (!asked) return;
   ExportRun& run = asked->run;
   std::vector<ExportPreset> shown;
@@ -180,29 +202,36 @@ void Session::Impl::answer_to_allow(bool allowed) {
     at = was_shown && allowed ? run.to_allow.erase(at) : std::next(at);
   }
   if (allowed) {
-    if (const auto kept = permissions.allow(shown); !kept) not_remembered = kept.error();
+    if (const auto kept = permissions_.allow(shown); !kept) not_remembered_ = kept.error();
   } else {
-    message = Message{not_allowed_text(names), false};
-    declined.insert(declined.end(), shown.begin(), shown.end());
+    messages_.tell(not_allowed_text(names));
+    declined_.insert(declined_.end(), shown.begin(), shown.end());
     for (auto at = run.to_allow.rbegin(); at != run.to_allow.rend(); ++at)
       run.tasks.erase(run.tasks.begin() + static_cast<std::ptrdiff_t>(*at));
     run.to_allow.clear();
   }
-  exporting.run(std::move(run));
+  exporting_.run(std::move(run));
 }
 
-void Session::Impl::forget_asked_exports() {
-  if (asked_run) question.reset();
-  asked_run.reset();
+void ExportHandler::forget_level() {
+  permissions_.open(open_.path);
+  declined_.clear();
+  if (asked_run_) messages_.take_back_question();
+  asked_run_.reset();
 }
 
-void Session::Impl::ask_to_replace(FinishedRun finished) {
-  question = Question{"These files are not as an export wrote them. Replace them?" +
-                          names_of(finished.outcomes) + "\nReplaced, they are gone.",
-                      Question::Kind::replace_files};
+void ExportHandler::ask_to_replace(FinishedRun finished) {
+  const std::string names = names_of(finished.outcomes);
   for (const ExportOutcome& outcome : finished.outcomes)
     finished.run.may_replace.insert(outcome.foreign.begin(), outcome.foreign.end());
-  asked_run = std::move(finished);
+  asked_run_ = std::move(finished);
+  messages_.ask(Question{"These files are not as an export wrote them. Replace them?" + names +
+                             "\nReplaced, they are gone.",
+                         Question::Kind::replace_files},
+                [this](action::Answer answer) {
+                  auto asked = std::exchange(asked_run_, std::nullopt);
+                  if (asked && answer == action::Answer::replace) exporting_.run(std::move(asked->run));
+                });
 }
 
 }  // namespace talus

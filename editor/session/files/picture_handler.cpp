@@ -1,8 +1,12 @@
-// Session: pictures of the sheets and of the palette, out and in.
+// Pictures of the sheets and of the palette, out and in.
+#include "picture_handler.h"
+
+#include <memory>
+#include <utility>
+
 #include "formats/files/atomic_file.h"
 #include "formats/files/real_path.h"
 #include "formats/tic80/tic_png.h"
-#include "session/session_impl.h"
 
 namespace talus {
 namespace {
@@ -26,44 +30,58 @@ PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area
 
 }  // namespace
 
-void Session::Impl::carry_out(const action::ExportPng& a) {
-  const auto saved = write_file_atomic(a.path, write_png_part(level, a.part));
-  message = saved ? Message{"Saved " + last_name(a.path) + ".", false}
-                  : Message{to_string(saved.error(), a.path), true};
+template <>
+void PictureHandler::carry_out(const action::ExportPng& a) {
+  if (const auto saved = write_file_atomic(a.path, write_png_part(open_.level, a.part)))
+    messages_.tell("Saved " + last_name(a.path) + ".");
+  else
+    messages_.tell_error(to_string(saved.error(), a.path));
 }
 
-void Session::Impl::open_picture(const std::string& picture_path,
-                                 const std::optional<action::OpenFile>& cart) {
-  read_beside(picture_path, [this, picture_path, cart](const Progress& progress) -> FileReader::Finish {
-    const auto bytes = read_file(picture_path, kMaxFileBytes, progress);
-    if (cart && bytes && has_tic_cart(*bytes)) return [this, cart] { ask_before_discarding(*cart); };
+template <>
+void PictureHandler::carry_out(const action::OpenPng& a) {
+  open(a.path);
+}
+
+template <>
+void PictureHandler::carry_out(const action::SetPngImport& a) {
+  if (!png_import_) return;
+  png_import_->options = a.options;
+  png_import_->plan = plan_png_import(open_.level, png_import_->picture, a.options);
+}
+
+template <>
+void PictureHandler::carry_out(const action::ApplyPngImport&) {
+  if (!png_import_ || !png_import_->plan) return;
+  const PngImport import = *std::exchange(png_import_, std::nullopt);
+  level_.edit_by_user(import.plan->edit);
+  messages_.tell("Imported " + last_name(import.path) + ".");
+}
+
+template <>
+void PictureHandler::carry_out(const action::CancelPngImport&) {
+  png_import_.reset();
+}
+
+void PictureHandler::apply(const PictureAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+void PictureHandler::open(const std::string& path, const FileReader::Finish& on_cart) {
+  reading_.read(path, [this, path, on_cart](const Progress& progress) -> FileReader::Finish {
+    const auto bytes = read_file(path, kMaxFileBytes, progress);
+    if (on_cart && bytes && has_tic_cart(*bytes)) return on_cart;
     auto picture = std::make_shared<FormatResult<PngPicture>>(
         bytes ? read_png(*bytes) : FormatResult<PngPicture>(tl::unexpected(bytes.error())));
-    return [this, picture_path, picture] { take_picture(picture_path, std::move(*picture)); };
+    return [this, path, picture] { take(path, std::move(*picture)); };
   });
 }
 
-void Session::Impl::take_picture(const std::string& picture_path, FormatResult<PngPicture> picture) {
-  if (!picture) {
-    message = Message{to_string(picture.error(), picture_path), true};
-    return;
-  }
-  const PngImportOptions options = first_options(*picture, choices.area);
-  png_import = PngImport{picture_path, *std::move(picture), options, {}};
-  png_import->plan = plan_png_import(level, png_import->picture, options);
-}
-
-void Session::Impl::carry_out(const action::SetPngImport& a) {
-  if (!png_import) return;
-  png_import->options = a.options;
-  png_import->plan = plan_png_import(level, png_import->picture, a.options);
-}
-
-void Session::Impl::carry_out(const action::ApplyPngImport&) {
-  if (!png_import || !png_import->plan) return;
-  const PngImport import = *std::exchange(png_import, std::nullopt);
-  carry_out(action::EditLevel{import.plan->edit});
-  message = Message{"Imported " + last_name(import.path) + ".", false};
+void PictureHandler::take(const std::string& path, FormatResult<PngPicture> picture) {
+  if (!picture) return messages_.tell_error(to_string(picture.error(), path));
+  const PngImportOptions options = first_options(*picture, choices_.choices().area);
+  png_import_ = PngImport{path, *std::move(picture), options, {}};
+  png_import_->plan = plan_png_import(open_.level, png_import_->picture, options);
 }
 
 }  // namespace talus

@@ -1,20 +1,125 @@
-// Session: going about in what was recorded.
+// Playing, going about in what was recorded, and following what is edited.
+#include "run_handler.h"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
-#include "session/session_impl.h"
+#include <talus/level/limits.h>
+#include "formats/native/hard_case_file.h"
+#include "level/followed_spawn.h"
 
 namespace talus {
 
-void Session::Impl::seek(std::int64_t frame) {
-  refresh_scene();
-  simulation.seek(frame);
+RunHandler::RunHandler(const OpenLevel& open, ChoiceHandler& choices, MessageHandler& messages)
+    : open_(open), choices_(choices), messages_(messages), simulation_(open.level) {}
+
+// --- Playing
+
+template <>
+void RunHandler::carry_out(const action::Play&) {
+  simulation_.set_running(true);
 }
 
-void Session::Impl::carry_out(const action::JumpToMark& a) {
-  const std::vector<Mark>& marks = simulation.timeline().current().marks;
-  const std::int64_t frame = simulation.timeline().wanted_frame();
+template <>
+void RunHandler::carry_out(const action::Pause&) {
+  simulation_.set_running(false);
+}
+
+template <>
+void RunHandler::carry_out(const action::TogglePlay&) {
+  simulation_.set_running(!simulation_.playback().running);
+}
+
+template <>
+void RunHandler::carry_out(const action::StepFrame&) {
+  simulation_.set_running(false);
+  refresh_scene();
+  if (!is_opening_) simulation_.step();
+}
+
+template <>
+void RunHandler::carry_out(const action::ResetPlay&) {
+  refresh_scene();
+  keep_chosen_body([&] { simulation_.reset(); });
+}
+
+template <>
+void RunHandler::carry_out(const action::SetSpeed& a) {
+  simulation_.set_speed(a.factor);
+}
+
+template <>
+void RunHandler::carry_out(const action::HoldMouse& a) {
+  simulation_.hold_mouse(a, choices_.choices().body);
+}
+
+template <>
+void RunHandler::carry_out(const action::HoldKeys& a) {
+  simulation_.hold_keys(a);
+}
+
+template <>
+void RunHandler::carry_out(const action::SelectBody& a) {
+  refresh_scene();
+  choices_.choose_body(simulation_.state().find(a.id) != nullptr ? a.id : 0);
+}
+
+template <>
+void RunHandler::carry_out(const action::SelectSpawn& a) {
+  refresh_scene();
+  choices_.choose_body(0);
+  for (const Body& body : simulation_.state().bodies) {
+    if (a.spawn >= 0 && body.origin.spawn == a.spawn) choices_.choose_body(body.id);
+  }
+}
+
+// --- The timeline
+
+template <>
+void RunHandler::carry_out(const action::StepBack&) {
+  seek(timeline().wanted_frame() - 1);
+}
+
+template <>
+void RunHandler::carry_out(const action::SeekStart&) {
+  seek(0);
+}
+
+template <>
+void RunHandler::carry_out(const action::SeekEnd&) {
+  seek(timeline().last_frame());
+}
+
+template <>
+void RunHandler::carry_out(const action::SeekFrame& a) {
+  seek(a.frame);
+}
+
+void RunHandler::seek(std::int64_t frame) {
+  refresh_scene();
+  simulation_.seek(frame);
+}
+
+template <>
+void RunHandler::carry_out(const action::SetMark& a) {
+  simulation_.timeline().set_mark(a.frame, a.name);
+  handmade_runs_.note_marks(timeline().current().id, true);
+}
+
+template <>
+void RunHandler::carry_out(const action::RemoveMark& a) {
+  const std::size_t before = timeline().current().marks.size();
+  simulation_.timeline().remove_mark(a.frame);
+  const Branch& branch = timeline().current();
+  if (branch.marks.size() != before) handmade_runs_.note_marks(branch.id, !branch.marks.empty());
+}
+
+template <>
+void RunHandler::carry_out(const action::JumpToMark& a) {
+  const std::vector<Mark>& marks = timeline().current().marks;
+  const std::int64_t frame = timeline().wanted_frame();
   const auto next = std::find_if(marks.begin(), marks.end(), [&](const Mark& m) { return m.frame > frame; });
   if (a.forwards && next != marks.end()) return seek(next->frame);
   const auto before =
@@ -22,102 +127,223 @@ void Session::Impl::carry_out(const action::JumpToMark& a) {
   if (!a.forwards && before != marks.rend()) seek(before->frame);
 }
 
-void Session::Impl::carry_out(const action::SetMark& a) {
-  simulation.timeline().set_mark(a.frame, a.name);
-  handmade_runs.note_marks(simulation.timeline().current().id, true);
-}
-
-void Session::Impl::carry_out(const action::RemoveMark& a) {
-  const std::size_t before = simulation.timeline().current().marks.size();
-  simulation.timeline().remove_mark(a.frame);
-  const Branch& branch = simulation.timeline().current();
-  if (branch.marks.size() != before) handmade_runs.note_marks(branch.id, !branch.marks.empty());
-}
-
-void Session::Impl::carry_out(const action::TakeOver&) {
+template <>
+void RunHandler::carry_out(const action::TakeOver&) {
   refresh_scene();
-  simulation.timeline().fork();
+  simulation_.timeline().fork();
 }
 
-void Session::Impl::carry_out(const action::SwitchBranch& a) {
+template <>
+void RunHandler::carry_out(const action::SwitchBranch& a) {
+  switch_to(a.branch);
+}
+
+void RunHandler::switch_to(int branch) {
   refresh_scene();
   keep_chosen_body([&] {
-    simulation.set_running(false);
-    simulation.timeline().switch_to(a.branch);
-    simulation.show();
+    simulation_.set_running(false);
+    simulation_.timeline().switch_to(branch);
+    simulation_.show();
   });
 }
 
-void Session::Impl::carry_out(const action::DropBranch& a) {
+template <>
+void RunHandler::carry_out(const action::DropBranch& a) {
   refresh_scene();
-  const Branch* branch = simulation.timeline().find(a.branch);
-  if (branch == nullptr || question) return;
+  const Branch* branch = timeline().find(a.branch);
+  if (branch == nullptr || messages_.question()) return;
   if (branch->last_frame() == 0) return drop_branch(a.branch);
-  branch_to_drop = a.branch;
-  question = Question{"Drop run " + std::to_string(a.branch) + " with " +
-                          std::to_string(branch->last_frame()) + " frames? Nothing brings it back.",
-                      Question::Kind::drop_branch};
+  messages_.ask(Question{"Drop run " + std::to_string(a.branch) + " with " +
+                             std::to_string(branch->last_frame()) + " frames? Nothing brings it back.",
+                         Question::Kind::drop_branch},
+                [this, branch = a.branch](action::Answer answer) {
+                  if (answer == action::Answer::discard) drop_branch(branch);
+                });
 }
 
-void Session::Impl::drop_branch(int branch) {
+void RunHandler::drop_branch(int branch) {
   keep_chosen_body([&] {
-    if (branch == simulation.timeline().current().id) simulation.set_running(false);
-    simulation.timeline().drop(branch);
-    handmade_runs.note_gone(branch);
-    simulation.show();
+    if (branch == timeline().current().id) simulation_.set_running(false);
+    simulation_.timeline().drop(branch);
+    handmade_runs_.note_gone(branch);
+    simulation_.show();
   });
 }
 
-void Session::Impl::carry_out(const action::SetInput& a) {
-  refresh_scene();
-  note_input([&] { simulation.timeline().set_input(a.first, a.last, a.key, a.on); });
+template <>
+void RunHandler::carry_out(const action::CompareBranch& a) {
+  simulation_.timeline().compare_with(a.branch);
 }
 
-void Session::Impl::carry_out(const action::SetMouse& a) {
+template <>
+void RunHandler::carry_out(const action::SetInput& a) {
+  refresh_scene();
+  note_input([&] { simulation_.timeline().set_input(a.first, a.last, a.key, a.on); });
+}
+
+template <>
+void RunHandler::carry_out(const action::SetMouse& a) {
   if (!std::isfinite(a.position.x) || !std::isfinite(a.position.y)) return;
   refresh_scene();
-  note_input([&] { simulation.timeline().set_mouse(a.first, a.last, a.position); });
+  note_input([&] { simulation_.timeline().set_mouse(a.first, a.last, a.position); });
 }
 
 // What was so before makes no run that is worth keeping.
-void Session::Impl::note_input(FunctionRef<void()> change) {
+void RunHandler::note_input(FunctionRef<void()> change) {
   const auto shown = [this] {
-    const Branch& branch = simulation.timeline().current();
+    const Branch& branch = timeline().current();
     return std::pair(branch.id, branch.revision);
   };
   const auto before = shown();
   change();
-  simulation.show();
-  if (shown() != before) handmade_runs.note_input(shown().first);
+  simulation_.show();
+  if (shown() != before) handmade_runs_.note_input(shown().first);
 }
 
-void Session::Impl::carry_out(const action::Rerun& a) {
+template <>
+void RunHandler::carry_out(const action::SetEditRule& a) {
+  simulation_.set_rule(a.rule);
+}
+
+template <>
+void RunHandler::carry_out(const action::Rerun& a) {
   refresh_scene();
   keep_chosen_body([&] {
-    simulation.timeline().begin_series();
-    simulation.timeline().rerun(a.from);
-    simulation.show();
+    simulation_.timeline().begin_series();
+    simulation_.timeline().rerun(a.from);
+    simulation_.show();
   });
 }
 
+template <>
+void RunHandler::carry_out(const action::CancelRerun&) {
+  simulation_.timeline().cancel();
+}
+
+void RunHandler::apply(const RunAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+void RunHandler::play_new(const std::vector<Input>& inputs) {
+  keep_chosen_body([&] {
+    simulation_.set_running(false);
+    simulation_.reset();
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      simulation_.timeline().step(inputs[i], i + 1 == inputs.size());
+    simulation_.show();
+  });
+}
+
+void RunHandler::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops) {
+  simulation_.advance(seconds, may_step, stops);
+}
+
 // A recording that was read must come out as it was recorded, or its user should know where it does not.
-void Session::Impl::advance(double seconds) {
-  const bool was_behind = simulation.timeline().behind();
-  reader.finish();
-  trails.begin_turn();
-  other_trails.begin_turn();
-  take_compiled();
-  if (!is_opening) play(seconds);
-  debug();
-  lint_some();
-  find_reach();
-  if (!question) take_exports();  // which may ask, too
-  const Timeline& timeline = simulation.timeline();
-  if (!was_behind || timeline.behind()) return;
-  handmade_runs.note_run_again(timeline.current().id);
-  if (const auto frame = timeline.unexpected_frame(timeline.current())) {
-    message = Message{
-        "Frame " + std::to_string(*frame) + " is not as it was recorded, nor may be later ones.", true};
+void RunHandler::note_rerun_ended() {
+  handmade_runs_.note_run_again(timeline().current().id);
+  if (const auto frame = timeline().unexpected_frame(timeline().current()))
+    messages_.tell_error("Frame " + std::to_string(*frame) +
+                         " is not as it was recorded, nor may be later ones.");
+}
+
+// --- The level
+
+void RunHandler::note_edit(const Edit& edit) {
+  for (const Change& change : edit.changes) scene_changes_.add(open_.level, change);
+}
+
+void RunHandler::refresh_scene() {
+  if (scene_changes_.empty() || (compiler_.is_busy() && !scene_changes_.whole)) return;
+  const SceneChanges changes = std::exchange(scene_changes_, {});
+  if (changes.whole && SceneCompiler::is_large(open_.level)) return compiler_.start(open_.level);
+  leave_compiler();
+  ++scenes_;
+  bool has_room = true;
+  keep_chosen_body(
+      [&] { has_room = simulation_.edit(open_.level, changes.whole ? nullptr : &changes.cells); });
+  if (!has_room) {
+    messages_.tell("The run begins anew, as its edits of the level took more than " +
+                   std::to_string(kMaxVersionBytes >> 20) + " MiB.");
+  }
+}
+
+void RunHandler::leave_compiler() {
+  compiler_.cancel();
+  is_opening_ = false;
+}
+
+// A large level is opened with nothing on its map, which the compiled scene brings.
+void RunHandler::load_simulation() {
+  compiler_.cancel();
+  is_opening_ = SceneCompiler::is_large(open_.level);
+  if (!is_opening_) return simulation_.load(open_.level);
+  Level bare = open_.level;
+  std::fill(bare.map.cells().begin(), bare.map.cells().end(), std::uint8_t{0});
+  simulation_.load(bare);
+  compiler_.start(open_.level);
+}
+
+void RunHandler::take_compiled() {
+  const auto compiled = compiler_.take();
+  if (!compiled) return;
+  is_opening_ = false;
+  if (!compiled->scene) return messages_.tell_error("The level cannot be played: " + compiled->problem + ".");
+  ++scenes_;
+  keep_chosen_body([&] { simulation_.edit(*compiled->level, nullptr, compiled->scene); });
+  refresh_scene();
+}
+
+std::optional<double> RunHandler::compile_progress() const {
+  return compiler_.is_busy() ? std::optional(compiler_.progress()) : std::nullopt;
+}
+
+void RunHandler::load_level() {
+  read_hard_case();
+  load_simulation();
+  handmade_runs_.clear();
+  trails_ = other_trails_ = {};
+  scene_changes_ = {};
+}
+
+void RunHandler::read_hard_case() {
+  hard_case_ = hard_case_of(open_.level).value_or(std::nullopt);
+  simulation_.set_script(hard_case_ ? hard_case_->input : std::vector<CaseInput>());
+  if (hard_case_) choices_.show_overlay(OverlayId::answer, true);
+}
+
+void RunHandler::load(const Recording& recording, const EndScenes& scenes) {
+  leave_compiler();
+  simulation_.load(recording, scenes);
+}
+
+void RunHandler::recover(const std::vector<std::shared_ptr<const Recording>>& recordings,
+                         const EndScenes& scenes) {
+  load(*recordings.front(), scenes);
+  handmade_runs_.note_input(timeline().current().id);
+  for (std::size_t i = 1; i < recordings.size(); ++i)
+    handmade_runs_.note_input(simulation_.timeline().add(*recordings[i]));
+  scene_changes_ = {};
+  scene_changes_.whole = true;
+}
+
+void RunHandler::keep_chosen_body(FunctionRef<void()> renumber) {
+  const auto spawns = [this] {
+    const Branch& branch = timeline().current();
+    return branch.chapters[branch.chapter_at(timeline().frame())].version->spawns;
+  };
+  const Body* chosen = simulation_.state().find(choices_.choices().body);
+  choices_.choose_body(0);
+  if (chosen == nullptr) return renumber();
+  BodyOrigin origin = chosen->origin;
+  const auto before = spawns();
+  renumber();
+  if (origin.spawn >= 0) {
+    const auto now = followed_spawn(*before, *spawns(), origin.spawn);
+    if (!now) return;
+    origin.spawn = *now;
+  }
+  for (const Body& body : simulation_.state().bodies) {
+    if (body.origin == origin) choices_.choose_body(body.id);
   }
 }
 

@@ -122,7 +122,7 @@ void Simulation::advance(double seconds, FunctionRef<bool()> may_step, FunctionR
   if (timeline_->behind()) return run_again();
   if (timeline_->on_the_way()) return show();
   if (!playback_.running) return;
-  due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, Session::kMaxCatchUpSteps);
+  due_ = std::min<double>(due_ + seconds * kStepsPerSecond * playback_.speed, kMaxCatchUpSteps);
   const Stopwatch watch;
   for (; due_ >= 1 && playback_.running && watch.seconds() < kPlaySeconds && may_step(); due_ -= 1) {
     step();

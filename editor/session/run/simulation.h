@@ -4,7 +4,8 @@
 #include <optional>
 
 #include <talus/collision/function_ref.h>
-#include "session/session.h"
+#include "playback.h"
+#include "run_actions.h"
 #include "step_times.h"
 #include "work_share.h"
 

@@ -1,0 +1,49 @@
+// CheckHandler: what is likely wrong in the level, and where a player of it gets to.
+#pragma once
+
+#include "check_actions.h"
+#include "edit/edit.h"
+#include "lint/lint_cache.h"
+#include "reach_finder.h"
+#include "session/choices/choice_handler.h"
+#include "session/messages/message_handler.h"
+#include "session/run/run_handler.h"
+
+namespace talus {
+
+class CheckHandler {
+ public:
+  CheckHandler(const OpenLevel& open, RunHandler& run, ChoiceHandler& choices, MessageHandler& messages)
+      : open_(open), run_(run), choices_(choices), messages_(messages) {}
+
+  void apply(const CheckAction& action);
+
+  const std::vector<Problem>& problems();  // of the level as it is
+  const LintCache& lint_cache() const { return lint_cache_; }
+  const LintOptions& lint_options() const { return lint_options_; }
+  const ReachFinder& reach() const { return reach_; }
+
+  void note_edit(const Edit& edit);  // to be called for each edit done or undone
+  void forget_level();               // another one is open
+  void follow_scene();               // what was found before in another scene is out of date
+  // Spends a few ms on what of the level has not been looked at, and on where the player gets to.
+  void advance();
+
+ private:
+  // For each action of CheckAction: in check_handler.cpp.
+  template <class A>
+  void carry_out(const A& action) = delete;
+
+  void lint_some();
+
+  const OpenLevel& open_;
+  RunHandler& run_;
+  ChoiceHandler& choices_;
+  MessageHandler& messages_;
+  LintCache lint_cache_;
+  LintOptions lint_options_;
+  ReachFinder reach_;
+  int scene_ = 0;  // of RunHandler::scenes(), that reach_ knows of
+};
+
+}  // namespace talus

@@ -1,0 +1,107 @@
+// Actions: choosing what is edited, with which tool, and what is shown with it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include <talus/collision/geometry.h>
+#include "edit/curve_tools.h"
+#include "edit/sprite_area.h"
+#include "edit/sprite_shapes.h"
+#include "edit/stamp.h"
+#include "overlay/overlay_id.h"
+
+namespace talus {
+
+// The tools of the map: those of the keys 1 to 9 and 0 in their order, 1 to 4 as in TIC-80; then those that
+// have letters.
+enum class MapTool {
+  stamp,
+  pan,
+  select,
+  fill,
+  line,
+  rectangle,
+  ellipse,
+  slope,
+  segment,
+  body,
+  erase,
+  pick,
+  ground,
+  flag,
+  curve
+};
+// The tools of the sprite canvas; the first four in the order of their keys 1 to 4, as in TIC-80.
+enum class SpriteTool { pencil, pick, select, fill, line, rectangle, ellipse };
+
+namespace action {
+
+struct SelectCurve {
+  int curve = -1;  // its index in the level; of none: none
+};
+struct SetCurveKind {  // what the curve tool draws
+  CurveKind kind = CurveKind::segment;
+};
+struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp
+  SpriteArea area;
+};
+struct SelectPixels {            // in the canvas, until another tool or canvas is chosen
+  std::optional<CellRect> rect;  // px of the canvas, clamped to it; nothing: none
+};
+struct SetStamp {
+  Stamp stamp;
+};
+struct SetRandomStamp {  // each painted cell takes a tile of the stamp at random
+  bool on = true;
+  std::uint32_t seed = 1;  // of what is painted from now on
+};
+struct SelectCells {  // on the map; cut at its edge, and wholly outside, or nothing: no selection
+  std::optional<CellRect> cells;
+};
+struct SetPasted {  // tiles that hang at the mouse until a click puts them on the map; nothing: none any more
+  std::optional<Stamp> tiles;
+};
+struct SetMapTool {  // lets go what hangs at the mouse
+  MapTool tool;
+};
+struct SetSpriteTool {
+  SpriteTool tool;
+};
+struct SetBrush {  // of the tools that draw pixels
+  int size = 1;    // px, 1..kMaxBrush; clamped
+};
+struct SetColor {
+  int color = 0;           // 0..15
+  bool secondary = false;  // false: the left button's colour; true: the right button's
+};
+struct SetOverlay {
+  OverlayId overlay;
+  bool on = true;
+};
+struct SetFlagOverlay {
+  // Tints the map and the sheet where tiles match it; it is what is painted and looked for. Nothing: no tint.
+  std::optional<FlagPattern> pattern;
+};
+struct SetOverlayPalette {
+  OverlayPalette palette;
+};
+struct SetGrid {
+  bool on = true;
+};
+struct SetScreenBorders {
+  bool on = true;
+};
+
+}  // namespace action
+
+// What ChoiceHandler carries out.
+using ChoiceAction =
+    std::variant<action::SelectCurve, action::SetCurveKind, action::SelectTiles, action::SelectPixels,
+                 action::SetStamp, action::SetRandomStamp, action::SelectCells, action::SetPasted,
+                 action::SetMapTool, action::SetSpriteTool, action::SetBrush, action::SetColor,
+                 action::SetOverlay, action::SetFlagOverlay, action::SetOverlayPalette, action::SetGrid,
+                 action::SetScreenBorders>;
+
+}  // namespace talus

@@ -1,0 +1,23 @@
+// Actions: changing the level, and taking changes back.
+#pragma once
+
+#include <variant>
+
+#include "edit/edit.h"
+
+namespace talus {
+namespace action {
+
+struct EditLevel {  // an edit made by a tool; a stroke > 0 merges with the entry of the same stroke before it
+  Edit edit;
+  int stroke = 0;
+};
+struct Undo {};
+struct Redo {};
+
+}  // namespace action
+
+// What LevelHandler carries out.
+using LevelAction = std::variant<action::EditLevel, action::Undo, action::Redo>;
+
+}  // namespace talus

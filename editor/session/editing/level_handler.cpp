@@ -1,0 +1,85 @@
+// Editing the level, undo and redo.
+#include "level_handler.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace talus {
+
+template <>
+void LevelHandler::carry_out(const action::EditLevel& a) {
+  edit_by_user(a.edit, a.stroke);
+}
+
+template <>
+void LevelHandler::carry_out(const action::Undo&) {
+  if (!open_.history.can_undo() || reader_.is_busy()) return;
+  run_.begin_series();
+  open_.history.undo(open_.level);
+  const Edit& edit = open_.history.edits()[open_.history.position()];
+  if (edit.selection) choices_.choose_cells(edit.selection->before);
+  note_edit(edit);
+  note_step_of_history();
+}
+
+template <>
+void LevelHandler::carry_out(const action::Redo&) {
+  if (!open_.history.can_redo() || reader_.is_busy()) return;
+  run_.begin_series();
+  open_.history.redo(open_.level);
+  const Edit& edit = open_.history.edits()[open_.history.position() - 1];
+  if (edit.selection) choices_.choose_cells(edit.selection->after);
+  note_edit(edit);
+  note_step_of_history();
+}
+
+void LevelHandler::apply(const LevelAction& action) {
+  std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+void LevelHandler::edit_by_user(const Edit& wanted, int stroke) {
+  if (reader_.is_busy()) return;
+  for (const Change& change : wanted.changes) {
+    if (const auto* presets = std::get_if<ExportsChange>(&change))
+      permissions_.note_edit(presets->before, presets->after);
+  }
+  edit(wanted, stroke);
+}
+
+void LevelHandler::edit(const Edit& wanted, int stroke) {
+  if (stroke == 0 || stroke > open_.last_stroke) run_.begin_series();
+  open_.last_stroke = std::max(open_.last_stroke, stroke);
+  Edit edit = wanted;
+  rebase_edit(open_.level, edit);
+  if (const auto problem = problem_after(open_.level, edit))
+    return messages_.tell_error(edit.label + ": not done, as the level then " + *problem + ".");
+  if (edit.selection) choices_.choose_cells(edit.selection->after);
+  if (edit.empty()) return;
+  note_edit(edit);
+  open_.history.push(open_.level, std::move(edit), stroke);
+  choices_.cut_selection();
+}
+
+void LevelHandler::note_edit(const Edit& edit) {
+  ++open_.revision;
+  run_.note_edit(edit);
+  checks_.note_edit(edit);
+}
+
+void LevelHandler::note_step_of_history() {
+  choices_.cut_selection();
+  choices_.pixels().check(open_.level, choices_.choices().area);
+}
+
+void LevelHandler::replace(Level opened) {
+  open_.level = std::move(opened);
+  open_.history.clear();
+  ++open_.revision;
+  choices_.forget_level();
+  run_.load_level();
+  checks_.forget_level();
+}
+
+}  // namespace talus

@@ -1,0 +1,59 @@
+// LevelHandler: edits the open level, and tells the others what has changed in it.
+#pragma once
+
+#include <memory>
+
+#include "level_actions.h"
+#include "open_level.h"
+#include "session/checks/check_handler.h"
+#include "session/choices/choice_handler.h"
+#include "session/files/export_permissions.h"
+#include "session/files/file_reader.h"
+#include "session/messages/message_handler.h"
+#include "session/run/run_handler.h"
+
+namespace talus {
+
+class LevelHandler {
+ public:
+  // reader: while it reads a file, which may replace the level, the user's edits do nothing. permissions:
+  // what the user changes of exports is allowed.
+  LevelHandler(OpenLevel& open, const FileReader& reader, ExportPermissions& permissions, RunHandler& run,
+               CheckHandler& checks, ChoiceHandler& choices, MessageHandler& messages)
+      : open_(open),
+        reader_(reader),
+        permissions_(permissions),
+        run_(run),
+        checks_(checks),
+        choices_(choices),
+        messages_(messages) {}
+
+  void apply(const LevelAction& action);
+
+  void edit_by_user(const Edit& wanted, int stroke = 0);  // as EditLevel
+  void edit(const Edit& wanted, int stroke = 0);          // by whomever
+  int begin_stroke() { return ++open_.last_stroke; }      // a number unlike that of any edit before
+  void replace(Level opened);                             // by another one, without a history
+  // See UndoStack.
+  void mark_saved() { open_.history.mark_saved(); }
+  void forget_saved() { open_.history.forget_saved(); }
+
+ private:
+  // For each action of LevelAction: in level_handler.cpp.
+  template <class A>
+  void carry_out(const A& action) = delete;
+
+  // Of an edit that is done or undone: before it, and after.
+  void note_edit(const Edit& edit);
+  void note_step_of_history();
+
+  OpenLevel& open_;
+  const FileReader& reader_;
+  ExportPermissions& permissions_;
+  RunHandler& run_;
+  CheckHandler& checks_;
+  ChoiceHandler& choices_;
+  MessageHandler& messages_;
+};
+
+}  // namespace talus

@@ -1,0 +1,56 @@
+// ExportHandler: exports of the level's presets, and what is asked and told about them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <talus/collision/function_ref.h>
+#include "export_actions.h"
+#include "exporting.h"
+#include "session/editing/level_handler.h"
+
+namespace talus {
+
+class ExportHandler {
+ public:
+  ExportHandler(const OpenLevel& open, ExportPermissions& permissions, LevelHandler& level,
+                MessageHandler& messages, ExportTools tools)
+      : open_(open),
+        permissions_(permissions),
+        level_(level),
+        messages_(messages),
+        exporting_(std::move(tools)) {}
+
+  void apply(const ExportAction& action);
+  const Exporting& exporting() const { return exporting_; }
+  ExportTask task(std::size_t preset) const;  // index of one of the level's presets
+  // What is asked about, where that is about exports; or null.
+  const FinishedRun* asked() const { return asked_run_ ? &*asked_run_ : nullptr; }
+
+  void export_on_save();
+  void forget_level();  // another one is open
+  void take_exports();  // what the thread has done
+
+ private:
+  // For each action of ExportAction: in export_handler.cpp.
+  template <class A>
+  void carry_out(const A& action) = delete;
+
+  void export_presets(FunctionRef<bool(std::size_t)> is_wanted, bool on_save);
+  void tell_of(const FinishedRun& finished);
+  void ask_to_allow(FinishedRun finished);
+  void answer_to_allow(bool allowed);
+  void ask_to_replace(FinishedRun finished);
+
+  const OpenLevel& open_;
+  ExportPermissions& permissions_;
+  LevelHandler& level_;
+  MessageHandler& messages_;
+  std::string not_remembered_;            // why not what was allowed, until that is told; empty: it is
+  std::vector<ExportPreset> declined_;    // not allowed when a save asked, which does not ask again
+  std::optional<FinishedRun> asked_run_;  // waits for the question's answer
+  Exporting exporting_;
+};
+
+}  // namespace talus

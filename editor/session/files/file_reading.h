@@ -1,0 +1,34 @@
+// FileReading: reads beside the window what is not read at once, and tells where that fails.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "file_reader.h"
+#include "session/messages/message_handler.h"
+
+namespace talus {
+
+class FileReading {
+ public:
+  explicit FileReading(MessageHandler& messages) : messages_(messages) {}
+
+  // The level stays as it is until `work`'s answer is called. is_large: it takes long, whatever the size of
+  // the file.
+  void read(const std::string& file, FileReader::Work work, bool is_large = false);
+  void cancel();
+  void wait() { reader_.wait(); }
+  void finish() { reader_.finish(); }
+  const FileReader& reader() const { return reader_; }
+
+  // Called whenever what is read is given up: cancelled by whomever, or as it cannot be read.
+  void when_given_up(std::function<void()> call) { on_given_up_ = std::move(call); }
+
+ private:
+  MessageHandler& messages_;
+  std::function<void()> on_given_up_;
+  FileReader reader_;
+};
+
+}  // namespace talus

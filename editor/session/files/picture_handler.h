@@ -1,0 +1,42 @@
+// PictureHandler: pictures of the sheets and of the palette, out and in.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "file_reading.h"
+#include "picture_actions.h"
+#include "session/editing/level_handler.h"
+
+namespace talus {
+
+class PictureHandler {
+ public:
+  PictureHandler(const OpenLevel& open, FileReading& reading, LevelHandler& level,
+                 const ChoiceHandler& choices, MessageHandler& messages)
+      : open_(open), reading_(reading), level_(level), choices_(choices), messages_(messages) {}
+
+  void apply(const PictureAction& action);
+  // Waits for ApplyPngImport or CancelPngImport.
+  const std::optional<PngImport>& png_import() const { return png_import_; }
+
+  // A picture is taken into the level that is open, and loses nothing. on_cart: called in its place where the
+  // picture has a cart in it; none: it is a picture like others.
+  void open(const std::string& path, const FileReader::Finish& on_cart = nullptr);
+
+ private:
+  // For each action of PictureAction: in picture_handler.cpp.
+  template <class A>
+  void carry_out(const A& action) = delete;
+
+  void take(const std::string& path, FormatResult<PngPicture> picture);
+
+  const OpenLevel& open_;
+  FileReading& reading_;
+  LevelHandler& level_;
+  const ChoiceHandler& choices_;
+  MessageHandler& messages_;
+  std::optional<PngImport> png_import_;
+};
+
+}  // namespace talus

@@ -1,0 +1,28 @@
+// What a session tells its user, and what it asks.
+#pragma once
+
+#include <string>
+
+namespace talus {
+
+struct Message {
+  std::string text;
+  bool is_error = false;
+};
+
+// Something that would lose unsaved changes waits for an answer.
+struct Question {
+  enum class Kind {
+    unsaved_changes,
+    changed_outside,
+    drop_branch,
+    replace_files,
+    unsaved_run,
+    unstored,
+    allow_exports
+  };
+  std::string text;  // "Save the changes to demo.talus.json?"
+  Kind kind = Kind::unsaved_changes;
+};
+
+}  // namespace talus

@@ -1,0 +1,20 @@
+// Whether a session plays, how fast, and what is held.
+#pragma once
+
+#include <talus/sim/state.h>
+
+namespace talus {
+
+inline constexpr double kStepsPerSecond = 60;  // at speed 1; TIC-80's rate
+inline constexpr int kMaxCatchUpSteps = 64;    // that are made at once
+
+inline constexpr double kMinSpeed = 1.0 / 8;
+inline constexpr double kMaxSpeed = 8;
+
+struct Playback {
+  bool running = false;
+  double speed = 1;  // kMinSpeed to kMaxSpeed
+  Input input;       // held until changed
+};
+
+}  // namespace talus

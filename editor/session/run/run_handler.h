@@ -1,0 +1,88 @@
+// RunHandler: the run of the open level: plays it, goes about in what was recorded, and brings it up to what
+// is edited.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <talus/collision/function_ref.h>
+#include "handmade_runs.h"
+#include "level/hard_case.h"
+#include "run_actions.h"
+#include "scene_changes.h"
+#include "scene_compiler.h"
+#include "session/choices/choice_handler.h"
+#include "session/messages/message_handler.h"
+#include "simulation.h"
+#include "trail.h"
+
+namespace talus {
+
+class RunHandler {
+ public:
+  RunHandler(const OpenLevel& open, ChoiceHandler& choices, MessageHandler& messages);
+
+  void apply(const RunAction& action);
+
+  const Simulation& simulation() const { return simulation_; }
+  const Timeline& timeline() const { return simulation_.timeline(); }
+  const HandmadeRuns& handmade_runs() const { return handmade_runs_; }
+  const std::optional<HardCase>& hard_case() const { return hard_case_; }
+  // Of the timeline, and of a variant's.
+  Trails& trails() { return trails_; }
+  Trails& other_trails() { return other_trails_; }
+
+  // --- What the level was edited to
+  void begin_series() { simulation_.timeline().begin_series(); }  // of edits
+  void note_edit(const Edit& edit);                               // to be called for each edit done or undone
+  // Brings the simulation up to the level, if it is behind; where a large level is compiled for that, later.
+  void refresh_scene();
+  void take_compiled();                            // the scene of a large level, when it is done
+  int scenes() const { return scenes_; }           // grows when the level has another scene
+  bool is_opening() const { return is_opening_; }  // time stands still until the level's first scene
+  std::optional<double> compile_progress() const;  // 0..1; nothing: the simulation sees the level as it is
+  void load_level();                               // another one is open
+  void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
+  // The level is the recording's last one.
+  void load(const Recording& recording, const EndScenes& scenes);
+  // On the level as it is by now, which differs from the recordings' last ones where pixels were drawn later.
+  // None null; scenes: of the first one.
+  void recover(const std::vector<std::shared_ptr<const Recording>>& recordings, const EndScenes& scenes);
+
+  // --- What other actions do with the run
+  void advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops);  // as Simulation
+  void note_rerun_ended();
+  void set_running(bool running) { simulation_.set_running(running); }
+  void show_frame(std::int64_t frame) { simulation_.seek(frame); }  // of the scene that there is
+  void switch_to(int branch);
+  void play_new(const std::vector<Input>& inputs);  // as a new branch, which ends there, paused
+  void note_saved(int branch) { handmade_runs_.note_saved(branch); }
+  void give_up(int branch) { handmade_runs_.note_gone(branch); }  // it is not worth keeping
+
+ private:
+  // For each action of RunAction: in run_handler.cpp.
+  template <class A>
+  void carry_out(const A& action) = delete;
+
+  void seek(std::int64_t frame);
+  void drop_branch(int branch);
+  void note_input(FunctionRef<void()> change);          // of the current run, by hand
+  void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
+  void load_simulation();
+  void leave_compiler();  // the timeline brings a scene of its own
+
+  const OpenLevel& open_;
+  ChoiceHandler& choices_;
+  MessageHandler& messages_;
+  Simulation simulation_;
+  Trails trails_, other_trails_;
+  SceneChanges scene_changes_;
+  SceneCompiler compiler_;
+  bool is_opening_ = false;  // the compiler is at the first scene of the level
+  int scenes_ = 0;
+  std::optional<HardCase> hard_case_;
+  HandmadeRuns handmade_runs_;
+};
+
+}  // namespace talus

@@ -1,0 +1,54 @@
+// Which changes of a level the simulation sees.
+#include "scene_changes.h"
+
+#include <type_traits>
+#include <variant>
+
+#include <talus/sim/scene.h>
+
+namespace talus {
+namespace {
+
+// Whether tiles with these flags are the same to the simulation.
+bool same_physics(const Level& level, std::uint8_t flags_a, std::uint8_t flags_b) {
+  return role_of(flags_a, level.roles) == role_of(flags_b, level.roles) &&
+         shape_of_flags(level, flags_a) == shape_of_flags(level, flags_b);
+}
+
+// Whether the simulation can see a change. Painting pixels or one plain tile over another must not cost a
+// compilation.
+bool changes_scene(const Level& level, const Change& change) {
+  return std::visit(
+      [&](const auto& c) {
+        using T = std::decay_t<decltype(c)>;
+        if constexpr (std::is_same_v<T, CellChange>) {
+          return level.tile_shapes[c.before] != level.tile_shapes[c.after] ||
+                 !same_physics(level, level.tile_flags(c.before), level.tile_flags(c.after));
+        } else if constexpr (std::is_same_v<T, FlagsChange>) {
+          return c.sheet == SheetId::tiles && !same_physics(level, c.before, c.after);
+        } else {
+          return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
+                   std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> ||
+                   std::is_same_v<T, BrushesChange> || std::is_same_v<T, AutoTilesChange> ||
+                   std::is_same_v<T, ExportsChange>);
+        }
+      },
+      change);
+}
+
+}  // namespace
+
+void SceneChanges::add(const Level& level, const Change& change) {
+  if (!changes_scene(level, change)) return;
+  const auto* cell = std::get_if<CellChange>(&change);
+  const auto* tuning = std::get_if<TuningChange>(&change);
+  if (std::holds_alternative<SpawnsChange>(change) ||
+      (tuning != nullptr && is_same_ground(tuning->before, tuning->after))) {
+    bodies = true;
+    return;
+  }
+  whole = whole || cell == nullptr || cells.size() >= kMostCells;
+  if (cell != nullptr && !whole) cells.push_back(cell->cell);
+}
+
+}  // namespace talus
