@@ -7,8 +7,8 @@
 
 namespace talus {
 
-// Adds balls on cells where they overlap nothing, each cell once; false when there are too few. The seed says
-// on which.
+// Adds balls on cells where they overlap nothing, each cell once. Returns false if there are too few cells.
+// The seed chooses the cells.
 bool spawn_balls(Level& level, int count, std::uint64_t seed);
 
 }  // namespace talus

@@ -47,7 +47,7 @@ void bench(CommandContext& context, const BenchOptions& options) {
   std::vector<Vec2> before;
   std::size_t resting = 0;  // steps of a body in which it did not move
   double total_ns = 0;
-  // The two take turns, so that whatever else the machine does falls on both.
+  // The two take turns, so that other work on the machine affects both.
   ProgressLine progress(context.err, options.file, is_terminal(context.err));
   for (int frame = 0; frame < options.frames; ++frame) {
     if (!progress.at(static_cast<double>(frame) / options.frames))

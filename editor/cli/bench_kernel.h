@@ -1,6 +1,6 @@
-// The yardstick of `talus bench`: about the least that balls on a tile map can cost. Moves x, then y, by
-// whole frames, looks tiles up in a flat array, lifts the centre onto slopes; records nothing and is not
-// exact.
+// BenchKernel: the yardstick of `talus bench`, about the least that balls on a tile map can cost. It moves x,
+// then y, by whole frames, looks up tiles in a flat array, and lifts the centre onto slopes. It records
+// nothing and is not exact.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class BenchKernel {
   BenchKernel(const Level& level, const State& start);
   void step();
   Vec2 position(std::size_t ball) const { return {balls_[ball].x, balls_[ball].y}; }  // px, top-left corner
-  double checksum() const;  // of the positions, so that no work can be left out
+  double checksum() const;  // of the positions, so that the compiler cannot leave out any work
 
  private:
   struct Ball {

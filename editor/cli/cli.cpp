@@ -29,7 +29,7 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
   return arguments;
 }
 
-// Applies "key=value"; returns what is wrong with it, or an empty text.
+// Applies "key=value". Returns what is wrong with it, or an empty text.
 std::string apply_setting(const std::string& setting, Tuning& tuning) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) return "must be KEY=VALUE";
@@ -67,7 +67,7 @@ int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::o
   try {
     program.parse(remaining);
   } catch (const CLI::ParseError& error) {
-    std::stringstream problem;  // which may quote what was typed
+    std::stringstream problem;  // it may quote what was typed
     const bool was_help = program.exit(error, out, problem) == static_cast<int>(CLI::ExitCodes::Success);
     for (std::string line; std::getline(problem, line);) say(err, line);
     return was_help ? kExitGood : kExitUsage;

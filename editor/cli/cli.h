@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// What the program answers to its caller.
+// The exit status of the program.
 enum ExitStatus : int {
   kExitGood = 0,
   kExitBad = 1,    // the input is bad, or a check failed

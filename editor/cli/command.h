@@ -16,8 +16,7 @@ struct CommandContext {
   std::ostream& out;
   std::ostream& err;
   int status = kExitGood;  // set by the command that ran
-  // What it does by now, for an error that nobody expected: "reading cave.tmx". Empty: no more is known than
-  // the command.
+  // What the command is doing, for an unexpected error: "reading cave.tmx". Empty: only the command is known.
   std::string doing = {};
 };
 
@@ -32,7 +31,7 @@ void add_shot_command(CLI::App& program, CommandContext& context);
 void add_bench_command(CLI::App& program, CommandContext& context);
 void add_report_command(CLI::App& program, CommandContext& context);
 
-// Writes one line and ends it. What a terminal or a log would not show as text is escaped: see
+// Writes one line. Characters that a terminal or a log would not show as text are escaped: see
 // printable_line.
 void say(std::ostream& stream, const std::string& line);
 
@@ -40,11 +39,11 @@ void say(std::ostream& stream, const std::string& line);
 void fail(CommandContext& context, const std::string& file, const std::string& place,
           const std::string& message);
 
-// What is in a file, or nothing after having failed. Warns of what of the file is not in the level, and of a
-// companion that does not fit it.
+// Returns the content of a file, or nothing after a reported failure. Warns about what the level does not
+// have, and about a companion that does not fit.
 std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
                                              const ImportChoices& choices = {});
-// The level in it alone.
+// Returns only the level in it.
 std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
                                   const ImportChoices& choices = {});
 

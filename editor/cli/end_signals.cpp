@@ -1,4 +1,4 @@
-// A second thread looks after the first one.
+// A second thread watches the first one.
 #include "end_signals.h"
 
 #include <pthread.h>

@@ -1,4 +1,4 @@
-// SIGINT (Ctrl+C) and SIGTERM, held back so that work can be ended in order.
+// EndSignals: holds back SIGINT (Ctrl+C) and SIGTERM, so that work can end in order.
 #pragma once
 
 #include <chrono>
@@ -7,9 +7,9 @@
 
 namespace talus {
 
-// While there is one, the signals that end a program wait for the thread that made it. Work that does not
-// look for them within two seconds, as it waits for a pipe or computes for long, is ended by them all the
-// same: files are put in place whole, so that it may be ended anywhere.
+// While it lives, signals that end a program wait for the thread that made it. If that thread does not look
+// for them within two seconds, as it waits for a pipe or computes for long, they end the program all the
+// same. Files are put in place whole, so this can happen at any time.
 class EndSignals {
  public:
   EndSignals();
@@ -17,12 +17,12 @@ class EndSignals {
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  bool have_come() const;                          // and still wait
-  bool wait(std::chrono::nanoseconds time) const;  // takes one; true when one came within the time
+  bool have_come() const;                          // whether signals wait
+  bool wait(std::chrono::nanoseconds time) const;  // takes one; returns true if one came within the time
 
  private:
   sigset_t signals_{}, before_{};
-  std::jthread patience_;  // begun with the signals held back, as in every thread from then on
+  std::jthread patience_;  // it starts with signals held back, as every thread from then on
 };
 
 }  // namespace talus

@@ -16,11 +16,11 @@ namespace {
 
 struct ExportOptions {
   std::string input, output, target;
-  std::string parts;  // of Lua's runtime, besides those that the level uses
+  std::string parts;  // parts of the Lua runtime besides those that the level uses
   std::vector<std::string> presets;
   bool all = false;
   bool watch = false;
-  bool playable = false;  // of a cart: with code that plays the level
+  bool playable = false;  // for a cart: with code that plays the level
   ExportRules rules;
 
   bool takes_presets() const { return all || !presets.empty(); }
@@ -32,7 +32,7 @@ std::vector<std::string> exporter_ids() {
   return ids;
 }
 
-// "", or the names that there are for the error about one that is not.
+// Empty, or the existing names, for the error about an unknown one.
 std::string unknown_preset(const std::string& name, const std::vector<ExportPreset>& presets) {
   std::string known;
   for (const ExportPreset& preset : presets) {
@@ -44,7 +44,7 @@ std::string unknown_preset(const std::string& name, const std::vector<ExportPres
                         : "the level has " + known);
 }
 
-// Says which of the presets would write one another's files; true: there are some.
+// Reports presets that would write one another's files. Returns true if there are any.
 bool find_clashes(CommandContext& context, const ExportOptions& options,
                   std::span<const ExportPreset> presets) {
   bool found = false;
@@ -100,7 +100,7 @@ void export_file(CommandContext& context, const ExportOptions& options) {
                       .tells = options.watch});
 }
 
-// What is to be said of a file that is not read.
+// The message about a file that cannot be read.
 std::string waiting_text(const std::string& file) {
   std::error_code ignored;
   const auto bytes = read_file(file);
@@ -108,15 +108,16 @@ std::string waiting_text(const std::string& file) {
   return bytes.error().message + "; waiting for a file";
 }
 
-// Errors are said, and what comes next may be better: they are no reason to end, nor for another status.
-// Where nobody hears them any more, it ends.
+// Errors are reported, but the next version may be better: they neither end the watch nor change the status.
+// It ends if nobody can read the reports any more.
 void watch_and_export(CommandContext& context, ExportOptions options) {
   watch_file(
       options.input,
       [&] {
         context.status = kExitGood;
         export_file(context, options);
-        // It was said of what was there at first: what is changed while this goes on is kept.
+        // The starters there were reported at the beginning; files that are changed during the watch are
+        // kept.
         if (context.status == kExitGood) options.rules = {.allow_outside = options.rules.allow_outside};
         return context.out.good();
       },

@@ -1,4 +1,4 @@
-// What is there is looked at before anything is written.
+// Checks what is in each place before it writes anything.
 #include "export_writer.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Place = PlannedFile::Place;
 
-constexpr double kMakingShare = 0.9;  // of the time; the rest writes the files
+constexpr double kMakingShare = 0.9;  // share of the time; writing the files takes the rest
 
 FormatResult<std::string> read_asset(const std::string& name) { return read_file(asset_path(name)); }
 
@@ -54,7 +54,7 @@ void print_export(CommandContext& context, const Exporter& exporter, const Expor
   warn_of_losses(context, exporter, *exported, order.output);
 }
 
-// Whether a file is what such an export begins with, and says so. What Talus reads could be the user's own
+// Whether a file begins like such an export, which says so. A file that Talus reads could be the user's own
 // work.
 bool begins_as_an_export(const ExportPlan& plan, std::string_view bytes) {
   const auto first_line = [](std::string_view text) { return text.substr(0, text.find('\n')); };
@@ -63,8 +63,8 @@ bool begins_as_an_export(const ExportPlan& plan, std::string_view bytes) {
          line == first_line(plan.content.files.front().bytes);
 }
 
-// Whether the files are those of an export that the record knows nothing about: all of them are there, and
-// what a file's further ones belong to is Talus's own. Of a place that the level names, links are never.
+// Whether the files are those of an export that the record does not know: all of them are there, and the file
+// that the others belong to is Talus's own. In a place that the level names, links never are.
 bool is_earlier_export(const ExportOrder& order, const ExportPlan& plan, const ExportRecord& record) {
   std::error_code ignored;
   for (const PlannedFile& file : plan.files) {
@@ -77,7 +77,7 @@ bool is_earlier_export(const ExportOrder& order, const ExportPlan& plan, const E
   return named && (named->find("talus") != std::string::npos || named->find("Talus") != std::string::npos);
 }
 
-// Why a file must not be written, one sentence without its full stop; empty: it may.
+// Why a file must not be written, one sentence without its full stop; empty if it may.
 std::string problem_of_file(const ExportOrder& order, const ExportPlan& plan, std::size_t index,
                             const ExportRecord& record, bool may_replace) {
   const PlannedFile& file = plan.files[index];
@@ -94,7 +94,7 @@ std::string problem_of_file(const ExportOrder& order, const ExportPlan& plan, st
              : "exists, and is not an export: move it away, or replace it with --force";
 }
 
-// Says which files are in the way; true: there are some.
+// Reports the files that are in the way. Returns true if there are any.
 bool finds_foreign_files(CommandContext& context, const ExportOrder& order, const ExportPlan& plan,
                          const ExportRecord& record) {
   const bool may_replace = order.rules.force || is_earlier_export(order, plan, record);
@@ -115,7 +115,7 @@ ExportBounds bounds_of(const ExportOrder& order) {
                            : bounds_of_output(order.output, exporter->is_folder());
 }
 
-// Leaves out the user's own starters; their paths.
+// Leaves out the starters that are the user's own. Returns their paths.
 std::vector<std::string> keep_own_starters(ExportPlan& plan, const ExportRecord& record) {
   const auto own = own_starters(
       plan, [&](const PlannedFile& file) { return file.old && record.has(file.path, *file.old); });

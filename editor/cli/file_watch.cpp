@@ -1,4 +1,4 @@
-// Polling: it sees what is saved by renaming, on any file system.
+// Polls, which also sees files that are saved by renaming, on any file system.
 #include "file_watch.h"
 
 #include <chrono>
@@ -11,9 +11,9 @@ namespace talus {
 namespace {
 
 constexpr auto kPoll =
-    std::chrono::milliseconds(200);  // between looks at the file, and how long it must be at rest
+    std::chrono::milliseconds(200);  // between looks at the file, and how long it must be unchanged
 
-// What cannot be read, such as a pipe, is no file that is there.
+// A thing that cannot be read, such as a pipe, counts as missing.
 LevelStamp stamp_or_gone(const std::string& path) {
   const auto stamp = stamp_of_level(path);
   if (stamp && stamp->file.content) return *stamp;
@@ -34,7 +34,7 @@ bool is_same_content(const LevelStamp& a, const LevelStamp& b) {
          !(both && a.companion->content != b.companion->content);
 }
 
-// Until two looks in a row see the same; nothing: a signal came.
+// Waits until two looks in a row see the same; returns nothing if a signal came.
 std::optional<LevelStamp> stamp_at_rest(const std::string& path, const EndSignals& end) {
   for (LevelStamp stamp = stamp_or_gone(path);;) {
     if (end.wait(kPoll)) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<LevelStamp> stamp_at_rest(const std::string& path, const EndSignal
 void watch_file(const std::string& path, const std::function<bool()>& look,
                 const std::function<bool()>& is_gone) {
   const EndSignals end;
-  LevelStamp known = stamp_or_gone(path);  // before the content is read: what comes meanwhile shows later
+  LevelStamp known = stamp_or_gone(path);  // taken before the content is read: changes meanwhile show later
   bool goes_on = known.file.is_gone() ? is_gone() : look();
   while (goes_on && !end.wait(kPoll)) {
     if (!has_changed(path, known)) continue;

@@ -1,4 +1,4 @@
-// Watching a level's file until the user ends it.
+// Watches a level's file until the user ends it.
 #pragma once
 
 #include <functional>
@@ -6,10 +6,10 @@
 
 namespace talus {
 
-// Calls `look` at once and after each change of what the file or its companion holds, when it has come to
-// rest; `is_gone` when the file goes away, is not there, or cannot be read. Returns when one of them is
-// false, or when the calling thread gets SIGINT (Ctrl+C) or SIGTERM, which it holds back while it calls (see
-// EndSignals).
+// Calls `look` at once, and after each change of the content of the file or its companion, once they are at
+// rest. Calls `is_gone` when the file goes away, is missing, or cannot be read. Returns when one of them
+// returns false, or when the calling thread gets SIGINT (Ctrl+C) or SIGTERM, which it holds back during the
+// calls (see EndSignals).
 void watch_file(const std::string& path, const std::function<bool()>& look,
                 const std::function<bool()>& is_gone);
 

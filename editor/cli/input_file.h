@@ -11,7 +11,8 @@
 
 namespace talus {
 
-// Plays back what read_input_lines (formats/native/input_entry.h) gives: call at() with the frames 1, 2, 3...
+// Plays back the result of read_input_lines (formats/native/input_entry.h): call at() with the frames 1, 2,
+// 3...
 class InputPlayer {
  public:
   explicit InputPlayer(std::vector<RecordedInput> inputs) : inputs_(std::move(inputs)) {}

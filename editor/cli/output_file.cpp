@@ -1,4 +1,4 @@
-// A file is told by what is in it, as its name may say anything.
+// Recognises files by their content, as their names may say anything.
 #include "output_file.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::string_view first_line(std::string_view bytes) { return bytes.substr(0, bytes.find('\n')); }
 
-// With the companion of a cart, and the cart of a companion.
+// For a cart also its companion, and for a companion its cart.
 bool reads(const std::string& input, const std::string& output) {
   return !input.empty() && (is_same_file(output, input) || is_same_file(output, companion_path(input)) ||
                             is_same_file(output, level_path(input)));

@@ -1,4 +1,4 @@
-// What commands may write over: never what they read, and never a file of another kind.
+// Which files commands may overwrite: never one that they read, and never one of another kind.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@ namespace talus {
 
 struct OutputFile {
   std::string path;                 // as it was typed
-  std::string_view bytes;           // that will be written, or their beginning: at least a line
-  std::vector<std::string> inputs;  // files that the command reads; empty ones are none
-  // Whether a file that is there may be of a kind which nobody knows, as where it was named to be replaced.
+  std::string_view bytes;           // that will be written, or at least their first line
+  std::vector<std::string> inputs;  // files that the command reads; empty names are ignored
+  // Whether a file of unknown kind may be replaced, as the user has named it for that.
   bool may_be_unknown = false;
 };
 
-// One sentence without its full stop on why the command must not write there; empty: it may. Links and other
-// names of a file are seen through; devices and pipes may always be written.
+// One sentence without its full stop on why the command must not write there; empty if it may. Links and
+// other names of a file are followed. Devices and pipes may always be written.
 std::string output_problem(const OutputFile& output);
 
-// The same of a name: "is not a name for a PNG picture: it must end with .png". ending: without the dot.
+// The same for a name: "is not a name for a PNG picture: it must end with .png". ending: without the dot.
 std::string ending_problem(const std::string& path, std::string_view ending, std::string_view kind);
 
-// Whether a name says that a file is a level, a map, a cart or a recording. ".json" alone says nothing.
+// Whether a name is that of a level, a map, a cart or a recording. ".json" alone is not.
 bool has_name_of_level(const std::string& path);
 
-// What the bytes of a file are, by their content: "TIC-80 cartridge", "PNG picture", "trace of a simulation".
-// Empty: nobody knows, as of any text.
+// The kind of a file by its content: "TIC-80 cartridge", "PNG picture", "trace of a simulation". Empty if it
+// is unknown, as for any text.
 std::string_view content_kind(std::string_view bytes);
 
-// What the beginnings of these files are.
+// How these files begin.
 inline constexpr std::string_view kPngBeginning = "\x89PNG\r\n\x1a\n";
 inline constexpr std::string_view kTraceBeginning = "{\"frame\":";
 

@@ -39,7 +39,7 @@ std::string changes_text(const PngImportPlan& plan) {
   return text;
 }
 
-// A sentence of the editor's as errors are here: without its capital and its full stop.
+// A sentence of the editor in the form of errors here: without its capital and its full stop.
 std::string as_clause(std::string sentence) {
   if (sentence.ends_with('.')) sentence.pop_back();
   if (!sentence.empty() && sentence[0] >= 'A' && sentence[0] <= 'Z')

@@ -1,4 +1,4 @@
-// One line, written over itself.
+// One line that is overwritten again and again.
 #include "progress_line.h"
 
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// What a command that may take long shows meanwhile on a terminal, and how Ctrl+C ends it.
+// ProgressLine: shows on a terminal how far a long command is, and lets Ctrl+C end it.
 #pragma once
 
 #include <chrono>
@@ -9,22 +9,23 @@
 
 namespace talus {
 
-// While there is one, the signals that end a program wait, so that the work can be ended in order; at the
-// latest when it goes they have their usual effect.
+// While it lives, signals that end a program wait, so that the work can end in order. They have their usual
+// effect when it is destroyed.
 class ProgressLine {
  public:
   using Clock = std::chrono::steady_clock;
-  // label: what is being done. shows: false: nothing is written, as where the stream is no terminal.
-  // after: how long the work goes on before there is a line.
+  // label: what is being done. shows: false if the stream is not a terminal; then nothing is written. after:
+  // how long the work goes on before a line appears.
   ProgressLine(std::ostream& stream, const std::string& label, bool shows,
                Clock::duration after = std::chrono::seconds(1));
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Shows the share that is done, 0..1, ten times a second at most. False: a signal came, the work is to end.
+  // Shows the share that is done, 0..1, at most ten times a second. Returns false if a signal came: the work
+  // should end.
   bool at(double share);
-  void wipe();  // before anything else is written there
+  void wipe();  // call it before anything else is written there
 
  private:
   std::ostream& stream_;
@@ -35,7 +36,7 @@ class ProgressLine {
   EndSignals signals_;
 };
 
-// Whether somebody sees at once what is written there: it is the program's own error stream, on a terminal.
+// Whether a user sees the output at once: it is the program's own error stream, on a terminal.
 bool is_terminal(const std::ostream& stream);
 
 }  // namespace talus

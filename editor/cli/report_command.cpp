@@ -25,14 +25,14 @@ Effort effort_of(const ReportOptions& options) {
   return effort;
 }
 
-// Fails where something else than a file of a report is; text: that will be written, or its beginning.
+// Fails if there is something else than a file of a report. text: what will be written, or its beginning.
 bool may_write(CommandContext& context, const std::string& path, const std::string& text) {
   const std::string problem = output_problem({path, text, {}});
   if (!problem.empty()) fail(context, path, "", problem);
   return problem.empty();
 }
 
-// Writes a file of the report; false after having failed.
+// Writes a file of the report; returns false after a reported failure.
 bool write(CommandContext& context, const std::string& path, const std::string& text) {
   if (!may_write(context, path, text)) return false;
   const FormatResult<void> written = write_file_atomic(path, text);
@@ -47,7 +47,7 @@ void report(CommandContext& context, const ReportOptions& options) {
   const std::string folder = options.folder + '/';
 
   const BuildFacts facts = build_facts();
-  // Before it takes its time.
+  // Checks this before the measurement takes its time.
   if (!may_write(context, folder + "report.csv", csv_of({}, facts)) ||
       !may_write(context, folder + "report.md", page_of({}, facts, {})))
     return;

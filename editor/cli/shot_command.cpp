@@ -23,12 +23,12 @@ struct ShotCommandOptions {
   std::string file, output;
   std::int64_t frame = 0;
   std::vector<std::string> overlays;
-  std::string window;  // "1280x720"; empty: the play view alone
+  std::string window;  // "1280x720"; empty: only the play view
   PhysicsOptions physics;
   ShotOptions shot;
   WindowShotOptions window_shot;
-  std::string compared;  // name of a solver; empty: none
-  bool metrics = false;  // of the window's frames, as a line of JSON
+  std::string compared;  // name of a solver; empty: no comparison
+  bool metrics = false;  // measures the window's frames, as a line of JSON
 };
 
 // The size in "1280x720", or nothing.
@@ -99,7 +99,7 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
   if (!written) fail(context, options.output, "", written.error());
 }
 
-// Draws into a file of its own and copies that to standard output, since pictures are written atomically.
+// Draws into a temporary file and copies that to standard output, since pictures are written atomically.
 void shoot_to_output(CommandContext& context, ShotCommandOptions& options) {
   std::string folder = (std::filesystem::temp_directory_path() / "talus-shot-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr) return fail(context, folder, "", "cannot be created as a folder");
@@ -110,7 +110,7 @@ void shoot_to_output(CommandContext& context, ShotCommandOptions& options) {
   std::filesystem::remove_all(folder, ignored);
 }
 
-// Draws into the file that was named, if that may be written.
+// Draws into the named file, if it may be written.
 void shoot_to_file(CommandContext& context, ShotCommandOptions& options) {
   std::string problem = ending_problem(options.output, "png", "PNG picture");
   if (problem.empty()) problem = output_problem({options.output, kPngBeginning, {options.file}});
@@ -124,7 +124,7 @@ std::vector<std::string> overlay_keys() {
   return keys;
 }
 
-// What the debugger shows; for the whole window alone.
+// Options for the debugger's panels; only with the whole window.
 void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   WindowShotOptions& shot = options.window_shot;
   const std::string window = "--window";

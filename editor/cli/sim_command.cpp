@@ -24,7 +24,7 @@
 namespace talus {
 namespace {
 
-// The recorded input, an empty one without a file, or nothing after having failed.
+// Returns the recorded input, empty input without a file, or nothing after a reported failure.
 std::optional<std::vector<RecordedInput>> load_input(CommandContext& context, const std::string& file) {
   if (file.empty()) return std::vector<RecordedInput>();
   const auto bytes = read_file(file);

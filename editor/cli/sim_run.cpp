@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-constexpr std::int64_t kStepsAtOnce = 256;  // between looks for a frame that is not as recorded
+constexpr std::int64_t kStepsAtOnce = 256;  // between looks for a frame that differs from the recording
 
 std::optional<Recording> load_recording_or_fail(CommandContext& context, const SimOptions& options) {
   context.doing = "reading " + options.file;
@@ -38,7 +38,7 @@ std::optional<Recording> load_recording_or_fail(CommandContext& context, const S
   return *std::move(recording);
 }
 
-// Runs a timeline to a frame; false after having failed.
+// Runs a timeline to a frame; returns false after a reported failure.
 bool catch_up(CommandContext& context, const SimOptions& options, Timeline& timeline, std::int64_t frames,
               ProgressLine& line) {
   const auto all = static_cast<double>(std::max<std::int64_t>(frames, 1));
@@ -52,7 +52,7 @@ bool catch_up(CommandContext& context, const SimOptions& options, Timeline& time
   return true;
 }
 
-// Why the trace must not be written where it is asked for; empty: it may.
+// Why the trace must not be written to the given place; empty if it may.
 std::string trace_problem(const SimOptions& options) {
   if (has_name_of_level(options.trace))
     return "has the name of a level or a recording, but would hold a trace: name another file";

@@ -14,7 +14,7 @@ namespace talus {
 
 struct SimOptions {
   std::string file, input, trace;
-  std::string until;  // see until.h; empty: all frames are made
+  std::string until;  // see until.h; empty: all frames are run
   std::int64_t frames = 0;
   bool hash = false;
   bool no_contacts = false;
@@ -22,8 +22,8 @@ struct SimOptions {
   PhysicsOptions physics;
 };
 
-// Where the trace goes: a file, standard output or nowhere. What cannot be written fails the command. A file
-// is put in its place by finish(), whole; without, an older one stays.
+// Where the trace goes: a file, standard output or nowhere. A failure to write makes the command fail.
+// finish() puts a file in its place, whole; without it an older file stays.
 class TraceFile {
  public:
   TraceFile(CommandContext& context, const SimOptions& options);
@@ -39,15 +39,15 @@ class TraceFile {
   bool fails(const FormatResult<void>& done);
 
   std::optional<StagedFile> file_;
-  std::string part_;      // of the file's text, to be written when it is long
+  std::string part_;      // of the file's text; written when it is long
   std::ofstream device_;  // or a pipe
   std::ostream* out_ = nullptr;
   bool good_ = true;
 };
 
 bool is_recording_file(const std::string& path);
-// Plays a recording with its own input and edits, or, to verify it, until the first frame that is not as
-// recorded.
+// Plays a recording with its own input and edits; to verify it, until the first frame that differs from the
+// recording.
 void simulate_recording(CommandContext& context, const SimOptions& options);
 
 }  // namespace talus

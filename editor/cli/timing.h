@@ -1,4 +1,4 @@
-// How the commands time something.
+// How the commands measure time.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The trace of a simulation: one JSON line a frame.
+// The trace of a simulation: one JSON line for each frame.
 #pragma once
 
 #include <string>

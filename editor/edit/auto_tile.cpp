@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-// How far away a cell may be that has a say in a tile: that of a slope's half, in what ends its tread.
+// Distance of the furthest cell that matters for a tile: the half of a slope at the end of its tread.
 constexpr int kReachX = 3, kReachY = 1;
 
 std::uint8_t first_of(const AutoTiles& set, std::initializer_list<GroundPart> parts) {
@@ -21,20 +21,20 @@ std::uint8_t first_of(const AutoTiles& set, std::initializer_list<GroundPart> pa
   return 0;
 }
 
-// What lies around a cell, seen from the left for dx = 1, or in a mirror for dx = -1.
+// The surroundings of a cell, seen from the left for dx = 1, or mirrored for dx = -1.
 class Surroundings {
  public:
   Surroundings(FunctionRef<bool(Cell)> is_ground, Cell at, int dx)
       : is_ground_(is_ground), at_(at), dx_(dx) {}
   bool ground(int x, int y) const { return is_ground_({at_.x + dx_ * x, at_.y + y}); }
-  // Whether the tread that cell x is on begins there, one step above the ground before it.
+  // Whether the tread of cell x begins there, one step above the ground before it.
   bool rises(int x) const {
     return ground(x, 0) && ground(x, 1) && !ground(x, -1) && !ground(x - 1, 0) && ground(x - 1, 1);
   }
   bool falls(int x) const {
     return ground(x, 0) && ground(x, 1) && !ground(x, -1) && !ground(x + 1, 0) && ground(x + 1, 1);
   }
-  // Whether the cells x and x + 1 have room for a slope of two tiles, with one down at the other end.
+  // Whether the cells x and x + 1 have room for a slope of two tiles, with a slope down at the other end.
   bool has_long_slope(int x) const {
     return rises(x) && ground(x + 1, 0) && ground(x + 1, 1) && !ground(x + 1, -1) && !falls(x + 1) &&
            !falls(x + 2);
@@ -46,7 +46,7 @@ class Surroundings {
   int dx_;
 };
 
-// The parts of a slope as it is met: the tile at its foot, the one behind, and one that has the whole step.
+// The parts of a slope in order: the tile at its foot, the one behind, and a single tile for the whole step.
 struct SlopeParts {
   GroundPart foot, head, whole;
 };
@@ -54,7 +54,7 @@ constexpr SlopeParts kUp = {GroundPart::slope_up_left, GroundPart::slope_up_righ
 constexpr SlopeParts kDown = {GroundPart::slope_down_right, GroundPart::slope_down_left,
                               GroundPart::slope_down};
 
-// The slope's tile at cell 0; 0: it is none.
+// The slope's tile at cell 0; 0 if the cell is no slope.
 std::uint8_t slope_tile(const AutoTiles& set, const Surroundings& around, const SlopeParts& parts) {
   const bool is_long = set.of(parts.foot) != 0 && set.of(parts.head) != 0;
   if (is_long && around.has_long_slope(-1)) return set.of(parts.head);
@@ -62,7 +62,7 @@ std::uint8_t slope_tile(const AutoTiles& set, const Surroundings& around, const 
   return is_long && around.has_long_slope(0) ? set.of(parts.foot) : set.of(parts.whole);
 }
 
-// Ground around painted cells, as it is with them.
+// Updates the ground around painted cells.
 class GroundPatch {
  public:
   GroundPatch(const Level& level, CellRect painted, Within within)
@@ -121,7 +121,7 @@ class GroundPatch {
   std::vector<PatchCell> cells_;
 };
 
-// Of the cells, those on the map, if there are tiles for them.
+// The cells that are on the map, if there are tiles for them.
 std::optional<CellRect> paintable_part(const Level& level, const CellRect& cells) {
   if (level.auto_tiles.of(GroundPart::inside) == 0) return std::nullopt;
   return shared(cells, {0, 0, level.map.width(), level.map.height()});

@@ -1,4 +1,4 @@
-// Finding the tiles of a sheet that are ground.
+// Finds the tiles of a sheet that are ground.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,12 +10,14 @@
 namespace talus {
 namespace {
 
-constexpr int kMiddle = 2;      // px from the sides, where the middle of a tile begins
-constexpr int kEdgePixels = 6;  // of 8, that make a side look like an edge when the middle has no such colour
-constexpr int kLikeInside = 20;  // pixels of 64, of an edge: with fewer of the inside's it is of other ground
+constexpr int kMiddle = 2;  // px from the sides, where the middle of a tile begins
+// Of 8; so many pixels of a colour that the middle does not have make a side an edge.
+constexpr int kEdgePixels = 6;
+// Of 64 pixels; an edge with fewer pixels like the inside's belongs to another ground.
+constexpr int kLikeInside = 20;
 constexpr double kSameHeight = 0.5;  // px
 
-// Colours as bits, one for each of the palette.
+// Colours as bits, one for each colour of the palette.
 using ColorSet = std::uint16_t;
 
 ColorSet middle_colors(const TileImage& image) {
@@ -81,7 +83,7 @@ class Proposal {
  private:
   const TileImage& image(std::uint8_t tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
 
-  // The first tile for which it holds, and which looks most like the inside; 0: none.
+  // The first tile that satisfies the condition and looks most like the inside; 0 if there is none.
   template <class Holds>
   std::uint8_t best(Holds holds) const {
     std::uint8_t found = 0;
@@ -90,7 +92,7 @@ class Proposal {
     return found;
   }
 
-  // How many pixels of a tile have the colour that most of the inside has.
+  // The number of pixels of a tile whose colours the inside mostly has.
   int likeness(std::uint8_t tile) const {
     const std::uint8_t inside = set_.of(GroundPart::inside);
     if (inside == 0) return 0;
@@ -117,8 +119,8 @@ class Proposal {
         best([&](std::uint8_t tile) { return is_slope(shape_of_tile(level_, tile), 1, from, to); });
   }
 
-  // Either each half has a shape of its own, or the left one has that of both and its neighbour on the sheet
-  // is but a picture, as in the article.
+  // Either each half has a shape of its own, or the left one has that of both, and its neighbour on the sheet
+  // is only a picture, as in the article.
   void choose_halves(GroundPart left, GroundPart right, double from, double to) {
     const double middle = (from + to) / 2;
     set_.of(left) = best([&](std::uint8_t tile) {

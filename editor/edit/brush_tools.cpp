@@ -1,4 +1,4 @@
-// Editing the list of brushes, and the tiles that random painting takes.
+// Edits the list of brushes, and chooses the tiles of random painting.
 #include "brush_tools.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-// Mixes all bits (the finalizer of MurmurHash3, by Austin Appleby), so that neighbours have nothing in
-// common.
+// Mixes all bits (the finalizer of MurmurHash3, by Austin Appleby), so that neighbouring cells get unrelated
+// tiles.
 std::uint32_t mixed(std::uint32_t bits) {
   bits = (bits ^ bits >> 16) * 0x85ebca6bu;
   bits = (bits ^ bits >> 13) * 0xc2b2ae35u;
@@ -27,7 +27,7 @@ Edit with_brushes(const Level& level, std::string label, std::vector<Brush> brus
   return single_change(std::move(label), BrushesChange{level.brushes, std::move(brushes)});
 }
 
-// At most so many bytes, none of them part of a character that is cut.
+// At most so many bytes; no character is cut apart.
 std::string cut_name(std::string name) {
   if (name.size() <= kMaxBrushName) return name;
   std::size_t end = kMaxBrushName;

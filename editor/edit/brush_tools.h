@@ -6,26 +6,27 @@
 
 namespace talus {
 
-// The tile of a stamp that a cell takes at random: always the same one with this seed, so that painting twice
-// over a cell, and undoing and redoing it, changes nothing.
+// The tile of a stamp that a cell gets at random. It is always the same with this seed, so painting a cell
+// twice, or undo and redo, changes nothing.
 std::uint8_t random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed);
 
-// The cells of the straight line between two, both included, each with a tile at random. `within`: paints
-// nothing beyond it.
+// Paints the cells of the straight line between two, both included, each with a random tile. `within`:
+// nothing beyond it is painted.
 Edit paint_random_stroke(const Level& level, Cell from, Cell to, const Stamp& stamp, std::uint32_t seed,
                          Within within = {});
 Edit fill_rect_at_random(const Level& level, CellRect cells, const Stamp& stamp, std::uint32_t seed,
                          Within within = {});
 
 Stamp stamp_of_brush(const Brush& brush);
-// A stamp as a brush; cut at kMaxBrushSide.
+// A stamp as a brush; cut off at kMaxBrushSide.
 Brush brush_of_stamp(const Stamp& stamp, std::string name, bool random);
 
-// Each an edit of the level's list of brushes; empty where `index` is that of none, or the list is full.
+// Each edits the level's list of brushes. The edit is empty if there is no brush `index`, or the list is
+// full.
 Edit add_brush(const Level& level, Brush brush);
-Edit rename_brush(const Level& level, int index, std::string name);  // cut at kMaxBrushName
+Edit rename_brush(const Level& level, int index, std::string name);  // cut off at kMaxBrushName
 Edit remove_brush(const Level& level, int index);
-// "Brush 3": the first such name that no brush has.
+// Returns "Brush 3": the first such name that no brush has.
 std::string free_brush_name(const Level& level);
 
 }  // namespace talus

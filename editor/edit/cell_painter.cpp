@@ -1,4 +1,4 @@
-// Collecting painted cells.
+// Collects painted cells.
 #include "cell_painter.h"
 
 #include <algorithm>

@@ -9,17 +9,17 @@
 
 namespace talus {
 
-// The cells that a tool may paint, such as the selection; nothing: all of the map.
+// The cells that a tool may paint, such as the selection; nothing: the whole map.
 using Within = std::optional<CellRect>;
 
-// Past a number of cells a copy of the map takes less memory than their list.
+// Beyond this number of cells a copy of the map takes less memory than their list.
 class CellPainter {
  public:
   // Cells outside the map, or outside `within`, are left out.
   explicit CellPainter(const TileMap& map, Within within = {});
   // A cell may be painted once.
   void paint(Cell cell, std::uint8_t tile);
-  Edit finish(std::string label);  // once, as the last call
+  Edit finish(std::string label);  // the last call; only once
 
  private:
   const TileMap& map_;

@@ -1,4 +1,4 @@
-// Curves by their kinds: how a drag makes one, and how its handles bend it.
+// Curves by kind: how a drag makes one, and how its handles bend it.
 #include "curve_tools.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, kCurveKindCount> kLabels = {"segment", "a
 constexpr const char* kNoLength = "drag from one end to the other";
 constexpr double kLeastBulge = 0.25;  // px, between the middles of an arc and of its chord
 
-// Its ends in the order that the form asks for. faces: of the way from a to b.
+// The ends in the order that the form needs. faces: of the way from a to b.
 Curve segment_along(Vec2 a, Vec2 b, bool both) {
   const bool forwards = a.x != b.x ? a.x < b.x : b.y < a.y;
   const bool in_order = a.x != b.x ? a.x < b.x : a.y < b.y;
@@ -30,8 +30,8 @@ Curve segment_along(Vec2 a, Vec2 b, bool both) {
   return curve;
 }
 
-// The arc from a to b, a.x < b.x, whose middle is `bulge` px above that of its chord, or below; no further
-// than a half circle allows.
+// The arc from a to b, a.x < b.x, whose middle is `bulge` px above (or below) that of its chord, at most a
+// half circle.
 Arc arc_through(Vec2 a, Vec2 b, double bulge) {
   const Vec2 chord = b - a, middle = (a + b) * 0.5;
   const double length = std::hypot(chord.x, chord.y);
@@ -89,12 +89,12 @@ Extent extent_of(const Form& form) {
   return {form.x0, form.x1};
 }
 
-// Where a sine first crosses its middle within its ends or just behind them.
+// Where a sine first crosses its middle, within its ends or just behind them.
 double first_origin(const Sine& s) {
   return s.origin + std::ceil((s.x0 - s.origin) / s.wavelength - 1e-9) * s.wavelength;
 }
 
-// Of those that bend a curve, beside its ends.
+// The handles that bend a curve, without its ends.
 void add_handles(const Segment&, std::vector<Vec2>&) {}
 void add_handles(const Arc& a, std::vector<Vec2>& handles) {
   const Vec2 out = (handles[0] + handles[1]) * 0.5 - a.center;
@@ -132,8 +132,9 @@ Arc bent(const Arc& a, int handle, Vec2 to) {
     return arc_through(left, right, dot(to - (left + right) * 0.5, up));
   }
   (handle == 0 ? left : right) = to;
-  if (!(left.x < right.x)) return {a.center, a.radius, left.x, right.x, a.upper};  // told of as a bad one
-  const double half = std::asin(std::min(1.0, length / 2 / a.radius));             // the angle of half of it
+  // An unusable one, which is reported.
+  if (!(left.x < right.x)) return {a.center, a.radius, left.x, right.x, a.upper};
+  const double half = std::asin(std::min(1.0, length / 2 / a.radius));  // half of its angle
   const double bulge = std::hypot(right.x - left.x, right.y - left.y) / 2 * std::tan(half / 2);
   return arc_through(left, right, a.upper ? bulge : -bulge);
 }
@@ -174,7 +175,7 @@ Polyline bent(Polyline p, int handle, Vec2 to) {
   return p;
 }
 
-// A segment may be turned round past the vertical: it goes on stopping bodies on the same side.
+// A segment may be turned past the vertical: it goes on stopping bodies on the same side.
 Curve bent_segment(const Curve& curve, int handle, Vec2 to) {
   const auto& s = std::get<Segment>(curve.form);
   const bool both = curve.faces == Curve::Faces::both;
@@ -191,7 +192,7 @@ double distance_to_line(Vec2 from, Vec2 to, Vec2 p) {
   return std::hypot(way.x - along.x * part, way.y - along.y * part);
 }
 
-// Of a point to a good curve's line where that is within `reach` in x; infinite elsewhere.
+// Distance of a point from a good curve's line where that is within `reach` in x; infinite elsewhere.
 double distance_to(const Curve& curve, Vec2 p, double reach) {
   if (const auto* segment = std::get_if<Segment>(&curve.form))
     return distance_to_line(segment->from, segment->to, p);
@@ -248,7 +249,7 @@ Curve curve_between(CurveKind kind, Vec2 a, Vec2 b) {
     case CurveKind::parabola:
       curve.form = Parabola{a, b, std::round((a.y + b.y - width) / 2)};
       break;
-    case CurveKind::cubic: {  // an S, or between ends of one height, which would make a line, a hill
+    case CurveKind::cubic: {  // an S; or a hill between ends of one height, which would make a line
       const double slope = a.y == b.y ? 1 : 0;
       curve.form = Cubic{a, b, -slope, slope};
       break;

@@ -1,4 +1,4 @@
-// Applying, reverting and merging edits.
+// Applies, reverts and merges edits.
 #include "edit.h"
 
 #include <algorithm>
@@ -115,13 +115,13 @@ bool is_no_change(const Change& change) {
   return std::visit([](const auto& c) { return c.before == c.after; }, change);
 }
 
-// Whether a change is of what a level has limited amounts of.
+// Whether a change is about something that a level may have only a limited amount of.
 template <class C>
 constexpr bool kIsCounted = std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
                             std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> ||
                             std::is_same_v<C, BrushesChange> || std::is_same_v<C, ExportsChange>;
 
-// What of a level problem_of_amounts counts.
+// The parts of a level that problem_of_amounts counts.
 Level counted_part(const Level& level) {
   Level part;
   part.map = TileMap(1, 1);
@@ -135,7 +135,7 @@ Level counted_part(const Level& level) {
   return part;
 }
 
-// Besides its own size.
+// The memory of a change besides its own size.
 template <class C>
 std::size_t memory_behind(const C& change) {
   if constexpr (std::is_same_v<C, MapChange>) {
@@ -144,7 +144,7 @@ std::size_t memory_behind(const C& change) {
     return 2 * sizeof(Level) + size_of(change.before) + size_of(change.after);
   } else if constexpr (kIsCounted<C>) {
     Level before, after;
-    before.map = after.map = TileMap(1, 1);  // which is no part of the change
+    before.map = after.map = TileMap(1, 1);  // which is not a part of the change
     place(before, change) = change.before;
     place(after, change) = change.after;
     return size_of(before) + size_of(after);
@@ -155,7 +155,8 @@ std::size_t memory_behind(const C& change) {
 }  // namespace
 
 std::optional<std::string> problem_after(const Level& level, const Edit& edit) {
-  std::optional<Level> after;  // without what is not counted; none: nothing that is counted changes
+  // Without what is not counted; nothing: the change does not affect anything that is counted.
+  std::optional<Level> after;
   for (const Change& change : edit.changes) {
     std::visit(
         [&]<class C>(const C& c) {
@@ -234,7 +235,7 @@ void EditMerger::merge(Edit& edit, const Edit& next) {
     edit.selection->after = next.selection->after;
   else if (next.selection)
     edit.selection = next.selection;
-  // Checked once, not for each cell that was folded into it: comparing maps is dear.
+  // Checked once, not for each cell that was folded into it: comparing maps is expensive.
   const auto map = index_of_place_.find(kMapKey);
   if (map != index_of_place_.end() && is_no_change(edit.changes[map->second])) remove(edit, map->second);
 }
@@ -273,7 +274,7 @@ void EditMerger::fold_cells_into_map(Edit& edit, const MapChange& next) {
   *this = EditMerger(edit);
 }
 
-// Places are independent of one another, so the last change may take the removed one's position.
+// Places are independent of one another, so the last change may move to the place of the removed one.
 void EditMerger::remove(Edit& edit, std::size_t index) {
   index_of_place_.erase(place_key(edit.changes[index]));
   if (index + 1 < edit.changes.size()) {

@@ -15,8 +15,8 @@
 
 namespace talus {
 
-// Each change knows what was there and what comes, so that it can be taken back. `before` must be what the
-// level holds when the change is applied (asserted).
+// Each change holds the old and the new value, so that it can be undone. The level must hold `before` when
+// the change is applied (asserted).
 struct CellChange {
   Cell cell;
   std::uint8_t before, after;
@@ -72,7 +72,7 @@ struct AutoTilesChange {
 struct ExportsChange {
   std::vector<ExportPreset> before, after;
 };
-// A whole level that stands in for its value in a change, so that other changes stay small.
+// A whole level in place of a value of a change, so that other changes stay small.
 class LevelCopy {
  public:
   LevelCopy(const Level& level) : level_(std::make_shared<const Level>(level)) {}
@@ -82,10 +82,10 @@ class LevelCopy {
  private:
   std::shared_ptr<const Level> level_;
 };
-struct LevelChange {  // all of it, by a file that was read again
+struct LevelChange {  // the whole level, which was read again from its file
   LevelCopy before, after;
 };
-struct MapChange {  // the whole map: its size, or too many cells to list
+struct MapChange {  // the whole map: its size has changed, or too many cells to list
   TileMap before, after;
 };
 
@@ -94,11 +94,11 @@ using Change =
                  RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange,
                  BrushesChange, AutoTilesChange, ExportsChange, LevelChange, MapChange>;
 
-// What an edit does to the selection of cells on the map, so that undo takes that back too.
+// The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {
   std::optional<CellRect> before, after;
-  // How the tiles in `after` came there: moved from `before`, or put over what was there. While they are the
-  // last change, they can be moved on, and what they covered comes back. `stays`: none of these.
+  // How the tiles in `after` came there: moved from `before`, or put over what was there. While this is the
+  // last change they can be moved on, and what they covered comes back. `stays`: neither.
   enum class Tiles { stays, moved, put } tiles = Tiles::stays;
 };
 
@@ -109,31 +109,31 @@ struct Edit {
   bool empty() const { return changes.empty(); }
 };
 
-// The whole level becomes `other`, which is never null; empty when it is the same.
+// Replaces the whole level by `other`, which is never null. Empty if it is the same.
 Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::string label);
 
-// What the edited level would have more of than a level may: "has 70000 bodies, and a level holds up to
-// 65536".
+// What the edited level would have more of than a level may: "has 70000 bodies, but a level holds at most
+// 65536". Nothing if it is fine.
 std::optional<std::string> problem_after(const Level& level, const Edit& edit);
 // The memory that an edit takes, in bytes.
 std::size_t memory_of(const Edit& edit);
 
 void apply_edit(Level& level, const Edit& edit);
 void revert_edit(Level& level, const Edit& edit);
-// Fits an edit to a level that has changed since the tool saw it: each `before` becomes what the level holds.
-// Changes that lost their place, or change nothing any more, vanish.
+// Fits an edit to a level that has changed since the tool saw it: each `before` becomes what the level holds
+// now. Changes whose place is gone, or that change nothing any more, are dropped.
 void rebase_edit(const Level& level, Edit& edit);
-// Appends `next`, keeping one change for each place, and for the selection: its first `before` and last
-// `after`. Changes that end where they began vanish.
+// Appends `next`. Keeps one change for each place and for the selection, with its first `before` and last
+// `after`. Changes that end where they began are dropped.
 void merge_edit(Edit& edit, const Edit& next);
 
-// merge_edit for a stroke of many edits: it knows where each place's change is, so that a merge takes time by
-// the length of `next` alone.
+// merge_edit for a stroke of many edits. It knows where each place's change is, so a merge takes time only by
+// the length of `next`.
 class EditMerger {
  public:
   EditMerger() = default;
   explicit EditMerger(const Edit& edit);
-  // `edit` must be the one that the merger was made with, changed by it alone.
+  // `edit` must be the one that the merger was made with, and nobody else may change it.
   void merge(Edit& edit, const Edit& next);
 
  private:

@@ -1,4 +1,4 @@
-// The list of presets as a whole, with one of them changed.
+// Each edit replaces the whole list of presets.
 #include "export_presets.h"
 
 #include <algorithm>

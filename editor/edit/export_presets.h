@@ -1,16 +1,16 @@
-// Editing the level's presets of exports.
+// Edits the level's export presets.
 #pragma once
 
 #include "edit.h"
 
 namespace talus {
 
-// Each is empty when nothing changes; `index` of none, or a full list, changes nothing.
+// Each is empty if nothing changes, if there is no preset `index`, or if the list is full.
 Edit add_export(const Level& level, ExportPreset preset);
 Edit set_export(const Level& level, std::size_t index, ExportPreset preset, std::string label);
 Edit remove_export(const Level& level, std::size_t index);
 
-// "love", "love 2", ...: the first of them that no preset has.
+// Returns "love", "love 2", ...: the first of them that no preset has.
 std::string free_export_name(const Level& level, const std::string& name);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Reading and setting the flags of an area's tiles.
+// Reads and sets the flags of an area's tiles.
 #include "flag_lamps.h"
 
 #include <cassert>
@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-// Gives each tile of the area the flags that `flags_after` makes of its own.
+// Gives each tile of the area the flags that `flags_after` makes of its own flags.
 template <class FlagsAfter>
 Edit change_flags(const Level& level, const SpriteArea& area, std::string label, FlagsAfter flags_after) {
   assert(area.lies_in_sheet());

@@ -1,4 +1,4 @@
-// The lamps of flags: what the tiles of an area have of each, and what a click makes of it.
+// The lamps of flags: whether the tiles of an area have each flag, and what a click does.
 #pragma once
 
 #include "sprite_area.h"

@@ -1,4 +1,4 @@
-// Painting flags, and changing fields.
+// Paints flags, and changes fields.
 #include "flag_tools.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What a level has once: its colours, names and roles of flags, tuning and bodies placed by hand. Each makes
-// an Edit and changes nothing itself.
+// Edits what a level has once: colours, names and roles of flags, tuning, and bodies placed by hand. Each
+// function makes an Edit and changes nothing itself.
 #pragma once
 
 #include <string>

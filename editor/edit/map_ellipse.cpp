@@ -1,4 +1,4 @@
-// Filling and outlining ellipses.
+// Fills and outlines ellipses.
 #include "map_ellipse.h"
 
 #include <algorithm>

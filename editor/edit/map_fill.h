@@ -1,4 +1,4 @@
-// Filling areas of equal tiles on the map.
+// Fills areas of equal tiles on the map.
 #pragma once
 
 #include "cell_painter.h"
@@ -6,8 +6,8 @@
 
 namespace talus {
 
-// The 4-connected area of equal tiles around a cell, filled with the stamp repeated from there. `within`
-// bounds the area too. Empty outside the map.
+// Fills the 4-connected area of equal tiles around a cell with the stamp, repeated from there. `within` also
+// bounds the area. Empty if the cell is outside of the map.
 Edit flood_fill(const Level& level, Cell at, const Stamp& stamp, Within within = {});
 
 }  // namespace talus

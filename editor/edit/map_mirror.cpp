@@ -1,4 +1,4 @@
-// Finding mirrored tiles.
+// Finds mirrored tiles.
 #include "map_mirror.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 using Kind = TileShape::Kind;
 constexpr int kNoGround = -1;
 
-// What a tile is to the simulation, of every solver.
+// What a tile is to the simulation, for every solver.
 struct Physics {
   TileShape shape;
   TileRole role = TileRole::none;
@@ -24,14 +24,14 @@ struct Physics {
 
 Physics physics_of(const Level& level, std::uint8_t tile) {
   Physics physics{shape_of_tile(level, tile), role_of(level.tile_flags(tile), level.roles)};
-  // These fields of a full tile or of none mean nothing.
+  // These fields mean nothing for a full tile, or for no shape.
   if (physics.shape.kind == Kind::none) physics.shape = {};
   if (physics.shape.kind == Kind::solid)
     physics.shape = {.kind = Kind::solid, .one_way = physics.shape.one_way};
   return physics;
 }
 
-// The mirror image; nothing where there can be none: a full tile is one-way from above alone.
+// The mirror image; nothing if there is none: a full tile is one-way only from above.
 std::optional<Physics> mirrored(Physics physics, MirrorAxis axis) {
   TileShape& shape = physics.shape;
   if (axis == MirrorAxis::horizontal) {
@@ -89,7 +89,8 @@ class Mirrorer {
   const Physics& physics_at(int x, int y) const { return physics_[tile_at(x, y)]; }
   const TileImage& image(std::uint8_t tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
 
-  // Cells that the slope at x, y spans: 1 where it would leave the selection or meets another slope's cell.
+  // Number of cells that the slope at x, y spans; 1 if it would leave the selection or meet the cell of
+  // another slope.
   int span_at(int x, int y) const {
     const TileShape& shape = physics_at(x, y).shape;
     if (axis_ == MirrorAxis::vertical || shape.kind == Kind::none || x + shape.tiles > cells_.w) return 1;
@@ -107,7 +108,7 @@ class Mirrorer {
                   static_cast<std::size_t>(x)] = tile;
   }
 
-  // Mirrors the cell at x, y, and those that a slope there spans. The slope belongs to its leftmost cell
+  // Mirrors the cell at x, y, and the cells that a slope there spans. The slope belongs to its leftmost cell
   // before and after; each image goes to the other side on its own.
   void mirror_from(int x, int y) {
     const int span = span_at(x, y);
@@ -132,8 +133,8 @@ class Mirrorer {
     ++mirrored_.without_partner;
   }
 
-  // The tile that is the mirror image of `ground` to the simulation, or of kNoGround, and looks as much as
-  // any like that of `looks`. Each pair is looked for once.
+  // The tile that is the mirror image of `ground` to the simulation (or of kNoGround) and looks most like
+  // that of `looks`. Each pair is looked for only once.
   std::optional<std::uint8_t> partner_of(int ground, std::uint8_t looks) {
     const auto [found, is_new] = partners_.try_emplace({ground, looks});
     if (is_new) {
@@ -163,7 +164,7 @@ class Mirrorer {
     return best;
   }
 
-  // Alike pixels first, then alike flags.
+  // Equal pixels count first, then equal flags.
   int score(std::uint8_t tile, const TileImage& target, std::uint8_t flags) const {
     int alike = 0;
     for (std::size_t i = 0; i < target.size(); ++i) alike += image(tile)[i] == target[i] ? 1 : 0;

@@ -1,4 +1,4 @@
-// Mirroring the selected cells of the map, with the slopes in them.
+// Mirrors the selected cells of the map, with the slopes in them.
 #pragma once
 
 #include <string>
@@ -7,22 +7,23 @@
 
 namespace talus {
 
-enum class MirrorAxis { horizontal, vertical };  // left and right, or up and down, change places
+enum class MirrorAxis { horizontal, vertical };  // swaps left and right, or top and bottom
 
 struct MirroredCells {
   Edit edit;
-  int without_partner = 0;  // whose ground has no mirror image on the sheet, or only partly lies here
-  int unmirrored_art = 0;   // tiles that play their part, but are not drawn as the mirror image
+  // Cells whose ground has no mirror image on the sheet, or lies only partly in the selection.
+  int without_partner = 0;
+  int unmirrored_art = 0;  // tiles with the right ground that are not drawn as the mirror image
 };
 
-// TIC-80's maps cannot turn a tile, so that each cell gets another tile of the sheet: one that is the mirror
-// image to the simulation, by its shape and role. Where several are, that which looks most like the mirrored
-// pixels; what is its own mirror image to the simulation stays, unless a tile with the same flags has exactly
-// the mirrored pixels. A slope over several cells is mirrored as a whole. Ground without a mirror image on
-// the sheet goes to its new place as it is.
+// TIC-80's maps cannot turn a tile, so each cell gets another tile of the sheet: one that is the mirror image
+// to the simulation, by its shape and role. If there are several, the one that looks most like the mirrored
+// pixels. A tile that is its own mirror image to the simulation stays, unless a tile with the same flags has
+// exactly the mirrored pixels. A slope over several cells is mirrored as a whole. Ground without a mirror
+// image on the sheet goes to its new place unchanged.
 MirroredCells mirror_cells(const Level& level, CellRect cells, MirrorAxis axis);
 
-// What could not be mirrored, as one sentence for the user; empty: nothing.
+// One sentence for the user on what could not be mirrored; empty if everything was.
 std::string text_of_missing(const MirroredCells& mirrored);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Filling and outlining rectangles.
+// Fills and outlines rectangles.
 #include "map_rectangle.h"
 
 #include <algorithm>

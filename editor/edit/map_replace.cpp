@@ -1,4 +1,4 @@
-// Replacing tiles.
+// Replaces tiles.
 #include "map_replace.h"
 
 namespace talus {

@@ -1,4 +1,4 @@
-// Replacing a tile on the map by others.
+// Replaces a tile on the map by others.
 #pragma once
 
 #include "cell_painter.h"
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// Every cell of `within` with the tile, filled with the stamp repeated from `origin`.
+// Fills every cell of `within` that has the tile with the stamp, repeated from `origin`.
 Edit replace_tile(const Level& level, std::uint8_t tile, Cell origin, const Stamp& stamp, Within within = {});
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Resizing and shifting the map.
+// Resizes and shifts the map.
 #include "map_resize.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// The map's size as an Edit.
+// The size of the map as an Edit.
 #pragma once
 
 #include "edit.h"
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// Everything that resized() changes, and the selection with it. What is lost comes back with Undo.
+// Changes all that resized() changes, and the selection. Undo brings back what is lost.
 Edit resize_map(const Level& level, const MapFrame& frame, std::optional<CellRect> selection);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Moving and pasting.
+// Moves and pastes tiles.
 #include "map_selection.h"
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace {
 
 using Tiles = SelectionChange::Tiles;
 
-// The last entry of the history when it moved or put the tiles of this selection and takes more; else null.
+// The last entry of the history if it moved or pasted the tiles of this selection and can be extended; else
+// null.
 const Edit* edit_to_go_on(const UndoStack& history, CellRect selection) {
   if (history.open_stroke() == 0) return nullptr;
   const Edit& last = history.edits()[history.position() - 1];
@@ -20,7 +21,7 @@ const Edit* edit_to_go_on(const UndoStack& history, CellRect selection) {
   return fits ? &last : nullptr;
 }
 
-// The map as it was before an edit.
+// The map before an edit.
 TileMap map_before(TileMap map, const Edit& edit) {
   for (const Change& change : edit.changes) {
     if (const auto* whole = std::get_if<MapChange>(&change)) return whole->before;
@@ -47,7 +48,7 @@ MovedCells move_selection(const Level& level, const UndoStack& history, CellRect
 
   const Edit* last = leave_copy ? nullptr : edit_to_go_on(history, selection);
   SelectionChange change{selection, to, leave_copy ? Tiles::put : Tiles::moved};
-  std::optional<CellRect> hole;  // where nothing but tile 0 is left
+  std::optional<CellRect> hole;  // the cells that are left with tile 0
   if (last == nullptr && !leave_copy) hole = selection;
   if (last != nullptr) {
     change.tiles = last->selection->tiles;

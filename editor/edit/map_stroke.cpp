@@ -1,4 +1,4 @@
-// Stamps along a line.
+// Paints stamps along a line.
 #include "map_stroke.h"
 
 #include "raster.h"

@@ -1,4 +1,4 @@
-// Turning blocks of pixels.
+// Turns blocks of pixels.
 #include "pixel_block.h"
 
 namespace talus {

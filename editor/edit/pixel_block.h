@@ -1,4 +1,4 @@
-// PixelBlock: a rectangle of pixels on their own, apart from any sheet, and how it is turned.
+// PixelBlock: a rectangle of pixels apart from any sheet, and how it is turned.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ struct PixelBlock {
   friend bool operator==(const PixelBlock&, const PixelBlock&) = default;
 };
 
-// Shifts go by one px, and what leaves at one side comes in at the other.
+// Shifts move by one px; what leaves at one side comes in at the other.
 enum class PixelTurn {
   flip_horizontal,
   flip_vertical,
-  rotate,  // by a quarter, clockwise: width and height change places
+  rotate,  // by 90 degrees, clockwise: width and height change places
   shift_left,
   shift_right,
   shift_up,

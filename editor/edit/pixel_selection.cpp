@@ -1,4 +1,4 @@
-// Lifting pixels, and putting them back elsewhere.
+// Lifts pixels and puts them elsewhere.
 #include "pixel_selection.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-// `block` over `canvas`, cut at its edge.
+// `block` over `canvas`, cut off at its edge.
 void lay_over(PixelBlock& canvas, const PixelBlock& block, Cell at) {
   for (int y = std::max(0, -at.y); y < std::min(block.h, canvas.h - at.y); ++y)
     for (int x = std::max(0, -at.x); x < std::min(block.w, canvas.w - at.x); ++x)
@@ -56,7 +56,7 @@ Edit PixelSelection::move(const Level& level, const SpriteArea& area, Cell by, s
 Edit PixelSelection::turn(const Level& level, const SpriteArea& area, PixelTurn how, std::uint8_t hole) {
   lift(level, area, hole);
   pixels_ = turned(pixels_, how);
-  // About its middle, where that is on the grid.
+  // About its middle, if that is on the grid.
   rect_ = {rect_->x + (rect_->w - pixels_.w) / 2, rect_->y + (rect_->h - pixels_.h) / 2, pixels_.w,
            pixels_.h};
   keep_inside(area);

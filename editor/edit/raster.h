@@ -17,13 +17,13 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-// The 4-connected area around `at` where `inside` holds, in a grid of width x height cells, each cell in one
-// span. Empty when `at` lies outside the grid. Takes time and memory by the area, without recursion.
+// The 4-connected area around `at` where `inside` holds, in a grid of width x height cells; each cell is in
+// one span. Empty if `at` is outside of the grid. Takes time and memory by the area, without recursion.
 std::vector<Span> flood_area(int width, int height, Cell at, FunctionRef<bool(Cell)> inside);
 
-// The cells of a rectangle whose centres lie in the ellipse that touches its sides: one span a row, from the
-// top, in columns and rows of the rectangle. width, height: >= 1. A row has one cell at least, so that a thin
-// ellipse has no gaps.
+// The cells of a rectangle whose centres lie in the ellipse that touches its sides: one span for each row,
+// from the top, in columns and rows of the rectangle. width, height: >= 1. A row has at least one cell, so
+// that a thin ellipse has no gaps.
 std::vector<Span> ellipse_spans(int width, int height);
 
 }  // namespace talus

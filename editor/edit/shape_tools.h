@@ -7,18 +7,19 @@
 
 namespace talus {
 
-// The shape should be usable (see problem_of): others are kept, linted and not saved.
+// The shape should be usable (see problem_of). Other shapes are kept, but the lint reports them and they are
+// not saved.
 Edit set_tile_shape(const Level& level, int tile, TileShape shape);  // tile: 0..255 (asserted)
 Edit set_flag_shape(const Level& level, int flag, TileShape shape);  // flag: 0..7 (asserted)
 Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string label);
 
-// Puts the tiles along a slope on the map; they must have been made for this level. Cells outside `within`
-// are left out, and so are drawn tiles that only they would show.
+// Puts the tiles along a slope on the map. They must have been made for this level. Cells outside of `within`
+// are left out, and so are drawn tiles that only these would show.
 Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within = {});
 
-// The slope tool: tiles along the line between two points, px. The tiles of `stamp` that are floors other
-// than full ones are laid; without any, blank tiles are drawn, their edge in `line_color` (0..15). The first
-// full tile of `stamp` goes below. Cells outside `within` are left out. The error is one clear sentence.
+// The slope tool: tiles along the line between two points, px. If `stamp` has sloped floors, these are laid;
+// if not, blank tiles are drawn, with their edge in `line_color` (0..15). The first full tile of `stamp` goes
+// below. Cells outside of `within` are left out. The error is one sentence.
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
                                           std::uint8_t line_color, Within within = {});
 

@@ -8,7 +8,7 @@
 
 namespace talus {
 
-// An edit with this change, or an empty one when the place holds what comes already.
+// Returns an edit with this change, or an empty one if the place holds the new value already.
 template <class MadeChange>
 Edit single_change(std::string label, MadeChange change) {
   Edit edit{std::move(label), {}};

@@ -1,4 +1,4 @@
-// Ends near a point, and rounding.
+// Finds ends near a point, and rounds.
 #include "snap.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ class NearestEnd {
   std::optional<Vec2> found_;
 };
 
-// A coordinate at the border of a tile, if one is near.
+// A coordinate at the border of a tile, if there is one near.
 std::optional<double> at_border(double px, double reach) {
   const double border = std::round(px / kTileSize) * kTileSize;
   return std::abs(px - border) < reach ? std::optional(border) : std::nullopt;

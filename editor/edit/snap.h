@@ -1,4 +1,4 @@
-// Where a point that is dragged on the map is put: on ends of other lines, on borders of tiles, on pixels.
+// Where a point that is dragged on the map goes: to ends of other lines, to borders of tiles, to pixels.
 #pragma once
 
 #include <talus/level/level.h>
@@ -6,10 +6,10 @@
 namespace talus {
 
 struct SnapRules {
-  double zoom = 1;         // screen px per level px: a hand is as exact as the screen
-  bool off = false;        // nowhere: to 1/256 px alone, as curves are
-  bool halves = false;     // to halves of a pixel alone
-  int without_curve = -1;  // index of the curve that is dragged itself: its ends do not count; -1: none
+  double zoom = 1;         // screen px for each px of the level: a hand is as exact as the screen
+  bool off = false;        // no snapping: only rounding to 1/256 px, as curves need
+  bool halves = false;     // only to halves of a pixel
+  int without_curve = -1;  // index of the dragged curve, whose own ends do not count; -1: no curve is dragged
 };
 
 struct SnappedPoint {
@@ -19,12 +19,11 @@ struct SnappedPoint {
   friend bool operator==(const SnappedPoint&, const SnappedPoint&) = default;
 };
 
-// To the nearest end of a curve or of a sloped tile's line within 6 px of the screen; else each coordinate to
-// the border of a tile within 2 px of the screen, else to a whole pixel.
+// Snaps to the nearest end of a curve or of a sloped tile's line within 6 px of the screen. Else each
+// coordinate snaps to the border of a tile within 2 px of the screen, else to a whole pixel.
 SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules);
 
-// The nearest point on the map, its edges included: where a drag that goes beside it is meant to begin or
-// end.
+// The nearest point on the map, edges included: where a drag that goes beside the map should begin or end.
 Vec2 onto_map(const TileMap& map, Vec2 point);
 
 }  // namespace talus

@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-// A change of one pixel of the area to nothing yet: before == after.
+// A change of one pixel of the area that changes nothing yet: before == after.
 PixelChange pixel_of(const Level& level, const SpriteArea& area, Cell pixel) {
   assert(area.lies_in_sheet() && area.contains(pixel));
   const int tile = area.tile_at(pixel.x / kTileSize, pixel.y / kTileSize);

@@ -21,8 +21,8 @@ struct SpriteArea {
 
 std::uint8_t pixel_at(const Level& level, const SpriteArea& area, int x, int y);
 
-// A rectangle of px of the canvas, inside it (asserted), as a block, and a block put there with its top left
-// corner at `at`; what lies outside the canvas is left out.
+// Reads a rectangle of the canvas in px, inside of it (asserted), as a block; and puts a block with its top
+// left corner at `at`, without what lies outside of the canvas.
 PixelBlock copy_pixels(const Level& level, const SpriteArea& area, CellRect rect);
 Edit put_pixels(const Level& level, const SpriteArea& area, const PixelBlock& block, Cell at,
                 std::string label);

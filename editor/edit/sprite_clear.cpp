@@ -1,4 +1,4 @@
-// Clearing is putting a block of one colour.
+// Clears by putting a block of one colour.
 #include "sprite_clear.h"
 
 #include "flag_lamps.h"

@@ -1,4 +1,4 @@
-// Clearing the sprite canvas, or a part of it.
+// Clears the sprite canvas, or a part of it.
 #pragma once
 
 #include "sprite_area.h"
@@ -7,7 +7,7 @@ namespace talus {
 
 // Fills the area with a colour and clears its flags, as TIC-80 does when it erases a whole sprite.
 Edit clear_area(const Level& level, const SpriteArea& area, std::uint8_t color);
-// Fills a rectangle of px of the canvas; what lies outside is left out.
+// Fills a rectangle of the canvas in px; parts outside of it are left out.
 Edit clear_pixels(const Level& level, const SpriteArea& area, CellRect rect, std::uint8_t color);
 
 }  // namespace talus

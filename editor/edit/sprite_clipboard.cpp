@@ -1,4 +1,4 @@
-// Reading and writing hex digits.
+// Reads and writes hex digits.
 #include "sprite_clipboard.h"
 #include "flag_lamps.h"
 #include "level_settings.h"
@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr int kDigitsOfATile = kTileSize * kTileSize + 2;  // its pixels and its flags
+constexpr int kDigitsOfATile = kTileSize * kTileSize + 2;  // for its pixels and its flags
 constexpr std::size_t kDigitsOfAColor = 6;
 constexpr std::string_view kTilesWord = "tiles", kPixelsWord = "pixels", kSpace = " \t\r\n";
 
@@ -24,7 +24,7 @@ std::optional<int> from_digit(char c) {
   return std::nullopt;
 }
 
-// The values of the digits; nothing when there is anything else.
+// The values of the digits; nothing if there is any other character.
 std::optional<std::vector<std::uint8_t>> digits_of(std::string_view text) {
   std::vector<std::uint8_t> digits;
   for (char c : text) {
@@ -54,7 +54,7 @@ struct Size {
 };
 std::string to_string(Size size) { return std::to_string(size.w) + "x" + std::to_string(size.h); }
 
-// Takes the line "<word> 3x2" from the text's beginning. Sides go to 128.
+// Takes the line "<word> 3x2" from the beginning of the text. Sides may be up to 128.
 std::optional<Size> take_size(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return std::nullopt;
   std::string_view rest = trimmed(text.substr(word.size()));

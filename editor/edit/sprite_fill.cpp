@@ -1,4 +1,4 @@
-// Filling what is connected, or what has one colour.
+// Fills connected pixels, or all pixels of one colour.
 #include "sprite_fill.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Shapes as a set of pixels, which is painted once.
+// A shape is a set of pixels that is painted once.
 #include "sprite_shapes.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-// The pixels of a canvas that a shape covers, however often its brush goes over them.
+// The pixels of a canvas that a shape covers. Its brush may go over a pixel several times.
 class Mask {
  public:
   explicit Mask(const SpriteArea& area)
@@ -35,7 +35,8 @@ class Mask {
   std::vector<bool> covered_;
 };
 
-// A shape of which `inside` knows every pixel of `box`. The outline is what has a side neighbour outside.
+// A shape whose `inside` knows every pixel of `box`. Pixels with a side neighbour outside of the shape make
+// the outline.
 Edit draw_shape(const Level& level, const SpriteArea& area, CellRect box, PixelPen pen, bool filled,
                 FunctionRef<bool(int, int)> inside, std::string label) {
   Mask mask(area);

@@ -11,8 +11,8 @@ struct PixelPen {
   std::uint8_t color = 0;  // 0..15
   int brush = 1;           // px, side of its square, 1..kMaxBrush (asserted)
 };
-// What the brush covers when the mouse is on a pixel: about it, and to its right and below where it has no
-// middle.
+// The pixels that the brush covers when the mouse is on a pixel: centred on it, or shifted to the right and
+// down if the brush has no middle pixel.
 CellRect brush_at(Cell pixel, int brush);
 
 // The straight line between two points, both included.
@@ -20,12 +20,12 @@ Edit draw_line(const Level& level, const SpriteArea& area, Cell from, Cell to, P
 // With these corners.
 Edit draw_rectangle(const Level& level, const SpriteArea& area, Cell from, Cell to, PixelPen pen,
                     bool filled);
-// The largest within these corners.
+// The largest ellipse within these corners.
 Edit draw_ellipse(const Level& level, const SpriteArea& area, Cell from, Cell to, PixelPen pen, bool filled);
 
 // The point near `to` on the nearest horizontal, vertical or diagonal line through `from`.
 Cell straightened(Cell from, Cell to);
-// The corner of the smallest square from `from` that reaches as far as `to`, to the same side.
+// The corner of the smallest square from `from` that reaches as far as `to`, on the same side.
 Cell squared(Cell from, Cell to);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The canvas as a block, turned, and put back.
+// Takes the canvas as a block, turns it, and puts it back.
 #include "sprite_turn.h"
 
 #include <cassert>

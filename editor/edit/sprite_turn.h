@@ -5,7 +5,7 @@
 
 namespace talus {
 
-// To rotate, the area must be square (asserted).
+// The area must be square for rotation (asserted).
 Edit turn_pixels(const Level& level, const SpriteArea& area, PixelTurn turn);
 
 }  // namespace talus

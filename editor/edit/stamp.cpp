@@ -1,4 +1,4 @@
-// Taking and repeating stamps.
+// Takes and repeats stamps.
 #include "stamp.h"
 
 namespace talus {

@@ -16,12 +16,13 @@ struct Stamp {
   friend bool operator==(const Stamp&, const Stamp&) = default;
 };
 
-// The rectangle of the tile sheet (16 columns) as a stamp; cut at the sheet's edge. Wholly outside: tile 0.
+// The rectangle of the tile sheet (16 columns) as a stamp, cut off at the sheet's edge; tile 0 if it is
+// wholly outside.
 Stamp stamp_of_sheet(CellRect tiles);
-Stamp stamp_of_map(const Level& level, CellRect cells);  // the picker; cut likewise at the map's edge
+Stamp stamp_of_map(const Level& level, CellRect cells);  // for the picker; cut off at the map's edge
 
-// The top-left cell of the stamp that a cell belongs to, where stamps are repeated from `origin` in all
-// directions, and the tile that the cell has of it.
+// Stamps are repeated from `origin` in all directions. Returns the top-left cell of the stamp that a cell
+// belongs to, and the tile that the cell gets from it.
 Cell corner_of_repeated(const Stamp& stamp, Cell origin, Cell cell);
 std::uint8_t repeated_tile(const Stamp& stamp, Cell origin, Cell cell);
 

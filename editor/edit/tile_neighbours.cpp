@@ -1,4 +1,4 @@
-// Counting neighbours.
+// Counts neighbours.
 #include "tile_neighbours.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ TileNeighbours empty_ring(CellRect tiles) {
 
 int tile_of(CellRect tiles, int x, int y) { return (tiles.y + y) * kSheetColumns + tiles.x + x; }
 
-// A cell of the ring, the tile of the rectangle that it is next to, and where it lies from there.
+// A cell of the ring, the tile of the rectangle beside it, and the direction from there.
 struct RingCell {
   std::size_t index;
   int tile;

@@ -1,4 +1,4 @@
-// Looking through the map.
+// Goes through the map.
 #include "tile_search.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Fitting lines to columns of pixels, and copying blocks of tiles.
+// Fits lines to columns of pixels, and copies blocks of tiles.
 #include "tile_shapes.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Side = TileShape::Side;
 
 bool has_line(const TileShape& shape) { return shape.kind == Kind::slope || shape.kind == Kind::profile; }
 
-// The height of a shape's line at a part of its width, 0..1.
+// The height of a shape's line at a fraction of its width, 0..1.
 double height_at(const TileShape& shape, double part) {
   const double at = part * static_cast<double>(shape.heights.size() - 1);
   const auto left = std::min(static_cast<std::size_t>(at), shape.heights.size() - 2);
@@ -30,7 +30,7 @@ std::vector<double> heights_of_columns(const TileShape& shape, int tiles) {
   return heights;
 }
 
-// The opaque pixels of some tiles beside one another, column by column.
+// The opaque pixels of some tiles side by side, column by column.
 struct Columns {
   std::vector<int> from_bottom, from_top;  // px, how far the opaque pixels reach; 0: the column is clear
   int opaque = 0;
@@ -73,11 +73,11 @@ struct Tolerance {
   double least, most;
 };
 constexpr Tolerance kNear{-0.5, 0.5};
-constexpr Tolerance kThroughPixels{0, 1};  // stairs are drawn so that the line runs through the last pixels
+constexpr Tolerance kThroughPixels{0, 1};  // in stairs, the line runs through the last pixels
 constexpr Tolerance kBeyondPixels{-1, 0};  // or through the first clear ones
 
-// The plainest line with ends on multiples of `step` px that keeps to the tolerance at all columns; of
-// equally plain ones the nearest.
+// The plainest line whose ends are multiples of `step` px and that keeps the tolerance at all columns; of
+// equally plain ones, the nearest.
 std::optional<Line> fit_line(const std::vector<int>& columns, double step, Tolerance tolerance) {
   constexpr double kRounding = 1e-9;
   const double count = static_cast<double>(columns.size());
@@ -109,7 +109,7 @@ std::optional<Line> fit_line(const std::vector<int>& columns) {
   return std::nullopt;
 }
 
-// Heights at the column lines: between two columns their mean.
+// Heights at the column lines: the mean of the two columns beside it.
 std::vector<double> profile_of(const std::vector<int>& columns) {
   std::vector<double> heights = {static_cast<double>(columns.front())};
   for (std::size_t i = 1; i < columns.size(); ++i) heights.push_back((columns[i - 1] + columns[i]) / 2.0);
@@ -142,7 +142,7 @@ bool is_blank(const Level& level, int tile) {
          shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind == Kind::none;
 }
 
-// What differs between `before` and `after`, changed in another shape.
+// Changes another shape in the same way as `before` changed to `after`.
 TileShape with_change(TileShape shape, const TileShape& before, const TileShape& after) {
   if (shape.kind == Kind::none) return shape;
   if (after.one_way != before.one_way) shape.one_way = after.one_way;
@@ -157,7 +157,7 @@ TileShape with_change(TileShape shape, const TileShape& before, const TileShape&
   return shape;
 }
 
-// The tiles of an area, but those that another one of them reaches over.
+// The tiles of an area, except those that another one of them reaches over.
 std::vector<int> changed_together(const Level& level, const SpriteArea& area) {
   std::vector<int> tiles = numbers_of(area.tiles);
   std::erase_if(tiles, [&](int tile) {

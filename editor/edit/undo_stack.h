@@ -11,12 +11,12 @@ namespace talus {
 
 class UndoStack {
  public:
-  // most_bytes: the memory that the entries take together; the oldest are forgotten beyond it, all but the
-  // last.
+  // most_bytes: limit for the memory of all entries. Beyond it the oldest ones are forgotten, but never the
+  // last one.
   explicit UndoStack(std::size_t most_bytes = kMaxHistoryBytes) : most_bytes_(most_bytes) {}
 
-  // Applies and records. Edits with the same stroke (> 0) in a row are one entry; stroke 0 never merges. An
-  // empty edit is ignored, and a stroke that ends where it began leaves no entry.
+  // Applies and records an edit. Edits of the same stroke (> 0) in a row are one entry; stroke 0 never
+  // merges. An empty edit is ignored, and a stroke that ends where it began leaves no entry.
   void push(Level& level, Edit edit, int stroke = 0);
   bool can_undo() const { return next_ > 0; }
   bool can_redo() const { return next_ < edits_.size(); }
@@ -27,14 +27,15 @@ class UndoStack {
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t position() const { return next_; }  // edits before it are applied
 
-  int open_stroke() const { return open_stroke_; }  // that the last entry still takes edits of; 0: none
+  // The stroke whose edits the last entry still takes; 0: no stroke.
+  int open_stroke() const { return open_stroke_; }
 
-  // Ends the open stroke too, since an entry that went on growing would no longer be what was saved.
+  // Also ends the open stroke, since an entry that grows is no longer what was saved.
   void mark_saved() {
     saved_ = static_cast<std::ptrdiff_t>(next_);
     open_stroke_ = 0;
   }
-  // What was saved is there no longer: it was lost or replaced by others.
+  // The saved state is gone: the file was lost or replaced.
   void forget_saved() { saved_ = -1; }
   bool is_saved() const { return saved_ == static_cast<std::ptrdiff_t>(next_); }
 
@@ -42,12 +43,12 @@ class UndoStack {
   void forget_oldest();
 
   std::vector<Edit> edits_;
-  std::vector<std::size_t> bytes_;  // of each of them; of the last one, what it had when it was begun
+  std::vector<std::size_t> bytes_;  // of each entry; for the last one, its size at its beginning
   std::size_t most_bytes_;
   std::size_t next_ = 0;
   std::ptrdiff_t saved_ = 0;  // -1: the saved state can no longer be reached
-  int open_stroke_ = 0;       // the stroke that the last entry still takes edits of; 0: none
-  EditMerger merger_;         // of the last entry, while its stroke is open
+  int open_stroke_ = 0;       // the stroke whose edits the last entry still takes; 0: no stroke
+  EditMerger merger_;         // for the last entry, while its stroke is open
 };
 
 }  // namespace talus

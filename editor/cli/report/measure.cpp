@@ -15,15 +15,15 @@ namespace {
 
 using S = ReportScene;
 
-constexpr double kNearEnd = 1.0 / 64;  // px: nearer to its end a motion may or may not meet something
+constexpr double kNearEnd = 1.0 / 64;  // px: a motion that ends nearer to something may or may not meet it
 
-// Of a coordinate at this scale, in the row's precision.
+// Rounds a coordinate at this scale to the row's precision.
 double rounding(const Setup& setup) {
   return setup.scale *
          (setup.single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
 }
 
-// A level compiled, with its bodies where no ground is.
+// A compiled level, with its bodies outside of the ground.
 struct Run {
   explicit Run(const Level& level)
       : scene(std::make_shared<const Scene>(compile_scene(level))),
@@ -36,14 +36,14 @@ struct Run {
   State start;
 };
 
-// What a solver says that one body did.
+// What a solver reports about one body.
 struct Outcome {
   Rect to;
   std::optional<ContactRecord> first;  // contact
-  bool met = false;                    // anything
+  bool met = false;                    // whether it met anything
 };
 
-// A slope of the article's is crossed, and then its floor is looked for: the contact has no time of impact.
+// The article's bodies cross a slope before its floor is looked for: such a contact has no time of impact.
 bool is_met(const ContactRecord& contact) {
   return contact.handled &&
          (contact.response != Response::cross || (contact.slope && contact.slope->corrected));
@@ -61,7 +61,7 @@ std::vector<Outcome> outcomes(const State& end, const StepRecord& record) {
   return found;
 }
 
-// The kernel records nothing: whatever did not reach its goal met something.
+// The kernel records nothing: a ball that did not reach its goal met something.
 std::vector<Outcome> outcomes(const BenchKernel& kernel, const std::vector<Drop>& drops) {
   std::vector<Outcome> found;
   for (std::size_t i = 0; i < drops.size(); ++i) {
@@ -105,7 +105,7 @@ struct DropTally {
   }
 
  private:
-  // A box that slid on leaves a curved floor along its tangent; it may be above, but never below.
+  // A box that slid on leaves a curved floor along the tangent; it may be above the floor, but never below.
   Wide off_floor(Wide under) const {
     return is_curve(setup.scene) ? std::max<Wide>(under, 0) : std::abs(under);
   }
@@ -242,7 +242,7 @@ void measure_walls(Row& row, const Effort& effort) {
   row.counts = tally.counts;
 }
 
-// Balls over the frames of a run; differ(state, frame) adds their errors.
+// Measures balls over the frames of a run; differ(state, frame) adds their errors.
 template <class Differ>
 void measure_frames(Row& row, const Level& level, int frames, Differ differ) {
   Run run(level);

@@ -16,7 +16,7 @@ namespace {
 
 using S = ReportScene;
 
-// What is drawn as one line.
+// The rows that are drawn as one line.
 struct PlotLine {
   std::string title;
   std::function<bool(const Setup&)> has;
@@ -28,7 +28,7 @@ struct Axes {
   bool log_x = true, log_y = true;
 };
 
-// Zero has no place on a logarithmic axis; it is drawn at the least error that matters.
+// Zero has no place on a logarithmic axis; it is drawn at the smallest error that matters.
 constexpr double kZero = 1e-17;
 double shown(double error) { return std::max(error, kZero); }
 

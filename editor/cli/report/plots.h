@@ -16,7 +16,7 @@ struct Plot {
 };
 std::span<const Plot> report_plots();
 
-// What gnuplot prints for the program in a file; none when there is no gnuplot, or it failed.
+// The output of gnuplot for the program in a file; nothing if gnuplot is missing or failed.
 std::optional<std::string> run_gnuplot(const std::string& script_file);
 
 }  // namespace talus

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Wide kTurn = 6.283185307179586476925286766559005768L;
 
-// Halves [low, high] to the last bit; `after(t)` is false before what is looked for and true from there on.
+// Bisects [low, high] to the last bit; `after(t)` is false before the result and true from there on.
 template <class After>
 Wide bisect(Wide low, Wide high, After after) {
   for (int i = 0; i < 200; ++i) {
@@ -28,7 +28,7 @@ Wide height(const SineFloor& f, Wide x) {
   return f.middle + f.amplitude * std::sin(kTurn * (x - f.origin) / f.wavelength);
 }
 
-// The highest point between two x, if it is at neither.
+// The highest point between two x, if it is not at one of them.
 Wide crest(const LineFloor& f, Wide left, Wide) { return height(f, left); }
 Wide crest(const ArcFloor& f, Wide left, Wide right) {
   return height(f, std::clamp(f.center_x, left, right));
@@ -48,7 +48,7 @@ class Flight {
         limit_(t.shared.fall_speed),
         kept_(1 - static_cast<Wide>(t.shared.fall_blend)) {}
 
-  // The speed with which a flight of frames that begins at rest begins on its curve.
+  // The speed at which a flight in frames that begins at rest starts on its curve.
   Wide from_rest() const {
     return gravity_ > 0 ? gravity_ / 2 : limit_ - limit_ * kept_ * rate() / (1 - kept_);
   }
@@ -59,7 +59,7 @@ class Flight {
     if (gravity_ > 0) return v * t + gravity_ * t * t / 2;
     return limit_ * t - (v - limit_) * std::expm1(-rate() * t) / rate();
   }
-  // When a flight that begins `above` px over the floor meets it.
+  // The time at which a flight that begins `above` px over the floor meets it.
   Wide landing(Wide above, Wide v) const {
     const Wide most = 10000;
     const Wide apex = v >= 0 ? 0 : bisect(0, most, [&](Wide t) { return speed(v, t) >= 0; });

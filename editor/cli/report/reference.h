@@ -1,4 +1,5 @@
-// The answers that the report measures against, in long double. Plain and slow, and no code of the solvers.
+// The answers that the report measures against, in long double. Plain and slow, without any code of the
+// solvers.
 #pragma once
 
 #include <functional>
@@ -30,22 +31,22 @@ struct WideBox {
   Wide x, y, w, h;
 };
 
-// When a falling box meets the floor, as a fraction of its motion; above 1: not in this motion. It must fall
-// faster than the floor does under it, so that there is one time at most.
+// When a falling box meets the floor, as a fraction of its motion; above 1 if not in this motion. The box
+// must fall faster than the floor does under it, so that there is at most one time.
 Wide time_of_impact(const TrueFloor& floor, const WideBox& box, Wide dx, Wide dy);
 
 // The solvers' integrator for a ball on an endless straight floor.
 struct WideBall {
   Wide x, y, vx, vy;  // of the lowest corner; px, px/frame
 };
-// One frame cut into `parts`: pull, move, bounce by the normal; what is left of the motion slides. The floor
-// goes through `through` and has this slope.
+// One frame cut into `parts`: pull, move, bounce by the normal; the rest of the motion slides. The floor goes
+// through `through` and has this slope.
 void step_ball(WideBall& ball, const Tuning& tuning, Wide through_x, Wide through_y, Wide slope, int parts);
 
-// Closed-form physics: the height above which a ball is dropped at rest bounces for ever on a level floor,
-// under the fall of the tuning: gravity if it has any, or else the article's. The frames of a free flight lie
-// exactly on its curve: what is measured is the bounce alone. Answers by frame, from 0, of the ball's bottom;
-// px, y down, 0 at the floor.
+// Closed-form physics: a ball dropped at rest bounces for ever on a level floor, under the fall of the
+// tuning: gravity if there is any, else the article's. The frames of a free flight lie exactly on its curve,
+// so only the bounce is measured. Answers by frame, from 0, for the ball's bottom; px, y down, 0 at the
+// floor.
 std::vector<double> bouncing(const Tuning& tuning, double start, int frames);
 
 }  // namespace talus

@@ -10,7 +10,7 @@ namespace {
 
 using S = ReportScene;
 constexpr std::uint8_t kSolidTile = 1, kSlopeTile = 2;
-constexpr int kHillSlopes = 12;  // of the hillside
+constexpr int kHillSlopes = 12;  // slopes of the hillside
 
 // Places in px and cells, from the origin of the scene.
 constexpr double kFlatY = 88;
@@ -22,8 +22,8 @@ constexpr double kArcRadius = 64, kArcHalf = 45;
 constexpr double kSineLeft = 64, kSineWidth = 128, kSineY = 64, kSineHeight = 8, kSineWave = 64;
 constexpr int kWallColumn = 16;
 
-// The map's part that a scene needs, in cells. It is low, or narrow, so that long maps may have it at their
-// far end.
+// The part of the map that a scene needs, in cells. It is low, or narrow, so that long maps may have it at
+// their far end.
 Cell ground_size(S scene) {
   if (scene == S::roll_slope) return {256, 76};
   if (scene >= S::bounce_fall) return {12, 13};
@@ -74,7 +74,7 @@ void lay_hill(Level& level, Cell corner) {
   }
 }
 
-// Velocities stay as they are but for contacts, which take what goes into the ground.
+// Velocities stay as they are, except that contacts take away the part into the ground.
 void tune_drops(Tuning& tuning) {
   SharedTuning& t = tuning.shared;
   t.fall_blend = t.drift_blend = 0;

@@ -1,4 +1,4 @@
-// The levels of the report's scenes, made in code, and what is asked of them.
+// The levels of the report's scenes, made by code, and the questions about them.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,14 @@
 
 namespace talus {
 
-// The ground of a row's scene with its tuning; nobody on it yet. Scenes of walls of bodies have no ground.
+// The ground of a row's scene with its tuning, without bodies. Scenes with walls of bodies have no ground.
 Level report_level(const Setup& setup);
 
-// The same ground as the reference has it; not of walls.
+// The same ground for the reference; not for walls.
 TrueFloor true_floor(const Setup& setup);
 
 // The corner of a scene's ground, on the grid: near (scale, scale). Beyond kMostSquareScale, where a map that
-// is both long and high would be too large, near (scale, 0), or near (0, scale) where only heights are
-// measured.
+// is both long and high would be too large, near (scale, 0), or near (0, scale) if only heights are measured.
 inline constexpr double kMostSquareScale = 1e4;
 Vec2 report_origin(const Setup& setup);
 
@@ -29,10 +28,10 @@ Vec2 stored(const Setup& setup, Vec2 value);
 struct Drop {
   Rect start;
   Vec2 motion;        // px, downwards
-  Wide impact = 0;    // of the motion, 0..1; above 1: it meets nothing
+  Wide impact = 0;    // fraction of the motion, 0..1; above 1: it meets nothing
   Wide x = 0, y = 0;  // px, top-left corner at the impact, or else at the end of the motion
 };
-// The same moves for each solver, and for each scale but for the translation and rounding.
+// The same moves for each solver and each scale, except for translation and rounding.
 std::vector<Drop> report_drops(const Setup& setup, std::size_t count);
 
 // px, the left side of the wall of tiles.

@@ -4,10 +4,10 @@ namespace talus {
 namespace {
 
 using S = ReportScene;
-// The largest power of ten on a map, which ends at 16,777,216 px; and on one of more than 13 rows, because
-// the area has a limit, too.
+// The largest power of ten on a map, which ends at 16,777,216 px; and on one of more than 13 rows, since the
+// area is limited, too.
 constexpr double kTopScale = 1e7, kHighGroundScale = 1e6;
-constexpr double kTopPolylineScale = 1e4;  // that is enough to see what they are worth
+constexpr double kTopPolylineScale = 1e4;  // enough to see what polylines are worth
 
 constexpr std::array<ReportSceneInfo, kReportSceneCount> kScenes = {{
     {S::flat_tiles, "flat tiles", "Boxes fall askew onto a floor of full tiles.", true, kTopScale},

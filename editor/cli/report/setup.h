@@ -1,4 +1,4 @@
-// The rows of the report: which scene, which solver, and how it is set.
+// The rows of the report: which scene, which solver, which settings.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct ReportSceneInfo {
   ReportScene scene;
   std::string_view name;     // in the tables
   std::string_view meaning;  // a sentence
-  bool for_all;              // the solvers on boxes can have it too
+  bool for_all;              // whether the solvers on boxes can have it, too
   double top_scale;          // the largest coordinate scale that it exists at
 };
 inline constexpr int kReportSceneCount = 13;
@@ -38,10 +38,10 @@ const std::array<ReportSceneInfo, kReportSceneCount>& report_scenes();  // in th
 
 struct Setup {
   ReportScene scene = ReportScene::flat_tiles;
-  std::optional<SolverKind> solver = {};  // none: the hand-written discrete kernel of `talus bench`
+  std::optional<SolverKind> solver = {};  // nothing: the hand-written discrete kernel of `talus bench`
   bool single = false;                    // in float
   int substeps = 1;
-  int segments = 0;  // of the polyline in place of the curve; 0: the curve itself
+  int segments = 0;  // of the polyline that replaces the curve; 0: the curve itself
   double scale = 1;  // px: about how far from the origin the scene is (see report_origin)
 };
 
@@ -52,7 +52,7 @@ const ReportSceneInfo& info_of(ReportScene scene);
 std::string_view solver_name(const Setup& setup);
 bool is_curve(ReportScene scene);
 
-// All rows, those of a scene and scale one after the other.
+// All rows; those of a scene and scale follow one another.
 std::vector<Setup> report_setups();
 
 }  // namespace talus

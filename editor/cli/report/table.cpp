@@ -16,7 +16,7 @@ std::string number(double value) {
   return text;
 }
 
-// Three digits that count, for people.
+// Three significant digits, for people.
 std::string rounded(double value) {
   char text[32];
   const double size = std::abs(value);
@@ -32,7 +32,7 @@ std::string quoted(const std::string& text) {
 
 std::string_view precision_of(const Setup& setup) { return setup.single ? "float" : "double"; }
 
-// A column of both tables; the text is empty where the row has nothing to say.
+// A column of both tables; the text is empty if it does not apply to the row.
 struct Column {
   std::string_view name;
   std::function<std::string(const Row&)> text;
@@ -99,7 +99,7 @@ std::string line_of(const Row& row, bool with_segments) {
   return line + " |\n";
 }
 
-// The page leaves out all products: one thing changes at a time, from double, one step, the curve itself, and
+// The page has no combinations: one thing changes at a time, from double, one step, the curve itself, and
 // scale 1.
 bool is_on_page(const Setup& s) {
   const int changes = (s.substeps != 1) + (s.segments != 0) + (s.scale != 1);

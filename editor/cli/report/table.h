@@ -1,4 +1,4 @@
-// The report as text: a CSV file of all rows, and a page of those that one wants to read.
+// The report as text: a CSV file with all rows, and a page with the rows that are worth reading.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// What the rows were measured with; "unknown" where it cannot be told.
+// What the rows were measured with; "unknown" if it cannot be found out.
 struct BuildFacts {
   std::string commit, compiler, flags, cpu;
 };
