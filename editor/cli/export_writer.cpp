@@ -120,6 +120,7 @@ std::vector<std::string> keep_own_starters(ExportPlan& plan, const ExportRecord&
   const auto own = own_starters(
       plan, [&](const PlannedFile& file) { return file.old && record.has(file.path, *file.old); });
   std::vector<std::string> paths;
+  paths.reserve(own.size());
   for (const std::size_t i : own) paths.push_back(plan.files[i].path);
   leave_out(plan, own);
   return paths;

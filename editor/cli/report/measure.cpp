@@ -114,6 +114,7 @@ struct DropTally {
 template <class Step>
 double median_ns(int repeats, std::size_t moves, Step step) {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(repeats));
   for (int i = 0; i < repeats; ++i) times.push_back(step() / static_cast<double>(moves));
   return median(times);
 }

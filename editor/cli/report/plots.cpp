@@ -9,8 +9,6 @@
 
 #include "formats/text/append_number.h"
 
-extern char** environ;
-
 namespace talus {
 namespace {
 

@@ -65,10 +65,10 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
 
 // A button with the command's icon, which runs it and shows its state, help and keys. widget: the button's
 // name; empty: the command's id.
-void command_button(std::string_view command, const Session& session, Actions& actions, Ui& ui,
+void command_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
                     std::string_view widget = {});
 // The same with a text. label: empty: the command's.
-void command_text_button(std::string_view command, const Session& session, Actions& actions, Ui& ui,
+void command_text_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
                          std::string_view label = {}, std::string_view widget = {});
 
 }  // namespace talus
