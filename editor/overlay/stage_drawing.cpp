@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-constexpr double kNormalLength = 10;  // px
+constexpr double kStageNormalLength = 10;  // px
 
 class StageDrawer {
  public:
@@ -66,7 +66,7 @@ class StageDrawer {
     const Vec2 normal = contact.slope ? contact.slope->normal : contact.normal;
     if (normal != Vec2{})
       out_.lines.push_back(
-          {OverlayId::normals, there.center(), there.center() + normal * kNormalLength, true});
+          {OverlayId::normals, there.center(), there.center() + normal * kStageNormalLength, true});
     label({there.right(), there.y}, time_label(contact.ti, contact.overlaps));
   }
 
