@@ -7,6 +7,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "panels/ui/shown_text.h"
+
 namespace talus {
 namespace {
 

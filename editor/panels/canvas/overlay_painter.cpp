@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "overlay_labels.h"
+#include "panels/ui/shown_text.h"
 #include "panels/ui/theme.h"
 
 namespace talus {
