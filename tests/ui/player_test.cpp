@@ -88,10 +88,12 @@ TEST_F(UiPlayer, OtherKeysSteerOnceTheyAreBound) {
 
 TEST_F(UiPlayer, PaletteGivesPlayersTheKeys) {
   key(kKeyF2);
+  ASSERT_EQ(app().ui().view.focus, Focus::sprites);
   key(ctrl('p'));
-  push_typing("run left");
+  frames(2);
+  type("run left");
   key('\r');
-  key(kKeyF5);
+  frames(2);
   EXPECT_EQ(app().ui().view.focus, Focus::map);
   EXPECT_TRUE(app().ui().view.play_active);
 }
