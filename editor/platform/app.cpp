@@ -27,21 +27,23 @@
 namespace talus {
 namespace {
 
-constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and what an action leads to
-constexpr int kFrameBudget = 8;      // ms: the least time of a frame where the driver does not wait itself
-constexpr double kIdleWait = 3600;   // s
-constexpr double kBlinkWait = 0.25;  // s: while something changes slowly, such as a text cursor
-constexpr double kNoteTime = 4;      // s; of good news that are short
-// Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it;
-// in an opened one the text field has the focus one frame later.
+constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and the results of an action
+constexpr int kFrameBudget = 8;            // ms: the shortest frame, if the driver does not wait itself
+constexpr double kIdleWait = 3600;         // s
+constexpr double kBlinkWait = 0.25;        // s: while something changes slowly, such as a text cursor
+constexpr double kNoteTime = 4;            // s; for short messages of success
+// Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it.
+// In an opened dialog the text field gets the focus one frame later.
 constexpr int kDialogOpeningFrames = 2;
-// Until a field that is to get the keys is drawn and has them, where its panel is to be shown first.
+// Frames until a field that should get the keys is drawn and has them, as its panel may have to be shown
+// first.
 constexpr int kFieldFocusFrames = 5;
 
-// s. A long note tells what a file holds that a level does not, which is to be read to its end.
+// s. A long message says what a file holds that a level does not; the user should be able to read it to its
+// end.
 double note_time(const std::string& note) {
-  constexpr double kShort = 100, kReadingTime = 0.2;  // letters; s for each more
-  constexpr double kMost = 60;  // s: what is longer is scrolled, and dismissed by hand or goes
+  constexpr double kShort = 100, kReadingTime = 0.2;  // letters; s for each further letter
+  constexpr double kMost = 60;  // s: a longer message is scrolled, and dismissed by hand or by this time
   return std::min(kMost, kNoteTime + std::max(0.0, static_cast<double>(note.size()) - kShort) * kReadingTime);
 }
 
@@ -49,7 +51,7 @@ double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// s, of this thread.
+// s, processor time of this thread.
 double processor_time() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -63,12 +65,12 @@ FrameCost cost_of_frame(double interface_seconds, double opengl_seconds) {
   return cost;
 }
 
-// Readable on the displays that are common: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
+// Readable on common displays: 1 up to 1080 rows, 1.5 for 1440, 2.25 for 2160.
 float automatic_scale(float window_height) {
   return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
 }
 
-// The largest at which nothing of the window's layout is cut off, in quarters; 1 in any case.
+// The largest scale, in quarters, at which nothing of the window's layout is cut off; at least 1.
 float largest_scale(ImVec2 window) {
   constexpr float kLeastWidth = 880, kLeastHeight = 576;  // px at scale 1
   return std::max(1.0f, std::floor(std::min(window.x / kLeastWidth, window.y / kLeastHeight) * 4) / 4);
@@ -80,7 +82,7 @@ std::string absolute_path(const std::string& path) {
   return error ? path : absolute.lexically_normal().string();
 }
 
-// The keys that go from control to control, and press them.
+// The keys that move between controls, and press them.
 bool is_navigation_key(int key) {
   return key == ' ' || key == kKeyTab || key == kKeyEnter || (key >= kKeyLeft && key <= kKeyDown);
 }
@@ -115,8 +117,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   return app;
 }
 
-// What cannot be read is not replaced: it is kept aside, or stays, and then nothing new is remembered. The
-// text for the user.
+// Settings that cannot be read are not replaced: the file is kept aside, or stays; then no new settings are
+// saved. Returns the text for the user.
 std::string App::keep_settings_aside(const std::string& problem) {
   const auto kept = keep_aside(settings_path());
   remembers_settings_ = kept.has_value();
@@ -212,7 +214,7 @@ std::string App::remember() const {
   return saved ? "" : saved.error();
 }
 
-// Tells once what keeps going wrong, below what has just been told.
+// Shows once what keeps going wrong, below the current message.
 void App::remember_changes() {
   const std::string problem = remember();
   if (problem == std::exchange(remember_problem_, problem) || problem.empty()) return;
@@ -230,7 +232,7 @@ App::~App() {
 void App::run() {
   try {
     while (!session_->wants_quit()) turn();
-  } catch (...) {  // what is not saved can be recovered at the next start
+  } catch (...) {  // work that is not saved here can be recovered at the next start
     if (guard_) guard_->keep(*session_);
     throw;
   }
@@ -255,7 +257,7 @@ bool App::wait() {
                      session_->compile_progress().has_value() || session_->is_linting() ||
                      session_->reach().running() || session_->exporting().is_busy() || session_->reading();
   const double now = options_.clock();
-  if (works) last_event_ = now;  // its dialog closes, and what it tells is measured, in later frames
+  if (works) last_event_ = now;  // its dialog closes, and its message is measured, in later frames
   if (works || ui_.wants_frames() || has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent) {
     const double spent = (now - last_time_) * 1000;
     if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
@@ -311,8 +313,8 @@ void App::draw(Actions& actions) {
   if (guard_) guard_->draw(*session_, ui_);
 }
 
-// Where a dialog opens or closes, what is pressed next is meant for what comes: it waits until that is drawn
-// and has the focus.
+// When a dialog opens or closes, the next presses are meant for what comes. They wait until that is drawn and
+// has the focus.
 void App::hold_keys_while_dialogs_change() {
   const std::array<bool, 11> wanted = {ui_.view.dialog != FileDialog::none,
                                        session_->wants_save_as(),
@@ -332,7 +334,7 @@ void App::hold_keys_while_dialogs_change() {
   hold_keys_until_field_focused();
 }
 
-// Where the field does not come, nobody gets them.
+// If the field does not come, nobody gets the keys.
 void App::hold_keys_until_field_focused() {
   const std::string wanted = ui_.view.wants_text + ui_.view.wants_keys;
   if (wanted != std::exchange(wanted_field_, wanted) && !wanted.empty()) {
@@ -344,7 +346,7 @@ void App::hold_keys_until_field_focused() {
 }
 
 void App::handle_events() {
-  // What is pressed while a file is read waits for it, or for the dialog that tells how far it is.
+  // Presses while a file is read wait for it, or for the dialog that shows how far it is.
   const bool waits_for_file = session_->reading() && !shows_reading(*session_);
   events_.begin_frame(frames_to_hold_ > 0 || waits_for_file);
   SDL_Event event;
@@ -378,8 +380,8 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
 }
 
-// The error that covers the view, or else the window about the program that was opened last, as far as is
-// known, or else the mark on the map. True when that is all that the key does: no selection is lost to it.
+// Closes the error that covers the view; else, if there is none, the window about the program that was opened
+// last; else the mark on the map. Returns true if the key does only that, and no selection is lost.
 bool App::close_window(Actions& actions) {
   if (ImGui::GetIO().WantTextInput || is_popup_open()) return false;
   if (std::exchange(ui_.view.keys_in_panel, false)) return true;
@@ -394,12 +396,12 @@ bool App::close_window(Actions& actions) {
   return std::exchange(ui_.view.marked_cell, std::nullopt).has_value();
 }
 
-// Lists, menus, dialogs, windows that float, and a panel that was given the keys.
+// Lists, menus, dialogs, floating windows, and a panel that was given the keys.
 bool App::keys_navigate_controls() const {
   return is_popup_open() || ui_.view.keys_in_panel || floating_window_has_focus();
 }
 
-// A key for a command goes to the dialog that asked for it; Escape stays its own.
+// A key for a command goes to the dialog that asks for it; but Escape closes the dialog.
 bool App::capture_key(KeyChord chord, bool repeated) {
   auto& capture = ui_.view.program.key_capture;
   if (!capture || capture->pressed) return false;
@@ -416,8 +418,8 @@ void App::open_wanted_program() {
   open_in_program(*session_, *wanted, commands, copies_);
 }
 
-// Holds a key of the players. True when it is theirs alone: while paused beside the map, it is held for the
-// next step and runs its command too.
+// Holds a key of the players. Returns true if it belongs only to them: in a pause beside the map it is held
+// for the next step, and also runs its command.
 bool App::steer(KeyChord chord, Actions& actions) {
   const bool theirs = ui_.view.focus == Focus::map && !ui_.view.cursor.on() && has_players(*session_);
   if (!theirs || !play_keys_.press(chord, ui_.view.preferences.keys)) return false;
@@ -425,7 +427,8 @@ bool App::steer(KeyChord chord, Actions& actions) {
   return keys_steer(*session_, ui_.view);
 }
 
-// A key that goes up is let go whoever has the keys by then; with the window's focus all do.
+// A released key is released for all, whoever has the keys by then; when the window loses the focus, all keys
+// are released.
 void App::release(const SDL_Event& event, Actions& actions) {
   if (event.type == SDL_KEYUP) {
     ui_.view.cursor.release(chord_of(event.key.keysym).key);
@@ -437,10 +440,10 @@ void App::release(const SDL_Event& event, Actions& actions) {
   }
 }
 
-// While a dialog is open or a text is typed, keys belong there.
+// While a dialog is open or a text is typed, the keys belong there.
 bool App::keys_are_taken(KeyChord chord) const {
   if (ImGui::GetTopMostPopupModal() != nullptr) return true;
-  // An open list or menu is gone through by keys.
+  // Keys move through an open list or menu.
   if (is_popup_open() && !chord.ctrl && !chord.alt && chord.key < kKeyF1) return true;
   const bool types = ImGui::GetIO().WantTextInput;
   if (!types && !chord.ctrl && !chord.alt && is_navigation_key(chord.key) && keys_navigate_controls())
@@ -482,13 +485,13 @@ void App::note_changes() {
   const std::string title =
       shown_line(session_->file_names(), kMostLabel) + (session_->modified() ? " * - Talus" : " - Talus");
   if (title != title_) window_->set_title(title_ = title);
-  // Only another level comes with a new revision and no history.
+  // Only another level has a new revision and no history.
   if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&
       session_->history().edits().empty()) {
     ++ui_.view.level_number;
     copies_.forget();
     ui_.view.marked_cell.reset();
-    const DebuggerView before = std::exchange(ui_.view.debugger, {});  // what was about the old one
+    const DebuggerView before = std::exchange(ui_.view.debugger, {});  // what was about the old level
     ui_.view.debugger.legend_folded = before.legend_folded;
     ui_.view.debugger.follow_body = before.follow_body;
   }
@@ -507,7 +510,7 @@ void App::note_changes() {
   remember_changes();
 }
 
-// Good news goes by itself; errors stay.
+// Messages of success disappear; errors stay.
 void App::dismiss_old_note() {
   const auto& message = session_->message();
   const std::string text = message && !message->is_error ? message->text : "";

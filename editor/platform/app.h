@@ -25,22 +25,22 @@
 namespace talus {
 
 struct AppOptions {
-  std::string file;               // to open; empty: the demo level, playing
-  int width = 0, height = 0;      // px, of the window; 0: as the settings have it
+  std::string file;               // file to open; empty: the demo level, playing
+  int width = 0, height = 0;      // px, of the window; 0: as in the settings
   bool offscreen = false;         // without a display
-  bool remember = true;           // reads and writes settings, and saves by itself
-  std::function<double()> clock;  // s, never running backwards; none: the machine's
+  bool remember = true;           // reads and writes settings, and saves automatically
+  std::function<double()> clock;  // s, never running backwards; empty: the machine's clock
 };
 
 class App {
  public:
   static tl::expected<std::unique_ptr<App>, std::string> start(AppOptions options);
-  ~App();  // remembers the settings
+  ~App();  // saves the settings
 
   void run();  // until the user quits
-  // Waits for what there is to do next, and does it: without anything, no frame is drawn.
+  // Waits for the next thing to do, and does it. Without anything to do no frame is drawn.
   void turn();
-  // One frame: the events that wait, the time that passed, the window drawn.
+  // One frame: handles the waiting events, lets time pass, and draws the window.
   void frame();
   // Draws the last frame once more, into a PNG.
   tl::expected<void, std::string> screenshot(const std::string& path) const;
@@ -52,11 +52,11 @@ class App {
 
  private:
   explicit App(AppOptions options) : options_(std::move(options)) {}
-  std::string open_window(Settings& settings);  // the error, or nothing
+  std::string open_window(Settings& settings);  // returns the error, or an empty text
   void take_settings(const Settings& settings);
   Settings current_settings() const;
   std::string keep_settings_aside(const std::string& problem);
-  std::string remember() const;  // what went wrong, or nothing
+  std::string remember() const;  // returns what went wrong, or an empty text
   void remember_changes();
   void open_first_level();
 
@@ -76,8 +76,8 @@ class App {
   void note_dialog_result();
   void note_changes();
   void dismiss_old_note();
-  bool follow_work();  // true when there is something new to show
-  bool wait();         // whether a frame is due
+  bool follow_work();  // returns true if there is something new to show
+  bool wait();         // returns whether a frame is due
 
   AppOptions options_;
   std::unique_ptr<GlWindow> window_;
@@ -86,7 +86,7 @@ class App {
   std::unique_ptr<Session> session_;
   Workspace workspace_;
   FileBrowser browser_;
-  std::optional<WorkGuard> guard_;  // none where nothing is remembered
+  std::optional<WorkGuard> guard_;  // nothing if `remember` is false
   OpenCopies copies_{state_folder() + "/copies"};
   GameStart game_start_;
   EventQueue events_;
@@ -94,25 +94,25 @@ class App {
   Ui ui_;
 
   double last_time_ = 0;    // s, of the last frame
-  double last_event_ = 0;   // s, of the user's, or of what came from outside
-  std::string noted_path_;  // of the session, when last looked at
+  double last_event_ = 0;   // s, of the last event by the user or from outside
+  std::string noted_path_;  // path of the session at the last look
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::array<bool, 11> wanted_dialogs_{};  // one for each dialog, when last looked at
-  std::string wanted_field_;               // that was to get the keys when last looked at
-  int frames_of_wanted_field_ = 0;         // in which it may still come
-  int frames_to_hold_ = 0;                 // in which presses wait
-  std::string note_;                       // the message that is timed
+  std::array<bool, 11> wanted_dialogs_{};  // one for each dialog, at the last look
+  std::string wanted_field_;               // the field that should get the keys, at the last look
+  int frames_of_wanted_field_ = 0;         // number of frames in which it may still come
+  int frames_to_hold_ = 0;                 // number of frames in which presses wait
+  std::string note_;                       // the message whose time is measured
   double note_since_ = 0;                  // s
-  bool note_waits_ = false;                // for the user, who was elsewhere: its time has not begun
-  Preferences noted_preferences_;          // that were remembered last
-  std::string remember_problem_;           // told last
-  bool remembers_settings_ = true;         // false: the file holds some that could not be read
+  bool note_waits_ = false;                // the user was elsewhere: its time has not begun
+  Preferences noted_preferences_;          // the preferences that were saved last
+  std::string remember_problem_;           // the last problem that was shown
+  bool remembers_settings_ = true;         // false: the file has settings that could not be read
   int drawn_frames_ = 0;
 };
 
-// The editor on a file; empty: the demo level. Returns the exit status.
+// Runs the editor on a file; empty: the demo level. Returns the exit status.
 int run_editor(const std::string& file);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Where the files that come with the program are.
+// Finds the files that come with the program.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace talus {
 // in the source tree that the program was built from. The file need not exist.
 std::string asset_path(std::string_view name);
 
-// The paths of the levels in assets/hard_cases, by name; none when the folder is missing.
+// The paths of the levels in assets/hard_cases, sorted by name; empty if the folder is missing.
 std::vector<std::string> hard_case_paths();
 
 }  // namespace talus

@@ -1,6 +1,6 @@
-// One file for each process: a line of JSON about the level, then the recordings, of as many bytes as it
-// says, then the level in the native format. Beside it lies a file that is locked as long as the process
-// lives; the system gives the lock back however it ends.
+// One file for each process: a line of JSON about the level, then the recordings, whose size the line says,
+// then the level in the native format. Beside it is a file that is locked as long as the process lives; the
+// system releases the lock however the process ends.
 #include "autosave.h"
 
 #include <fcntl.h>
@@ -40,8 +40,8 @@ std::int64_t seconds_since_1970() {
 
 std::string lock_file(const std::string& file) { return file + std::string(kLockExtension); }
 
-// The descriptor of the locked file; -1 with errno when there can be none, with EWOULDBLOCK when another
-// process has the lock.
+// The descriptor of the locked file; -1 with errno if there is none, EWOULDBLOCK if another process has the
+// lock.
 int locked(const std::string& file, int flags) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | flags, 0600);
   if (descriptor < 0 || try_lock(descriptor, file)) return descriptor;
@@ -51,7 +51,7 @@ int locked(const std::string& file, int flags) {
   return -1;
 }
 
-// Without a lock file nobody can be running that would have made one.
+// A process that runs would have made a lock file.
 bool owner_runs(const std::string& file) {
   const int lock = locked(lock_file(file), 0);
   if (lock < 0) return errno == EWOULDBLOCK;
@@ -59,7 +59,7 @@ bool owner_runs(const std::string& file) {
   return false;
 }
 
-// What killed processes left half written, and their locks of nothing.
+// Removes files that killed processes left half written, and locks that belong to no file.
 void remove_remains(const std::string& folder) {
   std::error_code error;
   std::vector<std::string> remains;
@@ -74,7 +74,7 @@ void remove_remains(const std::string& folder) {
   for (const std::string& file : remains) remove_if_unlocked(file);
 }
 
-// Of a file that cannot be read.
+// The entry for a file that cannot be read.
 SavedWork unreadable(const std::string& file, std::string problem) {
   SavedWork work{file, {}, fs::path(file).filename().string(), 0, nullptr};
   struct stat status = {};
@@ -89,7 +89,7 @@ std::string to_text(const FormatError& error) {
 
 tl::unexpected<std::string> damaged(const std::string& what) { return tl::unexpected("is damaged: " + what); }
 
-// The file's bytes after its first line, which `about` is.
+// The bytes of the file after its first line, which `about` holds.
 tl::expected<SavedWork, std::string> read_parts(const std::string& file, const json& about,
                                                 std::string_view rest, const Progress& progress) {
   SavedWork work{file, {}, kUnnamed, 0, nullptr};
@@ -137,7 +137,7 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
   return {};
 }
 
-// As large as it was written: its level and its recordings are bounded one by one by their own readers.
+// A file is read whatever its size: the readers of its level and of its recordings have limits of their own.
 tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, const Progress& progress) try {
   constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max() / 2;
   const auto bytes = read_file(file, kAnySize, progress.part(0, 0.1));
@@ -158,7 +158,7 @@ Autosave::~Autosave() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-// The first free name: a process may have several sessions, and numbers of processes come again.
+// The first free name: a process may have several sessions, and process ids are used again.
 tl::expected<void, std::string> Autosave::hold_lock() {
   if (lock_ >= 0) return {};
   std::error_code error;
@@ -233,13 +233,13 @@ void Autosave::finish_writing() {
   if (writing_.valid()) note(writing_.get(), writing_revision_);
 }
 
-// What was not written is still to be written.
+// The work that was not written still has to be written.
 void Autosave::note(const tl::expected<void, std::string>& written, Revision revision) {
   problem_ = written ? std::nullopt : std::optional(written.error());
   if (written) written_revision_ = revision;
 }
 
-// Where a file cannot be removed, its lock stays, and the next call tries again.
+// If a file cannot be removed, its lock stays, and the next call tries again.
 void Autosave::remove() {
   changed_since_.reset();
   written_revision_.reset();

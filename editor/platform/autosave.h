@@ -1,5 +1,5 @@
 // Autosave: writes the level away while it has unsaved changes, or runs that the user has worked on, so that
-// a crash costs a few seconds at most, and finds what programs that ended without warning have left.
+// a crash costs a few seconds at most. It also finds what other programs left that ended without warning.
 #pragma once
 
 #include <chrono>
@@ -14,40 +14,40 @@
 
 namespace talus {
 
-// What was saved of a level before the program that edited it ended, or a file that should hold such.
+// What was saved of a level before its program ended, or a file that should hold this.
 struct SavedWork {
-  std::string file;                    // that holds it
-  std::string path;                    // the level's own file; empty: none
+  std::string file;                    // the file that holds it
+  std::string path;                    // the level's own file; empty: it has none
   std::string name;                    // for titles
   std::int64_t time = 0;               // s since 1970, when it was saved
-  std::shared_ptr<const Level> level;  // null: the file cannot be read, and `problem` tells why
-  // Of the runs with marks or inputs of the user's, none null, the one that was worked on last at the end.
+  std::shared_ptr<const Level> level;  // null: the file cannot be read, and `problem` says why
+  // Runs with marks or inputs of the user's, never null; the one that was worked on last comes last.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
   std::string problem = {};  // "is damaged: of its level line 3: ..."; empty: it was read
 };
 
-// The error tells what of it and why: "the file cannot be written: No space left on device".
+// The error says what could not be written, and why: "the file cannot be written: No space left on device".
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);
-// Of any size. The error is that of `problem`. progress: it ends early, with an error, where that says so.
+// Reads a file of any size. The error is as `problem`. progress: may stop the reading, which is an error.
 tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, const Progress& progress = {});
 
 class Autosave {
  public:
-  // Unsaved work is in a file within this time, s, and a moment for writing it.
+  // s: unsaved work is in a file within this time, plus the time to write it.
   static constexpr double kDelay = 4.5;
 
-  // folder: made when it is needed. Another process with the same one keeps files of its own.
+  // folder: created when needed. Processes that share it have files of their own.
   explicit Autosave(std::string folder);
-  ~Autosave();  // waits for what is being written; what there is stays
+  ~Autosave();  // waits for what is being written; files stay
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  // To be called often; now: s. Writes on a thread of its own, and again after a failure until it succeeds.
-  // Returns problem() where there was none before.
+  // Call it often; now: s. Writes on a thread of its own, and tries again after a failure until it succeeds.
+  // Returns problem() when it newly fails.
   std::optional<std::string> follow(const Session& session, double now);
-  // The same at once, waiting for it.
+  // Writes at once, and waits for it.
   tl::expected<void, std::string> save_now(const Session& session);
-  // Why the last writing failed, as write_saved_work() tells it; nothing: it did not.
+  // Why the last writing failed, in the words of write_saved_work(); nothing: it succeeded.
   const std::optional<std::string>& problem() const { return problem_; }
   bool is_writing() const {
     return writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
@@ -56,22 +56,22 @@ class Autosave {
   std::string own_file() const { return lock_ >= 0 ? file_ : ""; }  // empty: there is none
   // When the next writing is due; nothing while all is written.
   std::optional<double> due() const;
-  void remove();  // nothing is worth keeping any more
+  void remove();  // call it when nothing is worth keeping any more
 
-  // What ended processes have left, the latest first; of a running process nothing. What cannot be read is
-  // left alone, and listed with its problem.
+  // Returns what ended processes have left, the latest first, but nothing of running processes. Files that
+  // cannot be read stay, and are listed with their problem.
   std::vector<SavedWork> left_behind() const { return left_behind_in(folder_, own_file(), {}); }
-  // The same for another thread. own: own_file(). progress: as read_saved_work(); some are left out then.
+  // The same for another thread. own: own_file(). progress: as in read_saved_work(); a stop leaves some out.
   static std::vector<SavedWork> left_behind_in(const std::string& folder, const std::string& own,
                                                const Progress& progress);
-  // Of all files of a folder that left_behind_in() would look at; 0 where there are none.
+  // The size of all files of a folder that left_behind_in() would read; 0 if there are none.
   static std::uintmax_t bytes_in(const std::string& folder);
-  // Of what left_behind() gave: it was taken over by this process, or is wanted no more. The error is one
-  // sentence.
+  // Removes an entry of left_behind(), after this process took it over or the user discarded it. The error is
+  // one sentence.
   static tl::expected<void, std::string> discard(const SavedWork& work);
 
  private:
-  std::string folder_, file_;  // file_: of this process
+  std::string folder_, file_;  // file_: that of this process
   int lock_ = -1;              // descriptor
   struct Revision {
     std::uint64_t level = 0, runs = 0;
@@ -81,16 +81,16 @@ class Autosave {
     return {session.revision(), session.runs_revision()};
   }
 
-  // That tells others that this process runs.
+  // The lock shows other processes that this one runs.
   tl::expected<void, std::string> hold_lock();
   void write_when_due(const Session& session, double now);
   void finish_writing();
   void note(const tl::expected<void, std::string>& written, Revision revision);
   SavedWork work_of(const Session& session) const;
 
-  std::optional<Revision> written_revision_;  // nothing: none is
-  Revision writing_revision_;                 // of what the thread writes
-  std::optional<double> changed_since_;       // s; or since the last writing failed
+  std::optional<Revision> written_revision_;  // nothing: none is written
+  Revision writing_revision_;                 // of what the thread is writing
+  std::optional<double> changed_since_;       // s; since the first unsaved change, or since the last failure
   std::optional<std::string> problem_;
   std::future<tl::expected<void, std::string>> writing_;
 };

@@ -7,10 +7,10 @@
 namespace talus {
 namespace {
 
-constexpr float kStraight = 1;            // px: so far from a line a place may be that counts as on it
-constexpr std::size_t kMostWaiting = 64;  // events: more of them, and a drag cuts corners to keep up
+constexpr float kStraight = 1;            // px: a place so near to a line counts as on it
+constexpr std::size_t kMostWaiting = 64;  // events; with more of them a drag cuts corners to keep up
 
-// Dear ImGui's number of a button; -1 for those without.
+// Dear ImGui's number of a button; -1 for others.
 int button_index(Uint8 button) {
   switch (button) {
     case SDL_BUTTON_LEFT:
@@ -43,7 +43,7 @@ bool is_press(const SDL_Event& e) {
 
 bool is_modifier(SDL_Keycode key) { return key >= SDLK_LCTRL && key <= SDLK_RGUI; }
 
-// A key that Dear ImGui looks at, unlike those whose text is all that counts.
+// A key that Dear ImGui looks at, unlike keys that only matter as text.
 bool is_command_key(const SDL_Event& e) {
   if (!is_key(e) || is_modifier(e.key.keysym.sym)) return false;
   const SDL_Keysym& sym = e.key.keysym;
@@ -94,7 +94,7 @@ bool EventQueue::drags() const {
   return std::find(mouse_.down.begin(), mouse_.down.end(), true) != mouse_.down.end();
 }
 
-// Whether the straight line to where the mouse goes leaves a place out that it has passed in this frame.
+// Whether the straight line to where the mouse goes misses a place that it has passed in this frame.
 bool EventQueue::turns(const SDL_Event& event) const {
   if (event.type != SDL_MOUSEMOTION || waiting_.size() > kMostWaiting) return false;
   const MousePlace to{static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};

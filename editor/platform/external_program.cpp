@@ -1,4 +1,4 @@
-// Splitting, forking, and what to open.
+// Splits command lines, starts programs, and finds the files for them.
 #include "external_program.h"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What stands for the words in braces; an error for one that nobody knows.
+// Replaces the words in braces; an unknown one is an error.
 tl::expected<std::string, std::string> filled_in(const std::string& word, const std::string& file,
                                                  const std::string& folder) {
   std::string text;
@@ -45,12 +45,12 @@ void point_at_nothing() {
   for (int descriptor = 0; null >= 0 && descriptor <= 2; ++descriptor) ::dup2(null, descriptor);
 }
 
-// In the child of a child, which nobody has to wait for. Only calls that are safe after a fork.
+// Runs in the child of a child, so that nobody has to wait for it. Only calls that are safe after a fork.
 [[noreturn]] void become(char* const* arguments, int errors) {
   ::setsid();
   if (::fork() != 0) ::_exit(0);
   point_at_nothing();
-  ::signal(SIGXFSZ, SIG_DFL);  // which this program ignores
+  ::signal(SIGXFSZ, SIG_DFL);  // this program ignores it
   ::execvp(arguments[0], arguments);
   const int error = errno;
   const ssize_t told = ::write(errors, &error, sizeof error);
@@ -59,11 +59,11 @@ void point_at_nothing() {
 
 struct FileToOpen {
   std::string path;
-  std::string note;  // what was done to have it
+  std::string note;  // what was done to get it
 };
 
-// The level's own file, saved if need be, or a copy in the program's format. Nothing when it cannot be had;
-// then a message or question of the session tells why.
+// Returns the level's own file, saved if needed, or a copy in the program's format; nothing if that fails,
+// and then a message or question of the session says why.
 std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, OpenCopies& copies) {
   const auto fail = [&](const std::string& text) {
     session.apply(action::ShowMessage{text, true});
@@ -95,7 +95,7 @@ std::string whole_path_of(const std::string& path) {
   return error ? path : whole.string();
 }
 
-// Where the level's game is exported to, if the user has allowed that; empty: nowhere.
+// The folder that the level's game is exported to, if the user has allowed that; empty if there is none.
 std::string game_folder(const Session& session) {
   const auto preset = game_preset(session.level());
   if (!preset || !session.allows_export(*preset)) return "";
@@ -114,8 +114,8 @@ tl::expected<std::vector<std::string>, std::string> split_command(std::string_vi
                                                                   const std::string& file,
                                                                   const std::string& folder) {
   std::vector<std::string> words;
-  char quote = 0;        // that is open
-  bool in_word = false;  // also in an empty one, ""
+  char quote = 0;        // the open quote
+  bool in_word = false;  // true also for an empty word, ""
   for (const char c : line) {
     const bool blank = c == ' ' || c == '\t';
     if (quote == 0 && blank) {
@@ -150,7 +150,7 @@ tl::expected<void, std::string> start_detached(const std::vector<std::string>& a
     return tl::unexpected(arguments.front() +
                           " cannot be started: " + std::generic_category().message(error) + ".");
   };
-  int pipe[2];  // closes itself when the program starts, and else tells why it did not
+  int pipe[2];  // closes when the program starts; otherwise it brings the reason
   if (::pipe2(pipe, O_CLOEXEC) != 0) return failure(errno);
   const pid_t child = ::fork();
   if (child == 0) become(pointers.data(), pipe[1]);

@@ -1,5 +1,5 @@
-// Starts programs of others on a level's file, by command lines that the user has written. No shell ever sees
-// them, so that no file's name can do harm.
+// Starts other programs on a level's file, by command lines that the user has written. No shell is involved,
+// so the name of a file cannot do harm.
 #pragma once
 
 #include <string>
@@ -13,25 +13,25 @@
 
 namespace talus {
 
-// The arguments of a command line: words, where "..." and '...' keep blanks, and then {file} and {folder}
-// stand for the file and its folder, blanks and quotes in them included. An error in one sentence for an
-// empty line, an open quote or another word in braces.
-// folder: what {folder} stands for; empty: the folder of the file.
+// Splits a command line into arguments. "..." and '...' keep blanks. Then {file} and {folder} are replaced by
+// the file and its folder, with their blanks and quotes. The error for an empty line, an open quote or
+// another word in braces is one sentence.
+// folder: replaces {folder}; empty: the folder of the file.
 tl::expected<std::vector<std::string>, std::string> split_command(std::string_view line,
                                                                   const std::string& file,
                                                                   const std::string& folder = {});
 
-// Starts it on its own: it goes on when this program ends, and cannot be heard. An error in one sentence when
-// there is no such program.
+// Starts a program of its own: it goes on when this program ends, and its output is not read. The error, if
+// there is no such program, is one sentence.
 tl::expected<void, std::string> start_detached(const std::vector<std::string>& arguments);
 
-// Whether the program's command line can be understood; a message tells what is wrong with it.
+// Whether the program's command line is valid; a message says what is wrong with it.
 bool can_open(Session& session, ProgramId program, const ProgramCommands& commands);
 
-// Opens the level in the program, its files by whole paths, which no program takes for an option: saves it to
-// its own file when that is one of the program's format, or else has a copy of it written, which `copies`
-// keeps up to it. LÖVE gets the folder that the level's game is exported to, or else that of the level's
-// file. A message tells what was done, or what went wrong.
+// Opens the level in the program, with absolute paths, which no program takes for options. It saves the level
+// to its own file if the program reads that format; if not, it writes a copy, which `copies` keeps up to
+// date. LÖVE gets the folder of the level's exported game or, without one, the folder of the level's file. A
+// message says what was done, or what went wrong.
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
                      OpenCopies& copies);
 

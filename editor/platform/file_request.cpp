@@ -1,4 +1,4 @@
-// One request a kind of dialog.
+// One request for each kind of dialog.
 #include "file_request.h"
 
 #include <filesystem>
@@ -21,7 +21,7 @@ std::vector<std::string> level_endings(bool to_save) {
   return endings;
 }
 
-// The ending of a level's file as a format knows it: a name without one stays in the format.
+// The extension of a level's file in its format: a name without one stays in the format.
 std::string ending_of(const std::string& path) {
   const Format* format = path.empty() ? nullptr : format_for_file(path);
   if (format != nullptr && format->write != nullptr) {
@@ -44,7 +44,7 @@ FileRequest save_picture(const Session& session, FileDialog dialog, const std::s
       {"png"}, ".png"};
 }
 
-// Nothing: no preset is there, or of a target that is not known.
+// Returns nothing if there is no preset, or its target is not known.
 std::optional<FileRequest> name_export(const Session& session, const View& view) {
   const auto& exports = session.level().exports;
   if (view.exports.preset >= exports.size()) return std::nullopt;
@@ -69,7 +69,7 @@ FileRequest open_level(const Session& session, const View& view) {
   return {FileDialog::open, Purpose::opens, "Open a level, cart or recording", near, endings, ""};
 }
 
-// What came from a cart that cannot be written, such as a PNG, is proposed as one that can.
+// For a cart whose format cannot be written, such as a PNG, the proposed name is of a format that can.
 FileRequest save_level_as(const Session& session) {
   const bool is_cart = session.path().empty() && session.level().cart != nullptr;
   const std::string near = is_cart ? named_like(session, ".tic") : session.path();

@@ -1,4 +1,4 @@
-// Which files the dialog asks for: what it says, what it lists, and what is done with the answer.
+// FileRequest: which files the dialog asks for: its texts, its list, and what happens with the answer.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@
 namespace talus {
 
 struct FileRequest {
-  // names, names_folder: where something will be written later; saves: it is written at once.
+  // names, names_folder: something will be written there later; saves: it is written at once.
   enum class Purpose { opens, saves, names, names_folder };
   FileDialog dialog = FileDialog::open;
   Purpose purpose = Purpose::opens;
   std::string title;  // "Open a level or cart"
   std::string near;   // path: where to start and, unless it opens, the name to suggest; may be empty
-  std::vector<std::string> endings;  // of the files that are listed: "tic", without the dot
-  std::string ending;                // unless it opens: put behind a name without one
+  std::vector<std::string> endings;  // extensions of the listed files: "tic", without the dot
+  std::string ending;                // unless it opens: the extension for a name without one
 
   bool names_new() const { return purpose != Purpose::opens; }
   bool names_folder() const { return purpose == Purpose::names_folder; }
 };
 
-// What the dialog that is open asks for; nothing: none is open.
+// The request of the open dialog; nothing if no dialog is open.
 std::optional<FileRequest> wanted_file(const Session& session, const View& view);
-// What is done with the file that was chosen.
+// Acts on the chosen file.
 Action answer_to(FileDialog dialog, const std::string& path, const Session& session, const View& view);
 
 }  // namespace talus

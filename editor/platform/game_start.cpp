@@ -1,4 +1,4 @@
-// The export goes on beside the window, and may ask first, so the start waits for it.
+// The export runs beside the window, and may ask first, so the start waits for it.
 #include "game_start.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// GameStart: exports the game of a level, and runs it in LÖVE when it is written.
+// GameStart: exports the game of a level, and runs it in LÖVE once it is written.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,21 @@
 
 namespace talus {
 
-// The level's first preset that makes a game for LÖVE: an index; nothing: it has none.
+// Index of the level's first preset that makes a game for LÖVE; nothing if it has none.
 std::optional<std::size_t> game_preset(const Level& level);
 
 class GameStart {
  public:
-  // Saves the level and exports its game, which follow() starts. False: the level has no preset of one.
+  // Saves the level and exports its game, which follow() starts. Returns false if the level has no such
+  // preset.
   bool begin(Session& session, const ProgramCommands& commands);
-  // To be called after each frame's actions: starts the game once it is written. What keeps it from being
-  // written has been told by the session, and ends the wait.
+  // Call it after each frame's actions: starts the game once it is written. If the export fails, the session
+  // has said why, and the wait ends.
   void follow(Session& session, const ProgramCommands& commands, OpenCopies& copies);
 
  private:
-  std::optional<ExportPreset> waiting_;  // for its export
-  bool is_exporting_ = false;            // it has been asked for
+  std::optional<ExportPreset> waiting_;  // the preset whose export it waits for
+  bool is_exporting_ = false;            // whether the export was requested
 };
 
 }  // namespace talus

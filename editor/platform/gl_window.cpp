@@ -21,9 +21,9 @@
 namespace talus {
 namespace {
 
-constexpr int kLeastWidth = 1152, kLeastHeight = 700;  // px: below, panels are cut off
+constexpr int kLeastWidth = 1152, kLeastHeight = 700;  // px: in a smaller window panels are cut off
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp at whole multiples of this only
+constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp only at whole multiples of this
 
 void set_gl_attributes() {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
@@ -33,7 +33,7 @@ void set_gl_attributes() {
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
 }
 
-// Four fifths of the display, but no less than the layout is made for where there is room.
+// Four fifths of the display, but at least the size that the layout is made for, if there is room.
 ImVec2 first_size(bool offscreen) {
   const ImVec2 designed{1280, 720};
   SDL_Rect room{};
@@ -65,7 +65,7 @@ void load_fonts(const WindowStyle& style, float pixel_ratio) {
   io.FontGlobalScale = 1 / pixel_ratio;
 }
 
-// ImGui's mouse that is nowhere is as far away as a float goes, which is no pixel's number.
+// ImGui's place of a mouse that is nowhere is as far away as a float allows, which is not a pixel number.
 void new_frame() {
   ImGui::NewFrame();
   constexpr float kNowhere = -300'000;  // just as invalid
@@ -87,8 +87,7 @@ std::string GlWindow::start(const WindowOptions& options) {
   has_video_ = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
   if (options.offscreen) SDL_ResetHint(SDL_HINT_VIDEODRIVER);
   if (!has_video_) return std::string("No screen to open a window on: ") + SDL_GetError() + ".";
-  // Where SDL finds no screen it falls back to drivers that show nothing: a window there would only seem to
-  // hang.
+  // Without a screen SDL falls back to drivers that show nothing, and the program would only seem to hang.
   const std::string driver = SDL_GetCurrentVideoDriver();
   is_invisible_ = driver == "offscreen" || driver == "dummy" || driver == "evdev";
   if (is_invisible_ && !options.offscreen && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
@@ -109,12 +108,12 @@ std::string GlWindow::start(const WindowOptions& options) {
   IMGUI_CHECKVERSION();
   imgui_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(imgui_);
-  ImGui::GetIO().IniFilename = nullptr;  // the layout is ours
+  ImGui::GetIO().IniFilename = nullptr;  // the program has a layout of its own
   ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
   if (!ImGui_ImplSDL2_InitForOpenGL(window_, gl_)) return "Dear ImGui cannot use the window.";
   has_backend_ = true;
   if (!ImGui_ImplOpenGL3_Init("#version 330")) return "Dear ImGui cannot use OpenGL.";
-  // Without it a full window, of more than 65,536 corners, would end the program.
+  // Without this, a full window with more than 65,536 vertices would end the program.
   if ((ImGui::GetIO().BackendFlags & ImGuiBackendFlags_RendererHasVtxOffset) == 0)
     return "OpenGL 3.2 is missing: this version cannot draw more than 65,536 vertices.";
   return {};
@@ -146,7 +145,7 @@ float GlWindow::pixel_ratio() const {
 }
 
 void GlWindow::set_style(const WindowStyle& style) {
-  const float ratio = pixel_ratio();  // another one on another screen
+  const float ratio = pixel_ratio();  // differs between screens
   if (style == style_ && ratio == font_ratio_) return;
   style_ = style;
   font_ratio_ = ratio;
@@ -158,8 +157,8 @@ void GlWindow::set_style(const WindowStyle& style) {
 
 void GlWindow::process_event(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
-// What is held down already was meant for something else. The control that has the keys is shown, but in
-// lists and menus, which the mouse may have opened.
+// What is held down already was meant for something else. The focused control is highlighted, except in lists
+// and menus, which the mouse may have opened.
 void GlWindow::start_key_navigation() {
   for (float& duration : ImGui::GetIO().NavInputsDownDuration) duration = 0;
   ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -167,8 +166,8 @@ void GlWindow::start_key_navigation() {
   if (!has_list) context.NavDisableHighlight = false;
 }
 
-// Where keys go from control to control, Enter takes what is chosen, as Space does. Elsewhere the keys are
-// the commands', and in a text the text's.
+// While keys navigate, Enter chooses like Space. Elsewhere keys belong to the commands, or to the text that
+// is typed.
 void GlWindow::enable_key_navigation(bool wanted) {
   ImGuiIO& io = ImGui::GetIO();
   if (!wanted || io.WantTextInput) {
@@ -180,7 +179,7 @@ void GlWindow::enable_key_navigation(bool wanted) {
   if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
-// This version's Tab stops at fields alone; here it stops at buttons, too.
+// In this version of Dear ImGui Tab stops only at fields; this makes it stop at buttons, too.
 void GlWindow::let_tab_reach_every_control() {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   if (!context.NavMoveSubmitted || (context.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) == 0) return;
@@ -193,7 +192,7 @@ void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorP
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
 #if IMGUI_VERSION_NUM < 18700
-  // This version asks SDL where the mouse is; events that a test has pushed would not count.
+  // This version of Dear ImGui asks SDL for the mouse; events that a test has pushed would not count.
   ImGuiIO& io = ImGui::GetIO();
   const MouseState& mouse = events.mouse();
   io.MousePos = mouse.inside ? ImVec2(mouse.x, mouse.y) : ImVec2(-FLT_MAX, -FLT_MAX);
@@ -234,8 +233,7 @@ void GlWindow::draw() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-// Where nothing is shown, nothing waits for a frame either: the driver would keep the commands and the
-// textures of all of them.
+// If nothing is shown, nothing waits for a frame either: the driver would keep all commands and textures.
 void GlWindow::present() {
   if (!offscreen_) SDL_GL_SwapWindow(window_);
   if (is_invisible_) glFinish();

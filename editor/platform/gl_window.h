@@ -17,7 +17,7 @@ namespace talus {
 
 struct WindowOptions {
   std::string title = "Talus";
-  int width = 0, height = 0;  // px of the screen; 0: most of the display, 1280x720 without one
+  int width = 0, height = 0;  // px of the screen; 0: most of the display, or 1280x720 without one
   bool offscreen = false;     // without any display, by SDL's driver of that name
 };
 
@@ -30,7 +30,7 @@ struct WindowStyle {
 
 class GlWindow {
  public:
-  // The error says what is missing, in one sentence.
+  // The error is one sentence on what is missing.
   static tl::expected<std::unique_ptr<GlWindow>, std::string> open(const WindowOptions& options);
   ~GlWindow();
   GlWindow(const GlWindow&) = delete;
@@ -41,16 +41,16 @@ class GlWindow {
   float pixel_ratio() const;  // pixels of the framebuffer for one of the window
   bool is_minimized() const { return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0; }
 
-  // Fonts and colours; cheap when it is the style already set.
+  // Sets fonts and colours; cheap if the style is already set.
   void set_style(const WindowStyle& style);
   void process_event(const SDL_Event& event);
-  // pointer: what the mouse is said to be; nothing: what the events make it. keys_navigate: the arrows,
-  // Tab, Space and Enter go through what is open, control by control.
+  // pointer: place and buttons of the mouse; nothing: those of the events. keys_navigate: arrows, Tab, Space
+  // and Enter move through the open controls.
   void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer, bool keys_navigate);
-  void begin_picture(ImVec2 size);  // a frame of that size in px for draw_picture(), whatever the window's is
-  // Makes triangles of what was put into Dear ImGui since begin_frame(); draw() gives them to OpenGL, and
-  // present() shows them. Offscreen nobody would see them: there draw_picture() draws, when a picture is
-  // wanted.
+  // Begins a frame of that size in px for draw_picture(), whatever the size of the window.
+  void begin_picture(ImVec2 size);
+  // Makes triangles of what Dear ImGui got since begin_frame(). draw() hands them to OpenGL, and present()
+  // shows them. Offscreen nobody would see them: there draw_picture() draws when a picture is wanted.
   void end_frame();
   void draw();
   void present();
@@ -60,16 +60,16 @@ class GlWindow {
   static void enable_key_navigation(bool wanted);
   static void let_tab_reach_every_control();
   GlWindow() = default;
-  std::string start(const WindowOptions& options);  // the error, or nothing
+  std::string start(const WindowOptions& options);  // returns the error, or an empty text
 
   SDL_Window* window_ = nullptr;
   SDL_GLContext gl_ = nullptr;
   ImGuiContext* imgui_ = nullptr;
   bool offscreen_ = false;
-  bool is_invisible_ = false;  // SDL's driver has no screen
+  bool is_invisible_ = false;  // whether SDL's driver has no screen
   bool has_video_ = false;
   bool has_backend_ = false;
-  WindowStyle style_{0, 0, ThemeKind::dark};  // that was set last
+  WindowStyle style_{0, 0, ThemeKind::dark};  // the style that was set last
   float font_ratio_ = 0;                      // pixel_ratio() at that time
 };
 

@@ -1,4 +1,4 @@
-// Making and keeping the textures of the map.
+// Makes and keeps the textures of the map.
 #include "map_texture_cache.h"
 
 #include <SDL_opengl.h>
@@ -12,7 +12,7 @@ unsigned make_texture() {
   unsigned name = 0;
   glGenTextures(1, &name);
   glBindTexture(GL_TEXTURE_2D, name);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // where a block is less than a pixel
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // for blocks smaller than a pixel
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -83,7 +83,7 @@ void MapTextureCache::draw(Texture& texture, const Key& key, const MapLook& look
   texture.rgba = std::move(rgba);
 }
 
-// Those of this frame stay, as they are still to be drawn.
+// Textures of this frame stay, since they are still to be drawn.
 void MapTextureCache::forget_oldest() {
   while (textures_.size() > kMost) {
     const auto oldest =

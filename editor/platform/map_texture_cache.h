@@ -1,4 +1,5 @@
-// The map from afar as OpenGL textures, each made when it is first seen and again when the level has changed.
+// MapTextureCache: the map from afar as OpenGL textures. Each is made when it is first seen, and again when
+// the level has changed.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace talus {
 
-// Needs a current OpenGL context all its life.
+// Needs a current OpenGL context as long as it lives.
 class MapTextureCache : public MapTextures {
  public:
   MapTextureCache() = default;
@@ -20,26 +21,26 @@ class MapTextureCache : public MapTextures {
   MapTextureCache(const MapTextureCache&) = delete;
   MapTextureCache& operator=(const MapTextureCache&) = delete;
 
-  // At the start of a frame. level: until the next call. revision: of the level, as Session counts it.
+  // Call it at the start of a frame. level: valid until the next call. revision: of the level, as in Session.
   void update(const Level& level, std::uint64_t revision, Ui& ui);
   std::vector<Piece> pieces(const CellRect& cells, int block, const MapLook& look,
                             const OtherLevel* other) override;
 
  private:
   static constexpr int kSide = 256;          // texels of a texture
-  static constexpr std::size_t kMost = 128;  // textures kept, each 256 KB here and there
-  // Of many cells, which take some ms to look at: drawn again no more often than every so many frames.
+  static constexpr std::size_t kMost = 128;  // textures kept, each 256 KB in memory and on the graphics card
+  // A texture of many cells, which takes some ms, is drawn again at most once in so many frames.
   static constexpr std::uint64_t kFramesBetween = 20;
 
   struct Texture {
     unsigned name = 0;
-    std::vector<std::uint8_t> rgba;     // as it is in the texture
-    MapLook look;                       // that it has
+    std::vector<std::uint8_t> rgba;     // content of the texture
+    MapLook look;                       // the look that it has
     std::uint64_t revision = 0;         // of the level that it shows
     std::uint64_t drawn = 0, used = 0;  // frames
   };
-  // Which texture: place of the other level (0: the one that is edited), block, balls hidden, column and row
-  // among those of the same kind.
+  // Key of a texture: place of the other level (0: the edited one), block, whether balls are hidden, column
+  // and row among those of the same kind.
   using Key = std::tuple<int, int, bool, int, int>;
 
   bool is_stale(const Texture& texture, int block, const MapLook& look, std::uint64_t revision) const;

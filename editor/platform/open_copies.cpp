@@ -1,4 +1,4 @@
-// Writing copies, once and again.
+// Writes copies, once and again.
 #include "open_copies.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
       name.substr(0, name.find('.')) + "." + std::string(exporter.extensions.front());
   const std::string path = (fs::path(folder_) / copy_name).string();
   std::error_code error;
-  fs::create_directories(folder_, error);  // where that fails, so does the writing
+  fs::create_directories(folder_, error);  // if this fails, so does the writing
   auto copy = make_copy(session.level(), exporter, path);
   if (!copy) return tl::unexpected(copy.error());
   const std::vector<std::string> files = paths_of(exporter, *copy, path);
@@ -62,7 +62,7 @@ tl::expected<OpenCopies::Written, std::string> OpenCopies::write(const Session& 
   return copies_.back().written;
 }
 
-// What is there and was not written here gets another name: those, or nothing.
+// Renames a file that was not written here. Returns the new name, or nothing.
 tl::expected<std::string, std::string> OpenCopies::make_room(const std::vector<std::string>& files) const {
   std::string all;
   for (const std::string& file : files) {
@@ -90,7 +90,7 @@ std::string OpenCopies::note(const std::vector<std::string>& files) const {
 void OpenCopies::follow(Session& session) {
   if (session.saves() == std::exchange(saves_, session.saves())) return;
   if (level_file_.empty()) level_file_ = session.path();
-  if (level_file_ != session.path()) forget();  // the copies are of the file before
+  if (level_file_ != session.path()) forget();  // the copies belong to the file before
   std::string told, problems;
   const auto add = [](std::string& text, const std::string& more) {
     text += (text.empty() ? "" : " ") + more;
@@ -111,7 +111,7 @@ void OpenCopies::follow(Session& session) {
   session.apply(action::ShowMessage{std::move(text), failed});
 }
 
-// One sentence on why it was not written; empty: it was.
+// One sentence on why it was not written; empty if it was.
 std::string OpenCopies::write_again(const Session& session, Copy& copy) const {
   const ProgramInfo& info = info_of(copy.program);
   if (copy.stamp && file_change(copy.written.path, *copy.stamp) == FileChange::content)

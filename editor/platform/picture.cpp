@@ -1,4 +1,4 @@
-// Rendering into a framebuffer object.
+// Renders into a framebuffer object.
 #define GL_GLEXT_PROTOTYPES
 #include "picture.h"
 
@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-// A framebuffer object of one colour buffer, bound while it lives.
+// A framebuffer object with one colour buffer, bound while it lives.
 class Framebuffer {
  public:
   Framebuffer(int width, int height) {
@@ -61,7 +61,7 @@ tl::expected<Picture, std::string> draw_picture() {
   picture.rgba.resize(row * static_cast<std::size_t>(picture.height));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-  for (int y = 0; y < picture.height / 2; ++y)  // OpenGL's first row is the lowest
+  for (int y = 0; y < picture.height / 2; ++y)  // OpenGL's first row is the lowest one
     std::swap_ranges(picture.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y,
                      picture.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (y + 1),
                      picture.rgba.end() - static_cast<std::ptrdiff_t>(row) * (y + 1));

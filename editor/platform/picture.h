@@ -13,8 +13,8 @@ struct Picture {
   std::vector<std::uint8_t> rgba;  // from the top left, row by row
 };
 
-// Draws what was last rendered, at the size of the current display; ImGui::Render() must have been called. An
-// error when the graphics driver cannot draw a picture of that size.
+// Draws what was last rendered, at the size of the current display; ImGui::Render() must have been called. A
+// size that the graphics driver cannot draw is an error.
 tl::expected<Picture, std::string> draw_picture();
 
 tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path);

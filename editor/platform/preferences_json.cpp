@@ -1,4 +1,4 @@
-// Writing and reading the preferences.
+// Writes and reads the preferences.
 #include "preferences_json.h"
 
 #include <nlohmann/json.hpp>

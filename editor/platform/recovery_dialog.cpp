@@ -1,4 +1,4 @@
-// A modal list with two buttons a row; the arrows go from row to row.
+// A modal list with two buttons in each row; the arrows move between rows.
 #include "recovery_dialog.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostInView = 4;  // works before the list is scrolled
+constexpr std::size_t kMostInView = 4;  // works before the list scrolls
 
 std::string local_time(std::int64_t seconds) {
   const auto time = static_cast<std::time_t>(seconds);
@@ -44,7 +44,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
   if (!begin_dialog("Recover unsaved work", open, {ui.px(640), 0}, ui)) return std::nullopt;
   const auto readable =
       std::find_if(works.begin(), works.end(), [](const SavedWork& work) { return work.level != nullptr; });
-  // Keys that are pressed unseen must not throw anything away.
+  // Keys that are pressed before the dialog is seen must not discard anything.
   const bool later_is_first = readable == works.end() || unsaved;
   if (ImGui::IsWindowAppearing()) {
     asked_about_.reset();
@@ -109,7 +109,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw_work(std::size_t inde
   return answer;
 }
 
-// True when it was pressed for the second time.
+// Returns true when it is pressed for the second time.
 bool RecoveryDialog::draw_discard(std::size_t index, Ui& ui) {
   const std::string name = "recovery/discard" + std::to_string(index);
   const bool asked = asked_about_ == index;

@@ -1,4 +1,4 @@
-// The dialog that offers what was saved by itself before a crash.
+// The dialog that offers what was saved automatically before a crash.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,19 @@ class RecoveryDialog {
  public:
   enum class Choice { recover, discard };
   struct Answer {
-    std::size_t index = 0;  // of the work
+    std::size_t index = 0;  // of the entry
     Choice choice = Choice::recover;
   };
-  // Draws it while ui.view.program.recovery_open. `reading`: what is to be offered is still read. `unsaved`:
-  // the open level has unsaved changes, or a run that the user has worked on, so that nothing can take its
-  // place.
+  // Draws the dialog while ui.view.program.recovery_open. `reading`: the offered work is still being read.
+  // `unsaved`: the open level has unsaved changes, or a run that the user has worked on, so nothing may
+  // replace it.
   std::optional<Answer> draw(std::span<const SavedWork> works, bool reading, bool unsaved, Ui& ui);
 
  private:
   std::optional<Answer> draw_work(std::size_t index, const SavedWork& work, bool unsaved, Ui& ui);
   bool draw_discard(std::size_t index, Ui& ui);
-  std::size_t chosen_ = 0;                  // the work that had the keys last: the letters are for it
-  std::optional<std::size_t> asked_about_;  // the work that a second click throws away
+  std::size_t chosen_ = 0;                  // the entry that had the keys last: the letters are for it
+  std::optional<std::size_t> asked_about_;  // the entry that a second click discards
 };
 
 }  // namespace talus

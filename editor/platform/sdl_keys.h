@@ -1,4 +1,4 @@
-// SDL's keys as ours, and back.
+// Converts SDL's keys to ours, and back.
 #pragma once
 
 #include <SDL_events.h>
@@ -7,7 +7,7 @@
 
 namespace talus {
 
-KeyChord chord_of(const SDL_Keysym& sym);  // an empty chord for keys that we have no name for
+KeyChord chord_of(const SDL_Keysym& sym);  // an empty chord for keys without a name here
 SDL_Keysym keysym_of(const KeyChord& chord);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Uploading of sheets.
+// Uploads sheets.
 #include "sheet_textures.h"
 
 #include <SDL_opengl.h>

@@ -12,7 +12,7 @@
 
 namespace talus {
 
-// Needs a current OpenGL context all its life.
+// Needs a current OpenGL context as long as it lives.
 class SheetTextures {
  public:
   SheetTextures();
@@ -20,10 +20,10 @@ class SheetTextures {
   SheetTextures(const SheetTextures&) = delete;
   SheetTextures& operator=(const SheetTextures&) = delete;
 
-  // revision: of the level, as Session counts it.
+  // revision: of the level, as in Session.
   void update(const Level& level, std::uint64_t revision, Ui& ui);
 
-  // A sheet that is not the level's, in a palette of its own.
+  // A sheet that is not the level's, with a palette of its own.
   void show_preview(const Sheet& sheet, const Palette& palette, Ui& ui);
 
  private:

@@ -1,4 +1,4 @@
-// Offscreen drawing with the editor's own canvas.
+// Draws offscreen with the editor's own canvas.
 #include "shot.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ Rect first_screen(const TileMap& map) {
           static_cast<double>(std::min(map.height(), kScreenRows) * kTileSize)};
 }
 
-constexpr int kFramesToSettle = 3;  // text and tables need more than one to find their sizes
+constexpr int kFramesToSettle = 3;  // text and tables need more than one frame to find their sizes
 
-// Does what a user would do to see what the options ask for. False: it was told to end.
+// Does what a user would do to see what the options ask for. Returns false if it was told to stop.
 bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (options.solver) {
     Tuning tuning = session.level().tuning;
@@ -44,7 +44,7 @@ bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   return true;
 }
 
-// A step for each frame, as it is played, so that every overlay changes.
+// One step in each frame, as in play, so that every overlay changes.
 WindowCost measure(App& app) {
   app.ui().view.program.metrics.clear();
   for (std::size_t i = 0; i < FrameMetrics::kFrames; ++i) {

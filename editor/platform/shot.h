@@ -14,9 +14,10 @@ namespace talus {
 
 struct ShotOptions {
   OverlaySet overlays;
-  std::optional<Rect> area;  // level px to show; nothing: the first screen, 240x136 px, or the map if smaller
-  int zoom = 4;              // px of the picture for one of the level, 1 to 16
-  int body = 0;              // id of the body whose details are always labelled; 0: none
+  // px of the level to show; nothing: the first screen, 240x136 px, or the map if that is smaller.
+  std::optional<Rect> area;
+  int zoom = 4;  // px of the picture for each px of the level, 1 to 16
+  int body = 0;  // id of the body whose details are always labelled; 0: no body
 };
 
 // Draws the play view as the editor would. The error is one sentence without the path.
@@ -29,27 +30,27 @@ struct WindowShotOptions {
   int height = 720;
   int frames = 0;  // steps to run before the picture is taken
   OverlaySet overlays;
-  int body = 0;                        // id of the chosen body; 0: none
-  std::optional<SolverKind> solver;    // in place of the level's own
-  std::vector<std::string> panels;     // ids of the tabs to show; some: the debugger's panels are open
-  std::vector<std::string> stops;      // conditions of breakpoints, about the chosen body
-  bool runs_back = false;              // after the steps, to the last frame at which one of these stops
-  std::optional<SolverKind> compared;  // runs the same input through it, too
-  bool two_views = false;              // for the two sides
-  int stage = -1;                      // of the chosen body's step, drawn; -1: none
-  // Told the share of the steps that are run, 0..1; where it says no, there is no picture. Empty: all are
-  // run.
+  int body = 0;                      // id of the chosen body; 0: no body
+  std::optional<SolverKind> solver;  // replaces the level's own solver
+  std::vector<std::string> panels;   // ids of the tabs to show; not empty: the debugger's panels are open
+  std::vector<std::string> stops;    // conditions of breakpoints, about the chosen body
+  bool runs_back = false;  // after the steps, runs back to the last frame at which a breakpoint stops
+  std::optional<SolverKind> compared;  // solver that gets the same input, too
+  bool two_views = false;              // shows the two sides in two views
+  int stage = -1;                      // stage of the chosen body's step to draw; -1: no stage
+  // Receives the share of the steps that are done, 0..1; if it returns false, there is no picture. Empty: all
+  // steps are run.
   std::function<bool(double share)> goes_on = {};
 };
 
-// What the window cost while the level was played for as many frames as FrameMetrics remembers.
+// The cost of the window while the level was played for as many frames as FrameMetrics keeps.
 struct WindowCost {
   FrameMetrics frames;
   double ns_per_step = 0;  // of the simulation, all bodies; of the last step
 };
 
 // Draws the editor's whole window, with the default settings.
-// cost: measured before the picture is drawn; null: not.
+// cost: measured before the picture is drawn; null: not measured.
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
                                                   const std::string& png_path, WindowCost* cost = nullptr);
 

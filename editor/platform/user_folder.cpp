@@ -1,4 +1,4 @@
-// As the XDG base directory specification has them, with variables of our own before it.
+// As in the XDG base directory specification, with variables of Talus before it.
 #include "user_folder.h"
 
 #include <pwd.h>
@@ -17,8 +17,8 @@ fs::path variable(const char* name) {
   return value ? value : "";
 }
 
-// Never one below the folder in which the program was started: that may be somebody else's, with records and
-// settings in it that are trusted then.
+// Never a folder below the one in which the program was started: that may be somebody else's, and records and
+// settings in it would be trusted.
 fs::path home_folder() {
   if (const fs::path home = variable("HOME"); home.is_absolute()) return home;
   const passwd* user = getpwuid(getuid());

@@ -1,12 +1,12 @@
-// The folders in which the program keeps what is the user's own.
+// The folders for what belongs to the user.
 #pragma once
 
 #include <string>
 
 namespace talus {
 
-// Where a variable is not set, or $XDG_... or $HOME is no whole path, it counts for nothing; ~ is that of the
-// system's list of users then. $TALUS_... may be any path.
+// A variable that is not set is skipped, and so is $XDG_... or $HOME if it is not an absolute path; ~ comes
+// from the system's list of users then. $TALUS_... may be any path.
 
 // $TALUS_CONFIG_DIR, else $XDG_CONFIG_HOME/talus, else ~/.config/talus.
 std::string config_folder();

@@ -1,4 +1,4 @@
-// What is to be done when.
+// Decides what happens when.
 #include "work_guard.h"
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 namespace talus {
 namespace {
 
-// How long to wait for what was left behind: what is small is offered at once.
+// How long to wait for what was left behind: small work is offered at once.
 constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
 constexpr std::uintmax_t kSmall = 1 << 20;  // bytes
 constexpr double kPollInterval = 0.05;      // s, while it is read
-constexpr int kSecondOffer = 3;  // looks at the file, after which it looks again for what was left behind
+// Number of looks at the file after which it looks again for what was left behind.
+constexpr int kSecondOffer = 3;
 
 }  // namespace
 
@@ -40,7 +41,7 @@ void WorkGuard::offer(View& view) {
   view.program.recovery_open = was_open_ = !works_.empty();
 }
 
-// The message tells when it begins and ends; between them, the status bar does.
+// A message says when a problem begins and ends; between them the status bar shows it.
 bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
   if (autosave_.follow(session, now)) {
     told_ = "Unsaved work cannot be saved automatically: " + *autosave_.problem() +
@@ -65,7 +66,7 @@ bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
   if (now < next_look_) return changed;
   next_look_ = now + kFileInterval;
   if (busy) return changed;
-  // A process that was killed just before this one started may have been ending still.
+  // A process that was killed just before this one started may not have ended yet.
   const bool was_open = view.program.recovery_open;
   if (++looks_ == kSecondOffer && !was_open && works_.empty() && !reader_.is_busy()) start(view);
   const auto shown = [&] {
@@ -112,7 +113,7 @@ void WorkGuard::recover(std::size_t index, Session& session, View& view) {
   if (!session.reading()) finish_recovery(session, view);
 }
 
-// The old file goes once the level is in this process's own; where reading was cancelled, it stays.
+// The old file is removed once the level is in this process's own file; if reading was cancelled, it stays.
 void WorkGuard::finish_recovery(Session& session, View& view) {
   const SavedWork work = *std::exchange(recovering_, std::nullopt);
   if (session.recoveries() == recoveries_) return;

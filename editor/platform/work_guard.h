@@ -1,5 +1,5 @@
-// WorkGuard: keeps what the user made from being lost: saves it by itself, offers it after a crash, and looks
-// whether other programs change the level's file.
+// WorkGuard: keeps the user's work from being lost. It saves automatically, offers the work after a crash,
+// and checks whether other programs change the level's file.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@ class WorkGuard {
 
   explicit WorkGuard(std::string folder) : autosave_(std::move(folder)) {}
 
-  // Offers what was left behind, if there is any: at once, or by a later call of follow() where it takes long
-  // to read.
+  // Offers what was left behind, if there is any: at once, or in a later call of follow() if reading takes
+  // long.
   void start(View& view);
-  // To be called often; now: s. busy: the user is in the middle of a gesture, so that no question may come.
-  // True when there is something new to show.
+  // Call it often; now: s. busy: the user is in the middle of a gesture, so no question may come. Returns
+  // true if there is something new to show.
   bool follow(Session& session, View& view, double now, bool busy);
-  // When follow() has something to do next, s.
+  // When follow() next has something to do, s.
   double due() const;
   void draw(Session& session, Ui& ui);
-  void end(const Session& session);   // the program ends as it should
-  void keep(const Session& session);  // it ends by an error: saves what is to be recovered
+  void end(const Session& session);   // the program ends normally
+  void keep(const Session& session);  // the program ends by an error: saves what should be recovered
 
  private:
   void look_for_works();
@@ -40,16 +40,16 @@ class WorkGuard {
 
   Autosave autosave_;
   RecoveryDialog dialog_;
-  std::vector<SavedWork> works_;         // offered
-  bool wants_offer_ = false;             // as soon as they are read
-  std::optional<SavedWork> recovering_;  // while its level's file is read
-  int recoveries_ = 0;                   // of the session, before that
-  std::string told_;                     // about the autosave's problem
-  bool was_open_ = false;                // the dialog, when last looked at
-  double next_look_ = 0;                 // s, at the file
-  double polled_ = 0;                    // s, when follow() was called last
-  int looks_ = 0;                        // at it so far
-  FileReader reader_;                    // of `works_`, to which it tells what it has read: the last member
+  std::vector<SavedWork> works_;         // offered work
+  bool wants_offer_ = false;             // offers it as soon as it is read
+  std::optional<SavedWork> recovering_;  // while the file of its level is read
+  int recoveries_ = 0;                   // number of recoveries of the session before that
+  std::string told_;                     // the last shown problem of the autosave
+  bool was_open_ = false;                // whether the dialog was open at the last look
+  double next_look_ = 0;                 // s, of the next look at the file
+  double polled_ = 0;                    // s, of the last call of follow()
+  int looks_ = 0;                        // number of looks at the file so far
+  FileReader reader_;                    // fills `works_`, so it is the last member
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The arithmetic of zooming and scrolling.
+// Computes zoom and scroll positions.
 #include "camera.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ constexpr std::array<float, 25> kZooms = {1.0f / 32768,
                                           16};
 constexpr int kQuarter = 13;         // the step of 1/4
 constexpr double kKeptInSight = 48;  // px of the screen
-constexpr float kLeastFitted = 96;   // px of the screen: in a canvas that is smaller, nothing can be seen
+constexpr float kLeastFitted = 96;   // px of the screen: in a smaller canvas nothing can be seen
 
 int step_that_fits(Vec2 level, ImVec2 canvas) {
   int step = 0;

@@ -13,7 +13,7 @@ namespace talus {
 // A canvas on the screen: from level px to screen px and back.
 struct CanvasView {
   ImVec2 min, max;  // px of the screen
-  Vec2 origin;      // where the level's (0,0) lies; far away for a float at the end of a long level
+  Vec2 origin;      // place of the level's (0,0); at the end of a long level too far away for a float
   float zoom = 1;   // screen px per level px
 
   ImVec2 to_screen(Vec2 p) const {
@@ -27,27 +27,27 @@ struct CanvasView {
 class Camera {
  public:
   float zoom() const;
-  bool is_untouched() const { return untouched_; }  // still as fit() left it
-  // Zooms by `steps` (> 0: in), keeping what lies at `at` in place; px from the canvas's corner.
+  bool is_untouched() const { return untouched_; }  // whether fit() set it last
+  // Zooms by `steps` (> 0: in) and keeps what lies at `at` in place; px from the canvas's corner.
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen
   void centre(Vec2 point, ImVec2 canvas);
-  // Whether the point is on the canvas, with some room around it, and large enough to be seen: it is not in
-  // the world view.
+  // Whether the point is on the canvas, with some room around it, and large enough to be seen, which it is
+  // not in the world view.
   bool is_in_sight(Vec2 point, ImVec2 canvas) const;
-  // Scrolls as little as shows the point with some room around it; the world view shows it anyway.
+  // Scrolls as little as needed to show the point with some room around it; the world view shows it anyway.
   void keep_in_sight(Vec2 point, ImVec2 canvas);
-  // The largest zoom at which a level of this size, in px, fits; puts it in the middle.
+  // Sets the largest zoom at which a level of this size, in px, fits, and centres it.
   void fit(Vec2 level, ImVec2 canvas);
-  // The world view: the whole map, or what was shown before that.
+  // The world view: shows the whole map, or goes back.
   void toggle_whole(Vec2 map, ImVec2 canvas);
-  // Since toggle_whole(), until another zoom is chosen.
+  // True after toggle_whole() until another zoom is chosen.
   bool shows_whole() const { return before_.has_value(); }
-  // The same as centre(), but from the world view back to the zoom before it.
+  // The same as centre(), but leaves the world view for the zoom before it.
   void leave_whole(Vec2 point, ImVec2 canvas);
-  // How far out the zoom goes: to where a map of this size fits, but to 1/4 in any case.
+  // How far the zoom goes out: until a map of this size fits, but at least to 1/4.
   void limit(Vec2 map, ImVec2 canvas);
-  // Keeps part of the map in sight.
+  // Keeps a part of the map in sight.
   void clamp(Vec2 map, ImVec2 canvas);
   CanvasView view(ImVec2 min, ImVec2 size) const;
 
@@ -62,7 +62,7 @@ class Camera {
   int least_ = 13;  // the lowest step
   Vec2 offset_;     // px of the screen, from the canvas's corner to the level's
   bool untouched_ = true;
-  std::optional<Place> before_;  // where to go back to from the whole map
+  std::optional<Place> before_;  // the view before the world view
 };
 
 }  // namespace talus

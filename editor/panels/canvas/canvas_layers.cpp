@@ -1,4 +1,4 @@
-// Drawing of the layers of a canvas.
+// Draws the layers of a canvas.
 #include "canvas_layers.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace talus {
 namespace {
 
 constexpr float kFarZoom = 0.25f;
-constexpr float kLeastScreen = 16;    // px of the screen: closer borders would be all that is seen
+constexpr float kLeastScreen = 16;    // px of the screen: closer borders would cover everything
 constexpr double kSamePlace = 0.005;  // px: closer bodies hide one another
 
 // The corner and the opposite corner of an image on its sheet's texture.
@@ -33,7 +33,7 @@ SheetUv uv_of(int tile) {
   return {from, {from.x + side, from.y + side}};
 }
 
-// The cells of the map that can be seen.
+// The visible cells of the map.
 struct CellSpan {
   int x0, y0, x1, y1;  // half open
 };
@@ -54,8 +54,7 @@ bool is_one_color(const TileImage& image) {
 constexpr int kNothing = -1;
 using ShownTiles = std::array<int, kTileCount>;  // by tile: what is drawn for it, or kNothing
 
-// The cells from `from` to column `end` of a row. All at once, as there may be a hundred thousand on a
-// screen.
+// The cells from `from` to column `end` of a row, all at once: a screen may have a hundred thousand.
 void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const ShownTiles& shown,
               const CanvasView& view) {
   int count = 0;
@@ -71,13 +70,13 @@ void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const Sh
   }
 }
 
-int first_ball_tile(const Level& level) {  // -1: none
+int first_ball_tile(const Level& level) {  // -1: there is none
   for (int tile = 0; tile < kTileCount; ++tile)
     if (is_ball_tile(level, static_cast<std::uint8_t>(tile))) return tile;
   return -1;
 }
 
-// The image that a body is drawn with: its own tile, or the first ball tile; -1 when there is none.
+// The image of a body: its own tile, or the first ball tile; -1 if there is none.
 int image_of(const Level& level, const Body& body, int first_ball) {
   if (body.origin.spawn < 0 && level.map.contains(body.origin.cell) &&
       is_ball_tile(level, level.map.at(body.origin.cell)))
@@ -85,7 +84,7 @@ int image_of(const Level& level, const Body& body, int first_ball) {
   return first_ball;
 }
 
-// A box with a face, and the foot that it stands on: its whole bottom side, or the middle of it.
+// A box with a face, and its foot: the whole bottom side, or the middle of it.
 void draw_player(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
   const float w = to.x - from.x, h = to.y - from.y;
   const ImU32 dark = theme::color(theme::kDark, alpha);
@@ -120,7 +119,7 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
   const CellSpan cells = visible_cells(level.map, view);
   if (cells.x0 >= cells.x1 || cells.y0 >= cells.y1) return;
-  // Most cells of most maps hold tile 0 in one colour: one rectangle below all, instead of a square each.
+  // Most cells of most maps hold tile 0 in one colour: one rectangle below all replaces a square for each.
   const TileImage& empty = level.sheet(SheetId::tiles).images[0];
   const bool skip_empty = is_one_color(empty);
   const Rgb background = level.palette[skip_empty ? empty[0] : 0];
@@ -129,7 +128,7 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   ShownTiles shown;
   for (int tile = 0; tile < kTileCount; ++tile) {
     const bool hidden = hide_balls && is_ball_tile(level, static_cast<std::uint8_t>(tile));
-    const int looks = hidden ? 0 : tile;  // a ball's cell as tile 0
+    const int looks = hidden ? 0 : tile;  // a ball's cell shows tile 0
     shown[static_cast<std::size_t>(tile)] = looks == 0 && skip_empty ? kNothing : looks;
   }
   list.PushTextureID(ui.sheet(SheetId::tiles));
@@ -144,7 +143,7 @@ void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view
   if (ui.map_textures == nullptr) return;
   const CellSpan span = visible_cells(map, view);
   if (span.x0 >= span.x1 || span.y0 >= span.y1) return;
-  int block = 1;  // cells a texel; a texel is half a pixel at least
+  int block = 1;  // cells for each texel; a texel is at least half a pixel
   while (block < kMaxBlock && static_cast<float>(block) * kTileSize * view.zoom <= 0.5f) block *= 2;
   const CellRect cells{span.x0, span.y0, span.x1 - span.x0, span.y1 - span.y0};
   for (const MapTextures::Piece& piece : ui.map_textures->pieces(cells, block, look, other))
@@ -186,7 +185,7 @@ void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view
 }
 
 void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view) {
-  if (view.zoom < 2) return;  // lines would be all that is seen
+  if (view.zoom < 2) return;  // lines would cover everything
   const CellSpan cells = visible_cells(map, view);
   const ImU32 color = theme::color(theme::kText, 26);
   const ImVec2 from = cell_corner(view, cells.x0, cells.y0), to = cell_corner(view, cells.x1, cells.y1);
@@ -206,8 +205,8 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
   const ImU32 color = theme::color(theme::kAccent, 150);
   const CellSpan cells = visible_cells(map, view);
   const ImVec2 from = cell_corner(view, cells.x0, cells.y0), to = cell_corner(view, cells.x1, cells.y1);
-  // Draws the borders among the columns, or rows, from the first to the last: each screen's, and the map's
-  // own end.
+  // Draws the borders between the columns, or rows, from the first to the last: those of screens, and the
+  // map's own end.
   const auto draw = [](int first, int last, int screen, int end, const auto& line) {
     for (int at = (first + screen - 1) / screen * screen; at <= last; at += screen) line(at);
     if (last == end && end % screen != 0) line(end);
@@ -276,7 +275,7 @@ void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& vie
 
 namespace {
 
-// The last frames of the chosen body; of the first few, while none is chosen.
+// The last frames of the chosen body or, if none is chosen, of the first few.
 std::vector<Trail> trails_of(const Session& session, const Branch& branch, std::int64_t first,
                              std::int64_t last) {
   std::vector<int> bodies{session.choices().body};
@@ -298,7 +297,7 @@ void add_all_trails(const Session& session, Rect visible, OverlayDrawing& drawin
   const Timeline& timeline = session.timeline();
   const std::int64_t frame = timeline.frame(), first = std::max<std::int64_t>(frame - kTrailFrames, 0);
   const Branch* compared = timeline.compared();
-  // What is compared is drawn ahead too, so that one sees where the two part.
+  // The other side is drawn ahead, too, so that one sees where the two part.
   const std::int64_t last = compared != nullptr ? frame + kTrailFrames : frame;
   const auto drawn_of = [&](const Branch& branch, OverlayId color) {
     const std::int64_t end = std::min(last, branch.run_frame());
@@ -308,8 +307,8 @@ void add_all_trails(const Session& session, Rect visible, OverlayDrawing& drawin
   drawn_of(timeline.current(), OverlayId::trails);
 }
 
-// Of the level there, whatever the solver; null where no overlay asks for it and the solver has none. That of
-// a large level is not compiled for the overlays alone, as each edit would take seconds.
+// The ground of the level there, whatever the solver; null if no overlay needs it and the solver has none.
+// Large levels are not compiled only for the overlays, as each edit would take seconds.
 std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet overlays) {
   if (session.scene().ground || SceneCompiler::is_large(session.level())) return session.scene().ground;
   for (const OverlayId id : {OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way,
@@ -321,7 +320,7 @@ std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet ove
 }  // namespace
 
 OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view) {
-  if (is_far(view)) {  // of the ground nothing but lines would be seen, millions of them
+  if (is_far(view)) {  // only lines would be seen of the ground, millions of them
     for (const OverlayId id :
          {OverlayId::boxes, OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way})
       overlays.set(id, false);
@@ -337,7 +336,7 @@ std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const 
     const Vec2 from = view.to_level(box.min), to = view.to_level(box.max);
     obstacles.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
   }
-  if (is_far(view)) return obstacles;  // there are no labels to be kept clear of them, and millions of items
+  if (is_far(view)) return obstacles;  // there are no labels that would need room, and millions of items
   for_each_visible_item(scene, view.visible(), [&](const SceneItem& item) {
     const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
     if (slope) obstacles.push_back(item.box);

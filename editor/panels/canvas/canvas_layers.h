@@ -12,15 +12,15 @@
 
 namespace talus {
 
-// The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as play does.
+// The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as in play.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
-// The same from afar, in blocks of one colour; nothing without MapTextures. other: what they show, with that
-// map, if it is not the level that is edited.
+// The same from afar, in blocks of one colour; nothing without MapTextures. other: shows this level with its
+// map instead of the edited one.
 void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
                     const MapLook& look, const OtherLevel* other = nullptr);
-// Whether a canvas shows the map from afar: a cell has a few pixels of the screen, or less than one.
+// Whether a canvas shows the map from afar: a cell has few pixels of the screen, or less than one.
 bool is_far(const CanvasView& view);
-// The level's curves; muted where the solver takes no notice of them.
+// The level's curves; muted if the solver ignores them.
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale);
 // Tints the cells whose tile matches.
 void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern);
@@ -29,24 +29,25 @@ void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale);
 // Where the bodies placed by hand start.
 void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui);
-// The bodies where they are now, with the images of a level; the chosen one is framed. `alpha`: 0 to 255.
+// The bodies at the shown frame, with the images of a level; the chosen one is framed. `alpha`: 0 to 255.
 void draw_bodies(ImDrawList& list, const Session& session, const Level& level, const CanvasView& view,
                  const Ui& ui, int alpha);
-// The bodies of the other side of a comparison, where they are elsewhere.
+// The bodies of the other side of a comparison, if they are elsewhere.
 void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& view, float scale);
-// The bodies of any state; the one with this id is framed, 0: none.
+// The bodies of any state; the one with this id is framed, 0: no body.
 void draw_state(ImDrawList& list, const State& state, int chosen_body, const Level& level,
                 const CanvasView& view, const Ui& ui, int alpha);
-// The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: none. `stage`: of the
-// chosen body's step, drawn with them; -1: none. `covered`: what no label may cover, px of the screen.
+// The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: no body. `stage`: stage of
+// the chosen body's step to draw with them; -1: no stage. `covered`: px of the screen that no label may
+// cover.
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
                    float scale, int pointed_at = 0, int stage = -1, std::span<const ScreenBox> covered = {});
-// What the overlays of any run are made of; see draw_overlays(). Those that can be seen at this zoom:
+// The sources of the overlays of any run; see draw_overlays(). Only those that can be seen at this zoom:
 OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view);
-// What labels keep clear of, px of the level: the bodies, the ramps that they are on, and what is covered.
+// px of the level that labels avoid: the bodies, the ramps that they are on, and covered parts.
 std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const CanvasView& view,
                                   std::span<const ScreenBox> covered);
-// The overlays that are about the level alone, and the palette.
+// The overlays that only depend on the level, and the palette.
 void add_level_overlays(const Session& session, OverlaySet overlays, Rect visible, OverlayDrawing& drawing);
 inline constexpr std::int64_t kTrailFrames = 120;  // of a trail: two seconds
 inline constexpr std::size_t kMostTrails = 4;      // as many as the session keeps

@@ -63,7 +63,7 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
-  // Half the usual gap, so that all of it has room in two lines of a window 1152 px wide.
+  // Half the usual gap, so that everything fits in two lines of a window 1152 px wide.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
   command_text_button("canvas/map", session, actions, ui, "Map");
   ImGui::SameLine();

@@ -7,8 +7,8 @@
 
 namespace talus {
 
-// Of a hard case that brings its own input: what it holds in the next step, and what the user's keys do to
-// that. Empty without one.
+// For a hard case with input of its own: what it holds in the next step, and what the user's keys change.
+// Empty for other levels.
 std::string case_note(const Session& session);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Asking for the ground's tiles.
+// Asks for the ground's tiles.
 #include "ground_hint.h"
 
 #include "panels/panel_ids.h"

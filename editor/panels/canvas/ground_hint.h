@@ -1,4 +1,4 @@
-// What to do where the level has no tiles for ground.
+// What to do if the level has no tiles for ground.
 #pragma once
 
 #include "panels/ui/ui.h"
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// Brings the panel with the ground's tiles to the front and says what it is for.
+// Shows the panel with the ground's tiles and says what it is for.
 void ask_for_ground_tiles(Actions& actions, Ui& ui);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Where the keyboard's cursor is, and what it presses.
+// The place of the keyboard's cursor, and its buttons.
 #include "key_cursor.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ void KeyCursor::press(int button) {
   buttons_[static_cast<std::size_t>(button)] = {.wanted = true, .key = key_};
 }
 
-// What no frame has seen yet stays down for one.
+// A button that no frame has seen yet stays down for one frame.
 void KeyCursor::release(int key) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     if (buttons_[i].key != key || key == 0) continue;
@@ -68,8 +68,8 @@ void KeyCursor::release(int key) {
   }
 }
 
-// The cursor moves with the buttons as they are, and a button changes where the cursor is, so that a gesture
-// sees the one after the other. Before it leaves a canvas, the buttons go up there.
+// A move of the cursor and a change of a button come one after the other, so that a gesture sees both. Before
+// the cursor leaves a canvas, the buttons go up there.
 std::optional<CursorPointer> KeyCursor::begin_frame() {
   there_ = std::exchange(drawn_, {});
   const bool may_come = std::exchange(waits_, false);

@@ -15,7 +15,7 @@ std::vector<Cell> cells_changed(const TileMap& a, const TileMap& b) {
   return cells;
 }
 
-// What differs of two levels with the same pictures, as a list; empty: nothing.
+// Lists what differs between two levels with the same pictures; empty if nothing does.
 std::string differences_of(const Level& a, const Level& b, std::size_t cells) {
   std::string text;
   const auto add = [&](bool differs, const std::string& what) {

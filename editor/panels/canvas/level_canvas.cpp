@@ -27,7 +27,7 @@ Vec2 size_in_pixels(const TileMap& map) {
   return {static_cast<double>(map.width()) * kTileSize, static_cast<double>(map.height()) * kTileSize};
 }
 
-// The topmost body at a point, with some tolerance for the hand; 0 when there is none.
+// The topmost body at a point, with some tolerance for the hand; 0 if there is none.
 int body_at(const State& state, Vec2 p, double tolerance) {
   int found = 0;
   for (const Body& body : state.bodies) {
@@ -39,7 +39,7 @@ int body_at(const State& state, Vec2 p, double tolerance) {
   return found;
 }
 
-// A text on a dark plate, so that it can be read over any art. Returns its width.
+// A text on a dark plate, readable over any art. Returns its width.
 float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
   const ImVec2 size = size_of_text(text);
   const ImVec2 pad{ui.px(6), ui.px(2)};
@@ -49,7 +49,7 @@ float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 col
   return size.x + 2 * pad.x;
 }
 
-// A text as lines that a plate each has room for.
+// A text as lines that each fit on a plate.
 std::vector<std::string> plate_lines(const std::string& text, const CanvasView& view, const Ui& ui) {
   const float width = view.max.x - view.min.x - ui.px(4 + 12 + 4);
   const auto fits = [width](std::string_view line) { return size_of_text(line).x <= width; };
@@ -62,7 +62,7 @@ std::string zoom_text(float zoom) {
   return "1/" + std::to_string(static_cast<int>(1 / zoom)) + "x";
 }
 
-// What the keyboard's cursor is ready for.
+// What the keyboard's cursor can do now.
 std::string cursor_hint(const Ui& ui) {
   if (ui.view.cursor.pen_down())
     return "   pen down: " + keys_of(find_command("view/cursor"), ui) + " lifts it";
@@ -71,7 +71,7 @@ std::string cursor_hint(const Ui& ui) {
          keys_of(find_command("cursor/end"), ui) + ": end";
 }
 
-// How much of what is drawn on the map a box hides: in places that are kStep px apart.
+// How much of what is drawn on the map a box hides, measured at places that are kStep px apart.
 int tiles_below(const TileMap& map, const ScreenBox& box, const CanvasView& view) {
   constexpr float kStep = 4;
   int count = 0;
@@ -84,7 +84,7 @@ int tiles_below(const TileMap& map, const ScreenBox& box, const CanvasView& view
   return count;
 }
 
-// Of those that tools are used with.
+// Whether tools are used on the canvas.
 int pressed_button() {
   if (ImGui::IsMouseClicked(2)) return LevelToolHand::kMiddle;
   return ImGui::IsMouseClicked(0) ? LevelToolHand::kLeft : LevelToolHand::kNoButton;
@@ -138,7 +138,7 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
   const Timeline& timeline = session.timeline();
-  // A variant goes through the levels of the run that is shown.
+  // A variant uses the levels of the run that is shown.
   const bool is_branch = !session.debugger().side_by_side().variant() && timeline.compared() != nullptr;
   other_level_at_frame_.show(session, is_branch ? *timeline.compared() : timeline.current(),
                              timeline.frame());
@@ -159,14 +159,14 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   list.PopClipRect();
 }
 
-// What a tool gets to know; nothing of a drag, which is its hand's.
+// What a tool gets to know; what belongs to a drag is in its hand.
 LevelToolUse LevelCanvas::use(const Session& session, const CanvasView& view, Ui& ui) const {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   return {session, ui, view, view.to_level(mouse), view.to_cell(mouse), ImGui::IsItemHovered()};
 }
 
-// Shows the first screen of another level, and shows it as large as a changed window allows until the user
-// has chosen a view.
+// Shows the first screen of another level, as large as a changed window allows, until the user has chosen a
+// view.
 void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size) {
   const bool another = level_number_ != ui.view.level_number;
   const bool resized = size.x != size_.x || size.y != size_.y;
@@ -246,7 +246,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
     handle_play_mouse(session, actions, view, hovered);
 }
 
-// A breakpoint's panel asks for a cell; a click beside the map chooses none.
+// A breakpoint's panel asks for a cell; a click beside the map cancels.
 bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const {
   if (!ui.view.debugger.picks_cell || !hovered) return false;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -257,14 +257,14 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
   return true;
 }
 
-// The chosen body stays in sight, unless the hand moves the view.
+// The chosen body stays in sight, unless the user moves the view.
 void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
   const Body* body = session.state().find(session.choices().body);
   if (is_play() && ui.view.debugger.follow_body && body != nullptr && !panning_ && !holding_)
     camera_.keep_in_sight(body->box.center(), size_);
 }
 
-// Where lines are drawn, the keyboard's cursor goes from corner to corner.
+// For tools that draw lines the keyboard's cursor moves from corner to corner.
 void LevelCanvas::follow_cursor(const Session& session, Ui& ui, const CanvasView& view) {
   const TileMap& map = session.level().map;
   const MapTool tool = session.choices().map_tool;
@@ -332,7 +332,7 @@ void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, co
   if (holding_) actions.push_back(action::HoldMouse{at, true});
 }
 
-// The level without its bodies. then: what is shown of it; null: all as it is now.
+// The level without its bodies. then: the level to show; null: the current one.
 void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, int place,
                               const CanvasView& view, const Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -377,7 +377,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 
-// A held ball moves with the steps alone: while there are none, a line shows where it is drawn to.
+// A held ball moves only with the steps: while there are none, a line shows where it is pulled to.
 void LevelCanvas::draw_held(const Session& session, const CanvasView& view, const Ui& ui) const {
   const Body* body = session.state().find(session.state().grabbed);
   if (body == nullptr) return;
@@ -393,8 +393,8 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
              theme::color(theme::kText), ui);
 }
 
-// Plates below one another in the top left corner, or, in the world view, in the bottom left one where they
-// hide less.
+// Plates below one another in the top left corner; in the world view in the bottom left one, where they hide
+// less.
 std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, const CanvasView& view,
                                                         const Ui& ui) const {
   std::string title = std::string(is_play()    ? "Play"
@@ -427,14 +427,14 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
     box.max = {std::max(box.max.x, view.min.x + gap + width), box.max.y + line};
   }
   if (!camera_.shows_whole()) return box;
-  const float flags = session.choices().flag_overlay ? line : 0;  // that are tinted, below
+  const float flags = session.choices().flag_overlay ? line : 0;  // tinted cells, below
   const float down = view.max.y - box.max.y - gap - flags;
   const ScreenBox low{{box.min.x, box.min.y + down}, {box.max.x, box.max.y + down}};
   const TileMap& map = session.level().map;
   return tiles_below(map, low, view) < tiles_below(map, box, view) ? low : box;
 }
 
-// Beside the captions, or below them where they leave no room.
+// Beside the captions, or below them if there is no room.
 OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
   const ScreenBox captions = captions_box(session, view, ui);
   const bool beside = captions.min.y > view.min.y ||

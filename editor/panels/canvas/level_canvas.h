@@ -22,16 +22,16 @@ class LevelCanvas {
     map,   // shows the level as it is drawn, and paints on it
     play,  // shows the bodies with the overlays; the left button holds balls
   };
-  // name: of its widgets: "map", "play". is_second: of two maps.
+  // name: prefix of its widgets: "map", "play". is_second: the second one of two maps.
   LevelCanvas(Kind kind, std::string name, bool is_second = false)
       : kind_(kind), is_second_(is_second), name_(std::move(name)) {}
 
   void draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
-  // The other side of a comparison, where this canvas shows the first; with no mouse of its own.
+  // Draws the other side of a comparison if this canvas shows the first; it has no mouse of its own.
   void draw_other_side(const Session& session, Ui& ui, ImVec2 size);
 
  private:
-  // Whether a drag that changes the level is under way: it goes on, whatever tool is chosen meanwhile.
+  // Whether a drag that changes the level is going on: it continues even if another tool is chosen.
   bool is_editing() const { return hand_.active(); }
   LevelToolUse use(const Session& session, const CanvasView& view, Ui& ui) const;
   bool is_play() const { return kind_ == Kind::play; }
@@ -71,11 +71,11 @@ class LevelCanvas {
   Minimap minimap_;
   // In the play view: the level as it was at the shown frame, on this side and on the other one.
   LevelAtFrame level_at_frame_, other_level_at_frame_;
-  int level_number_ = -1;  // of the level that the camera was set for
-  float wheel_ = 0;        // clicks of the wheel that made no whole step yet
+  int level_number_ = -1;  // number of the level that the camera was set for
+  float wheel_ = 0;        // clicks of the wheel that do not make a whole step yet
   ImVec2 size_;            // px, of the canvas in the last frame
   bool panning_ = false;
-  bool holding_ = false;  // the left button went down on the play view
+  bool holding_ = false;  // whether the left button went down on the play view
 };
 
 }  // namespace talus

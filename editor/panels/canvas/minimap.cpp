@@ -1,4 +1,4 @@
-// The map in the corner.
+// Draws the map in the corner.
 #include "minimap.h"
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 namespace talus {
 namespace {
 
-constexpr float kShare = 0.3f;    // of the canvas's width and height, at most
-constexpr float kMost = 220;      // px at scale 1, of its longer side
-constexpr float kLeastSide = 4;   // px at scale 1, of a map that is long and low
-constexpr float kLeastFrame = 3;  // px at scale 1, of the frame of what is shown
+constexpr float kShare = 0.3f;    // largest share of the canvas's width and height
+constexpr float kMost = 220;      // px at scale 1, longest side
+constexpr float kLeastSide = 4;   // px at scale 1, shortest side of a long and low map
+constexpr float kLeastFrame = 3;  // px at scale 1, smallest side of the frame
 
-// Where the minimap lies, and how large a cell is there.
+// Place of the minimap, and size of a cell there.
 CanvasView place_of(const TileMap& map, const CanvasView& view, const Ui& ui) {
   const float width = static_cast<float>(map.width()), height = static_cast<float>(map.height());
   const float room_x = std::min((view.max.x - view.min.x) * kShare, ui.px(kMost));
@@ -31,7 +31,7 @@ bool is_inside(ImVec2 p, const CanvasView& place) {
   return p.x >= place.min.x && p.y >= place.min.y && p.x < place.max.x && p.y < place.max.y;
 }
 
-// The frame of what the canvas shows, clamped to the minimap and large enough to be seen.
+// The frame around what the canvas shows, clamped to the minimap and large enough to be seen.
 void draw_shown(ImDrawList& list, const CanvasView& place, const CanvasView& view, const Ui& ui) {
   const Rect shown = view.visible();
   ImVec2 from = place.to_screen({shown.x, shown.y}), to = place.to_screen({shown.right(), shown.bottom()});

@@ -12,8 +12,8 @@ namespace talus {
 
 class Minimap {
  public:
-  // True while the mouse acts on it, so that it must not act on the canvas; then `centre` is the place to be
-  // shown, in level px, if there is one. `hovered`: the mouse is on the canvas.
+  // Returns true while the mouse acts on it, and so must not act on the canvas. `centre` is then the place to
+  // show, in px of the level, if there is one. `hovered`: the mouse is on the canvas.
   bool update(const TileMap& map, const CanvasView& view, const Ui& ui, bool hovered,
               std::optional<Vec2>& centre);
   // `name`: of its widget.

@@ -6,7 +6,7 @@ void draw_mouse_mark(ImDrawList& list, const Session& session, const CanvasView&
   const std::int64_t frame = session.state().frame;
   if (frame < 1 || frame > session.timeline().last_frame()) return;
   const Input& input = session.timeline().current().input(frame);
-  if (input.mouse == Vec2{} && !input.mouse_down) return;  // as where no mouse was ever used
+  if (input.mouse == Vec2{} && !input.mouse_down) return;  // no mouse was ever used
   const ImVec2 at = view.to_screen(input.mouse);
   const float radius = ui.px(5), arm = ui.px(9), width = ui.px(1.5f);
   const auto stroke = [&](ImU32 color, float thick) {

@@ -1,4 +1,4 @@
-// The mouse as it was recorded, on a canvas.
+// The recorded mouse on a canvas.
 #pragma once
 
 #include "camera.h"
@@ -7,8 +7,8 @@
 
 namespace talus {
 
-// Where it was in the step to the shown frame; full while its button was down. Nothing at frame 0, and
-// where it has not been used.
+// Marks its place in the step to the shown frame; filled while its button was down. Nothing at frame 0, or if
+// it was not used.
 void draw_mouse_mark(ImDrawList& list, const Session& session, const CanvasView& view, const Ui& ui);
 
 }  // namespace talus

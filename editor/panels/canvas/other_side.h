@@ -10,15 +10,15 @@
 
 namespace talus {
 
-// What each side is called: "article" and "exact", or "branch 1" and "branch 2".
+// The names of the two sides: "article" and "exact", or "branch 1" and "branch 2".
 std::string shown_side_name(const Session& session);
 std::string other_side_name(const Session& session);
-// Id of the chosen body's other self; 0: none is chosen, or it has none.
+// Id of the chosen body on the other side; 0 if no body is chosen, or it is not there.
 int chosen_on_other_side(const Session& session);
-// Its bodies, with the images of a level; the chosen one is framed.
+// The bodies of the other side, with the images of a level; the chosen one is framed.
 void draw_other_bodies(ImDrawList& list, const Session& session, const Level& level, const CanvasView& view,
                        const Ui& ui);
-// The overlays of its last step. covered: what no label may cover, px of the screen.
+// The overlays of its last step. covered: px of the screen that no label may cover.
 void draw_other_overlays(ImDrawList& list, const Session& session, const CanvasView& view, float scale,
                          std::span<const ScreenBox> covered);
 

@@ -12,9 +12,10 @@
 namespace talus {
 namespace {
 
-constexpr float kLowZoom = 2;  // at scale 1; below, only the labels that come first are shown
-constexpr float kPull = 12;    // px at scale 1: a label's point further from its body is drawn to it
-constexpr float kApart = 3;    // px at scale 1, between labels and what they keep clear of
+constexpr float kLowZoom = 2;  // at scale 1; at a lower zoom only the most important labels are shown
+// px at scale 1: a label whose point is further from its body is moved towards the body.
+constexpr float kPull = 12;
+constexpr float kApart = 3;  // px at scale 1, between labels and what they avoid
 constexpr int kRanks = 4;
 constexpr int kSquaresOfWord = 64;
 
@@ -102,8 +103,8 @@ bool TakenBoxes::meet(const ScreenBox& box) const {
 
 std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels) {
   std::vector<PlacedLabel> placed;
-  std::vector<const OverlayLabel*> chosen, pointed;  // that find no room
-  std::unordered_set<int> crowded;  // bodies with another such label: in a crowd most of the time went there
+  std::vector<const OverlayLabel*> chosen, pointed;  // labels without room
+  std::unordered_set<int> crowded;  // bodies with another such label: crowds cost the most time there
   for (int rank = 0; rank < kRanks; ++rank) {
     for (const OverlayLabel& label : labels) {
       if (rank_of(label) != rank || (rank > 0 && crowded.contains(label.body))) continue;
@@ -124,8 +125,8 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
   return placed;
 }
 
-// Which labels come first, and so find room: those of the chosen body and of the one under the mouse, then
-// the rarer ones. kRanks: left out.
+// The rank of a label. Low ranks find room first: those of the chosen body and of the one under the mouse,
+// then the rarer ones. kRanks: left out.
 int LabelPlacer::rank_of(const OverlayLabel& label) const {
   if (label.important || (label.body != 0 && label.body == pointed_at_)) return 0;
   if (view_.zoom < kLowZoom * scale_) return kRanks;

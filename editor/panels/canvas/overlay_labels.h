@@ -1,4 +1,5 @@
-// Where the labels of the overlays go: near their bodies, apart from one another and from what they label.
+// Where the labels of the overlays go: near their bodies, apart from one another, and not over what they
+// label.
 #pragma once
 
 #include <imgui.h>
@@ -19,27 +20,29 @@ struct ScreenBox {
   bool meets(const ScreenBox& b) const;
   bool inside(const ScreenBox& b) const;
   ScreenBox grown(float by) const;
-  ImVec2 nearest(ImVec2 p) const;                         // its point that is nearest to p
-  float distance(const ScreenBox& b) const;               // 0 when they touch
-  bool is_within(float reach, const ScreenBox& b) const;  // their distance is no more; quicker
+  ImVec2 nearest(ImVec2 p) const;            // its point that is nearest to p
+  float distance(const ScreenBox& b) const;  // 0 when they touch
+  // Whether their distance is at most that; quicker than distance().
+  bool is_within(float reach, const ScreenBox& b) const;
 };
 
 struct PlacedLabel {
   const OverlayLabel* label;
   ScreenBox box;                // of the plate below the text
-  std::optional<ImVec2> point;  // to draw a line from; nothing in a list beside its body
+  std::optional<ImVec2> point;  // start of a line to the label; nothing in a list beside its body
 };
 
-inline constexpr float kLabelReach = 40;  // px at scale 1, of labels from their body: no room, no label
+// px at scale 1, from a label to its body: a label without room within it is left out.
+inline constexpr float kLabelReach = 40;
 
-// What is taken of a canvas, in squares of kCell px; with many bodies there are thousands of boxes.
+// The taken parts of a canvas, in squares of kCell px; with many bodies there are thousands of boxes.
 class TakenBoxes {
  public:
   static constexpr float kCell = 2;
 
   TakenBoxes(const ScreenBox& canvas, std::span<const ScreenBox> boxes);
   void add(const ScreenBox& box);         // takes each square that the box touches
-  bool meet(const ScreenBox& box) const;  // whether it touches a square that is taken
+  bool meet(const ScreenBox& box) const;  // whether it touches a taken square
 
  private:
   // Calls visit(word, bits) for the box's squares, row by row, until it returns true; then so does this.
@@ -54,8 +57,8 @@ class TakenBoxes {
 
 class LabelPlacer {
  public:
-  // taken: what no label may cover. pointed_at: id of the body under the mouse, 0: none. Its labels and those
-  // of the chosen body, the important ones, come first, and are listed beside it where they find no room.
+  // taken: what no label may cover. pointed_at: id of the body under the mouse, 0: no body. The labels of
+  // this body and of the chosen one come first; important ones without room are listed beside the body.
   LabelPlacer(const CanvasView& view, float scale, int pointed_at, std::span<const ScreenBox> taken)
       : view_(view),
         scale_(scale),
@@ -64,12 +67,13 @@ class LabelPlacer {
             {{view.min.x - kReserve, view.min.y - kReserve}, {view.max.x + kReserve, view.max.y + kReserve}},
             taken) {}
 
-  // `labels` must outlive what is returned.
+  // `labels` must outlive the result.
   std::vector<PlacedLabel> place(std::span<const OverlayLabel> labels);
   ImVec2 padding() const { return {3 * scale_, 1 * scale_}; }
 
  private:
-  static constexpr float kReserve = 64;  // px around the canvas: what there keeps clear of labels inside, too
+  static constexpr float kReserve =
+      64;  // px around the canvas: what lies there keeps labels away inside, too
   int rank_of(const OverlayLabel& label) const;
   std::optional<PlacedLabel> find_room(const OverlayLabel& label) const;
   bool is_free(const ScreenBox& box) const;

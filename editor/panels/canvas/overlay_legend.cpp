@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 constexpr float kLegendSwatch = 14, kLegendPad = 4, kLegendText = 6;  // px at scale 1
-// Of the canvas, that names may take: more would hide the level.
+// Share of the canvas that names may take: more would hide the level.
 constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
 
 const OverlayInfo& legend_info(OverlayId id) { return overlay_infos()[static_cast<std::size_t>(id)]; }

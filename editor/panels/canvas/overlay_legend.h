@@ -1,5 +1,5 @@
-// The overlays' legend: the names of those that are shown, in the corner of a play view, while the switches
-// have no room for them.
+// The legend of the overlays: the names of the shown ones in the corner of a play view, if the switches have
+// no room for them.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@ namespace talus {
 
 class OverlayLegend {
  public:
-  // top: y below which it lies, px of the screen. Where names would hide too much, or are folded away, it has
-  // swatches alone.
+  // top: y below which it lies, px of the screen. If names would hide too much, or are folded away, it has
+  // only swatches.
   OverlayLegend(const Choices& choices, const CanvasView& view, float top, const Ui& ui);
 
-  // Its width at most, px; 0: there is none. To find out what is free beside it.
+  // Its largest width, px; 0: there is none. Tells what is free beside it.
   static float width(const Choices& choices, const Ui& ui);
   bool has_names() const { return has_names_; }
   const std::optional<ScreenBox>& box() const { return box_; }  // nothing: there is none
   void draw(ImDrawList& list) const;
-  // To be called after the canvas's item. True: the mouse is on it, and not meant for what is below. A click
-  // folds it or shows the names again.
+  // Call it after the canvas's item. Returns true if the mouse is on the legend, and so not meant for what is
+  // below. A click folds the names away or shows them again.
   bool take_mouse(Ui& ui) const;
 
  private:
@@ -35,8 +35,8 @@ class OverlayLegend {
   std::vector<OverlayId> shown_;
   std::optional<ScreenBox> box_;
   bool has_names_ = false;
-  bool is_tight_ = false;  // names would have no room
-  int rows_ = 1;           // of swatches
+  bool is_tight_ = false;  // whether names would have no room
+  int rows_ = 1;           // rows of swatches
 };
 
 }  // namespace talus

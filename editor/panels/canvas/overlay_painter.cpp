@@ -14,12 +14,14 @@
 namespace talus {
 namespace {
 
-constexpr float kNormalsZoom = 4;  // at scale 1; below, normals are shorter, so that they do not hide balls
-constexpr float kThinZoom = 2;  // at scale 1; below, all is thinner, as bodies are hardly larger than marks
-constexpr float kPiece = 16;    // px at scale 1: lines are kept clear in pieces of this length
+// At scale 1; at a lower zoom normals are shorter, so that they do not hide balls.
+constexpr float kNormalsZoom = 4;
+// At scale 1; at a lower zoom all is thinner, as bodies are hardly larger than marks.
+constexpr float kThinZoom = 2;
+constexpr float kPiece = 16;  // px at scale 1: lines are kept free of labels in pieces of this length
 constexpr int kMostPieces = 64;
 
-// What is thin and without a rim, so that it does not hide what it is about.
+// Thin overlays without a rim, which do not hide what they are about.
 bool is_faint(OverlayId id) { return id == OverlayId::removed_edges || id == OverlayId::trails; }
 
 bool covers_much(OverlayId id) {
@@ -60,7 +62,7 @@ class Painter {
   }
   static ImU32 outline() { return theme::color(theme::kDark, 190); }
   bool is_left_out(const OverlayLine& line) const { return is_low_ && line.detail; }
-  float arm() const { return (is_low_ ? 2.5f : 4.0f) * scale_; }  // of a mark
+  float arm() const { return (is_low_ ? 2.5f : 4.0f) * scale_; }  // length of a mark's arm
   float rim() const { return std::max(1.0f, std::round(scale_ * 0.75f)); }
 
   void paint_box(const OverlayBox& box) {
@@ -107,7 +109,7 @@ class Painter {
     list_.AddRectFilled(from, {from.x + (to.x - from.x) * fraction, to.y}, color_of(bar.overlay));
   }
 
-  // What a label is about must stay visible.
+  // The thing that a label is about must stay visible.
   void keep_clear_of(const OverlayDrawing& drawing) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
     for (const OverlayLine& line : drawing.lines) {

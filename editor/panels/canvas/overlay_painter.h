@@ -1,5 +1,5 @@
-// Strokes the overlays: each with a thin dark outline, so that it shows on any palette, and labels that keep
-// clear of one another and of what they label.
+// Draws the overlays: each with a thin dark outline, so that it shows on any palette, and labels that avoid
+// one another and what they label.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace talus {
 
-// `scale`: of the interface; line widths and text follow it. `keep_clear`: level px that no label may cover.
-// `pointed_at`: id of the body under the mouse, 0 for none: the labels that find no room beside it are
-// listed.
+// `scale`: of the interface; line widths and text follow it. `keep_clear`: px of the level that no label may
+// cover. `pointed_at`: id of the body under the mouse, 0: no body; its labels without room are listed beside
+// it.
 void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<const Rect> keep_clear,
                     const CanvasView& view, float scale, int pointed_at);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kSwatch = 14;                    // px at scale 1
 constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
-constexpr float kFirstGap = 8, kControls = 372;  // px at scale 1: what is left of the switches on their line
+constexpr float kFirstGap = 8, kControls = 372;  // px at scale 1: width without the switches on their line
 
 float text_width(std::string_view text) { return size_of_text(text).x; }
 

@@ -1,4 +1,4 @@
-// The keys of the players: when they steer, and which are held. Which they are, player_commands() says.
+// The keys of the players: when they steer, and which are held. player_commands() says which keys they are.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace talus {
 
-// Whether the level has a player that keys can move: one of the exact solver's.
+// Whether the level has a player that keys can move: one of the exact solver.
 bool has_players(const Session& session);
-// Whether these keys steer players and nothing else: the keys go to the map and to no cursor there, and the
-// simulation runs or the play view was used last.
+// Whether these keys only steer players: the keys go to the map, no cursor is shown there, and the simulation
+// runs or the play view was used last.
 bool keys_steer(const Session& session, const View& view);
 // Gives the keys to the players, if there are any.
 void let_keys_steer(const Session& session, View& view);
@@ -25,8 +25,9 @@ class HeldPlayKeys {
  public:
   // Holds what the commands of Scope::play hold by this key, whether Shift is held or not. Returns false if
   // there is no such command.
+  // there is no such command.
   bool press(KeyChord chord, const KeyBindings& bindings);
-  // Lets go what the key holds. Returns false if that is nothing.
+  // Lets go what the key holds. Returns false if it holds nothing.
   bool release(int key);
   void release_all() { down_.clear(); }
   action::HoldKeys held() const;
@@ -36,7 +37,7 @@ class HeldPlayKeys {
     int key;
     bool action::HoldKeys::*held;
   };
-  std::vector<Down> down_;  // a key that repeats is in it once
+  std::vector<Down> down_;  // a repeated key is in it only once
 };
 
 }  // namespace talus

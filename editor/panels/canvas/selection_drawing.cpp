@@ -6,7 +6,7 @@
 namespace talus {
 namespace {
 
-// A line of dashes, upright or level.
+// A line of dashes, vertical or level.
 void draw_dashes(ImDrawList& list, ImVec2 from, ImVec2 to, float dash, float width) {
   const bool level = from.y == to.y;
   const float end = level ? to.x : to.y;

@@ -8,12 +8,12 @@ namespace talus {
 namespace {
 
 constexpr float kLeastCell = 4;      // px of the screen: smaller ones are left out
-constexpr float kOutlinedCell = 24;  // from here on lines have room for a dark rim
+constexpr float kOutlinedCell = 24;  // px of the screen: from this size on lines have room for a dark rim
 constexpr int kTint = 64;            // of 255
 
 using Shapes = std::array<TileShape, kTileCount>;
 
-// Without those that cannot be used.
+// Shapes that cannot be used are left out.
 Shapes usable_shapes(const Level& level) {
   Shapes shapes;
   for (int tile = 0; tile < kTileCount; ++tile) {

@@ -9,16 +9,17 @@
 
 namespace talus {
 
-// What lies between a line, px of the screen from left to right, and a level base.
+// The area between a line, px of the screen from left to right, and a level base.
 void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base, ImU32 color);
-// One shape whose own tile has its top-left corner at `corner`; cell: px of the screen, the tile's side. What
-// only stops bodies from one side is a line; other ground is tinted, too. color: 0xRRGGBB, of the overlay.
+// One shape whose own tile has its top-left corner at `corner`. cell: px of the screen, side of the tile. A
+// shape that stops bodies only from one side is a line; other ground is tinted, too. color: 0xRRGGBB, of the
+// overlay.
 void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, float cell, std::uint32_t color,
                      const Ui& ui);
-// Those of all visible cells; none where a tile is too small to see its shape.
+// The shapes of all visible cells; nothing if tiles are too small to show a shape.
 void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
                  const Ui& ui);
-// Those of the tiles of the sheet, whose tile 0 is at `corner`.
+// The shapes of the tiles of the sheet, whose tile 0 is at `corner`.
 void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, float cell, std::uint32_t color,
                        const Ui& ui);
 

@@ -11,8 +11,8 @@ namespace talus {
 
 class SheetOverlay {
  public:
-  // Call in every frame before the tools: the mouse is over the canvas when `hovered`; `busy` while it drags
-  // something else. True: the mouse is on the sheet, and nothing else's.
+  // Call it in every frame before the tools. `hovered`: the mouse is over the canvas; `busy`: it drags
+  // something else. Returns true if the mouse is on the sheet, and so not meant for anything else.
   bool update(const Session& session, Actions& actions, Ui& ui, const CanvasView& view, bool hovered,
               bool busy);
   // Registers it as "map/sheet".

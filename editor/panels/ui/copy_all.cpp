@@ -11,7 +11,7 @@ void draw_copy_all(std::string_view name, const std::string& text, Ui& ui) {
   if (!ui.text_button(name, "Copy all", false, "Copies the whole text, also what is not shown of it."))
     return;
   std::string copied = text;
-  std::replace(copied.begin(), copied.end(), '\0', ' ');  // which would be its end
+  std::replace(copied.begin(), copied.end(), '\0', ' ');  // NUL would end it
   ImGui::SetClipboardText(copied.c_str());
 }
 

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// Puts the whole text on the clipboard. Draws nothing where draw_scrolled_text() shows all of it.
+// Copies the whole text to the clipboard. Draws nothing if draw_scrolled_text() shows all of it.
 void draw_copy_all(std::string_view name, const std::string& text, Ui& ui);
 
 }  // namespace talus

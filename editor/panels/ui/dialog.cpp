@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-// The control that has the keys, and shows it; 0: none.
+// The focused control; 0: none.
 ImGuiID shown_focus() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return ImGui::GetIO().NavVisible ? context.NavId : 0;
@@ -20,7 +20,7 @@ bool letter_pressed(char letter, const View& view) {
   return chord.key == std::tolower(static_cast<unsigned char>(letter));
 }
 
-// Under the first place of the letter in the label, which is in the middle of ImGui's last item.
+// Under the first occurrence of the letter in the label, which is in the middle of ImGui's last item.
 void underline(std::string_view label, char letter, bool enabled) {
   const std::size_t at = label.find(letter);
   if (letter == 0 || at == std::string_view::npos) return;

@@ -1,4 +1,4 @@
-// The best way to lay the typed letters over the name, row by row.
+// Finds the best way to place the typed letters in the name, row by row.
 #include "fuzzy_match.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ std::optional<int> fuzzy_score(std::string_view shown_name, std::string_view typ
     until = std::move(next_until);
   }
   if (until[n] < 0) return std::nullopt;
-  constexpr int kWeight = 1000;  // length decides between equals alone
+  constexpr int kWeight = 1000;  // length only decides between equals
   return until[n] * kWeight - static_cast<int>(n);
 }
 

@@ -1,11 +1,11 @@
-// Lists that may be as long as a file makes them: only the rows in view are drawn.
+// Lists of any length, as files may make them: only the rows in view are drawn.
 #pragma once
 
 #include <imgui.h>
 
 namespace talus {
 
-// Draws the rows 0..count-1, all as high as the first one, from where the cursor is.
+// Draws the rows 0..count-1, all as high as the first one, from the cursor on.
 template <class DrawRow>
 void draw_rows(int count, DrawRow draw_row) {
   ImGuiListClipper clipper;
@@ -14,7 +14,7 @@ void draw_rows(int count, DrawRow draw_row) {
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) draw_row(row);
 }
 
-// Scrolls the window so that a row of text is in view, if it is not. To be called before the list is drawn.
+// Scrolls the window so that a row of text is in view. Call it before the list is drawn.
 inline void scroll_to_row(int row) {
   const float line = ImGui::GetTextLineHeightWithSpacing(), height = ImGui::GetWindowHeight();
   const float top = ImGui::GetCursorPosY() + static_cast<float>(row) * line;

@@ -1,4 +1,4 @@
-// Dragging and typing.
+// Handles dragging and typing.
 #include "number_field.h"
 
 #include <imgui_internal.h>
@@ -16,7 +16,7 @@ bool draw_number_field(const NumberField& field, double& value, const Session& s
                                    field.speed, nullptr, nullptr, field.format);
   if (ImGui::IsItemActivated()) edit = {session.next_stroke(), {}};
   if (changed && ImGui::TempInputIsActive(ImGui::GetItemID())) {
-    edit.typed = edited;  // the first digits of a number are another one, which may not fit
+    edit.typed = edited;  // the first digits of a number are another number, which may not be allowed
     changed = false;
   }
   if (ImGui::IsItemDeactivated() && edit.typed) {

@@ -1,4 +1,4 @@
-// A number to drag or to type, for panels that change the level by it.
+// A number to drag or to type, for panels that change the level.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,20 @@ namespace talus {
 
 struct NumberField {
   std::string_view name;  // of the widget
-  const char* format;     // as printf has it, with one %g: "x %.8g"
+  const char* format;     // for printf, with one %g: "x %.8g"
   std::string_view help;
   float width = 84;  // px at scale 1
-  float speed = 1;   // how much it changes for each px of the mouse
+  float speed = 1;   // change for each px of the mouse
 };
 
 // What a panel keeps between frames for all of its fields.
 struct NumberEdit {
-  int stroke = 0;               // of the edits of one drag
-  std::optional<double> typed;  // not taken before the typing ends
+  int stroke = 0;               // the edits of one drag
+  std::optional<double> typed;  // used when the typing ends
 };
 
-// Draws it. Whether the value has just been changed; to an infinite one where so much is typed.
+// Draws the field. Returns whether the value has just changed; it may be infinite if the user types that
+// much.
 bool draw_number_field(const NumberField& field, double& value, const Session& session, NumberEdit& edit,
                        Ui& ui);
 

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr std::string_view kDot = "\xc2\xb7";  // for what has no picture
+constexpr std::string_view kDot = "\xc2\xb7";  // replaces a character that cannot be shown
 
 // Control characters, letters without a width, and marks of the direction of writing.
 bool has_no_picture(std::uint32_t code) {
@@ -32,7 +32,7 @@ std::string cut(std::string_view text, std::size_t most, bool keeps_lines) {
     else if (letter.value == '\n' || letter.value == '\t')
       shown += ' ';
     else if (letter.value == '\r' && text.substr(at + 1).starts_with('\n'))
-      ;  // the line's end is told by what follows
+      ;  // the line's end follows from the next character
     else if (letter.bytes == 0 || has_no_picture(letter.value))
       shown += kDot;
     else
@@ -51,7 +51,7 @@ std::string label_of(std::string_view text, std::string_view id) {
   return label.append("###").append(id.empty() ? text.substr(0, kMostLabel) : id);
 }
 
-// Cuts what was typed, then asks whom the field asks.
+// Cuts what was typed, then calls the field's own callback.
 struct TypedText {
   ImGuiInputTextFlags flags;
   ImGuiInputTextCallback callback;

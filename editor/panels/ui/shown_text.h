@@ -1,6 +1,6 @@
-// The only way of texts into Dear ImGui. Names, titles and messages come from files, and may be of any length
-// and of any bytes: one text of more than 16,384 letters would end the program, as ImGui counts a text's
-// corners in 16 bits. `tests/check_texts` sees to it that the panels use what is here.
+// The only way for texts into Dear ImGui. Names, titles and messages come from files, and may have any length
+// and any bytes. One text of more than 16,384 letters would end the program, as ImGui counts the vertices of
+// a text in 16 bits. `tests/check_texts` checks that panels use these functions.
 #pragma once
 
 #include <imgui.h>
@@ -10,37 +10,38 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMostLabel = 120;     // bytes of a control's text
-inline constexpr std::size_t kMostLine = 300;      // bytes of another text of one line
-inline constexpr std::size_t kMostText = 6000;     // bytes of a text of several lines
+inline constexpr std::size_t kMostLabel = 120;     // bytes of the text of a control
+inline constexpr std::size_t kMostLine = 300;      // bytes of other texts of one line
+inline constexpr std::size_t kMostText = 6000;     // bytes of a text with several lines
 inline constexpr std::size_t kMostTooltip = 1200;  // bytes
 inline constexpr std::size_t kMostTyped = 4096;    // bytes of a text that can be typed
 
-// What is shown of a text: its first `most` bytes, whole letters alone; where it is longer, "..." or, in a
-// text of several lines, how many bytes more there are. Line ends and tabs are spaces. Other control
-// characters, what turns the direction of writing, and bytes that are no UTF-8 are each a dot in the middle.
+// Returns what is shown of a text: its first `most` bytes, only whole letters. A longer text ends with "..."
+// or, if it has several lines, with the number of further bytes. Line ends and tabs become spaces. Other
+// control characters, characters that change the direction of writing, and bytes that are not UTF-8 become
+// dots.
 std::string shown_line(std::string_view text, std::size_t most = kMostLine);
 // The same, with its line ends kept.
 std::string shown_text(std::string_view text, std::size_t most = kMostText);
 
-// Text where the cursor is, in one line, or wrapped where a wrap position is set.
+// Text at the cursor, in one line, or wrapped if a wrap position is set.
 void draw_text(std::string_view text);
 void draw_text(std::string_view text, ImU32 color);
 // The same, wrapped at the window's right side.
 void draw_wrapped_text(std::string_view text);
 void draw_wrapped_text(std::string_view text, ImU32 color);
-// Wrapped at `most.x` px, and no higher than `most.y` px: what is longer scrolls. Becomes ImGui's last item.
+// Wrapped at `most.x` px, and at most `most.y` px high: a longer text scrolls. Becomes ImGui's last item.
 void draw_scrolled_text(const char* id, std::string_view text, ImVec2 most, ImU32 color);
 // Onto a canvas, in one line.
 void add_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text);
-// The same up to `right`, with "..." where it ends early.
+// The same up to `right`, with "..." if it does not fit.
 void add_short_text(ImDrawList& list, ImVec2 at, float right, ImU32 color, std::string_view text);
-// In one line where the cursor is, no wider than `most` px, with "..." where it ends early.
+// In one line at the cursor, at most `most` px wide, with "..." if it does not fit.
 void draw_short_text(std::string_view text, float most, ImU32 color);
 // The size of a text in one line, px.
 ImVec2 size_of_text(std::string_view text);
 
-// ImGui's controls with any text. id: what tells the control from its neighbours; empty: the text does.
+// ImGui's controls with any text. id: tells the control from its neighbours; empty: the text does.
 bool selectable(std::string_view text, std::string_view id, bool chosen, ImGuiSelectableFlags flags = 0,
                 ImVec2 size = {0, 0});
 bool menu_item(std::string_view text, std::string_view id, std::string_view keys = {}, bool checked = false,
@@ -51,8 +52,8 @@ bool small_button(std::string_view text, std::string_view id = {});
 bool radio_button(std::string_view text, std::string_view id, bool chosen);
 bool checkbox(std::string_view text, std::string_view id, bool& on);
 bool begin_combo(std::string_view id, std::string_view shown, ImGuiComboFlags flags = 0);
-// A field for a text. One of more than kMostTyped bytes, which only a file can have, is shown and cannot be
-// changed; what is typed or pasted is cut to that.
+// A field for a text. A text of more than kMostTyped bytes, which only a file can have, is shown but cannot
+// be changed. Typed or pasted text is cut to that size.
 bool input_text(std::string_view id, std::string_view hint, std::string& text, ImGuiInputTextFlags flags = 0,
                 ImGuiInputTextCallback callback = nullptr, void* data = nullptr);
 

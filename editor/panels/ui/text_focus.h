@@ -1,11 +1,11 @@
-// How a command gives the keys to a text field, which its panel draws later.
+// Lets a command focus a text field that its panel draws later.
 #pragma once
 
 #include "ui.h"
 
 namespace talus {
 
-// To be called before the field of this name is drawn.
+// Call it before the field of this name is drawn.
 inline void take_text_focus(std::string_view name, Ui& ui) {
   if (ui.view.wants_text != name) return;
   ui.view.wants_text.clear();

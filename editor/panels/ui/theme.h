@@ -14,8 +14,8 @@ namespace talus::theme {
 constexpr ImU32 color(std::uint32_t rgb, int alpha = 255) {
   return IM_COL32((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255, alpha);
 }
-// Of a panel, where the theme in use may have another one for a colour of the list below. Canvases and art
-// are on dark ground in every theme and take color().
+// A colour of a panel; the theme in use may replace a colour of the list below. Canvases and art have dark
+// ground in every theme and use color().
 ImU32 tone(std::uint32_t rgb, int alpha = 255);
 // Whether the light theme is in use.
 bool is_light();
@@ -28,9 +28,9 @@ inline constexpr std::uint32_t kControlHot = 0x414868;
 inline constexpr std::uint32_t kPressed = 0x4d5680;
 inline constexpr std::uint32_t kPopup = 0x262a42;
 inline constexpr std::uint32_t kTableHeader = 0x2a2e46;
-inline constexpr std::uint32_t kNote = 0x24405c;       // of a message's ground
+inline constexpr std::uint32_t kNote = 0x24405c;       // ground of a message
 inline constexpr std::uint32_t kErrorNote = 0x5c1f33;  // the same for an error
-inline constexpr std::uint32_t kStripe = 0xffffff;     // of a table's rows, faintly
+inline constexpr std::uint32_t kStripe = 0xffffff;     // rows of a table, faintly
 inline constexpr std::uint32_t kOutside = 0x11121c;    // beyond the map's edge
 inline constexpr std::uint32_t kLine = 0x3b4160;
 inline constexpr std::uint32_t kText = 0xf4f4f4;

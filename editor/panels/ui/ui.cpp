@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTooltipDelay = 0.45;  // s
 
-// A button that is switched on shows it under the mouse, too, where it is a little brighter.
+// A button that is switched on shows it under the mouse, too, a little brighter.
 constexpr int kLitColors = 3;
 void push_lit_button() {
   ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
@@ -51,7 +51,7 @@ void Ui::take_focus(std::string_view name, bool enabled) {
   if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   if (!typed_into) return;
   view.wants_text.clear();
-  context.NavNextActivateId = id;  // a number is typed rather than dragged
+  context.NavNextActivateId = id;  // the number is typed, not dragged
   context.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
@@ -61,9 +61,9 @@ void Ui::tooltip(std::string_view help, std::string_view key) {
 
 void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
-  if (ImGui::GetTopMostPopupModal() != nullptr) return;  // a dialog says what it needs to
+  if (ImGui::GetTopMostPopupModal() != nullptr) return;  // dialogs explain themselves
   rests_on_ = id;
-  if (rested_on_ != id) return;  // a control that lies on this one may come
+  if (rested_on_ != id) return;  // a control on top of this one may follow
   if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();
@@ -101,7 +101,7 @@ bool Ui::text_button(std::string_view name, std::string_view label, bool lit, st
                      std::string_view key, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
   if (lit) push_lit_button();
-  // It stays the same control, with the keys, when its label changes.
+  // The control stays the same, and keeps the focus, when its label changes.
   const bool pressed = button(label, name, {width, px(theme::kButton)});
   if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
@@ -122,7 +122,7 @@ bool Ui::begin_combo(std::string_view name, const std::string& shown, float widt
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), padding));
   const bool open = talus::begin_combo(name, shown, ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleVar();
-  if (open)  // the last item is the list's now
+  if (open)  // the last item belongs to the list now
     place(name, at, {at.x + width, at.y + height});
   else
     item(name, help, key);

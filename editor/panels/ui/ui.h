@@ -1,5 +1,4 @@
-// Ui: what the panels draw with: textures, scale, view, the registry of widgets, and the few controls that
-// all of them share.
+// Ui: what panels draw with: textures, scale, view, the registry of widgets, and shared controls.
 #pragma once
 
 #include <imgui.h>
@@ -24,34 +23,34 @@ class Ui {
   View view;
   WidgetRegistry widgets;
   std::array<ImTextureID, 2> sheets{};  // 128x128 px, by SheetId
-  MapTextures* map_textures = nullptr;  // null: none, the map is drawn tile by tile at any zoom
-  ImTextureID preview{};                // the sheet as an import would change it, while one is shown
+  MapTextures* map_textures = nullptr;  // null: the map is drawn tile by tile at any zoom
+  ImTextureID preview{};                // the sheet as an import would change it, while that is shown
   ImTextureID balls{};                  // the sheet of tiles with colour 0 clear, for bodies
-  // Of the level; never null in a frame. Not renewed while a button is held, so that a stroke on a huge map
-  // need not wait for the lint of each of its frames.
+  // The problems of the level; never null in a frame. Not updated while a button is held, so that a stroke on
+  // a huge map need not wait for the lint in each frame.
   const std::vector<Problem>* problems = nullptr;
   float scale = 1;  // of text and controls
   double time = 0;  // s, of this frame
-  // y of the bars at the bottom of the window, px of the screen: the help for what is in them stays above, so
-  // that they can be read.
+  // y of the bars at the bottom of the window, px of the screen: tooltips stay above them, so that the bars
+  // can be read.
   float bars_top = 0;
-  ImVec2 canvas_min, canvas_max;  // the middle of the window, px of the screen: messages are shown there
+  ImVec2 canvas_min, canvas_max;  // the middle of the window, px of the screen, for messages
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
-  // A length of the design, in px at scale 1, on the screen.
+  // Converts px at scale 1 to px of the screen.
   float px(float length) const { return static_cast<float>(static_cast<int>(length * scale + 0.5f)); }
 
-  // The next enabled control that is named gets the keys, and shows it.
+  // The next enabled control with a name gets the focus and shows it.
   void focus_next_item(bool on = true) { focuses_next_ = on; }
 
-  // Registers ImGui's last item under this name and, when the mouse rests on it, shows the help and the key.
+  // Registers ImGui's last item under this name. When the mouse rests on it, shows the help and the key.
   void item(std::string_view name, std::string_view help = {}, std::string_view key = {},
             bool enabled = true);
-  // The same for a place that is no item of ImGui's.
+  // The same for a place that is not an item of ImGui.
   void place(std::string_view name, ImVec2 min, ImVec2 max, bool enabled = true);
   // Help for ImGui's last item, which has no name of its own.
   void tooltip(std::string_view help, std::string_view key = {});
-  bool wants_frames() const { return tooltip_pending_; }  // a tooltip is due soon
+  bool wants_frames() const { return tooltip_pending_; }  // whether a tooltip is due soon
 
   // A square button with an icon; `lit` shows it as switched on.
   bool icon_button(std::string_view name, Icon icon, bool lit, std::string_view help, std::string_view key,
@@ -59,37 +58,38 @@ class Ui {
   // A button with text; width 0 fits the text.
   bool text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
                    std::string_view key = {}, bool enabled = true, float width = 0);
-  // A choice as high as a button; ImGui::EndCombo() must follow when it returns true.
+  // A choice as high as a button. ImGui::EndCombo() must follow if it returns true.
   bool begin_combo(std::string_view name, const std::string& shown, float width, std::string_view help,
                    std::string_view key = {});
-  // Between these, fields are as high as buttons, and plain text is in line with both.
+  // Between these calls fields are as high as buttons, and plain text is in line with both.
   void begin_row();
   void end_row();
   // Text in a row of buttons.
   void label(std::string_view text);
   // A small heading in the muted colour.
   void heading(std::string_view text);
-  // An empty state: a wrapped sentence that says what to do next.
+  // The text for an empty state: a wrapped sentence that says what to do next.
   void hint(std::string_view text);
-  // Text of a number that ends at the right edge of the current column.
+  // A number that ends at the right edge of the current column.
   void right_aligned(std::string_view text, ImU32 color = theme::tone(theme::kText));
   // Keeps the next item of this width on the line if it fits there, `gap` px further than usual.
   void same_line_if_fits(float width, float gap = 0);
 
  private:
-  void take_focus(std::string_view name, bool enabled);  // for ImGui's last item, if it is wanted there
+  void take_focus(std::string_view name, bool enabled);  // for ImGui's last item, if it should get the focus
   void show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key);
   void place_tooltip() const;
   ImGuiID rested_on_ = 0;    // what the mouse was on at the end of the last frame, if it has help
   double rested_since_ = 0;  // s
-  ImGuiID rests_on_ = 0;     // the same in this frame: of what overlaps, what was drawn last
+  ImGuiID rests_on_ = 0;     // the same in this frame; of overlapping items the one that was drawn last
   bool tooltip_pending_ = false;
   bool focuses_next_ = false;
 
   friend class UiFrame;
 };
 
-// Brackets a frame: empties the registry at the start and forgets the mouse's resting place when it left.
+// Encloses a frame: empties the registry at the start, and forgets the mouse's resting place when it has
+// left.
 class UiFrame {
  public:
   explicit UiFrame(Ui& ui);

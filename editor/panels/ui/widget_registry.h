@@ -23,7 +23,7 @@ class WidgetRegistry {
  public:
   void begin_frame() { widgets_.clear(); }
   void add(Widget widget) { widgets_.push_back(std::move(widget)); }
-  // Null when this frame has no such widget. The last one of a name wins: it lies on top.
+  // Returns null if this frame has no such widget. The last one of a name wins: it lies on top.
   const Widget* find(std::string_view name) const {
     for (auto it = widgets_.rbegin(); it != widgets_.rend(); ++it)
       if (it->name == name) return &*it;

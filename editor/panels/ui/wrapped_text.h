@@ -1,4 +1,4 @@
-// Breaking of sentences into lines, between words alone: ImGui breaks after a full stop too, and so inside of
+// Breaks sentences into lines only between words: ImGui also breaks after a full stop, and so inside of
 // numbers.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace talus {
 
-// The lines of a text, which stay parts of it, without the spaces at which it was broken. fits: whether a
-// line is short enough; a word that is not has a line for itself. There is always one line at least.
+// The lines of a text, as parts of it, without the spaces at which it was broken. fits: whether a line is
+// short enough; a word that does not fit has a line for itself. There is always at least one line.
 std::vector<std::string_view> lines_between_words(std::string_view text,
                                                   const std::function<bool(std::string_view)>& fits);
 

@@ -1,4 +1,4 @@
-// FrameMetrics: what the last frames of the window have cost.
+// FrameMetrics: the cost of the window's last frames.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@ namespace talus {
 
 struct FrameCost {
   double interface_ms = 0;  // processor time for panels, canvases and overlays
-  double opengl_ms = 0;     // for handing them to OpenGL, without showing the picture; 0: offscreen
+  double opengl_ms = 0;     // for handing them to OpenGL, without showing the picture; 0 offscreen
   int vertices = 0;
   int draw_calls = 0;
 };
 
 class FrameMetrics {
  public:
-  static constexpr std::size_t kFrames = 120;  // remembered
+  static constexpr std::size_t kFrames = 120;  // number of kept frames
 
   void note(const FrameCost& cost) {
     costs_[next_] = cost;
@@ -26,7 +26,7 @@ class FrameMetrics {
   }
   void clear() { count_ = next_ = 0; }
   std::size_t frames() const { return count_; }
-  // Of the frames that are remembered; all 0 before the first one.
+  // Over the kept frames; all 0 before the first one.
   using Part = double FrameCost::*;
   double median_ms(Part part = &FrameCost::interface_ms) const {
     std::vector<double> times = all_ms(part);

@@ -1,4 +1,4 @@
-// The window of keys, from the table of commands.
+// The window of keys, made from the table of commands.
 #include "help_panel.h"
 
 #include "panels/commands/commands.h"
@@ -30,7 +30,7 @@ constexpr MouseHelp kMouse[] = {
     {"a file dropped on the window", "is opened"},
 };
 
-// Of three columns: keys, what they do, and more of it.
+// Three columns: keys, what they do, and details.
 bool begin_help_table(const char* id, Ui& ui) {
   if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg)) return false;
   ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ui.px(150));

@@ -1,4 +1,4 @@
-// The menus and, at their right, what is open.
+// The menus and, at their right, the name of what is open.
 #include "menu_panel.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace talus {
 namespace {
 
-// The key of a command as it works where the focus is: those of the other side of the window need the focus
-// first.
+// The key of a command that works where the focus is: keys of the other side of the window need the focus
+// there first.
 std::string keys_from_here(const Command& command, const Session& session, const Ui& ui) {
   const std::string key = keys_of(command, ui);
   if (has_focus(command, session, ui.view)) return key;
@@ -33,7 +33,7 @@ std::string_view group_of(const Command& command) {
 // path: "Debug/Timeline"; its last part is the label.
 bool begin_menu_of(const std::string& path, Ui& ui) {
   const std::string label = path.substr(path.rfind('/') + 1), widget = "menu/" + label;
-  if (ui.view.wants_text == widget) {  // by a command
+  if (ui.view.wants_text == widget) {  // a command opens it
     ui.view.wants_text.clear();
     ImGui::OpenPopup(label.c_str());
   }
@@ -42,7 +42,7 @@ bool begin_menu_of(const std::string& path, Ui& ui) {
   return open;
 }
 
-// In the order of their sections, and within one in that of the table.
+// In the order of their sections; within a section in the order of the table.
 std::vector<const Command*> commands_of_menu(std::string_view path) {
   std::vector<const Command*> found;
   for (const Command& command : commands())
@@ -51,7 +51,7 @@ std::vector<const Command*> commands_of_menu(std::string_view path) {
   return found;
 }
 
-// The menus within a menu, in the order in which the table names them first.
+// The menus within a menu, in the order in which the table names them.
 std::vector<std::string> menus_of_menu(std::string_view path) {
   std::vector<std::string> found;
   for (const Command& command : commands()) {
@@ -86,7 +86,7 @@ void MenuPanel::draw_menu(const std::string& path, const Session& session, Actio
   ImGui::EndMenu();
 }
 
-// What is in the menus and no command: menus within them, and lists.
+// Parts of the menus that are not commands: submenus and lists.
 void MenuPanel::draw_end_of_section(const std::string& menu, int section, const Session& session,
                                     Actions& actions, Ui& ui) {
   if (section == 0) {
@@ -119,7 +119,7 @@ void MenuPanel::draw_title(const Session& session, Ui& ui) {
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
 }
 
-// So that the mouse alone reaches every command, whichever menus leave it out.
+// So the mouse alone reaches every command, even if no menu has it.
 void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& ui) {
   const bool open = ImGui::BeginMenu("All commands");
   ui.item("menu/all", "Every command there is, by what it is about.");

@@ -1,4 +1,4 @@
-// A strip over the bottom of the canvas, or where no other window lies.
+// A strip over the bottom of the canvas, or in a place without other windows.
 #include "message_panel.h"
 
 #include <imgui_internal.h>
@@ -13,9 +13,9 @@ namespace talus {
 namespace {
 
 constexpr const char* kMessageWindow = "message";
-constexpr float kMostLines = 10;  // of a message before it is scrolled
+constexpr float kMostLines = 10;  // of a message before it scrolls
 
-// Whether a window lies there, other than that of all panels, which never comes to the front.
+// Whether another window lies there, apart from that of all panels, which never comes to the front.
 bool is_under_window(const ImRect& rect) {
   constexpr ImGuiWindowFlags kOthers = ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                        ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_Popup;

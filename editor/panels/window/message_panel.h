@@ -1,4 +1,4 @@
-// The message bar: what went wrong or was done; an error stays until it is dismissed.
+// The message bar: says what went wrong or was done. An error stays until it is dismissed.
 #pragma once
 
 #include "panels/panel.h"

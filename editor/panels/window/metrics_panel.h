@@ -1,4 +1,4 @@
-// A small window that tells what the window's frames and the simulation's steps cost.
+// A small window that shows the cost of the window's frames and of the simulation's steps.
 #pragma once
 
 #include "panels/panel.h"

@@ -1,4 +1,4 @@
-// The programs of others that a level can be opened in, by command lines that the user can change.
+// Other programs that can open a level, by command lines that the user can change.
 #pragma once
 
 #include <array>
@@ -12,10 +12,11 @@ inline constexpr std::size_t kProgramCount = 3;
 
 struct ProgramInfo {
   ProgramId id;
-  std::string_view key;       // in the settings: "tic80"
-  std::string_view label;     // on screen: "TIC-80"
-  std::string_view format;    // id of the exporter for it; a level whose file is of another format is opened
-                              // as a copy. Empty: the level's own file, whatever it is
+  std::string_view key;    // in the settings: "tic80"
+  std::string_view label;  // on screen: "TIC-80"
+  // Id of its exporter; a level whose file has another format is opened as a copy. Empty: it opens the
+  // level's own file, whatever the format.
+  std::string_view format;
   std::string_view command;   // until the user changes it
   std::string_view settings;  // help for its field in the settings
 };

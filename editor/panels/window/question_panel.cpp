@@ -13,14 +13,14 @@ namespace talus {
 namespace {
 
 constexpr float kQuestionWidth = 520;  // px at scale 1, at most
-constexpr float kQuestionLines = 12;   // of a question before it is scrolled
+constexpr float kQuestionLines = 12;   // of a question before it scrolls
 
 struct AnswerChoice {
   const char* widget;
   const char* label;
   const char* help;
   action::Answer answer;
-  char letter;  // of the label, which presses it
+  char letter;  // of the label; pressing it answers
 };
 // Enter gives the first answer, which loses nothing for good.
 constexpr std::array<AnswerChoice, 3> kUnsavedAnswers = {
@@ -58,7 +58,8 @@ constexpr std::array<AnswerChoice, 2> kAllowAnswers = {
      {"question/allow", "Allow", "Writes them, now and later, as long as nobody else changes the presets.",
       action::Answer::allow, 'A'}}};
 
-// By Question::Kind; each has a title of its own, so that a new dialog opens where one follows another.
+// By Question::Kind. Each has a title of its own, so that a new dialog opens when one question follows
+// another.
 struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
@@ -75,7 +76,7 @@ bool leaves_all_as_it_is(action::Answer answer) {
   return answer == action::Answer::cancel || answer == action::Answer::keep;
 }
 
-// Of a question with a list, which scrolls.
+// For a question with a list, which scrolls.
 ImVec2 size_of_list(const Ui& ui) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   return {std::min(ui.px(680), window.x - ui.px(32)), std::min(ui.px(380), window.y - ui.px(64))};

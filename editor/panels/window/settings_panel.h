@@ -1,4 +1,4 @@
-// The settings window: theme, sizes, colours, other programs; what is chosen counts at once.
+// The settings window: theme, sizes, colours, other programs. Choices take effect at once.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ class SettingsPanel : public Panel {
 
  private:
   void draw_programs(Ui& ui);
-  ProgramCommands typed_;  // in the fields; taken when one is left
+  ProgramCommands typed_;  // text of the fields; used when a field is left
 };
 
 }  // namespace talus

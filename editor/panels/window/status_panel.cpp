@@ -14,9 +14,10 @@ namespace {
 
 constexpr float kStamp = 360;  // px at scale 1, where the stamp's part begins
 constexpr float kFile = 670;   // px at scale 1, where the file's part begins
-constexpr int kMostShown = 8;  // tiles of the stamp's picture in a row or column: more would be specks
+// Tiles of the stamp's picture in a row or column: more would be too small to see.
+constexpr int kMostShown = 8;
 
-// " flags 0,2"; nothing without any.
+// " flags 0,2"; empty if there are no flags.
 std::string flags_text(std::uint8_t flags) {
   std::string text;
   for (int flag = 0; flag < kFlagCount; ++flag)
@@ -39,7 +40,7 @@ std::string stamp_text(const Stamp& stamp) {
          std::to_string(stamp.tiles.front());
 }
 
-// A picture of the stamp as high as the line, then its words.
+// A picture of the stamp as high as the line, followed by its text.
 void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
   ImGui::SameLine(ui.px(x));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -54,7 +55,7 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
             "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
 }
 
-// A bar in the place of the number of bodies.
+// A bar instead of the number of bodies.
 void draw_progress(const char* name, const std::string& text, double progress, float x, const char* help,
                    Ui& ui) {
   ImGui::SameLine(ui.px(x));
@@ -69,7 +70,7 @@ void draw_progress(const char* name, const std::string& text, double progress, f
   ui.item(name, help);
 }
 
-// Bodies are still on the ground as it was.
+// Bodies are still on the old ground.
 void draw_compiling(double progress, float x, Ui& ui) {
   draw_progress("status/compiling", "ground " + std::to_string(static_cast<int>(progress * 100)) + " %",
                 progress, x,
@@ -83,8 +84,8 @@ void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
                 "The level is being exported: File > Export shows how far it is, and ends it.", ui);
 }
 
-// The level's file, or why its changes are in none. before: the text at the line's end, which it leaves room
-// for.
+// The level's file, or why its changes are not saved. before: the text at the line's end, for which it leaves
+// room.
 void draw_file(const Session& session, const std::string& before, Ui& ui) {
   const std::string& problem = ui.view.program.autosave_problem;
   const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");

@@ -7,7 +7,8 @@
 
 namespace talus {
 
-// What the mouse is on, in words: "(12, 9)  tile 34 flags 0,2   px 98.00, 74.00"; empty: on nothing.
+// What is under the mouse, in words: "(12, 9)  tile 34 flags 0,2   px 98.00, 74.00"; empty if it is on
+// nothing.
 std::string hover_text(const Session& session, const Hover& hover);
 
 class StatusPanel : public Panel {

@@ -1,4 +1,4 @@
-// The geometry of the window.
+// Computes the layout of the window.
 #include "workspace.h"
 
 #include <imgui_internal.h>
@@ -18,11 +18,11 @@ namespace {
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
-constexpr float kMargin = 6;  // px at scale 1, above and below what is in a region
+constexpr float kMargin = 6;  // px at scale 1, above and below the content of a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 constexpr float kDockLeast = 120, kAboveDockLeast = 300;
 
-// A part of `whole`, with `least` kept for itself and `rest` for the others where there is room for both.
+// A part of `whole`, with `least` for itself and `rest` for the others, if there is room for both.
 float part(double fraction, float whole, float least, float rest) {
   const float wanted = std::floor(static_cast<float>(fraction) * whole);
   return std::clamp(wanted, std::min(least, whole / 2), std::max(whole - rest, whole / 2));
@@ -33,23 +33,23 @@ bool is_sprite_region(Region region) {
          region == Region::flags;
 }
 
-// As in other programs; Dear ImGui leaves it to us. A submenu would open again under the mouse, so that all
-// menus close.
+// As in other programs; Dear ImGui leaves it to us. A submenu would open again under the mouse, so all menus
+// close.
 void close_popup_on_escape() {
   const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
   if (open.empty() || ImGui::GetTopMostPopupModal() != nullptr || !key_pressed(ImGuiKey_Escape)) return;
   ImGui::ClosePopupToLevel(0, true);
 }
 
-// The side of the window that a region belongs to, if it takes keys. In the dock the input roll alone takes
-// them, by itself.
+// The side of the window that a region belongs to, if it takes keys. In the dock only the input roll takes
+// keys, for itself.
 std::optional<Focus> side_of(Region region) {
   if (is_sprite_region(region)) return Focus::sprites;
   if (region == Region::canvas) return Focus::map;
   return region == Region::dock ? std::optional(Focus::input) : std::nullopt;
 }
 
-// A click gives a side the keys, and so does the mouse when it comes there.
+// A click gives a side the keys, and so does a move of the mouse into it.
 bool is_pointed_at(Region region, View& view) {
   const auto side = side_of(region);
   if (!side || region == Region::dock) return false;
@@ -60,7 +60,7 @@ bool is_pointed_at(Region region, View& view) {
   return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
 }
 
-// The side that the keys go to has an accent at its top.
+// The side that has the keys has an accent at its top.
 void show_focus(Region region, Ui& ui) {
   const auto side = side_of(region);
   const bool at_top = !is_sprite_region(region) || region == Region::sheet ||
@@ -71,7 +71,7 @@ void show_focus(Region region, Ui& ui) {
                                             theme::tone(theme::kAccent));
 }
 
-// It is not shown, and so cannot keep the keys.
+// A hidden side cannot keep the keys.
 void leave_input_roll(View& view) {
   if (view.focus == Focus::input) view.focus = Focus::map;
 }
@@ -131,8 +131,8 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   follow_mouse(ui.view);
 }
 
-// What is pressed is meant for what is pointed at. Only a move into a side counts, so that F2 and F3 hold
-// where the mouse rests, and a dialog that closes above it changes nothing.
+// A press is meant for what the mouse points at. Only a move into a side counts: F2 and F3 stay in effect
+// while the mouse rests, and a dialog that closes above it changes nothing.
 void Workspace::follow_mouse(View& view) {
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   if (moved.x == 0 && moved.y == 0) return;
@@ -146,7 +146,7 @@ void Workspace::follow_mouse(View& view) {
 void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const float bar = ui.px(kSplitterWidth), flags = ui.px(kFlags), palette = ui.px(kPalette);
-  // No higher than the sheet is at the zoom that its width allows.
+  // At most as high as the sheet at the zoom that its width allows.
   const float zoom = std::floor((size.x - ui.px(16)) / kSheetSide);
   const float header = 2 * ui.px(kMargin) + ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.y;
   const float sheet =
@@ -247,7 +247,7 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
     draw_panel(*here[0], frame);
     return;
   }
-  // Dear ImGui shows the first tab at first, and the remembered one from the second frame on.
+  // Dear ImGui shows the first tab in the first frame, and the remembered one from the second frame on.
   const bool first = ImGui::IsWindowAppearing();
   if (!ImGui::BeginTabBar("tabs")) return;
   std::vector<std::string>& chosen = frame.ui.view.tabs;

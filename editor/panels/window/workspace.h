@@ -20,15 +20,16 @@ class Workspace {
     Ui& ui;
   };
   void draw_left(Frame& frame, ImVec2 at, ImVec2 size);
-  // The debugger's panels at the bottom of the room, if they are open; their height.
+  // Draws the debugger's panels at the bottom of the room, if they are open. Returns their height.
   float draw_dock(Frame& frame, ImVec2 at, ImVec2 room);
-  // The pixel canvas above the map and the play view, if it is enlarged; its height.
+  // Draws the pixel canvas above the map and the play view, if it is enlarged. Returns its height.
   float draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room);
   void draw_right(Frame& frame, ImVec2 at, ImVec2 size);
   // One region: its panel, or tabs of its panels.
   void draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size);
   void draw_tabs(Frame& frame, Region region);
-  void draw_panel(Panel& panel, Frame& frame);  // its first control gets the keys, if they are asked for
+  // Its first control gets the focus, if the keys are wanted there.
+  void draw_panel(Panel& panel, Frame& frame);
   void follow_mouse(View& view);
 
   std::vector<PanelPlace> panels_;
