@@ -1,4 +1,4 @@
-// Panel: a part of the window. It shows the session and answers with actions; it knows no other panel.
+// Panel: a part of the window. It shows the session and answers with actions; it does not know other panels.
 #pragma once
 
 #include <string_view>
@@ -12,9 +12,9 @@ namespace talus {
 class Panel {
  public:
   virtual ~Panel() = default;
-  virtual std::string_view id() const = 0;     // of its widgets' names: "flags"
-  virtual std::string_view title() const = 0;  // of its tab or heading
-  // Draws into the current ImGui window, in the room that is left there.
+  virtual std::string_view id() const = 0;     // prefix of its widgets' names: "flags"
+  virtual std::string_view title() const = 0;  // title of its tab or heading
+  // Draws into the current ImGui window, in the room that is left.
   virtual void draw(const Session& session, Actions& actions, Ui& ui) = 0;
 };
 

@@ -1,4 +1,4 @@
-// The ids of the panels that commands show or give the keys to.
+// The ids of panels that commands show or focus.
 #pragma once
 
 #include <string_view>

@@ -14,7 +14,7 @@ std::string branch_name(const Branch& branch) {
   return name;
 }
 
-// With room for ids and frames of an hour.
+// Wide enough for ids and for the frames of an hour.
 std::string short_name(const Branch& branch) {
   std::string name = "branch " + std::to_string(branch.id);
   if (branch.parent != 0) name += " from " + std::to_string(branch.fork);
@@ -30,7 +30,7 @@ void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::CancelRerun{});
 }
 
-// The other side of a comparison, which a long recording takes some time for.
+// The other side of a comparison, which takes some time for a long recording.
 void draw_comparing(double progress, Actions& actions, Ui& ui) {
   const auto percent = static_cast<int>(progress * 100);
   if (ui.text_button("compare/progress", "comparing " + std::to_string(percent) + " %  x", false,

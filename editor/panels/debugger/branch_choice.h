@@ -1,4 +1,4 @@
-// The branches of the timeline: which is shown, which is compared with it, and what is still to be run.
+// The branches of the timeline: the shown one, the one it is compared with, and what is still to be run.
 #pragma once
 
 #include "panels/ui/ui.h"
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// px at scale 1, of the choice and of the button that shows and ends long work.
+// px at scale 1, of the choice and of the button that shows long work and ends it.
 inline constexpr float kBranchWidth = 176, kProgressWidth = 140;
 
 void draw_branch_choice(const Session& session, Actions& actions, Ui& ui);

@@ -1,4 +1,4 @@
-// What is compared with what, and how far each body is from its other self.
+// What is compared with what, and how far each body is from the same body on the other side.
 #include "compare_panel.h"
 
 #include <algorithm>

@@ -30,7 +30,7 @@ std::optional<ExpressionError> error_of(const std::string& text, bool condition)
 
 }  // namespace
 
-// Tab puts the first candidate in, or, without one, goes on; the cursor is told of in every frame.
+// Tab inserts the first candidate or, without one, goes on. ImGui calls this in every frame with the cursor.
 int ExpressionField::on_edit(ImGuiInputTextCallbackData* data) {
   auto& field = *static_cast<ExpressionField*>(data->UserData);
   field.cursor_ = static_cast<std::size_t>(data->CursorPos);
@@ -59,18 +59,18 @@ bool ExpressionField::draw(std::string_view name, std::string& text, bool condit
       ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_EnterReturnsTrue;
   const bool confirmed = input_text(name, hint, text, kFlags, on_edit, this);
   const bool left = ImGui::IsItemDeactivatedAfterEdit();
-  const float edge = ImGui::GetItemRectMin().x;  // what is said of it is below it
+  const float edge = ImGui::GetItemRectMin().x;  // its message is below it
   const bool active = ImGui::IsItemActive();
   by_enter_ = confirmed;
   const auto error = text.empty() ? std::nullopt : error_of(text, condition);
-  // What is said of the text is below it, where help would cover it.
+  // The message about the text is below it, where help would cover it.
   constexpr std::string_view kHelp =
       "An expression such as \"vy > 3 && grounded\". Tab completes a name, or goes on if there is nothing to "
       "complete; Up and Down go to the other rows.";
   ui.item(name, error || active ? std::string_view() : kHelp);
   if (error) draw_error(text, *error, ui);
   if (active || open_) draw_candidates(name, edge, text, ui);
-  if (error && confirmed) ui.view.wants_text = name;  // so that it can be mended
+  if (error && confirmed) ui.view.wants_text = name;  // so that the user can correct it
   open_ = active || (open_ && ImGui::IsMouseDown(0));
   return !error && (confirmed || (left && !text.empty()));
 }

@@ -9,19 +9,19 @@
 
 namespace talus {
 
-// Where a key asks to go from a field.
+// Where a key moves to from a field.
 enum class FieldWay { none, up, down, on };
 
 class ExpressionField {
  public:
-  // condition: it must be a truth value. width: px of the screen. True when a text without a mistake was
-  // entered, by Enter or by leaving the field; an empty one by Enter alone.
+  // condition: the expression must have a truth value. width: px of the screen. Returns true when a correct
+  // text was entered, by Enter or by leaving the field; an empty one only by Enter.
   bool draw(std::string_view name, std::string& text, bool condition, float width, std::string_view hint,
             Ui& ui);
 
-  // Of the last draw():
+  // About the last draw():
   FieldWay way() const { return way_; }
-  bool is_open() const { return open_; }  // it has the keys, and its candidates are shown
+  bool is_open() const { return open_; }  // whether it has the focus and shows its candidates
   bool by_enter() const { return by_enter_; }
 
  private:
@@ -32,7 +32,7 @@ class ExpressionField {
   std::size_t cursor_ = 0;
   FieldWay way_ = FieldWay::none;
   bool by_enter_ = false;
-  bool open_ = false;  // the field had the keys in the last frame: the candidates are shown
+  bool open_ = false;  // whether the field had the focus in the last frame, so that candidates are shown
 };
 
 }  // namespace talus

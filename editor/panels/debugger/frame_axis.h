@@ -15,7 +15,7 @@ struct FrameAxis {
     const double share = (frame - static_cast<double>(first)) / static_cast<double>(last - first);
     return left + static_cast<float>(share) * width;
   }
-  // The nearest one, of those of the axis.
+  // The nearest frame of the axis.
   std::int64_t frame_at(float x) const {
     const double share = std::clamp<double>((x - left) / width, 0, 1);
     return first + std::llround(share * static_cast<double>(last - first));

@@ -8,10 +8,10 @@
 namespace talus {
 namespace {
 
-constexpr double kFewest = 10;         // frames that can be shown alone
-constexpr double kZoomOfAStep = 1.25;  // of a click of the wheel
+constexpr double kFewest = 10;         // smallest number of shown frames
+constexpr double kZoomOfAStep = 1.25;  // for one click of the wheel
 
-// All frames as the default, and no place beside them.
+// All frames count as the default, and there is no place beside them.
 void clamp_frames(FrameZoom& zoom, std::int64_t last) {
   const auto all = static_cast<double>(std::max<std::int64_t>(last, 1));
   if (zoom.count <= 0 || zoom.count >= all) {
@@ -57,7 +57,7 @@ void show_frame(FrameZoom& zoom, std::int64_t frame, std::int64_t last) {
 
 void handle_frame_zoom(const FrameAxis& axis, std::int64_t last, Ui& ui) {
   if (!ImGui::IsItemHovered()) return;
-  ImGui::SetItemUsingMouseWheel();  // what is around it does not scroll
+  ImGui::SetItemUsingMouseWheel();  // the region around it does not scroll
   const ImGuiIO& io = ImGui::GetIO();
   FrameZoom& zoom = ui.view.debugger.frames;
   const double frames_of_px = static_cast<double>(axis.last - axis.first) / axis.width;

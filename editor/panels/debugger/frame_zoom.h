@@ -7,13 +7,13 @@
 
 namespace talus {
 
-// The frames that are shown of 0..last (last >= 1), from `left` px on.
+// The shown frames out of 0..last (last >= 1), from `left` px on.
 FrameAxis axis_of(const FrameZoom& zoom, std::int64_t last, float left, float width);
 
-// steps > 0: in. Keeps `frame` where it is.
+// steps > 0: zooms in. Keeps `frame` in its place.
 void zoom_frames(FrameZoom& zoom, double frame, float steps, std::int64_t last);
 void pan_frames(FrameZoom& zoom, double frames, std::int64_t last);
-// Pans as little as shows the frame.
+// Pans as little as needed to show the frame.
 void show_frame(FrameZoom& zoom, std::int64_t frame, std::int64_t last);
 
 // For ImGui's last item, which has this axis: the wheel zooms at the mouse, and the middle button drags. The

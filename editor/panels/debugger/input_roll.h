@@ -1,4 +1,4 @@
-// What the input roll has chosen; for its panel, its commands and the canvas.
+// The choice in the input roll; for its panel, its commands and the canvas.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct FrameRange {
   std::int64_t first = 0, last = 0;
   bool has(std::int64_t frame) const { return frame >= first && frame <= last; }
 };
-// The shown frame, or the range of the roll's keys up to it.
+// The shown frame, or the range of the roll's keys that ends there.
 inline FrameRange chosen_frames(const Session& session, const View& view) {
   const std::int64_t shown = session.state().frame, from = view.input_range.value_or(shown);
   return {std::min(from, shown), std::max(from, shown)};
@@ -32,7 +32,8 @@ inline FrameRange chosen_frames(const Session& session, const View& view) {
 
 // Whether the roll is open, so that the canvas shows the recorded mouse, too.
 inline bool shows_input_roll(const View& view) {
-  return view.dock_open && std::find(view.tabs.begin(), view.tabs.end(), panel_id::kInputRoll) != view.tabs.end();
+  return view.dock_open &&
+         std::find(view.tabs.begin(), view.tabs.end(), panel_id::kInputRoll) != view.tabs.end();
 }
 
 }  // namespace talus

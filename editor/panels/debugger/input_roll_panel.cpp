@@ -1,4 +1,4 @@
-// The strip of keys, around the frame that is shown.
+// The strip of keys around the shown frame.
 #include "input_roll_panel.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
 }
 
-// The frame that is shown stays at a third of the width, unless the wheel moved the strip.
+// The shown frame stays at a third of the width, unless the wheel moved the strip.
 InputRollPanel::Columns InputRollPanel::visible_frames(const Session& session, float width, float column) {
   Columns view{0, std::max(1, static_cast<int>(width / column))};
   const std::int64_t frame = session.state().frame;
@@ -122,10 +122,11 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   ImGui::PopID();
 }
 
-// Where the mouse was in the step to the shown frame, or in those of the range, which all get what is typed.
+// The place of the mouse in the step to the shown frame, or in the steps of the range, which all get what is
+// typed.
 void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, Ui& ui) {
   const FrameRange chosen = chosen_frames(session, ui.view);
-  if (session.state().frame < 1) return;  // a range may have begun at a later one
+  if (session.state().frame < 1) return;  // a range may have begun at a later frame
   const Vec2 now = session.timeline().current().input(session.state().frame).mouse;
   ui.begin_row();
   draw_text(chosen.first == chosen.last ? "Mouse in the step to this frame"

@@ -1,4 +1,4 @@
-// The input roll: what was held in each frame, as a strip that can be changed.
+// The input roll: a strip that shows and changes what is held in each frame.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ class InputRollPanel final : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  struct Stroke {  // of the mouse, over the frames of one key
+  struct Stroke {  // a drag of the mouse over the frames of one key
     InputKey key;
     bool on;                // what it sets
     std::int64_t from, to;  // frames, in any order
@@ -32,9 +32,10 @@ class InputRollPanel final : public Panel {
 
   std::optional<Stroke> stroke_;
   Vec2 typed_;                      // px, in the fields of the mouse's place
-  double Vec2::*edited_ = nullptr;  // the one of them that is being typed into; null: none
-  std::int64_t scrolled_ = 0;       // columns by which the wheel moved it
-  std::int64_t scrolled_at_ = -1;   // the frame shown then; when another is shown, it follows that again
+  double Vec2::*edited_ = nullptr;  // the one that is being typed into; null: none
+  std::int64_t scrolled_ = 0;       // columns by which the wheel moved the strip
+  // The frame that was shown then; when another one is shown, the strip follows again.
+  std::int64_t scrolled_at_ = -1;
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The list of breakpoints, with what adds one and what runs to one.
+// The list of breakpoints, with the controls that add one and run to one.
 #include "stops_panel.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ bool has_stopped(const Session& session, const Breakpoint& breakpoint) {
 
 std::string condition_name(int breakpoint) { return "stops/" + std::to_string(breakpoint) + "/condition"; }
 
-// The field that a key goes to from this one's condition.
+// The field that a key moves to from this condition.
 std::string next_field(const std::vector<Breakpoint>& all, const Breakpoint& from, FieldWay way) {
   const auto at = std::find_if(all.begin(), all.end(), [&](const Breakpoint& b) { return b.id == from.id; });
   if (way == FieldWay::on) return "stops/" + std::to_string(from.id) + "/body";
@@ -119,7 +119,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   if (new_field_.way() == FieldWay::down && !all.empty()) ui.view.wants_text = condition_name(all.front().id);
 }
 
-// The numbers of the kind that is chosen.
+// The numbers of the chosen kind.
 void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui) {
   for (std::size_t i = 0; i < field_count(info); ++i) {
     const StopField& field = info.fields[i];
@@ -140,7 +140,7 @@ void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, A
   command_button("stops/pick", session, actions, ui);
 }
 
-// A kind begins with its defaults; one about a place with what is selected or was clicked last.
+// A kind begins with its defaults; a kind about a place begins with what is selected or was clicked last.
 void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
   DebuggerView& view = ui.view.debugger;
   if ((view.picks_cell || view.picked_cell) && !is_about_place(kind_)) {

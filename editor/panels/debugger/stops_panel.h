@@ -25,13 +25,13 @@ class StopsPanel final : public Panel {
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   void draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui);
 
-  StopKind kind_ = StopKind::touches_tile;  // of the next one
+  StopKind kind_ = StopKind::touches_tile;  // kind of the next breakpoint
   std::array<double, 4> fields_{};          // its numbers
   bool fields_set_ = false;
-  bool fields_typed_ = false;  // by the user, or picked: they no longer follow what is clicked
-  std::string new_text_;       // of a condition that is being typed
+  bool fields_typed_ = false;  // typed by the user, or picked: they no longer follow what is clicked
+  std::string new_text_;       // a condition that is being typed
   ExpressionField new_field_;
-  std::map<int, std::string> texts_;  // by id: as they are being typed
+  std::map<int, std::string> texts_;  // by id: texts as they are being typed
   std::map<int, ExpressionField> condition_fields_;
 };
 

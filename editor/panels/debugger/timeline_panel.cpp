@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kTrack = 24, kTakeOver = 142;  // px at scale 1: its height, and the button's width
 
-// Small triangles below what the axis shows at a frame.
+// Small triangles below the axis, at frames.
 void draw_pin(ImDrawList& list, float x, float bottom, float size, ImU32 color) {
   list.AddTriangleFilled({x - size, bottom - size * 1.6f}, {x + size, bottom - size * 1.6f}, {x, bottom},
                          color);
@@ -38,7 +38,7 @@ class Track {
   void draw() const {
     list_.AddRectFilled(min_, max_, theme::tone(theme::kControl), ui_.px(3));
     list_.PushClipRect(min_, max_, true);
-    // What is still to be run again is empty.
+    // The part that is still to be run again is empty.
     const float end = axis_.left + axis_.width;
     const float run = std::clamp(axis_.x_of(static_cast<double>(branch_.run_frame())), axis_.left, end);
     list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {end, middle() + ui_.px(2)},
@@ -48,7 +48,7 @@ class Track {
     for (const Chapter& chapter : branch_.chapters)
       if (chapter.first > 0) tick(chapter.first, theme::tone(theme::kWarning, 170));
     if (branch_.parent != 0) tick(branch_.fork, theme::tone(theme::kText, 170));
-    float last = axis_.left - ui_.px(8);  // a pin that would lie on the one before is left out
+    float last = axis_.left - ui_.px(8);  // a pin that would cover the one before is left out
     for (const Mark& mark : branch_.marks) {
       const float x = axis_.x_of(static_cast<double>(mark.frame));
       if (x < last + 1 || x > max_.x + ui_.px(4)) continue;
@@ -77,7 +77,7 @@ class Track {
     const float x = std::round(axis_.x_of(static_cast<double>(frame)));
     list_.AddRectFilled({x, middle() - ui_.px(5)}, {x + ui_.px(1), middle() + ui_.px(5)}, color);
   }
-  // Which frames they are, while it shows not all of them.
+  // The range of shown frames, if these are not all.
   void ends() const {
     if (ui_.view.debugger.frames == FrameZoom{}) return;
     const std::string first = std::to_string(axis_.first), last = std::to_string(axis_.last);
@@ -128,7 +128,7 @@ void TimelinePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_take_over(session, actions, ui);
 }
 
-// What is played in the past is the recording again, which nobody sees from the picture.
+// At an earlier frame, play shows the recording again, which the picture does not tell.
 void TimelinePanel::draw_take_over(const Session& session, Actions& actions, Ui& ui) {
   const bool replays = session.playback().running && session.timeline().in_past();
   const Command& command = find_command("timeline/fork");

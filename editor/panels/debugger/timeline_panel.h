@@ -1,4 +1,4 @@
-// The timeline: every recorded frame in one strip to drag along, with marks and what else is of interest.
+// The timeline: every recorded frame in one strip to drag along, with marks and other interesting frames.
 #pragma once
 
 #include "panels/panel.h"
@@ -15,7 +15,7 @@ class TimelinePanel final : public Panel {
   void draw_take_over(const Session& session, Actions& actions, Ui& ui);
   void draw_track(const Session& session, Actions& actions, Ui& ui, ImVec2 size);
 
-  std::int64_t shown_ = -1;  // frame, when it was drawn last
+  std::int64_t shown_ = -1;  // the shown frame when it was drawn last
 };
 
 }  // namespace talus

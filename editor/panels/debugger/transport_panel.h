@@ -1,4 +1,4 @@
-// The transport bar: running and stepping, the speed, and the overlays' switches, which are their legend too.
+// The transport bar: play, step, speed, and the switches of the overlays, which are also their legend.
 #pragma once
 
 #include "panels/panel.h"
@@ -14,7 +14,7 @@ class TransportPanel : public Panel {
  private:
   void draw_frame(const Session& session, Actions& actions, Ui& ui);
 
-  std::int64_t typed_ = 0;  // in the field of the frame
+  std::int64_t typed_ = 0;  // text of the frame's field
   bool typing_ = false;
 };
 

@@ -1,4 +1,4 @@
-// A row for every tuning field, by group.
+// A row for each tuning field, by group.
 #include "tuning_panel.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ class TuningPanel : public Panel {
  private:
   static void draw_group(std::string_view group, Ui& ui);
   void draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui);
-  int stroke_ = 0;  // of the drag that is going on: one undo for each
+  int stroke_ = 0;  // of the current drag: one undo for each drag
 };
 
 }  // namespace talus

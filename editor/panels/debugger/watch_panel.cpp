@@ -1,4 +1,4 @@
-// A row for every watch: its text, its value, and its plot.
+// A row for each watch: its text, its value, and its plot.
 #include "watch_panel.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& ac
   draw_text(index, session, actions, ui);
   ImGui::PopStyleColor();
   const Row& row = rows_[index];
-  if (row.field.is_open()) return;  // what is typed, and what is said of it, takes the room of the plot
+  if (row.field.is_open()) return;  // the typed text and its message take the room of the plot
   if (entry.expression && row.text == entry.watch.text) {
     const double value = Watches::value(entry, session.frame_view(), session.choices().body);
     ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetFrameHeight() + ui.px(1)});
@@ -109,7 +109,7 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
   if (row.shown != entry.watch.text) row.text = row.shown = entry.watch.text;
   const bool entered =
       row.field.draw(text_name(index), row.text, false, ui.px(kTextWidth - 34), "Enter removes it", ui);
-  if (row.field.by_enter() && ui.view.wants_text.empty())  // what is typed next is no command
+  if (row.field.by_enter() && ui.view.wants_text.empty())  // the next typed text is not a command
     ui.view.wants_text = row.text.empty() ? "watch/new" : text_name(index);
   if (entered && row.text.empty()) {
     actions.push_back(action::RemoveWatch{index});
@@ -122,7 +122,7 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
   if (row.field.way() == FieldWay::down && index + 1 < all.size()) ui.view.wants_text = text_name(index + 1);
 }
 
-// How long the steps took: measured while they were made, so no expression can tell.
+// The time of the steps. It was measured when they were made, so no expression can compute it.
 void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::SmallButton("x")) ui.view.shows_times = false;

@@ -1,4 +1,4 @@
-// Watches and plots: expressions, their values now, and over the whole run.
+// Watches and plots: expressions, with their current values and over the whole run.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ class WatchPanel final : public Panel {
   ExpressionField new_field_;
   struct Row {
     std::string text;   // as it is being typed
-    std::string shown;  // of the watch when it was looked at last
+    std::string shown;  // of the watch at the last look
     ExpressionField field;
   };
   std::vector<Row> rows_;

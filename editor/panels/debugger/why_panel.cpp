@@ -1,4 +1,4 @@
-// The list of stages; the one that is chosen is drawn in the play view.
+// The list of stages. The chosen one is drawn in the play view.
 #include "why_panel.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostStages = 500;  // that are listed; each is wrapped anew in every frame
+constexpr std::size_t kMostStages = 500;  // most listed stages; each is wrapped anew in every frame
 
 std::string_view title_of(StageKind kind) {
   switch (kind) {
@@ -46,7 +46,7 @@ std::string wrapped(const std::string& whole, float width) {
   return lines;
 }
 
-// A text that is broken into lines already.
+// A text that is already broken into lines.
 void draw_lines(const std::string& text, ImU32 color) {
   ImGui::PushTextWrapPos(FLT_MAX);
   draw_text(text, color);

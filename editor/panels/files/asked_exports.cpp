@@ -15,14 +15,14 @@ constexpr std::size_t kMostShown = 120;                          // bytes of a n
 constexpr float kAskedSizeColumn = 84, kAskedPlaceColumn = 150;  // px at scale 1
 
 struct AskedRow {
-  const ExportTask* preset = nullptr;  // null: a file
+  const ExportTask* preset = nullptr;  // null: this row is a file
   const PlannedFile* file = nullptr;
   const ExportOutcome* outcome = nullptr;  // never null
 };
 
 bool is_inside_a_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-// The text without the middle, of so many bytes of it.
+// The text without its middle, with so many bytes left.
 std::string without_middle(const std::string& text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
   std::size_t head = bytes / 3, tail = text.size() - bytes / 2;
@@ -31,7 +31,7 @@ std::string without_middle(const std::string& text, std::size_t bytes) {
   return text.substr(0, head) + " ... " + text.substr(tail);
 }
 
-// A text of the file's in one line, without its middle where it does not fit into the width, px.
+// A text of a file in one line, without its middle if it does not fit into the width, px.
 std::string fitted(const std::string& text, float width) {
   const std::string line = shown_line(text, kMostText);
   std::string shown = without_middle(line, kMostShown);

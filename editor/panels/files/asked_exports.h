@@ -1,4 +1,4 @@
-// The list of what exports would write that the user has not allowed yet.
+// The list of files that exports would write and that the user has not allowed yet.
 #pragma once
 
 #include "panels/ui/ui.h"
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// Fills what is left of the window but `below` px.
+// Fills the rest of the window, but leaves `below` px.
 void draw_asked_exports(const FinishedRun& asked, float below, Ui& ui);
 
 }  // namespace talus

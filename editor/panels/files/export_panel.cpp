@@ -29,7 +29,7 @@ const ExportPreset& chosen_preset(const Session& session, const Ui& ui) {
   return session.level().exports[ui.view.exports.preset];
 }
 
-// Its label, which stands in sentences elsewhere, with a capital.
+// Its label with a capital; in sentences it has none.
 std::string exporter_title(const Exporter& exporter) {
   std::string title(exporter.label);
   if (title.front() >= 'a' && title.front() <= 'z')
@@ -42,14 +42,14 @@ std::string target_label(const std::string& id) {
   return exporter != nullptr ? exporter_title(*exporter) : id.empty() ? "No target" : "Unknown: " + id;
 }
 
-// A game that can be started is what most want first.
+// Most users want a game that they can start, so it comes first.
 const Exporter& first_target() {
   const auto all = exporters();
   const auto folder = std::find_if(all.begin(), all.end(), [](const Exporter& e) { return e.is_folder(); });
   return folder != all.end() ? *folder : all.front();
 }
 
-// The targets that fit what was typed, the best first.
+// The targets that fit the typed text, the best ones first.
 std::vector<const Exporter*> matching_targets(const std::string& typed) {
   std::vector<std::pair<int, const Exporter*>> scored;
   for (const Exporter& exporter : exporters()) {
@@ -71,13 +71,14 @@ void field_label(const char* label, Ui& ui) {
   ImGui::SameLine(ui.px(kExportLabels));
 }
 
-// One line of text up to the window's right side, with "..." where it ends early.
+// One line of text up to the window's right side, with "..." if it does not fit.
 void draw_short(const std::string& text, ImVec2 at, std::uint32_t color) {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   add_short_text(*ImGui::GetWindowDrawList(), at, right, theme::tone(color), text);
 }
 
-// A field that shows `now` and holds what is typed until it is left. True when that is another text.
+// A field that shows `now`, and keeps what is typed until it is left. Returns true if that is another text
+// then.
 bool text_field(const char* widget, const char* hint, std::string& typed, const std::string& now,
                 const std::string& help, Ui& ui) {
   take_text_focus(widget, ui);
@@ -90,7 +91,7 @@ bool text_field(const char* widget, const char* hint, std::string& typed, const 
   return changed;
 }
 
-// The presets but one; of no such index, all.
+// All presets except this one.
 std::vector<ExportPreset> other_presets(const Session& session, std::size_t index) {
   std::vector<ExportPreset> others = session.level().exports;
   if (index < others.size()) others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
@@ -101,7 +102,7 @@ ExportPreset new_preset(const Session& session) {
   return with_target({}, first_target(), session.level().exports, session.file_name(), session.path());
 }
 
-// Where it would write what it is a copy of, it gets a path of its own.
+// A copy that would write the same files gets a path of its own.
 ExportPreset copied_preset(const Session& session, ExportPreset copy) {
   copy.name = free_export_name(session.level(), copy.name);
   if (const Exporter* exporter = find_exporter(copy.exporter))

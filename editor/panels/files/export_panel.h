@@ -1,4 +1,4 @@
-// The window of exports: the level's presets, what one of them would write, and writing it.
+// The export window: the level's presets, what the chosen one would write, and writing it.
 #pragma once
 
 #include "panels/panel.h"
@@ -22,7 +22,7 @@ class ExportPanel : public Panel {
   void draw_parts(const Session& session, Actions& actions, Ui& ui);
 
   std::string name_, path_, parts_;  // as typed, until the field is left
-  std::string target_;               // what is looked for among the targets
+  std::string target_;               // text to search for among the targets
 };
 
 }  // namespace talus

@@ -12,7 +12,7 @@ namespace {
 
 using Place = PlannedFile::Place;
 
-constexpr float kMostNoteLines = 3;  // of what is said beside the files, before it is scrolled
+constexpr float kMostNoteLines = 3;                    // lines of notes beside the files before they scroll
 constexpr float kSizeColumn = 84, kPlaceColumn = 210;  // px at scale 1
 
 std::string code_text(std::size_t bytes) {
@@ -22,7 +22,7 @@ std::string code_text(std::size_t bytes) {
                               : "Code: " + sizes + " of TIC-80's free version.";
 }
 
-// What went wrong with the shown preset in the last run, if it is as it was then.
+// What went wrong with the shown preset in the last run, if the preset has not changed since.
 const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
   const ExportTask task = session.export_task(ui.view.exports.preset);
   for (const ExportOutcome& outcome : session.exporting().last_run()) {
@@ -110,7 +110,7 @@ std::string progress_text(const ExportProgress& progress) {
          " files, " + size_text(progress.bytes_done) + " of " + size_text(progress.bytes);
 }
 
-// A bar with a text, and the button that ends what it shows.
+// A bar with a text, and the button that ends the work.
 void draw_progress_row(const char* widget, const std::string& text, double share, const Session& session,
                        Actions& actions, Ui& ui) {
   const float button = ui.px(88), width = ImGui::GetContentRegionAvail().x - button - ui.px(8);
@@ -132,14 +132,14 @@ void draw_progress_row(const char* widget, const std::string& text, double share
     cancel.run(session, actions, ui);
 }
 
-// How far a preview is that takes its time; shorter ones would flicker.
+// The progress of a preview that takes long; for a shorter one the bar would flicker.
 std::optional<ExportProgress> long_preview(const Session& session) {
   constexpr double kLong = 0.25;  // seconds
   const auto progress = session.exporting().preview_progress();
   return progress && progress->seconds > kLong ? progress : std::nullopt;
 }
 
-// Beside the button that exports: how far a preview is, or how to get one.
+// Beside the export button: the progress of a preview, or how to get one.
 void draw_preview_progress(const std::optional<ExportProgress>& progress, const Session& session,
                            Actions& actions, Ui& ui) {
   if (progress) {

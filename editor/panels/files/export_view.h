@@ -1,4 +1,4 @@
-// What the window of exports shows, besides what the session knows.
+// What the export window shows, besides what the session knows.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@ namespace talus {
 
 struct ExportView {
   bool open = false;
-  std::size_t preset = 0;  // index of the one that is shown; of none: the last one
+  std::size_t preset = 0;  // index of the shown preset; beyond the list: the last one
 };
 
 }  // namespace talus

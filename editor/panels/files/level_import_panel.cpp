@@ -1,4 +1,4 @@
-// Layers, tiles, and what comes of them.
+// Layers, tiles, and the result.
 #include "level_import_panel.h"
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace talus {
 namespace {
 
 constexpr float kReportWidth = 520;  // px at scale 1
-constexpr float kListLines = 8;      // of a list before it is scrolled
+constexpr float kListLines = 8;      // of a list before it scrolls
 
-// What was read, or why it cannot be, in sentences.
+// What was read, or why it cannot be read, in sentences.
 std::string text_of(const LevelImport& import) {
   if (!import.plan) {
     const FormatError& error = import.plan.error();

@@ -1,4 +1,5 @@
-// The dialog that asks what of a file of another program becomes the level, where it holds more than one can.
+// The dialog that asks which part of another program's file becomes the level, if the file has more than one
+// can hold.
 #pragma once
 
 #include "panels/panel.h"
@@ -12,7 +13,7 @@ class LevelImportPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  // Each changes the choices as the user does.
+  // Each returns the choices changed by the user.
   static void draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui);
   static void draw_tiles(ImportChoices& choices, Ui& ui);
   static void draw_report(const LevelImport& import, Ui& ui);

@@ -1,4 +1,4 @@
-// Before and after, with numbers.
+// Shows the result before and after, with numbers.
 #include "picture_import_panel.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace talus {
 namespace {
 
-constexpr float kPreview = 264;    // px at scale 1, the most that a side of a picture takes
+constexpr float kPreview = 264;    // px at scale 1, largest side of a picture
 constexpr float kColorStrip = 10;  // px at scale 1, height of the strips of colours
 constexpr float kBetween = 12;     // px at scale 1, between the pictures
-constexpr int kReportLines = 4;    // that there is always room for
+constexpr int kReportLines = 4;    // lines that always have room
 
 // A whole zoom step.
 float side_of_picture(const Ui& ui) {
@@ -38,7 +38,7 @@ void draw_palette(const Palette& palette, ImVec2 at, float side, Ui& ui) {
   }
 }
 
-// Where the picture goes, on a sheet drawn at `at`.
+// The place of the picture, on a sheet drawn at `at`.
 void draw_target(const PngImport& import, ImVec2 at, float cell) {
   if (import.options.part == PngPart::palette) return;
   const int tile = import.options.tile;
@@ -59,7 +59,7 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height) + " px";
 }
 
-// What the plan makes of the picture's size; empty where it is taken as it is.
+// What the plan does with the picture's size; empty if it keeps it.
 std::string text_of_fit(const PngImport& import) {
   const PngPicture& picture = import.picture;
   const int width = import.plan->width, height = import.plan->height;
@@ -90,7 +90,7 @@ void draw_color(Rgb color) {
   ImGui::Dummy({side, side});
 }
 
-// How well the level's colours do for the picture's.
+// How well the level's colours fit those of the picture.
 void draw_match(const PngImportPlan& plan, Ui& ui) {
   if (plan.width == 0) return;
   if (plan.approximated == 0) return ui.hint("Every pixel keeps its own colour.");
@@ -107,7 +107,7 @@ void draw_match(const PngImportPlan& plan, Ui& ui) {
   draw_color(plan.farthest_to);
 }
 
-// How its colours and its size become the sheet's.
+// How the picture's colours and size are adapted to the sheet.
 void draw_choices(PngImportOptions& options, bool enabled, Ui& ui) {
   const auto color_choice = [&](bool takes, const char* name, const char* label, const char* help) {
     if (radio_button(label, {}, options.take_palette == takes)) options.take_palette = takes;
@@ -159,7 +159,7 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
   part(PngPart::sprites, "import/sprites", "Sprites", "It becomes images of the sheet of sprites.");
   part(PngPart::palette, "import/palette", "Palette",
        "Its pixels, up to 16 side by side, become the level's colours.");
-  // Of a palette the rows stay, so that the dialog keeps its size under the mouse.
+  // For a palette the rows stay, so that the dialog keeps its size under the mouse.
   const bool enabled = options.part != PngPart::palette;
   ImGui::BeginDisabled(!enabled);
   ui.label("from tile");
@@ -211,7 +211,7 @@ PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const
 void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   ImGui::Spacing();
   const float top = ImGui::GetCursorPosY();
-  // Not at the window's edge, since the window takes its size from the text.
+  // Not at the window's edge, since the text sets the size of the window.
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kBetween));
   if (import.plan) {
     draw_text(text_of_changes(import));

@@ -1,4 +1,4 @@
-// The dialog that shows what taking a picture into the level would change, before it is done.
+// The dialog that shows what an imported picture would change in the level.
 #pragma once
 
 #include "panels/panel.h"
@@ -12,7 +12,7 @@ class PictureImportPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  // Each returns the options as they are chosen from now on.
+  // Each returns the options as the user has now set them.
   static PngImportOptions draw_options(const PngImport& import, Ui& ui);
   static PngImportOptions draw_pictures(const Session& session, const PngImport& import,
                                         PngImportOptions options, Ui& ui);

@@ -1,11 +1,11 @@
-// How far a large file is read, with a button that ends it.
+// Shows how much of a large file is read, with a button that ends the reading.
 #pragma once
 
 #include "panels/panel.h"
 
 namespace talus {
 
-// Whether a file takes so long that the dialog is shown; shorter ones would flicker.
+// Whether a file takes so long that the dialog is shown; for shorter ones it would flicker.
 bool shows_reading(const Session& session);
 
 class ReadingPanel : public Panel {

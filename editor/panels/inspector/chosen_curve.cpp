@@ -1,4 +1,4 @@
-// Finding and removing the chosen curve.
+// Finds and removes the chosen curve.
 #include "chosen_curve.h"
 
 #include "edit/curve_tools.h"

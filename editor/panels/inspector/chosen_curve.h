@@ -1,4 +1,4 @@
-// The curve that is chosen, and the tools for curves.
+// The chosen curve, for the tools that draw curves.
 #pragma once
 
 #include "panels/ui/ui.h"
@@ -8,9 +8,9 @@ namespace talus {
 
 inline bool draws_curves(MapTool tool) { return tool == MapTool::segment || tool == MapTool::curve; }
 
-// The chosen curve's index; -1: none, or it is gone.
+// Index of the chosen curve; -1: none is chosen, or it is gone.
 int chosen_curve(const Session& session);
-// What Delete does with these tools: takes away the curve under the mouse, else the chosen one.
+// What Delete does with these tools: removes the curve under the mouse, or else the chosen one.
 void delete_curve(const Session& session, Actions& actions, const Ui& ui);
 
 }  // namespace talus

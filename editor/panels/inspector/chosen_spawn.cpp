@@ -1,4 +1,4 @@
-// Finding the chosen body's spawn.
+// Finds the spawn of the chosen body.
 #include "chosen_spawn.h"
 
 namespace talus {

@@ -11,13 +11,14 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostHeights = 65;           // of a polyline, that get a field each
-constexpr const char* kLongNumber = "-0.1234567";  // that a field has room for
+constexpr std::size_t kMostHeights = 65;           // of a polyline; so many heights get a field each
+constexpr const char* kLongNumber = "-0.1234567";  // a field has room for it
 
 // The numbers of a form, one after another.
 class FormFields {
  public:
-  // is_refused: the last number was, which is told below the fields, where their help would cover it.
+  // is_refused: the last number was refused, which a message below the fields says: their help would cover
+  // it.
   FormFields(const Session& session, NumberEdit& edit, Ui& ui, bool is_refused)
       : session_(session), edit_(edit), ui_(ui), is_refused_(is_refused) {}
   bool changed() const { return changed_; }
@@ -99,7 +100,7 @@ class FormFields {
   NumberEdit& edit_;
   Ui& ui_;
   bool is_refused_;
-  bool first_ = true;  // in its row
+  bool first_ = true;  // whether it is the first one in its row
   bool changed_ = false;
 };
 

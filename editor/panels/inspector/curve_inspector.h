@@ -1,4 +1,4 @@
-// The part of the inspector for the tools that draw curves: what is drawn next, and the chosen curve.
+// The part of the inspector for the tools that draw curves: the kind of the next curve, and the chosen curve.
 #pragma once
 
 #include <string>
@@ -21,9 +21,9 @@ class CurveInspector {
   void change(const Session& session, Actions& actions, int curve, LevelCurve changed, std::string label,
               int stroke);
 
-  int shown_ = -1;       // the curve that the fields below belong to
-  std::string name_;     // as it is typed
-  std::string problem_;  // why the last number was not taken; empty: it was
+  int shown_ = -1;       // the curve of the fields below
+  std::string name_;     // as it is being typed
+  std::string problem_;  // why the last number was refused; empty: it was accepted
   NumberEdit number_;
 };
 

@@ -38,7 +38,7 @@ std::string_view short_role(TileRole role) {
   }
 }
 
-// A curve by its name, if it has one.
+// The name of a curve, if it has one.
 std::string obstacle_text(const Scene& scene, const Obstacle& other) {
   if (other.body != 0) return "body " + std::to_string(other.body);
   if (other.curve >= 0) return name_of_curve(scene, other.curve);
@@ -46,7 +46,7 @@ std::string obstacle_text(const Scene& scene, const Obstacle& other) {
          std::to_string(other.cell.y);
 }
 
-// A number with two decimals, at the right edge; all its digits in the tooltip, and copied by a click.
+// A number with two decimals, at the right edge. The tooltip has all digits, and a click copies them.
 // meaning: a sentence below the digits.
 void draw_number(const char* id, double value, Ui& ui, std::string_view meaning = {}) {
   ImGui::PushID(id);
@@ -130,8 +130,8 @@ void draw_contact_cells(const Scene& scene, const ContactRecord& contact, Ui& ui
 
 struct Column {
   const char* title;
-  float width;   // px at scale 1; 0 takes what is left
-  bool numbers;  // they and their title end at the right edge
+  float width;   // px at scale 1; 0 takes the rest
+  bool numbers;  // numbers and their title end at the right edge
   const char* help;
 };
 constexpr float kLeastTableWidth = 364;  // px at scale 1; a narrower panel scrolls

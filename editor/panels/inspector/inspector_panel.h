@@ -1,5 +1,5 @@
-// The inspector: the chosen body's numbers and every contact of its last step, in order; with a tool that
-// draws curves, the chosen curve.
+// The inspector: the chosen body's numbers and every contact of its last step, in order. With a tool that
+// draws curves it shows the chosen curve.
 #pragma once
 
 #include "curve_inspector.h"

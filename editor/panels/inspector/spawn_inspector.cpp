@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-// A list of two; the index of what was chosen now, or nothing.
+// A list with two entries. Returns the index of the new choice, or nothing.
 std::optional<int> draw_choice(std::string_view name, std::array<std::string_view, 2> labels, bool second,
                                std::string_view help, Ui& ui) {
   std::optional<int> chosen;
@@ -35,7 +35,7 @@ void change(const Session& session, int index, Spawn spawn, std::string label, i
       action::EditLevel{change_spawn(session.level(), index, std::move(spawn), std::move(label)), stroke});
 }
 
-// Further away, or faster, nothing can be.
+// Nothing can be further away, or faster.
 void refuse(const std::string& part, Actions& actions) {
   const std::string most = no_decimals(kMaxCoordinate);
   actions.push_back(action::ShowMessage{

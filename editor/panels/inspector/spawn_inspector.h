@@ -20,7 +20,7 @@ class SpawnInspector {
   void draw_start(const Session& session, int index, Actions& actions, Ui& ui);
 
   int shown_ = -1;    // the spawn that name_ belongs to
-  std::string name_;  // as it is typed
+  std::string name_;  // as it is being typed
   NumberEdit number_;
 };
 

@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostFields = 2;  // of a change of the tuning that are named
+constexpr std::size_t kMostFields = 2;  // of a tuning change; so many are named
 
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");

@@ -1,4 +1,4 @@
-// What an entry of the history did, in a few words.
+// Describes an entry of the history in a few words.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// The edit's label with what it changed and where: "Paint 12 tiles at (12, 9)", "Change fall speed".
+// The edit's label, with what it changed and where: "Paint 12 tiles at (12, 9)", "Change fall speed".
 std::string describe(const Edit& edit);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The two tiles, how many cells have the first, and what can be done.
+// The two tiles, the number of cells with the first one, and the buttons.
 #include "find_tiles_panel.h"
 
 #include <string>
@@ -17,7 +17,7 @@ std::uint8_t tile_of(int number) { return static_cast<std::uint8_t>(number); }
 
 }  // namespace
 
-// A picture of the tile, its number, and a button that takes the one that is chosen on the sheet.
+// A picture of the tile, its number, and a button that takes the tile chosen on the sheet.
 void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field& field, int& tile,
                                const Session& session, Ui& ui) const {
   if (field.tile != tile || ImGui::IsWindowAppearing()) field = {tile, tile};  // a command has chosen it

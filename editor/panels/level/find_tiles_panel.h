@@ -14,7 +14,7 @@ class FindTilesPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  // What stands in the field of a tile: the tile, unless a number has been typed that no tile has.
+  // The content of a tile's field: the tile, unless the user has typed a number that no tile has.
   struct Field {
     int typed = -1, tile = -1;
     bool is_tile() const { return typed == tile; }

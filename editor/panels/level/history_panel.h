@@ -1,4 +1,4 @@
-// The changes that can be undone and redone; a click goes there.
+// The changes that can be undone and redone. A click goes to one.
 #pragma once
 
 #include "panels/panel.h"
@@ -12,7 +12,7 @@ class HistoryPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  std::size_t followed_ = 0;  // the position in the history that the list was scrolled to last
+  std::size_t followed_ = 0;  // the position in the history that the list last scrolled to
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Filtering, going to, and fixing what is listed.
+// Filters the problems, goes to them, and fixes them.
 #include "problem_list.h"
 
 #include "panels/panel_ids.h"

@@ -1,4 +1,4 @@
-// The problems as they are listed: those of one kind, or all, and going from one to the next.
+// The list of problems, of one kind or all, and how to go from one to the next.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace talus {
 
-// "3 problems" or "no problems"; of a level that is still looked at "looking... 40 %", too.
+// "3 problems" or "no problems"; while the level is still being checked, also "looking... 40 %".
 std::string problems_text(const Session& session, const Ui& ui);
 
-// Indices into Ui::problems of those that are listed.
+// Indices into Ui::problems of the listed ones.
 std::vector<std::size_t> listed_rows(const Ui& ui);
 
-// Shows where a problem is, and makes it the chosen one.
+// Shows the place of a problem, and chooses the problem.
 void go_to_problem(std::size_t index, const Session& session, Actions& actions, Ui& ui);
-// The same with the listed one after the chosen one, or before it; round and round. Where the chosen one is
-// fixed, the one that has its row now is the next.
+// Goes to the listed problem after the chosen one, or before it, around the ends of the list. If the chosen
+// one is fixed, the problem that is in its row now is the next.
 void go_to_next_problem(int direction, const Session& session, Actions& actions, Ui& ui);
-// The chosen one, if it is still there.
+// The chosen problem, if it still exists.
 const Problem* chosen_problem(const Ui& ui);
 
-// Applies the first fix of a problem, or of all that are listed of its kind. A message tells what was done to
+// Applies the first fix of a problem, or of all listed problems of its kind. A message says what was done, to
 // how many, and what cannot be fixed.
 void fix_problem(const Problem& problem, const Session& session, Actions& actions);
 void fix_all_problems(std::string_view code, const Session& session, Actions& actions, const Ui& ui);

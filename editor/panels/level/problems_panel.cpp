@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t kMostRows = 500;
 constexpr std::size_t kMostRemedies = 2000;
-constexpr int kRemediesAFrame = 4;  // to find a remedy takes up to a few ms
+constexpr int kRemediesAFrame = 4;  // finding a remedy takes up to a few ms
 constexpr float kFix = 32,
-                kWidePlace = 90;  // px at scale 1: of the button, and above which a place has a line
+                kWidePlace = 90;  // px at scale 1: width of the button, above which a place has its own line
 
 std::string place_of(const Problem& problem) {
   if (problem.cell)
@@ -120,7 +120,7 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
   float place = ui.px(40);
   for (std::size_t i = 0; i < shown; ++i)
     place = std::max(place, width_of(place_of((*ui.problems)[rows[i]])));
-  const bool is_wide = place > ui.px(kWidePlace);  // then it is above the message
+  const bool is_wide = place > ui.px(kWidePlace);  // the place is above the message
   ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthFixed, is_wide ? 1 : place + ui.px(4));
   ImGui::TableSetupColumn("message", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("fix", ImGuiTableColumnFlags_WidthFixed, ui.px(kFix));
@@ -130,7 +130,7 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
     ImGui::TableSetColumnIndex(1);
     ui.hint("... and " + std::to_string(rows.size() - shown) + " more.");
   }
-  if (session.is_linting()) {  // below the rows, which stand still
+  if (session.is_linting()) {  // below the rows, which do not move
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(1);
     ui.hint(looking_text(session));
@@ -176,7 +176,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
   ImGui::PopID();
 }
 
-// Of a row, which is ImGui's last item.
+// The menu of a row, which is ImGui's last item.
 void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, const Session& session,
                               Actions& actions, Ui& ui) {
   if (!ImGui::BeginPopupContextItem("fixes")) return;
@@ -196,7 +196,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   ImGui::EndPopup();
 }
 
-// While something is dragged, what was found before must do.
+// While something is dragged, the last result must do.
 const ProblemsPanel::Remedy& ProblemsPanel::remedy_of(const Problem& problem, const Session& session) {
   Remedy& remedy = remedies_[problem.code + ": " + problem.message];
   const std::uint64_t now = session.revision() + 1;  // 0: not yet looked for

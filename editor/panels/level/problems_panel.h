@@ -1,5 +1,5 @@
-// What is likely wrong in the level; a click shows the place, a button or the menu of the right button fixes
-// it.
+// The likely problems of the level. A click shows the place; a button, or the menu of the right button, fixes
+// the problem.
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@ class ProblemsPanel : public Panel {
   // What can be done about a problem: the labels of its fixes.
   struct Remedy {
     std::vector<std::string> fixes;
-    std::uint64_t revision = 0;  // of the level for which they were found
+    std::uint64_t revision = 0;  // of the level that they were found for
   };
 
   void draw_bar(const Session& session, Actions& actions, Ui& ui);
@@ -32,8 +32,8 @@ class ProblemsPanel : public Panel {
                  Ui& ui);
   const Remedy& remedy_of(const Problem& problem, const Session& session);
 
-  std::map<std::string, Remedy> remedies_;  // by what the problem says
-  int looked_for_ = 0;                      // remedies in this frame
+  std::map<std::string, Remedy> remedies_;  // by the text of the problem
+  int looked_for_ = 0;                      // number of remedies found in this frame
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// What the panel of problems shows, besides the problems.
+// What the problems panel shows, besides the problems.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 namespace talus {
 
 struct ProblemsView {
-  std::string kind;               // code of the only rule that is listed; empty: all
-  std::optional<Problem> chosen;  // the last one that was gone to
-  std::size_t row = 0;            // where it was in the list, which may be another one by now
-  bool scroll = false;            // asks the panel to show it; taken by the next frame
+  std::string kind;               // code of the only listed rule; empty: all rules
+  std::optional<Problem> chosen;  // the problem that was gone to last
+  std::size_t row = 0;            // its place in the list at that time
+  bool scroll = false;            // asks the panel to show it; the next frame takes it
 };
 
 }  // namespace talus

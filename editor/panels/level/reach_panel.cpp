@@ -60,7 +60,8 @@ void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void ReachPanel::draw_way(const Session& session, Actions& actions, Ui& ui) {
   const ReachSearch& found = *session.reach().found();
-  // On the mouse's way here the last cell would be one at the canvas's edge: what was clicked stays.
+  // The mouse crosses the canvas's edge on its way here, so the last cell would be one there. The clicked one
+  // stays.
   const auto& pointed = ui.view.hover_before.cell;
   const auto& clicked = ui.view.debugger.clicked_cell;
   if (clicked != clicked_ && clicked && found.reached(*clicked)) chosen_ = clicked;

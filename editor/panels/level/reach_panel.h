@@ -1,4 +1,4 @@
-// Where a player gets to: the search, how far it is, and the way to a cell.
+// Where a player gets to: the search, its progress, and the way to a cell.
 #pragma once
 
 #include "panels/panel.h"
@@ -14,9 +14,9 @@ class ReachPanel : public Panel {
  private:
   void draw_way(const Session& session, Actions& actions, Ui& ui);
 
-  std::optional<Cell> cell_;     // the reached one that is told about
-  std::optional<Cell> chosen_;   // the one that was clicked last
-  std::optional<Cell> clicked_;  // on the canvas, when last looked at, reached or not
+  std::optional<Cell> cell_;     // the reached cell that the panel describes
+  std::optional<Cell> chosen_;   // the cell that was clicked last
+  std::optional<Cell> clicked_;  // the clicked cell of the canvas at the last look, reached or not
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Fields, preview and the question before anything is lost.
+// Fields, a preview, and the question before anything is lost.
 #include "resize_panel.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string text_of_limits() {
          std::to_string(kMaxTerrainCells) + " cells in all.";
 }
 
-// Why there can be no such map; empty when there can.
+// Why such a map is not possible; empty if it is.
 std::string problem_of(const MapFrame& frame) {
   const std::string most = std::to_string(kMaxTerrainSide);
   if (!is_in(frame.width, 1, kMaxTerrainSide)) return "The width must be 1 to " + most + " cells.";
@@ -45,7 +45,7 @@ void draw_line(const std::string& text, std::uint32_t color) {
   ImGui::PopStyleColor();
 }
 
-// What becomes of the map in the cart that its level came from.
+// What happens to the map in the cart that its level came from.
 void draw_cart_note(const MapFrame& frame) {
   if (frame.width > kTicMapWidth || frame.height > kTicMapHeight)
     draw_line("Too large for a TIC-80 cart, which holds 240x136 cells.", theme::kWarning);
@@ -119,7 +119,7 @@ void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
   if (before != Cell{typed_.width, typed_.height}) choose_anchor(map);
 }
 
-// Where the map grows or is cut, in a square of nine.
+// Where the map grows or is cut, as a square of nine buttons.
 void ResizePanel::draw_anchors(const TileMap& map, Ui& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Keep");
@@ -154,7 +154,7 @@ void ResizePanel::draw_shift(Ui& ui) {
   ui.item("resize/wrap", "What leaves the map at one side comes in at the other, instead of being cut off.");
 }
 
-// The old map and the new one as frames, with the tiles: those that are lost stand out.
+// The old map and the new one as frames, with the tiles. Lost ones are marked.
 void ResizePanel::draw_preview(const TileMap& map, const Ui& ui) const {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room{ui.px(kPreviewWidth), ui.px(kPreviewHeight)};
   ImGui::Dummy(room);
@@ -198,7 +198,7 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
       frame_.width != map.width() || frame_.height != map.height() || frame_.shift != Cell{0, 0};
   const std::string losses = fits ? text_of_losses(result(session)) : "";
   if (!fits)
-    draw_line(problem, theme::kError);  // the rest shows the last size that fitted
+    draw_line(problem, theme::kError);  // the rest shows the last possible size
   else if (losses.empty())
     draw_line(changes ? "Nothing is lost." : "Type another size, or how far everything is shifted.",
               theme::kMuted);
@@ -207,7 +207,7 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
               theme::kWarning);
   if (session.level().cart && fits) draw_cart_note(frame_);
   bool resizes = false, goes_back = false;
-  if (asks_) {  // a second click in the place of the first one goes back
+  if (asks_) {  // a second click in the same place goes back
     goes_back = draw_cancel(ui);
     ImGui::SameLine();
     resizes = draw_apply(true, ui);
@@ -226,7 +226,7 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
   }
 }
 
-// What loses something is never what Enter does.
+// Enter never does anything that loses something.
 bool ResizePanel::draw_apply(bool enabled, Ui& ui) const {
   return dialog_button({.widget = "resize/apply",
                         .label = asks_ ? "Lose them" : "Resize",

@@ -1,4 +1,4 @@
-// The dialog that makes the map larger or smaller, or shifts what is on it.
+// The dialog that makes the map larger or smaller, or shifts everything on it.
 #pragma once
 
 #include <optional>
@@ -28,12 +28,12 @@ class ResizePanel : public Panel {
   void close(Ui& ui);
 
   bool was_open_ = false;
-  bool asks_ = false;          // whether what is lost may be lost
-  bool began_to_ask_ = false;  // the way back is to get the keys
-  MapFrame typed_;             // what the fields say, whether there can be such a map or not
-  MapFrame frame_;             // the last one of them that there can be
-  Cell anchor_{0, 0};  // 0, 1 or 2: where the old map stays: left or top, in the middle, right or bottom
-  // What the frame gives, and for which frame and revision of the level.
+  bool asks_ = false;          // whether it asks if things may be lost
+  bool began_to_ask_ = false;  // the button that goes back gets the focus
+  MapFrame typed_;             // what the fields say, possible or not
+  MapFrame frame_;             // the last possible one
+  Cell anchor_{0, 0};          // 0, 1 or 2: place of the old map: left or top, middle, right or bottom
+  // The result of the frame, and the frame and revision of the level that it belongs to.
   std::optional<ResizedMap> result_;
   MapFrame result_frame_;
   std::uint64_t result_revision_ = 0;

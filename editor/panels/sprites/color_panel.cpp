@@ -19,8 +19,8 @@ namespace {
 constexpr float kRow = 20, kSwatch = 28, kHex = 72;  // px at scale 1
 
 struct Channel {
-  const char* name;    // of its slider
-  const char* format;  // of its number
+  const char* name;    // name of its slider
+  const char* format;  // format of its number
   std::uint32_t color;
 };
 constexpr std::array<Channel, 3> kChannels = {{{"palette/red", "R %d", 0xe0546a},
@@ -28,10 +28,10 @@ constexpr std::array<Channel, 3> kChannels = {{{"palette/red", "R %d", 0xe0546a}
                                                {"palette/blue", "B %d", 0x5a8cf0}}};
 constexpr float kNumberWidth = 48;  // px at scale 1
 
-// What the user does to the colour in this frame.
+// What the user does with the colour in this frame.
 struct Touched {
   bool changed = false, begins = false;  // begins: a stroke, which is one undo
-  bool cancelled = false;                // the stroke, by Escape
+  bool cancelled = false;                // Escape has cancelled the stroke
   Touched& operator|=(Touched other) {
     changed |= other.changed;
     begins |= other.begins;
@@ -40,7 +40,7 @@ struct Touched {
   }
 };
 
-// Of ImGui's last item, which a drag ends with when it is cancelled.
+// About ImGui's last item. A cancelled drag ends with it.
 Touched touched_item(bool changed) {
   Touched touched{changed, ImGui::IsItemActivated()};
   touched.cancelled = (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && is_drag_cancelled();
@@ -48,7 +48,7 @@ Touched touched_item(bool changed) {
   return touched;
 }
 
-// A slider, and its number beside it, where the knob does not cover it.
+// A slider with its number beside it, where the knob does not cover the number.
 Touched draw_channel(const Channel& channel, int& value, Ui& ui) {
   const std::string name = channel.name, hidden = "##" + name;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(kNumberWidth + theme::kGap));
@@ -72,7 +72,7 @@ std::string hex_of(Rgb color) {
   return hex.data();
 }
 
-// Of six hexadecimal digits, or of three, each of which stands for two.
+// From six hexadecimal digits, or from three that each stand for two.
 std::optional<Rgb> color_of(std::string_view hex) {
   if (hex.size() != 3 && hex.size() != 6) return std::nullopt;
   const std::size_t digits = hex.size() / 3;
@@ -117,8 +117,8 @@ void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   actions.push_back(action::EditLevel{set_color(session.level(), color, wanted), stroke_});
 }
 
-// What is typed is taken when the typing ends, by Enter, Tab or a click elsewhere; Escape brings back what
-// was there. It is for the colour that it began with, as that click may choose another one.
+// Enter, Tab or a click elsewhere ends the typing and sets the colour; Escape restores it. The text belongs
+// to the colour that it began with, as the click may choose another one.
 Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
   const Palette& palette = session.level().palette;
   const Rgb chosen = palette[static_cast<std::size_t>(ui.view.palette_color)];

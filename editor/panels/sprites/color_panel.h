@@ -1,4 +1,4 @@
-// The editor of the palette: the chosen colour's channels, and the palette in the clipboard.
+// The palette editor: the channels of the chosen colour, and the palette in the clipboard.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ class ColorPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  // Returns the chosen colour with what has been typed: a number that gets the keys by Tab begins with it.
+  // Returns the chosen colour with what has been typed. A number that gets the focus by Tab shows it.
   Rgb draw_hex(const Session& session, Actions& actions, Ui& ui);
 
-  int stroke_ = 0;       // of the drag of a slider
-  Rgb before_;           // the colour as the drag began
-  std::string typed_;    // in the field of the hexadecimal colour
-  int typed_color_ = 0;  // 0..15, which it is of
-  bool typing_ = false;  // there
+  int stroke_ = 0;       // of a slider's drag
+  Rgb before_;           // the colour at the start of the drag
+  std::string typed_;    // text of the hexadecimal field
+  int typed_color_ = 0;  // 0..15, the colour that it belongs to
+  bool typing_ = false;  // whether the user types in that field
 };
 
 }  // namespace talus

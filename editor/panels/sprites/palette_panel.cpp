@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kColorsInRow = 8;
 
-// Black or white, whichever is read better on the colour.
+// Black or white, whichever is easier to read on the colour.
 ImU32 readable_on(Rgb c) {
   return theme::color(c.r * 3 + c.g * 6 + c.b > 1300 ? theme::kDark : theme::kText);
 }

@@ -1,4 +1,4 @@
-// The palette: sixteen swatches, and which of them the two buttons draw with.
+// The palette: sixteen swatches, with the colours of the two buttons marked.
 #pragma once
 
 #include "panels/panel.h"

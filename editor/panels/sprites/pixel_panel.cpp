@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 12> kTools = {
     "pixels/pencil",  "pixels/pick",  "pixels/select", "pixels/fill",   "pixels/line",   "pixels/rectangle",
     "pixels/ellipse", "pixels/clear", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/neighbours"};
 
-// A square of so many tiles at the area's place, or inside it about a pixel of the canvas.
+// A square of so many tiles at the area's place; if it is smaller, around a pixel of the canvas.
 SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
   const auto place = [&](int first, int count, int px) {
     const int at = tiles < count ? first + px / kTileSize / tiles * tiles : first;

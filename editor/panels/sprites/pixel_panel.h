@@ -22,7 +22,7 @@ class PixelPanel : public Panel {
 
   PixelToolHand hand_;
   SpriteSurroundings surroundings_;
-  float wheel_ = 0;  // clicks of the wheel that made no whole step yet
+  float wheel_ = 0;  // clicks of the wheel that do not make a whole step yet
 };
 
 }  // namespace talus

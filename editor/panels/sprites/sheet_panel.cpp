@@ -24,7 +24,7 @@ void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 c
   list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, ui.px(1));
 }
 
-// The tiles that the stamp paints, where the selection does not show them already.
+// The tiles that the stamp paints, if the selection does not show them already.
 void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell, const Ui& ui) {
   if (choices.area.sheet != SheetId::tiles || choices.stamp == stamp_of_sheet(choices.area.tiles)) return;
   const std::set<std::uint8_t> tiles(choices.stamp.tiles.begin(), choices.stamp.tiles.end());
@@ -33,7 +33,7 @@ void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell,
                theme::color(theme::kAccent), ui);
 }
 
-// As on the map: what has the flag that is looked for.
+// As on the map: tiles with the flag that is looked for.
 void tint_tiles(ImDrawList& list, const Sheet& sheet, FlagPattern pattern, ImVec2 at, float cell) {
   const int flag = pattern.lowest_flag();
   for (int tile = 0; tile < kTileCount; ++tile) {

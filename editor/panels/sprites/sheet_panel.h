@@ -1,5 +1,5 @@
-// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on, or
-// paints flags.
+// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on, or paints
+// flags.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class SheetPanel : public Panel {
   void draw_header(const Session& session, Actions& actions, Ui& ui);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float cell);
   FlagBrush flag_brush_;
-  std::optional<Cell> drag_from_;  // tile where the button went down
+  std::optional<Cell> drag_from_;  // the tile where the button went down
 };
 
 }  // namespace talus

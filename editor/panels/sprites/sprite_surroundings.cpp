@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kDimmed = 110;  // opacity of the neighbours, 0 to 255
 
-// Where the mouse was last on the map at a place of all these tiles, if it still is one.
+// The last place of all these tiles on the map that the mouse was on, if it still is one.
 std::optional<Cell> last_place(const TileMap& map, CellRect tiles, const View& view) {
   for (int y = 0; y < tiles.h; ++y) {
     for (int x = 0; x < tiles.w; ++x) {
@@ -33,8 +33,7 @@ void draw_tile(ImDrawList& list, int tile, int x, int y, const CanvasView& view,
                 {u + kSide, v + kSide}, IM_COL32(255, 255, 255, kDimmed));
 }
 
-// The line that a slope's bodies stand on or hang from, when its tile stands at (x, y), in tiles of the
-// canvas.
+// The line that bodies stand on or hang from, for a slope whose tile is at (x, y), in tiles of the canvas.
 void draw_slope_line(ImDrawList& list, const TileShape& shape, int x, int y, const CanvasView& view,
                      float scale) {
   if (shape.kind != TileShape::Kind::slope && shape.kind != TileShape::Kind::profile) return;
@@ -96,7 +95,7 @@ const TileNeighbours& SpriteSurroundings::neighbours(const Session& session, con
   const CellRect& tiles = session.choices().area.tiles;
   if (const auto place = last_place(map, tiles, ui.view)) return placed_ = neighbours_at(map, tiles, *place);
   const bool same = counted_ && counted_tiles_ == tiles;
-  // While a stroke goes on, what it changes can wait.
+  // The result of a stroke can wait until its end.
   if (!same || (counted_revision_ != session.revision() && !ImGui::IsAnyMouseDown())) {
     counted_ = commonest_neighbours(map, tiles);
     counted_tiles_ = tiles;

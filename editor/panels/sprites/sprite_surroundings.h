@@ -1,5 +1,5 @@
-// SpriteSurroundings: the tiles that stand around the edited ones on the map, dimmed around the pixel canvas,
-// and the lines of their slopes.
+// SpriteSurroundings: the tiles around the edited ones on the map, dimmed around the pixel canvas, with the
+// lines of their slopes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace talus {
 
-inline constexpr int kSurroundings = 4;  // px of the neighbours that are shown on each side
+inline constexpr int kSurroundings = 4;  // px of the neighbours shown on each side
 
 class SpriteSurroundings {
  public:
@@ -22,7 +22,7 @@ class SpriteSurroundings {
  private:
   const TileNeighbours& neighbours(const Session& session, const Ui& ui);
 
-  // What was counted last, and for what: counting on a huge map takes longer than a frame.
+  // The last count, and what it was for: counting on a huge map takes longer than a frame.
   std::optional<TileNeighbours> counted_;
   CellRect counted_tiles_;
   std::uint64_t counted_revision_ = 0;

@@ -1,4 +1,4 @@
-// How the images of the two sheets are numbered on the screen.
+// The numbers of images of the two sheets on screen.
 #pragma once
 
 #include <talus/level/level.h>

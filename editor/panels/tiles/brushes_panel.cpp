@@ -23,7 +23,7 @@ void draw_tile_image(ImDrawList& list, int tile, ImVec2 from, ImVec2 to, const U
   list.AddImage(ui.sheet(SheetId::tiles), from, to, uv, {uv.x + kPart, uv.y + kPart});
 }
 
-// The brush in a square; of one that is too large for it, the top-left part.
+// The brush in a square; for a brush that is too large, its top-left part.
 void draw_picture(ImDrawList& list, const Brush& brush, ImVec2 at, float side, const Ui& ui) {
   const int longest = std::max(brush.w, brush.h);
   const float fits = std::floor(side / static_cast<float>(longest));
@@ -51,7 +51,7 @@ void push(Edit edit, Actions& actions) {
   if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
-// Where the parts lie in the table: ground as it looks, then the slopes.
+// The places of the parts in the table: ground as it looks, then the slopes.
 struct PartPlace {
   GroundPart part;
   int column, row;
@@ -65,7 +65,7 @@ constexpr PartPlace kPlaces[] = {{GroundPart::top_left, 0, 0},        {GroundPar
                                  {GroundPart::slope_up_right, 5, 1},  {GroundPart::slope_down_left, 4, 2},
                                  {GroundPart::slope_down_right, 5, 2}};
 
-// A cell of the table. A dot shows the inside, which is needed, while it is not chosen.
+// A cell of the table. A dot marks the inside, which is needed, as long as it is not chosen.
 void draw_part(GroundPart part, const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   const GroundPartInfo& info = kGroundParts[static_cast<std::size_t>(part)];
@@ -158,7 +158,7 @@ void BrushesPanel::draw_brush(int index, const Session& session, Actions& action
   ImGui::Dummy({0, 0});
 }
 
-// The field holds what is typed until it is left; then it is the name.
+// The field keeps what is typed until it is left; then that is the name.
 void BrushesPanel::draw_name(int index, float width, const Session& session, Actions& actions, Ui& ui) {
   const Brush& brush = session.level().brushes[static_cast<std::size_t>(index)];
   std::string text = renamed_ == index ? new_name_ : brush.name;

@@ -20,8 +20,8 @@ class BrushesPanel : public Panel {
   void draw_name(int index, float width, const Session& session, Actions& actions, Ui& ui);
   void draw_ground(const Session& session, Actions& actions, Ui& ui) const;
 
-  int renamed_ = -1;      // the brush whose name is typed; -1: none
-  std::string new_name_;  // as it is typed
+  int renamed_ = -1;      // the brush whose name is being typed; -1: none
+  std::string new_name_;  // as it is being typed
 };
 
 }  // namespace talus

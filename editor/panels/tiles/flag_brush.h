@@ -11,26 +11,26 @@ namespace talus {
 
 class FlagBrush {
  public:
-  // The number of the tile in a place, nothing outside.
+  // The number of the tile in a place; nothing outside.
   using TileAt = FunctionRef<std::optional<int>(Cell)>;
 
   // Call in every frame in which the mouse may act: `at` is under it, `pressed` in the frame of the press,
   // `down` while it is held. The first tile says whether the stroke sets the chosen flag or clears it.
   void update(const Session& session, Actions& actions, SheetId sheet, Cell at, TileAt tile_at, bool pressed,
               bool down);
-  void cancel(const Session& session, Actions& actions);  // takes the stroke back
+  void cancel(const Session& session, Actions& actions);  // cancels the stroke
   bool active() const { return last_.has_value(); }
   // What the stroke does to a tile, or a press on it would do: "tile 12: clears flag 0  solid". tile: 0..255,
-  // nothing outside.
+  // or nothing for a place outside.
   std::string text(const Session& session, SheetId sheet, std::optional<int> tile) const;
 
  private:
-  std::optional<Cell> last_;  // where the stroke has come to
+  std::optional<Cell> last_;  // the last place of the stroke
   bool sets_ = true;
   int stroke_ = 0;
 };
 
-// The tiles of the cells of a map, for FlagBrush.
+// The tiles of the map's cells, for FlagBrush.
 struct TileOfMap {
   const TileMap& map;
   std::optional<int> operator()(Cell cell) const {

@@ -1,4 +1,4 @@
-// The choice of the flag that is tinted, painted and looked for.
+// The choice of the flag to tint, paint and look for.
 #pragma once
 
 #include "panels/ui/ui.h"
@@ -6,8 +6,8 @@
 
 namespace talus {
 
-// name: of the widget; those of its list are "NAME0" and so on, by flag_patterns(). preview: what it shows
-// now. width: px of the screen.
+// name: of the widget; its entries are "NAME0" and so on, by flag_patterns(). preview: the text shown now.
+// width: px of the screen.
 void draw_flag_choice(const std::string& name, const std::string& preview, float width,
                       const Session& session, Actions& actions, Ui& ui);
 

@@ -52,7 +52,7 @@ std::string pattern_label(const Level& level, FlagPattern pattern) {
   const int lowest = pattern.lowest_flag();
   if (pattern == pattern_of_flag(lowest)) return flag_label(level, lowest);
   const FlagField* field = field_of_flag(level.flag_fields, lowest);
-  if (field == nullptr || field->mask() != pattern.mask)  // it was a field's that is gone
+  if (field == nullptr || field->mask() != pattern.mask)  // its field is gone
     return "flags from " + std::to_string(lowest);
   return field_name(*field) + ": " + value_name(*field, field->value_of(pattern.bits));
 }

@@ -1,4 +1,4 @@
-// What a flag is called on the screen.
+// Names of flags on the screen.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace talus {
 
-// The row of the role that the flag stands for; null when it has none.
+// The row of the flag's role; null if it has no role.
 const FlagRoleInfo* role_of_flag(const FlagRoles& roles, int flag);
 
-// The user's name for it, else its role, else nothing.
+// The user's name for the flag, else its role, else empty.
 std::string flag_name(const Level& level, int flag);
 
 // "flag 2  up-slope".
@@ -22,7 +22,8 @@ std::string field_name(const FlagField& field);
 // The user's name for the value, else the number.
 std::string value_name(const FlagField& field, int value);
 
-// What can be tinted, painted and looked for, by flag: each flag that no field has, and each value of fields.
+// What can be tinted, painted and looked for, sorted by flag: each flag outside of fields, and each value of
+// fields.
 std::vector<FlagPattern> flag_patterns(const Level& level);
 // "flag 2  up-slope", "slope kind: up".
 std::string pattern_label(const Level& level, FlagPattern pattern);

@@ -1,4 +1,4 @@
-// One popup, which shows a flag or a field.
+// One popup for a flag or a field.
 #include "flag_menu.h"
 
 #include <imgui_internal.h>
@@ -18,7 +18,7 @@ namespace talus {
 namespace {
 
 constexpr const char* kPopup = "flag menu";
-constexpr int kMostValueRows = 8;  // more are scrolled to
+constexpr int kMostValueRows = 8;  // with more rows it scrolls
 
 std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
   std::vector<FlagField> others = level.flag_fields;
@@ -26,15 +26,15 @@ std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
   return others;
 }
 
-// A field that grows with the name, so that all of it can be read. least: px at scale 1. What InputText
-// returns.
+// A field that grows with the name, so that all of it can be read. least: px at scale 1. Returns the result
+// of InputText.
 bool draw_name(const char* id, const char* hint, std::string& name, float least, Ui& ui,
                ImGuiInputTextFlags flags = 0) {
   constexpr float kMost = 480;  // px at scale 1
   const float text = size_of_text(name + "W").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(std::clamp(text, ui.px(least), ui.px(kMost)));
   const bool result = input_text(id, hint, name, flags);
-  // It has scrolled to what was typed before it grew.
+  // It scrolled to what was typed before it grew.
   if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID()); state && text < ui.px(kMost))
     state->ScrollX = 0;
   return result;
@@ -68,7 +68,7 @@ void FlagMenu::show_field(int first_flag) {
 }
 
 void FlagMenu::draw(const Session& session, Actions& actions, Ui& ui) {
-  // It grows with its content: upwards, where there is room.
+  // It grows with its content: upwards, if there is room.
   ImGui::SetNextWindowPos({x_, ui.bars_top}, ImGuiCond_Always, {0, 1});
   if (!ImGui::BeginPopup(kPopup)) return;
   const auto& fields = session.level().flag_fields;
@@ -131,7 +131,7 @@ void FlagMenu::draw_shape_of_flag(const Session& session, Actions& actions, Ui& 
     actions.push_back(action::EditLevel{set_flag_shape(level, flag_, *shape), shape_edit_.stroke});
 }
 
-// Into a field with the next flag, or back to the field that it is in.
+// Makes a field with the next flag, or goes back to the field that it is in.
 void FlagMenu::draw_place_in_field(const Level& level, Actions& actions, Ui& ui) {
   if (const FlagField* field = field_of_flag(level.flag_fields, flag_)) {
     if (ui.text_button("flags/to_field", "Back to " + field_name(*field), false,

@@ -1,4 +1,4 @@
-// What opens at a flag or a field of flags: its names, its role and shape, and which flags it is over.
+// The menu of a flag or a field of flags: names, role and shape, and the flags of the field.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace talus {
 
 class FlagMenu {
  public:
-  // Call where the window is that it belongs to; shown from the next draw() on. `at_x`: px of the screen.
+  // Call it in the window that it belongs to; shown from the next draw() on. `at_x`: px of the screen.
   void open_flag(const Level& level, int flag, float at_x);
   void open_field(int first_flag, float at_x);  // the field that begins there
   void draw(const Session& session, Actions& actions, Ui& ui);
@@ -28,13 +28,13 @@ class FlagMenu {
   void draw_values(const Session& session, Actions& actions, Ui& ui, std::size_t index);
   void draw_flags_of_field(const Level& level, Ui& ui, const FlagField& field);
 
-  int flag_ = 0;  // whose menu it is; of a field: its first
+  int flag_ = 0;  // the flag of the menu; for a field its first flag
   bool is_field_ = false;
   float x_ = 0;              // px of the screen, its left side
-  bool wants_keys_ = false;  // the name, as the menu shows another one
+  bool wants_keys_ = false;  // the name gets the focus, as the menu shows another one
   std::string new_name_;     // of the flag
-  NumberEdit shape_edit_;    // of a shape's numbers
-  int text_stroke_ = 0;      // of what is typed for a field
+  NumberEdit shape_edit_;    // for the numbers of a shape
+  int text_stroke_ = 0;      // for what is typed about a field
 };
 
 }  // namespace talus

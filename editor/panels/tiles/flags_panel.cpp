@@ -1,4 +1,4 @@
-// The lamps in two columns, the fields below them, each with a menu for its names and its role.
+// The lamps in two columns, with the fields below. Each has a menu for its names and its role.
 #include "flags_panel.h"
 
 #include <imgui_internal.h>
@@ -62,9 +62,9 @@ std::vector<int> single_flags(const Level& level) {
   return flags;
 }
 
-// A button of a row's height at its right, which opens a menu.
+// A button as high as a row, at its right end, which opens a menu.
 bool draw_menu_button(const std::string& name, const std::string& help, float width, Ui& ui) {
-  const bool wanted = ui.view.wants_text == name;  // by a command
+  const bool wanted = ui.view.wants_text == name;  // a command opens it
   if (wanted) ui.view.wants_text.clear();
   const bool pressed = button("...", name, {width, ui.px(kFlagRow)});
   ui.item(name, help);
@@ -102,7 +102,7 @@ void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   if (pressed) brush.run(session, actions, ui);
   ui.item("flags/brush", brush.help, keys_of(brush, ui));
   ImGui::SameLine(0, gap);
-  const ImVec2 at = ImGui::GetCursorScreenPos();  // an item of text would be lowered as the tabs' text is
+  const ImVec2 at = ImGui::GetCursorScreenPos();  // a text item would be lowered as the text of tabs is
   ImGui::GetWindowDrawList()->AddText({at.x, at.y + ui.px(1)}, theme::tone(theme::kMuted), "hex");
   ImGui::Dummy({hex, 1});
   ImGui::SameLine(0, gap);

@@ -21,7 +21,7 @@ class FlagsPanel : public Panel {
   void draw_field(const Session& session, Actions& actions, Ui& ui, const FlagField& field);
 
   FlagMenu menu_;
-  std::string byte_;          // as it is typed
+  std::string byte_;          // as it is being typed
   bool byte_active_ = false;  // in the last frame
 };
 

@@ -1,4 +1,4 @@
-// Heights by the mouse.
+// Changes heights with the mouse.
 #include "shape_canvas.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr float kLeastZoom = 4;                        // the same, of shapes hi
 
 bool has_line(const TileShape& shape) { return shape.kind >= TileShape::Kind::slope; }
 
-// A length of the mouse's: whole px, with Alt halves.
+// Rounds a length of the mouse to whole px, with Alt to halves.
 double rounded(double px) {
   const double grain = ImGui::GetIO().KeyAlt ? 2 : 1;
   return std::round(px * grain) / grain;
@@ -28,7 +28,7 @@ double rounded(double px) {
 
 }  // namespace
 
-// Where the tiles lie on the screen in this frame.
+// The place of the tiles on the screen in this frame.
 struct ShapeCanvas::Frame {
   const Session& session;
   CellRect tiles;   // of the sheet
@@ -48,7 +48,7 @@ struct ShapeCanvas::Frame {
     const float y = static_cast<float>(shape.heights[i]) * zoom;
     return {at.x + part * width(), hangs() ? at.y + y : at.y + height() - y};
   }
-  double highest() const { return tiles.h * kTileSize; }  // px, that a drag makes
+  double highest() const { return tiles.h * kTileSize; }  // px, the largest height that a drag can make
   double height_at(float y) const { return (hangs() ? y - at.y : at.y + height() - y) / zoom; }  // px
   double rise(float from_y, float to_y) const { return height_at(to_y) - height_at(from_y); }    // px
   int nearest_by_x(float x) const {
@@ -153,7 +153,7 @@ void ShapeCanvas::move_held(Frame& frame, float y) const {
   for (std::size_t i = 0; i < from_.size(); ++i) frame.set_height(i, from_[i] + kept);
 }
 
-// From the height that the mouse was at to the one that it is at: a fast hand leaves none out.
+// From the height at the mouse's last place to that at the new one: a fast hand leaves none out.
 void ShapeCanvas::draw_freely(Frame& frame, ImVec2 mouse) {
   const double height = rounded(frame.height_at(mouse.y));
   const int to = frame.nearest_by_x(mouse.x), step = to < held_ ? -1 : 1;

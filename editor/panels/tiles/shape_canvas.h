@@ -11,10 +11,10 @@ namespace talus {
 
 class ShapeCanvas {
  public:
-  // Draws them in this room, px, below which very high ones reach, and takes the mouse. The shape as it has
-  // just been dragged; nothing while it stays. A drag that starts on a handle moves that by as much as the
-  // mouse; elsewhere it moves the line of a slope, and draws a profile freely; Escape takes it back. Its
-  // handles are registered as "shape/handle0" and on.
+  // Draws the tiles in this room, px (very high ones reach below it), and handles the mouse. Returns the
+  // shape after a drag; nothing while it does not change. A drag that starts on a handle moves the handle by
+  // as much as the mouse; elsewhere it moves the line of a slope, or draws a profile freely. Escape cancels
+  // it. The handles are registered as "shape/handle0" and so on.
   std::optional<TileShape> draw(const Session& session, Actions& actions, int tile, const TileShape& shape,
                                 ImVec2 room, Ui& ui);
   int stroke() const { return stroke_; }  // of the drag's edits
@@ -32,10 +32,10 @@ class ShapeCanvas {
 
   int stroke_ = 0;
   Grip grip_ = Grip::none;
-  int held_ = 0;              // index of the height that the drag has come to
+  int held_ = 0;              // index of the last height of the drag
   float from_y_ = 0;          // px of the screen, where the drag began
-  std::vector<double> from_;  // the heights then
-  int rows_ = 1;              // of tiles; kept during a drag, so that nothing jumps
+  std::vector<double> from_;  // the heights at that time
+  int rows_ = 1;              // rows of tiles; kept during a drag, so that nothing jumps
 };
 
 }  // namespace talus

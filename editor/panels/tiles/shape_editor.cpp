@@ -18,7 +18,7 @@ using Side = TileShape::Side;
 constexpr std::array<Kind, 4> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile};
 constexpr float kKindWidth = 132;   // px at scale 1, of the list of kinds
 constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
-constexpr float kHeightWidth = 32;  // px at scale 1, of one height, at least
+constexpr float kHeightWidth = 32;  // px at scale 1, least width of one height
 
 std::string_view label_of(Kind kind) {
   constexpr std::array<std::string_view, 4> kLabels = {"none", "solid", "slope", "profile"};
@@ -64,7 +64,7 @@ class ShapeFields {
     height(1, "right", "right %.6g px", "The height of the line at its right end.", width);
   }
 
-  // Rows of fields, as many as fit.
+  // Rows of fields, with as many as fit.
   void draw_profile() {
     const float width = width_of("%.4g");
     for (std::size_t i = 0; i < shape_.heights.size(); ++i) {
@@ -83,7 +83,7 @@ class ShapeFields {
     changed_ = true;
   }
 
-  // Room for each of the heights, px at scale 1.
+  // Room for each height, px at scale 1.
   float width_of(const char* format) const {
     float widest = 0;
     std::array<char, 40> text{};
@@ -101,14 +101,14 @@ class ShapeFields {
     changed_ = true;
   }
 
-  // The number as it has just been changed.
+  // The number after the last change.
   std::optional<double> number(std::string_view part, const char* format, double value, int least, int most,
                                std::string_view help, float width) {
     const std::string name = named(part);
     if (!draw_number_field({name, format, help, width, 0.125f}, value, session_, edit_, ui_))
       return std::nullopt;
     const double kept = std::clamp<double>(value, least, most);
-    if (kept == value || ImGui::IsItemActive()) return kept;  // active: a drag, which stops at its ends
+    if (kept == value || ImGui::IsItemActive()) return kept;  // active: a drag, which stops at its limits
     const std::string what = part == "tiles" ? "a width must be " : "a height must be ";
     refuse(what + std::to_string(least) + " to " + std::to_string(most) +
            (part == "tiles" ? " tiles" : " px"));
@@ -124,7 +124,7 @@ class ShapeFields {
     ui_.item(named(part), help);
   }
 
-  // What is not dragged is an edit of its own.
+  // A change without a drag is an edit of its own.
   void note_click() {
     changed_ = true;
     edit_.stroke = 0;

@@ -11,12 +11,12 @@
 
 namespace talus {
 
-// The list of kinds, which is `shown` while it is closed. The one that has just been chosen instead of `now`.
+// The list of kinds, which shows `shown` while it is closed. Returns the new choice, if it is not `now`.
 std::optional<TileShape::Kind> choose_shape_kind(std::string_view name, TileShape::Kind now,
                                                  const std::string& shown, Ui& ui);
-// The fields of its kind, under names that begin with `name`; none of no shape. The shape as the user has
-// just made it; nothing while it stays. A number that no shape can have is refused in a message when it is
-// typed, and not reached by a drag. edit: kept between frames; its stroke is 0 when it is no drag.
+// The fields of its kind, with names that begin with `name`; no fields for no shape. Returns the shape after
+// a change by the user; nothing while it does not change. A typed number that no shape can have is refused by
+// a message; a drag does not reach it. edit: kept between frames; its stroke is 0 unless there is a drag.
 std::optional<TileShape> draw_shape_fields(std::string_view name, const TileShape& shape,
                                            const Session& session, NumberEdit& edit, Actions& actions,
                                            Ui& ui);

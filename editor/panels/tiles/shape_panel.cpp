@@ -18,7 +18,7 @@ constexpr float kBelowCanvas = 140;                     // px at scale 1, what i
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
                                                     "turned by 180 degrees"};
 
-// What the shape comes from, and what can be done with its picture.
+// Where the shape comes from, and what can be done with its picture.
 std::string origin_text(const Level& level, int tile) {
   const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
   const std::string number = "Tile " + std::to_string(tile);
@@ -55,7 +55,7 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_kind(session, actions, ui, tile);
   ui.same_line_if_fits(ui.px(196));
   command_text_button("shape/suggest", session, actions, ui);
-  // What the shape changes the height of is below the canvas, which stands still under a held mouse.
+  // Parts whose height the shape changes are below the canvas, which must not move under a held mouse.
   draw_canvas(session, actions, ui, tile);
   ui.hint(origin_text(session.level(), tile));
   if (const int count = area.tiles.w * area.tiles.h; count > 1)
@@ -73,7 +73,7 @@ void ShapePanel::draw_kind(const Session& session, Actions& actions, Ui& ui, int
   const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
   std::string shown(kind_label(shape));
   if (own.kind != shape.kind) shown += " by its flags";
-  // The first of its own is as like what its flags gave as may be.
+  // Its first own shape is as similar as possible to that of its flags.
   if (const auto kind = choose_shape_kind("shape/kind", own.kind, shown, ui))
     actions.push_back(action::EditLevel{change_kinds(level, session.choices().area, *kind)});
 }

@@ -1,4 +1,5 @@
-// The shape of the selected tile: magnified, in numbers, proposed from its pixels, and copied to other tiles.
+// The shape of the selected tile: magnified, in numbers, suggested from its pixels, and copied to other
+// tiles.
 #pragma once
 
 #include "edit/tile_shapes.h"
@@ -27,7 +28,7 @@ class ShapePanel : public Panel {
   ShapeTurn turn_ = ShapeTurn::mirrored;
   int target_ = -1;      // tile that a copy goes to; -1: the first free one
   int target_for_ = -1;  // the tile that target_ was chosen for
-  int typed_ = 0;        // target, not taken before the typing ends
+  int typed_ = 0;        // text of the target's field, used when the typing ends
 };
 
 }  // namespace talus

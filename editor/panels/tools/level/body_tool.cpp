@@ -1,4 +1,4 @@
-// The body tool: places a body, moves one that is there, or pulls the arrow of its velocity.
+// The body tool: places a body, moves one, or pulls the arrow of its velocity.
 #include <cmath>
 
 #include "debug/number_text.h"
@@ -11,11 +11,11 @@
 namespace talus {
 namespace {
 
-constexpr double kArrowScale = 4;     // px of the arrow for each px/frame, as the velocity overlay has it
+constexpr double kArrowScale = 4;     // px of the arrow for each px/frame, as in the velocity overlay
 constexpr double kTipReach = 7;       // px of the screen
-constexpr double kRestDistance = 10;  // px of the screen, from a body that rests up to the handle
+constexpr double kRestDistance = 10;  // px of the screen, from a resting body up to the handle
 
-// Another one like the chosen body; a player when none is chosen.
+// A copy of the chosen body; a player if none is chosen.
 Spawn next_spawn(const Session& session, Vec2 at) {
   Spawn spawn;
   spawn.kind = BodyKind::player;
@@ -32,7 +32,7 @@ Spawn next_spawn(const Session& session, Vec2 at) {
 Vec2 centre_of(const Spawn& spawn) { return spawn.position + spawn.size * 0.5; }
 Vec2 tip_of(const Spawn& spawn) { return centre_of(spawn) + spawn.velocity * kArrowScale; }
 
-// Where the tip can be taken: over a body that rests, where it does not hide under it.
+// Where the tip can be grabbed: above a resting body, so that the body does not hide it.
 Vec2 handle_place(const Spawn& spawn, const CanvasView& view) {
   if (spawn.velocity != Vec2{}) return tip_of(spawn);
   return {centre_of(spawn).x, spawn.position.y - kRestDistance / view.zoom};
@@ -43,7 +43,7 @@ bool is_on_tip(const Spawn& spawn, const LevelToolUse& use) {
   return std::hypot(to.x, to.y) * use.view.zoom <= kTipReach;
 }
 
-// Of one that is out of sight nothing.
+// Nothing for a body that is out of sight.
 void draw_spawn_title(const CurvePen& pen, const LevelToolUse& use, int index, std::uint32_t color) {
   const Level& level = use.session.level();
   const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
@@ -63,8 +63,8 @@ class BodyTool : public LevelTool {
     LevelTool::cancel(use, actions);
     let_go();
   }
-  // The arrow of the chosen body, whose tip is registered as "map/velocity_handle", its name, at
-  // "map/chosen_body", and, with the mouse over the canvas, the name of the body under it.
+  // Draws the arrow of the chosen body, whose tip is registered as "map/velocity_handle", its name, at
+  // "map/chosen_body", and, if the mouse is over the canvas, the name of the body under it.
   void draw(ImDrawList& list, const LevelToolUse& use) const override;
 
  private:
@@ -76,7 +76,7 @@ class BodyTool : public LevelTool {
   void pull(const LevelToolUse& use, Actions& actions) const;
   void draw_arrow(ImDrawList& list, const CurvePen& pen, const Spawn& spawn, const LevelToolUse& use) const;
 
-  int held_ = -1;       // index of the spawn that is held
+  int held_ = -1;       // index of the held spawn
   bool pulls_ = false;  // its arrow is held, not its box
   Vec2 grip_;           // px, from its corner, or from the arrow's tip, to the mouse
 };
@@ -111,7 +111,7 @@ bool BodyTool::press(const LevelToolUse& use, Actions& actions) {
 
 void BodyTool::drag(const LevelToolUse& use, Actions& actions) {
   const Level& level = use.session.level();
-  if (held_ >= static_cast<int>(level.spawns.size())) held_ = -1;  // Undo has taken it away
+  if (held_ >= static_cast<int>(level.spawns.size())) held_ = -1;  // Undo has removed it
   if (held_ < 0) return;
   if (pulls_)
     pull(use, actions);
@@ -123,13 +123,13 @@ void BodyTool::move(const LevelToolUse& use, Actions& actions) const {
   const Level& level = use.session.level();
   Spawn spawn = level.spawns[static_cast<std::size_t>(held_)];
   const Vec2 to{std::round(use.at.x - grip_.x), std::round(use.at.y - grip_.y)};
-  // A hand that does not move leaves a place between pixels as it is.
+  // If the hand does not move, a place between pixels stays as it is.
   if (std::abs(to.x - spawn.position.x) < 1 && std::abs(to.y - spawn.position.y) < 1) return;
   spawn.position = to;
   actions.push_back(action::EditLevel{change_spawn(level, held_, spawn, "Move a body"), use.stroke});
 }
 
-// The tip keeps to whole px, which are quarters of a px/frame; with Alt it does not.
+// The tip stays on whole px, which are quarters of a px/frame; with Alt it does not.
 void BodyTool::pull(const LevelToolUse& use, Actions& actions) const {
   const Level& level = use.session.level();
   Spawn spawn = level.spawns[static_cast<std::size_t>(held_)];

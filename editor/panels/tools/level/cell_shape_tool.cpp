@@ -1,4 +1,4 @@
-// Painting shapes of cells.
+// Paints shapes of cells.
 #include "cell_shape_tool.h"
 
 #include "panels/canvas/canvas_layers.h"

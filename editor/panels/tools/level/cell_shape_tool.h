@@ -1,4 +1,4 @@
-// CellShapeTool: what tools have in common that paint a shape from the press to the release.
+// CellShapeTool: the base of tools that paint a shape from the press to the release.
 #pragma once
 
 #include "level_tool.h"

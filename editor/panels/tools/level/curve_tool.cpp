@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHandleReach = 7, kLineReach = 5;  // px of the screen
 constexpr int kTitleParts = 64;                     // of a curve, to see whether it is in sight
-constexpr double kStill = 3;                        // px of the screen: less is no drag
+constexpr double kStill = 3;                        // px of the screen: a shorter movement is not a drag
 
 SnapRules rules_of(const CanvasView& view, int without_curve = -1) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -36,7 +36,7 @@ const LevelCurve& curve_of(const Session& session, int index) {
   return session.level().curves[static_cast<std::size_t>(index)];
 }
 
-// The handle of a curve nearest to a point; -1: none within reach.
+// The handle of a curve nearest to a point; -1 if none is within reach.
 int handle_at(const Curve& curve, Vec2 at, double reach) {
   int found = -1, number = 0;
   for (const Vec2 handle : handles_of(curve)) {
@@ -50,7 +50,7 @@ int handle_at(const Curve& curve, Vec2 at, double reach) {
   return found;
 }
 
-// What a press would take.
+// What a press would grab.
 struct Grip {
   int curve = -1;   // -1: nothing, a line would begin
   int handle = -1;  // of the chosen curve; -1: the whole curve
@@ -70,7 +70,7 @@ std::string capitalized(std::string_view text) {
   return result;
 }
 
-// Of the chosen curve, where any of it is in sight.
+// For the chosen curve, if any part of it is in sight.
 void draw_title(const CurvePen& pen, const LevelToolUse& use, int index) {
   const Curve& curve = curve_of(use.session, index).curve;
   const Rect visible = use.view.visible();
@@ -89,8 +89,8 @@ class CurveTool : public LevelTool {
   void drag(const LevelToolUse& use, Actions& actions) override;
   void release(const LevelToolUse& use, Actions& actions) override;
   void cancel(const LevelToolUse& use, Actions& actions) override;
-  // The chosen curve with its handles, which are registered as "map/curve_handle0" and on, and, with the
-  // mouse over the canvas, what a press would take or begin.
+  // Draws the chosen curve with its handles, which are registered as "map/curve_handle0" and so on, and, if
+  // the mouse is over the canvas, what a press would grab or begin.
   void draw(ImDrawList& list, const LevelToolUse& use) const override;
 
  private:
@@ -102,11 +102,11 @@ class CurveTool : public LevelTool {
   void draw_new_line(ImDrawList& list, const LevelToolUse& use) const;
 
   Drag drag_ = Drag::none;
-  Vec2 from_;           // px, where a line begins, or where a curve or handle was taken
+  Vec2 from_;           // px, where a line begins, or where a curve or handle was grabbed
   bool moved_ = false;  // further than a shaking hand
   Grip held_;
-  LevelCurve before_;    // the curve that is held, as it was
-  std::string problem_;  // why the curve cannot be where the mouse is; empty: it can
+  LevelCurve before_;    // the held curve before the drag
+  std::string problem_;  // why the curve cannot be at the mouse; empty: it can
 };
 
 bool CurveTool::press(const LevelToolUse& use, Actions& actions) {
@@ -148,7 +148,7 @@ SnappedPoint CurveTool::handle_goes_to(const LevelToolUse& use) const {
   return snap(use.session.level(), use.at, rules_of(use.view, held_.curve));
 }
 
-// The curve that is held, with the handle or all of it where the mouse is.
+// The held curve with the handle, or all of it, at the mouse.
 LevelCurve CurveTool::changed(const LevelToolUse& use) const {
   LevelCurve result = before_;
   if (drag_ == Drag::handle) {

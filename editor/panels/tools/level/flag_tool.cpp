@@ -36,13 +36,13 @@ class FlagTool : public LevelTool {
     };
     brush_.update(use.session, actions, SheetId::tiles, use.cell, tile_at, pressed, down);
   }
-  // What the stroke passes between the tiles that it is meant for: the air, unless it began there.
+  // Empty cells between the tiles that the stroke is meant for are left out, unless it began on one.
   bool is_left_out(const Level& level, int tile) const {
     return first_ && ((tile == 0 && *first_ != 0) || (is_blank(level, tile) && !is_blank(level, *first_)));
   }
 
   FlagBrush brush_;
-  std::optional<int> first_;  // the tile that the stroke began on
+  std::optional<int> first_;  // the tile on which the stroke began
 };
 
 }  // namespace

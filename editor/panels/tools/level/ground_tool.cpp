@@ -1,4 +1,4 @@
-// The ground tool: paints ground, with Ctrl takes it away, and with Shift does so to a rectangle.
+// The ground tool: paints ground; with Ctrl removes it; with Shift does so in a rectangle.
 #include "edit/auto_tile.h"
 #include "level_tools.h"
 #include "panels/canvas/canvas_layers.h"

@@ -32,7 +32,7 @@ LevelToolHand::LevelToolHand() {
   tools_[MapTool::flag] = make_flag_tool();
 }
 
-// What was pasted hangs at the selection tool, whichever is chosen.
+// Pasted tiles belong to the selection tool, whichever tool is chosen.
 LevelTool* LevelToolHand::chosen(const Choices& choices) const {
   const auto tool = tools_.find(choices.pasted ? MapTool::select : choices.map_tool);
   return tool == tools_.end() ? nullptr : tool->second.get();

@@ -15,22 +15,22 @@ std::unique_ptr<LevelTool> make_line_tool();
 std::unique_ptr<LevelTool> make_rectangle_tool();
 std::unique_ptr<LevelTool> make_ellipse_tool();
 std::unique_ptr<LevelTool> make_slope_tool();
-std::unique_ptr<LevelTool> make_curve_tool();  // for segments too
+std::unique_ptr<LevelTool> make_curve_tool();  // also draws segments
 std::unique_ptr<LevelTool> make_body_tool();
 std::unique_ptr<LevelTool> make_erase_tool();
 std::unique_ptr<LevelTool> make_pick_tool();
 std::unique_ptr<LevelTool> make_ground_tool();
 std::unique_ptr<LevelTool> make_flag_tool();
 
-// Uses the chosen tool with the left button; a drag goes on with the tool that began it, whatever is chosen
-// meanwhile. Escape cancels it.
+// Uses the chosen tool with the left button. A drag continues with the tool that began it, even if another
+// one is chosen. Escape cancels it.
 class LevelToolHand {
  public:
   static constexpr int kNoButton = -1, kLeft = 0, kMiddle = 2;
 
   LevelToolHand();
-  // Call in every frame in which the mouse may act. use: without what is known of the drag. pressed: the
-  // button that went down on the canvas in this frame: kLeft, kMiddle, which picks tiles with any tool, or
+  // Call it in every frame in which the mouse may act. use: without the fields about the drag. pressed: the
+  // button that went down on the canvas in this frame: kLeft, kMiddle (which picks tiles with any tool), or
   // kNoButton.
   void update(LevelToolUse use, Actions& actions, int pressed);
   void draw(ImDrawList& list, LevelToolUse use) const;
@@ -42,8 +42,8 @@ class LevelToolHand {
   const LevelTool* shown(const Choices& choices) const { return active() ? held_ : chosen(choices); }
   void add_drag(LevelToolUse& use) const;
 
-  std::map<MapTool, std::unique_ptr<LevelTool>> tools_;  // none to move the view: the canvas does
-  LevelTool* held_ = nullptr;                            // the tool of the drag; null: there is none
+  std::map<MapTool, std::unique_ptr<LevelTool>> tools_;  // none to move the view, which the canvas does
+  LevelTool* held_ = nullptr;                            // the tool of the drag; null if there is no drag
   int button_ = kLeft;
   Cell from_, last_;
   int stroke_ = 0;

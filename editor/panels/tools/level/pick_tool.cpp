@@ -6,7 +6,7 @@
 namespace talus {
 namespace {
 
-// What the sheet shows of picked tiles: all of them where they lie there as on the map, else the first.
+// How the sheet shows picked tiles: all of them if they lie there as on the map, else the first one.
 SpriteArea area_of(const Stamp& stamp) {
   const CellRect first{stamp.at(0, 0) % kSheetColumns, stamp.at(0, 0) / kSheetColumns, 1, 1};
   const CellRect all{first.x, first.y, stamp.w, stamp.h};

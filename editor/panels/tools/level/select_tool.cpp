@@ -1,5 +1,5 @@
-// The selection tool: selects cells, moves what is selected, with Ctrl a copy of it, and puts down what was
-// pasted.
+// The selection tool: selects cells, moves the selection (with Ctrl a copy of it), and puts down pasted
+// tiles.
 #include "edit/map_selection.h"
 #include "level_tools.h"
 #include "panels/canvas/canvas_layers.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPastedAlpha = 200;
 
-// Where the top-left cell of what is pasted goes, with the mouse on its middle.
+// The top-left cell of pasted tiles, with the mouse on their middle.
 Cell corner_of_pasted(const Stamp& tiles, Cell cell) {
   return {cell.x - (tiles.w - 1) / 2, cell.y - (tiles.h - 1) / 2};
 }
@@ -27,10 +27,10 @@ class SelectTool : public LevelTool {
   void move_to(Cell corner, const LevelToolUse& use, Actions& actions);
   static void paste(const LevelToolUse& use, Actions& actions);
 
-  bool moves_ = false;              // what is selected; else it selects
+  bool moves_ = false;              // whether it moves the selection; else it selects
   Cell grip_;                       // from the selection's corner to where the button went down
-  bool moved_ = false;              // the mouse has left that cell since
-  std::optional<CellRect> before_;  // what was selected when the button went down
+  bool moved_ = false;              // whether the mouse has left that cell since
+  std::optional<CellRect> before_;  // the selection when the button went down
   bool leaves_copy_ = false;
 };
 
@@ -48,7 +48,7 @@ bool SelectTool::press(const LevelToolUse& use, Actions& actions) {
   return true;
 }
 
-// Beside the map it goes on hanging at the mouse.
+// Beside the map it stays at the mouse.
 void SelectTool::paste(const LevelToolUse& use, Actions& actions) {
   const Choices& choices = use.session.choices();
   Edit edit = paste_cells(use.session.level(), corner_of_pasted(*choices.pasted, use.cell), *choices.pasted,
@@ -69,7 +69,7 @@ void SelectTool::drag(const LevelToolUse& use, Actions& actions) {
 
 void SelectTool::move_to(Cell corner, const LevelToolUse& use, Actions& actions) {
   const auto& selection = use.session.choices().selection;
-  if (!selection) return;  // Undo may have taken it away
+  if (!selection) return;  // Undo may have removed it
   const Cell by{corner.x - selection->x, corner.y - selection->y};
   if (by == Cell{0, 0}) return;
   MovedCells moved = move_selection(use.session.level(), use.session.history(), *selection, by,
@@ -78,13 +78,13 @@ void SelectTool::move_to(Cell corner, const LevelToolUse& use, Actions& actions)
   actions.push_back(action::EditLevel{std::move(moved.edit), moved.stroke});
 }
 
-// A click selects the cell, or nothing where there was a selection.
+// A click selects the cell or, if there was a selection, clears it.
 void SelectTool::release(const LevelToolUse& use, Actions& actions) {
   if (moved_ || moves_) return;
   actions.push_back(before_ ? action::SelectCells{} : action::SelectCells{use.dragged()});
 }
 
-// A move may go on with one before, which stays: this one goes back alone.
+// A move may continue an earlier one, which stays: only this one is undone.
 void SelectTool::cancel(const LevelToolUse& use, Actions& actions) {
   if (!moved_) return;
   if (moves_)

@@ -1,11 +1,11 @@
-// Says why a tool paints nothing: the tools stay inside the selection.
+// Says why a tool paints nothing: tools stay inside of the selection.
 #pragma once
 
 #include "session/session.h"
 
 namespace talus {
 
-// Whether cells have one that may be painted; if not, a message tells why.
+// Whether any of the cells may be painted; if not, a message says why.
 bool meets_selection(const Session& session, Actions& actions, CellRect cells);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-// The slope tool: lays a slope of tiles along a line when the button is released. Ends are on whole px of the
-// map.
+// The slope tool: lays a slope of tiles along a line when the button is released. The ends are on whole px of
+// the map.
 #include <cmath>
 
 #include "edit/shape_tools.h"
@@ -24,7 +24,7 @@ class SlopeTool : public LevelTool {
   }
   void release(const LevelToolUse& use, Actions& actions) override {
     const Choices& choices = use.session.choices();
-    const CellRect cells = use.dragged();  // tiles may lie right beside the line's ends
+    const CellRect cells = use.dragged();  // tiles may lie right beside the ends of the line
     if (!meets_selection(use.session, actions, {cells.x - 1, cells.y - 1, cells.w + 2, cells.h + 2})) return;
     const Vec2 to = whole_px_at(use);
     auto edit = lay_slope(use.session.level(), from_, to, choices.stamp,

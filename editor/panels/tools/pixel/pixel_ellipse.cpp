@@ -1,4 +1,4 @@
-// The ellipse tool: draws an ellipse; with Shift a circle, with Ctrl a full one.
+// The ellipse tool: draws an ellipse; with Shift a circle, with Ctrl a filled one.
 #include "pixel_shape_tool.h"
 #include "pixel_tools.h"
 

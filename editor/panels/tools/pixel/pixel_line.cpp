@@ -1,4 +1,4 @@
-// The line tool: draws a straight line; with Shift a level, upright or diagonal one.
+// The line tool: draws a straight line; with Shift a horizontal, vertical or diagonal one.
 #include "pixel_shape_tool.h"
 #include "pixel_tools.h"
 

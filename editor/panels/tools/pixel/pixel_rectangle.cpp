@@ -1,4 +1,4 @@
-// The rectangle tool: draws a rectangle; with Shift a square, with Ctrl a full one.
+// The rectangle tool: draws a rectangle; with Shift a square, with Ctrl a filled one.
 #include "pixel_shape_tool.h"
 #include "pixel_tools.h"
 

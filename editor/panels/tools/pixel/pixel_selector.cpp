@@ -1,4 +1,4 @@
-// The selection tool: selects pixels, or moves what is selected.
+// The selection tool: selects pixels, or moves the selected ones.
 #include "pixel_tools.h"
 
 namespace talus {
@@ -18,7 +18,7 @@ class PixelSelector : public PixelTool {
     else
       actions.push_back(action::SelectPixels{spanned(use.from, use.pixel)});
   }
-  // A click chooses one pixel, or, beside a selection, none.
+  // A click selects one pixel or, beside a selection, clears the selection.
   void release(const PixelToolUse& use, Actions& actions) override {
     if (moves_ || use.pixel != use.from) return;
     actions.push_back(action::SelectPixels{
@@ -26,8 +26,8 @@ class PixelSelector : public PixelTool {
   }
 
  private:
-  bool moves_ = false;      // the selected pixels
-  bool deselects_ = false;  // if it goes nowhere
+  bool moves_ = false;      // whether it moves the selected pixels
+  bool deselects_ = false;  // whether it clears the selection, if it does not move
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Drawing shapes of pixels.
+// Draws shapes of pixels.
 #include "pixel_shape_tool.h"
 
 #include "panels/ui/theme.h"
@@ -9,7 +9,7 @@ void PixelShapeTool::release(const PixelToolUse& use, Actions& actions) {
   actions.push_back(action::EditLevel{shape(use)});
 }
 
-// The pixels as the edit leaves them.
+// The pixels after the edit.
 void PixelShapeTool::draw(ImDrawList& list, const PixelToolUse& use, const CanvasView& view) const {
   const SpriteArea& area = use.session.choices().area;
   for (const Change& change : shape(use).changes) {

@@ -1,4 +1,4 @@
-// PixelShapeTool: what tools have in common that draw a shape from the press to the release.
+// PixelShapeTool: the base of tools that draw a shape from the press to the release.
 #pragma once
 
 #include "pixel_tool.h"
@@ -12,7 +12,7 @@ class PixelShapeTool : public PixelTool {
   bool uses_brush() const override { return true; }
 
  private:
-  // With what the brush draws in, and Shift and Ctrl as they are held.
+  // Draws with the brush's colour, and with Shift and Ctrl as they are held.
   virtual Edit shape(const PixelToolUse& use, PixelPen pen) const = 0;
   Edit shape(const PixelToolUse& use) const { return shape(use, {use.color(), use.session.choices().brush}); }
 };

@@ -1,5 +1,5 @@
-// PixelTool: what a button of the mouse does on the pixel canvas, from the press to the release. Each tool is
-// a file of this folder; pixel_tools.cpp has the table of them.
+// PixelTool: what a mouse button does on the pixel canvas, from the press to the release. Each tool is a file
+// of this folder; pixel_tools.cpp has the table.
 #pragma once
 
 #include "panels/canvas/camera.h"
@@ -7,14 +7,14 @@
 
 namespace talus {
 
-// Where the mouse is, and the drag that it is at.
+// The place of the mouse, and the current drag.
 struct PixelToolUse {
   const Session& session;
-  Cell pixel;          // under the mouse, inside the canvas or not
+  Cell pixel;          // under the mouse, inside of the canvas or not
   Cell from = {};      // px, where the button went down
-  Cell last = {};      // px, where the drag had come to before this frame
-  bool right = false;  // the right button's, with its colour
-  int stroke = 0;      // of the drag's edits, so that they are one undo
+  Cell last = {};      // px, the drag's place before this frame
+  bool right = false;  // whether it is the right button, with its colour
+  int stroke = 0;      // for the drag's edits, so that they are one undo
 
   std::uint8_t color() const {
     const Choices& choices = session.choices();
@@ -27,11 +27,11 @@ class PixelTool {
   virtual ~PixelTool() = default;
   // The button goes down, on the canvas.
   virtual void press(const PixelToolUse&, Actions&) {}
-  // The mouse has come to another pixel.
+  // The mouse has moved to another pixel.
   virtual void drag(const PixelToolUse&, Actions&) {}
-  // The button goes up, after drag().
+  // The button goes up; called after drag().
   virtual void release(const PixelToolUse&, Actions&) {}
-  // During a drag: what letting go would draw.
+  // During a drag: what the release would draw.
   virtual void draw(ImDrawList&, const PixelToolUse&, const CanvasView&) const {}
   virtual bool uses_brush() const { return false; }
 };

@@ -21,10 +21,10 @@ std::unique_ptr<PixelTool> make_pixel_ellipse();
 class PixelToolHand {
  public:
   PixelToolHand();
-  // pixel: under the mouse, inside the canvas or not. hovered: the mouse is over the canvas.
+  // pixel: under the mouse, inside of the canvas or not. hovered: the mouse is over the canvas.
   void update(const Session& session, Actions& actions, Cell pixel, bool hovered);
   bool active() const { return held_ != nullptr; }
-  // What letting go would draw, the selection, and what the tool would touch at the mouse.
+  // Draws what the release would draw, the selection, and what the tool would touch at the mouse.
   void draw(ImDrawList& list, const Session& session, const CanvasView& view, Cell pixel, bool hovered,
             float scale) const;
 
@@ -35,7 +35,7 @@ class PixelToolHand {
   }
 
   std::map<SpriteTool, std::unique_ptr<PixelTool>> tools_;
-  PixelTool* held_ = nullptr;  // the tool of the drag; null: there is none
+  PixelTool* held_ = nullptr;  // the tool of the drag; null if there is no drag
   Cell from_, last_;
   bool right_ = false;
   int stroke_ = 0;
