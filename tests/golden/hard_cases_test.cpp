@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 
+#include <talus/sim/solver.h>
 #include "formats/native/hard_case_file.h"
 #include "sim/hard_case_run.h"
 
