@@ -1,8 +1,8 @@
 -- ---- Balls: the article's velocities, restitution and friction, with the true normal ----
 has.balls = true
 
--- Under constant gravity a ball flies a parabola, on which the parts' ends are points. It bounces from level
--- ground where the parabola meets it, so that no energy is made or lost.
+-- Under constant gravity a ball flies along a parabola through the ends of the parts. It bounces from level
+-- ground where the parabola meets the ground, so that it neither gains nor loses energy.
 local function rebound(n, ball, contact, x, y, kept_x, kept_y, into, bounce)
   local nx, ny = contact.nx, contact.ny
   local pull = -n.gravity * ny
@@ -37,14 +37,14 @@ local function rebound(n, ball, contact, x, y, kept_x, kept_y, into, bounce)
   return kept_x * after + nx * way, kept_y * after + ny * way
 end
 
--- Turns the velocity round, and gives the motion to go on with.
+-- Reverses the velocity, and returns the motion to go on with.
 local function bounce_off(world, _, ball, contact, x, y)
   local n = world.tuning
   local nx, ny = contact.nx, contact.ny
   local level = is_level(contact, n.steepest)
   ball.landed = ball.landed or (level and ny < 0)
   local slide_x, slide_y = slide_along(nx, ny, x * (1 - contact.t), y * (1 - contact.t))
-  if contact.t == 1 then return slide_x, slide_y end  -- it has only just arrived: the next step bounces
+  if contact.t == 1 then return slide_x, slide_y end  -- it has just arrived: the next step bounces
   local into = -(ball.vx * nx + ball.vy * ny)
   if not (into > 0) then return slide_x, slide_y end
   local bounce = level and n.floor_bounce or n.wall_bounce

@@ -1,16 +1,16 @@
--- Talus: boxes on slopes, swept exactly. Made by Talus from a level's needs; what the level has no use for is
--- left out. Lua 5.3, 5.4 and LuaJIT give the same bits as the program: every sum is made in the same order.
--- Pixels, y down; velocities in px a step.
+-- Talus: boxes on slopes, swept exactly. Talus made this file for one level; parts that the level does not use
+-- are left out. Lua 5.3, 5.4 and LuaJIT give the same bits as the program: every sum is made in the same order.
+-- Lengths in pixels, y down; velocities in px a step.
 --
 --   local talus, level = require "talus", require "level"
 --   local world = talus.new(level)
 --   world:step {left = false, right = true, jump = false}   -- one frame further; all keys may be missing
 --   for _, body in ipairs(world.bodies) do draw(body.x, body.y, body.w, body.h) end
 --
--- A body has kind ("ball" or "player"), x, y, w, h, vx, vy, grounded, and tile, where a tile of the map is one.
--- Between steps you may change vx and vy, or x and y, and then set clear to false, which frees it from walls.
+-- A body has kind ("ball" or "player"), x, y, w, h, vx, vy, grounded, and tile, if it is a tile of the map.
+-- Between steps you may change vx and vy, or x and y; then also set clear to false, which frees it from walls.
 -- With the part mouse, step() also takes mouse_x, mouse_y and mouse_down, and drags bodies; games for LÖVE and
--- TIC-80 have it. Of the ground one can ask, for any box:
+-- TIC-80 have it. You can ask about the ground, for any box:
 --   world:floor(x, y, w, h, 16)      -- the floor's y, at most 16 px below, and its normal nx, ny; or nil
 --   world:cast(x, y, w, h, dx, dy)   -- its first contact on that way: t (0..1), x, y, nx, ny; or nil
 --   world:overlaps(x, y, w, h)       -- whether it is in the ground
@@ -18,16 +18,16 @@
 -- What the game adds to the level while it runs:
 --   world:add {kind = "player", x = 40, y = 8}   -- a body, which it returns
 --   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0
--- takes the parts for it: players and balls, for such bodies; pairs, for more than one body where they block one
--- another; slopes and one_way, for tiles of these shapes. What the level itself has no use for is named in the
+-- needs the parts for it: players and balls, for such bodies; pairs, for several bodies that block one another;
+-- slopes and one_way, for tiles of these shapes. Parts that the level itself does not use are named in the
 -- export, as in `talus export FILE --to lua-runtime --parts players,pairs -o OUT`, or in the preset's field
--- Parts. talus.parts tells which are there.
+-- Parts. talus.parts lists the parts of this file.
 
 local floor, ceil, abs, sqrt, huge = math.floor, math.ceil, math.abs, math.sqrt, math.huge
 local TILE = 8.0                  -- px, side of a cell
-local ROUNDING = 8 * 2.0 ^ -52    -- what a few roundings make of a number, of its size
+local ROUNDING = 8 * 2.0 ^ -52    -- relative error of a number after a few roundings
 local SLICE = 16.0                -- px; longer motions are cut, so that only cells near the way are looked at
--- what a side of the ground faces; it stops only what comes from there
+-- The directions that a side of the ground may face; it stops only what comes from there.
 local UP, DOWN, LEFT, RIGHT = 1, 2, 3, 4
 
 local function min(a, b) if b < a then return b end return a end
@@ -41,7 +41,7 @@ end
 -- From a to b by the share t, in the article's own order.
 local function lerp(a, b, t) return ((1 - t) * a) + (t * b) end
 
--- Numbers of twice the precision are two: one, and what rounding took from it (Dekker, Knuth).
+-- A number of twice the precision is two numbers: one, and what rounding took from it (Dekker, Knuth).
 local function two(large, small)
   local high = large + small
   return high, small - (high - large)
@@ -54,7 +54,7 @@ local function two_add(a, a_low, b, b_low)
 end
 local function two_multiply(a, a_low, b, b_low)
   local product = a * b
-  -- Lua has no fused multiplication: the halves of both factors give what it would.
+  -- Lua has no fused multiplication: the halves of both factors give the same result.
   local scaled = 134217729.0 * a
   local a_high = scaled - (scaled - a)
   local a_rest = a - a_high
@@ -71,10 +71,10 @@ local function two_divide(a, a_low, b, b_low)
   return two(quotient, (high + low) / b)
 end
 
--- What parts add to. A function that a part puts there takes the place of an earlier one, or goes on from it.
+-- Tables that parts add to. A function of a later part replaces an earlier one, or calls it.
 local Terrain = {}  -- methods of the ground
 Terrain.__index = Terrain
 local World = {}    -- methods of the world
 World.__index = World
-local kinds = {}    -- of bodies, by name: step(world, body, box, input), one frame; foot, "box" or "centre"
-local has = {}      -- by name: true of each part that is here
+local kinds = {}    -- by name: step(world, body, box, input), one frame; foot, "box" or "centre"
+local has = {}      -- by name: true for each part of this file

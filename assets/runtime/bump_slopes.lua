@@ -11,17 +11,17 @@
 --   body.vx, body.vy = slopes.bounce(body.vx, body.vy, hits, count, level.tuning)
 --   if slopes.grounded(world, body) then body.vy = -3 end
 --
--- Any item of the world is a slope that has a field `slope`: {h0 = 0, h1 = 8} is ground within its box, whose
--- surface is 0 px above the box's bottom at the left side and 8 px at the right one. So are the boxes that STI's
--- plugin for bump puts into the world from a map that Talus exported (--to sti). Optional:
+-- An item of the world with a field `slope` is a slope: {h0 = 0, h1 = 8} is ground within its box, whose surface is 0
+-- px above the box's bottom at the left side and 8 px at the right side. The boxes that STI's plugin for bump adds
+-- for a map from Talus (--to sti) are slopes, too. Optional fields:
 --   ceiling = true    ground hangs from the box's top, and the heights are measured down from there
 --   one_way = true    stops only what comes from the open side
--- What moves stands on the higher of its two lower corners. In a hit of type "slope", normal is the slope's own
--- and touch lies on it; a slope that was passed by in the air is a hit of type "cross" without a normal.
+-- A moving box stands on the higher of its two lower corners. In a hit of type "slope", normal is the slope's own,
+-- and touch lies on it. A slope that was passed in the air is a hit of type "cross" without a normal.
 local slopes = {}
 
 local SLACK = 1e-6        -- px under the floor that still count as on it: more than rounding, less than a pixel
-local REACH = 1 / 64      -- px below a body where it looks for ground
+local REACH = 1 / 64      -- px below a body in which it looks for ground
 local TILE = 8            -- px
 
 local function min(a, b) if b < a then return b end return a end
@@ -34,7 +34,7 @@ end
 
 local ONE_WAY_TILE = {h0 = TILE, h1 = TILE, one_way = true}
 
--- What an item says of itself as a slope, or nil.
+-- The field `slope` of an item, or nil.
 local function slope_of(item)
   if type(item) ~= "table" then return nil end
   if item.slope then return item.slope end
@@ -44,7 +44,7 @@ local function slope_of(item)
   return properties.one_way and ONE_WAY_TILE or nil
 end
 
--- The way of a box from where it is to a goal, over the slope h0..h1 in `box`. t is the share of the way.
+-- The way of a box to a goal, over the slope h0..h1 in `box`. t is the share of the way.
 local Passage = {}
 Passage.__index = Passage
 
@@ -56,7 +56,7 @@ local function new_passage(h0, h1, box, mover, goal_x, goal_y)
   }, Passage)
 end
 
--- The part of the way on which the box is above, in or under the slope; nothing when the first is not less.
+-- The part of the way on which the box is above, in or under the slope; there is none if the first is not less.
 function Passage:times()
   if self.dx == 0 then
     local is_beside = self.x + self.w <= self.left or self.x >= self.right
@@ -84,8 +84,8 @@ function Passage:is_on_high_end(t)
   return past <= 0
 end
 
--- Whether a corner under the floor is lifted onto it: when that is the shortest way out, as it is for what
--- rounding, or a moving slope, has sunk a little.
+-- Whether a corner under the floor is lifted onto it. It is if that is the shortest way out, as after rounding, or a
+-- moving slope, has sunk it a little.
 function Passage:lifts()
   local side = self.rises_right and self.right - self.x or self.x + self.w - self.left
   return self.y + self.h <= self.bottom + SLACK and self:depth(0) <= side
@@ -96,7 +96,7 @@ function Passage:normal()
   return (self.rises_right and -self.rise or self.rise) / length, -self.width / length
 end
 
--- The contact at t: where the box is then, the normal, and where the rest of the way leads.
+-- The contact at t: where the box is at that time, the normal, and where the rest of the way leads.
 function Passage:surface(t, is_on_high_end)
   local x = self.x + t * self.dx
   local y = self:floor_at(x) - self.h
@@ -109,14 +109,14 @@ function Passage:surface(t, is_on_high_end)
     local along_x, along_y = -ny, nx
     local along = rest_x * along_x + rest_y * along_y
     goal_x, goal_y = x + along_x * along, y + along_y * along
-    -- Along the slope the height comes from the slope, not from the sum.
+    -- Along the slope the slope gives the height, not the sum.
     if not is_on_high_end then goal_y = self:line(self:corner(goal_x)) - self.h end
   end
   return {t = t, x = x, y = y, nx = nx, ny = ny, goal_x = goal_x, goal_y = goal_y}
 end
 
--- nil: the box passes above the floor, or beside the slope. "solid": it comes from below or from a side, and
--- meets the slope's box. Else a contact with the surface.
+-- Returns nil if the box passes above the floor, or beside the slope; "solid" if it comes from below or from a side,
+-- and meets the slope's box; else a contact with the surface.
 function Passage:meet(one_way)
   local enter, leave = self:times()
   if enter >= leave then return nil end
@@ -140,7 +140,7 @@ function Passage:meet(one_way)
   return nil
 end
 
--- A ceiling is a floor seen in a mirror that lies on y = 0.
+-- A ceiling is a floor mirrored at y = 0.
 local function mirrored(box) return {x = box.x, y = -(box.y + box.h), w = box.w, h = box.h} end
 
 local function meet(slope, box, mover, goal_x, goal_y)
@@ -156,8 +156,8 @@ local function meet(slope, box, mover, goal_x, goal_y)
   return found
 end
 
--- The response. The way goes on from where this leg of it began, not from where the whole move did: an earlier
--- hit may have turned it.
+-- The response. The way goes on from where this leg began, not from where the whole move did: an earlier hit may have
+-- turned it.
 function slopes.response(world, hit, x, y, w, h, goal_x, goal_y, filter)
   goal_x, goal_y = goal_x or x, goal_y or y
   local from = hit.itemRect
@@ -186,9 +186,9 @@ local function distance(a, b)
   return dx * dx + dy * dy
 end
 
--- Adds the response "slope" to a world, and an order to contacts at the same time and distance: the item that was
--- added first comes first, as in Talus. bump leaves that to chance, which may differ from run to run. What was in the
--- world before comes before all others.
+-- Adds the response "slope" to a world, and an order for contacts at the same time and distance: the item that was
+-- added first comes first, as in Talus. bump leaves the order to chance, so it may differ from run to run. Items that
+-- were in the world before come before all others.
 function slopes.install(world)
   world:addResponse("slope", slopes.response)
   local ages, last = setmetatable({}, {__mode = "k"}), 0
@@ -211,12 +211,12 @@ function slopes.install(world)
   end
 end
 
--- A filter for world:move() and world:check(): slopes are slopes, and all else is slid along. Yours can ask it:
+-- A filter for world:move() and world:check(): slopes are slopes, and bodies slide along all else. Yours can call it:
 --   function(item, other) if other.is_coin then return "cross" end return slopes.filter(item, other) end
 function slopes.filter(_, other) return slope_of(other) and "slope" or "slide" end
 
--- The floor at most `reach` px below an item of the world, by one check(): the y at which it would stand there,
--- and the floor's normal; nil: none. filter: as of its moves.
+-- The floor at most `reach` px below an item of the world, by one check(): the y at which it would stand there, and
+-- the floor's normal. Returns nil if there is none. filter: as for its moves.
 function slopes.floor(world, item, reach, filter)
   local x, y = world:getRect(item)
   local _, _, hits, count = world:check(item, x, y + reach, filter or slopes.filter)
@@ -233,9 +233,9 @@ function slopes.grounded(world, item, filter)
   return y ~= nil, nx, ny
 end
 
--- The velocity of a ball after the hits of a move(). On level floors and at walls it keeps the shares
--- floor_bounce, floor_grip and wall_bounce of the tuning; on a slope what goes along it, and slope_bounce of
--- what goes into it. For a player: {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}.
+-- The velocity of a ball after the hits of a move(). On level floors and at walls it keeps the shares floor_bounce,
+-- floor_grip and wall_bounce of the tuning. On a slope it keeps the part along the slope, and the share slope_bounce
+-- of the part into it. For a player: {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}.
 function slopes.bounce(vx, vy, hits, count, tuning)
   for i = 1, count do
     local n = hits[i].normal
@@ -258,20 +258,20 @@ local function add_box(world, x, y, w, h, slope)
   if w > 0 and h > 0 then world:add({x = x, y = y, w = w, h = h, slope = slope}, x, y, w, h) end
 end
 
--- The box between two heights over y, which go up from there, or down for a ceiling; `heights` are h0 and h1 of
--- a slope in it. The sums are in the program's order, for the same doubles.
+-- The box between two heights over y, upwards, or downwards for a ceiling; `heights` are h0 and h1 of a slope in it.
+-- The sums are in the program's order, for the same doubles.
 local function add_layer(world, x, y, w, from, to, kind, heights)
   local slope = heights and {h0 = heights[1] - from, h1 = heights[2] - from, ceiling = kind.ceiling,
                              one_way = kind.one_way}
   add_box(world, x, kind.ceiling and y + from or (TILE - to) + (y - TILE), w, to - from, slope)
 end
 
--- One straight part of a line of ground. A slope of a longer line is one box down to y, which has no seam that
--- rounding could make a step of; one alone is a slope on a full box, as in the program.
+-- One straight part of a line of ground. A part of a longer line becomes one box down to y: a seam in it could become
+-- a step by rounding. A single straight line becomes a slope on a full box, as in the program.
 local function add_part(world, x, y, w, h0, h1, kind, is_alone)
   local low, high = min(h0, h1), max(h0, h1)
   if kind.one_way then
-    add_layer(world, x, y, w, low - 1, high, kind, {h0, h1})  -- where the line is level, the box needs a height
+    add_layer(world, x, y, w, low - 1, high, kind, {h0, h1})  -- a level line's box needs a height
   elseif is_alone then
     add_layer(world, x, y, w, low, high, kind, {h0, h1})
     add_layer(world, x, y, w, 0, low, kind)
@@ -280,9 +280,9 @@ local function add_part(world, x, y, w, h0, h1, kind, is_alone)
   end
 end
 
--- Adds ground below a line of two or more heights at equal distances. x: of its left end; y: from where heights
--- are measured, upwards; w: of all of it. kind, optional: {ceiling = true}, above the line and measured
--- downwards, and {one_way = true}, the line alone.
+-- Adds ground below a line of two or more heights at equal distances. x: its left end; y: the base of the heights,
+-- which go upwards; w: its width. kind, optional: {ceiling = true}: ground above the line, heights go downwards;
+-- {one_way = true}: only the line.
 function slopes.add_ground(world, x, y, w, heights, kind)
   local count = #heights - 1
   local from = 1
@@ -296,9 +296,9 @@ function slopes.add_ground(world, x, y, w, heights, kind)
   end
 end
 
--- Full tiles as few boxes: columns of them, as wide as the next columns have the same.
+-- Full tiles as few boxes: columns of them, widened over the next columns that have the same.
 local function add_merged(world, is_full, width, height)
-  local open = {}  -- by top and bottom, the x where boxes that may still grow began
+  local open = {}  -- by top and bottom: the x where boxes that may still grow begin
   for x = 0, width do
     local runs = {}
     local y = 0
@@ -320,11 +320,11 @@ local function add_merged(world, is_full, width, height)
   end
 end
 
--- Adds the tiles of an exported level, and no bodies. options, all optional:
+-- Adds the tiles of an exported level, but no bodies. options, all optional:
 --   merge      true: full tiles become as few boxes as they can, so that less snags at seams. Without, bodies
 --              move to the last bit as in Talus with the solver "bump"
 --   on_ball    function(x, y, tile), called where a tile is a ball, in the order in which tiles are added
--- Curves are no ground here: Talus's own runtime (--to lua-runtime) has them.
+-- Curves are not ground here: Talus's own runtime (--to lua-runtime) has them.
 function slopes.add_level(world, level, options)
   options = options or {}
   local function tile_at(x, y) return level.tiles[y * level.width + x + 1] end

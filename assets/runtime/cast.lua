@@ -1,17 +1,17 @@
 -- ---- Cast: when does a moving box first meet the ground? ----
 -- The box is swept against the outline grown by the box, so that its corner is a point on a straight way.
 
-local COLUMNS = 62  -- looked at together: which of two equal contacts counts hangs on it
+local COLUMNS = 62  -- cells looked at together; which of two equal contacts counts depends on it
 local SLOW = 16  -- a gap that closes more slowly than this share of the motion needs twice the precision
 
--- The cast under way: the terrain, the box, its motion, whether its centre alone stands on floors, 1 / dx,
--- the pixels in the motion, what rounding may have put the box into the ground; a piece that stops nothing.
+-- The current cast: the terrain, the box, its motion, whether only its centre stands on floors, 1 / dx, the
+-- pixels in the motion, the slack of rounding; and a piece that stops nothing.
 local ground, bx, by, bw, bh, dx, dy, centre, inverse, speed, slack, ignored
 -- The first contact so far: see offer().
 local best_t, best_facing, best_flat_end, best_mirrored
 local best_piece, best_at, best_first, best_last
 
--- A box's x moved by some, and rounded so that both its sides are exact.
+-- A box's x moved by dx, and rounded so that both its sides are exact.
 local function moved_x(x, w, by_x)
   if by_x == 0 then return x end
   local middle = x + w / 2 + by_x
@@ -54,7 +54,7 @@ local function offer(t, facing, flat_end, piece, at, first, last)
   best_at, best_first, best_last = at, first, last
 end
 
--- Whether the box comes closer so slowly that a rounding of the gap is worth many of its way.
+-- Whether the box approaches so slowly that a rounding of the gap is worth many roundings of its way.
 local function is_slow(closing) return SLOW * closing < speed end
 
 -- The same times to twice the precision.
@@ -74,8 +74,8 @@ local function limit_of(facing, at)
   return facing == UP and at - bh or at
 end
 
--- The part of the motion during which the box's x is between first and last: from, to (from > to: none), and
--- how far away it is at both. open: nothing goes on there. piece: on which the box rests; nil: it rests at
+-- The part of the motion during which the box's x is between first and last: from, to (from > to: never), and
+-- the gap at both. open: the outline ends there. piece: the one that the box rests on; nil: it rests at
 -- first_y.
 local function window_of(first, last, first_y, last_y, open_first, open_last, up, piece)
   local sign = up and 1 or -1
@@ -95,7 +95,7 @@ local function window_of(first, last, first_y, last_y, open_first, open_last, up
     enter, leave, open_leave = last, first, open_first
   end
   local to_leave = (leave - bx) * inverse
-  -- At its end and on the way out: where the outline goes on, the next piece has it.
+  -- At the end of a piece, on the way out: where the outline goes on, the next piece has the contact.
   if to_leave * speed <= slack and (open_leave or to_leave <= 1) then return 1, 0, 0, 0 end
   local from, to, gap, last_gap = 0.0, 1.0, nil, nil
   local before
@@ -118,7 +118,8 @@ local function window_of(first, last, first_y, last_y, open_first, open_last, up
   return from, to, gap, last_gap
 end
 
--- When the gap to a line, or, of no piece, to a level side at y, closes at a constant rate; nil if it does not.
+-- The time at which the gap to a line, or without a piece to a level side at y, closes at a constant rate; nil
+-- if it does not.
 local function straight_time(from, to, gap, last_gap, closing, forgiven, up, y, piece)
   if from > to or gap < -forgiven then return nil end
   if gap <= 0 then return from end
@@ -144,7 +145,7 @@ end
 
 local function flat(up, y, x0, x1, open0, open1, piece)
   local limit, first = limit_of(up and UP or DOWN, y), x0 - bw
-  -- Most are out of reach, or met well between their ends.
+  -- Most pieces are out of reach, or are met well between their ends.
   local gap, closing
   if up then gap, closing = limit - by, dy else gap, closing = by - limit, -dy end
   if gap > closing or gap < -slack then return end
@@ -188,7 +189,7 @@ end
 
 -- ---- Which cells ----
 
--- Tiles side by side with an open top, or bottom, are one.
+-- Full tiles side by side with an open top, or an open bottom, are tested as one.
 local function row_of_tiles(up, y, first, last, left, right)
   local x = first
   while x <= last do
@@ -197,7 +198,7 @@ local function row_of_tiles(up, y, first, last, left, right)
     if x1 > x then
       local from, to = x * TILE, x1 * TILE
       if centre and up then
-        -- Where a detailed cell is beside it, the centre alone counts; over a ledge the whole bottom does.
+        -- Beside a detailed cell only the centre counts; over a ledge the whole bottom does.
         if ground:is_solid(x - 1, y) and ground:is_detailed(x - 1, y) then from = from + bw / 2 end
         if ground:is_solid(x1, y) and ground:is_detailed(x1, y) then to = to - bw / 2 end
       end
@@ -208,7 +209,7 @@ local function row_of_tiles(up, y, first, last, left, right)
   end
 end
 
--- Whether a full tile without details has no full tile beside it there.
+-- Whether a full tile without details has no full tile beside it on that side.
 function Terrain:is_open(x, y, beside_x, beside_y)
   if not self:is_solid(x, y) or self:is_solid(x + beside_x, y + beside_y) then return false end
   return not self:is_detailed(x, y)
@@ -237,7 +238,7 @@ local function cells_between(first, last, count)
   return floor(max(first, 0.0) / TILE), min(floor(max(last, 0.0) / TILE), count - 1)
 end
 
--- A box meets the ground with its leading sides alone, or with the centre of its bottom.
+-- A box meets the ground only with its leading sides, or with the centre of its bottom.
 local function slice(from, to)
   local x0, x1, y0, y1 = bx + from * dx, bx + to * dx, by + from * dy, by + to * dy
   local left, right, top, bottom = min(x0, x1) - slack, max(x0, x1) + slack, min(y0, y1) - slack, max(y0,
@@ -289,7 +290,7 @@ end
 
 -- ---- The contact ----
 
--- When the box meets what it hit, to twice the precision where that is a rounding away.
+-- The time at which the box meets what it hit, to twice the precision if a rounding decides.
 local function time_of_best()
   if best_t == 0 then return best_t, 0.0 end
   local high, low
@@ -312,7 +313,7 @@ local function along(at, t, t_low, motion)
 end
 local function rounded(high, low) return high + low end
 
--- As moved_x, rounded once.
+-- The same as moved_x, rounded once.
 local function exact_x(t, t_low)
   local left, left_low = along(bx, t, t_low, dx)
   local right, right_low = two_add(left, left_low, bw, 0.0)
@@ -320,7 +321,7 @@ local function exact_x(t, t_low)
   return left + left_low
 end
 
--- Where the box is then: on what it hit.
+-- The place of the box at that time: on what it hit.
 local function position_of_best()
   local t, t_low = time_of_best()
   if best_facing >= LEFT then return limit_of(best_facing, best_at), rounded(along(by, t, t_low, dy)) end
@@ -351,12 +352,13 @@ local function end_cast()
   return contact
 end
 
--- What a box that stands on its centre meets first, given what the whole box does.
+-- The first contact of a box that stands on its centre, given that of the whole box.
 function Terrain:with_middle(contact) return contact end
 
--- The first contact of a box at x, y that moves by motion_x, motion_y; nil: none. A contact: t, the share of
--- the motion; x, y, of the box then; nx, ny, the ground's normal; facing; piece, of what is no plain tile.
--- others: what World:others() gave; without: a piece that stops nothing this time.
+-- The first contact of a box at x, y that moves by motion_x, motion_y; nil if there is none. A contact has t,
+-- the share of the motion; x, y, of the box at that time; nx, ny, the ground's normal; facing; and piece,
+-- unless it is a plain tile. others: the result of World:others(). without: a piece that stops nothing this
+-- time.
 local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, others, without)
   begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
   if others then World.against_others(others) end

@@ -1,6 +1,6 @@
 -- ---- Slopes: casts against pieces of the outline ----
 
--- Whether there is any piece at all.
+-- Whether the terrain has any piece.
 function Terrain:has_pieces()
   if self.some_pieces == nil then
     self.some_pieces = false
@@ -33,9 +33,9 @@ function Line.normal(piece, sign)
   return sign * piece.slope / length, -sign / length
 end
 
--- Where a box at x is on the piece.
+-- The place of a box at x on the piece.
 function Line.place(piece, x, t, t_low)
-  -- What falls straight down keeps its x; else the place on a steep line is told by y.
+  -- A box that falls straight down keeps its x. On a steep line y gives the place.
   local by_y = dx ~= 0 and is_steep(piece)
   if by_y and best_t == 0 then
     x = moved_x(bx, bw, (by - rest_on(piece, x, bw, bh, centre)) / piece.slope)
@@ -49,7 +49,7 @@ function Line.meet(piece, up, first, last, first_y, last_y, open_first, open_las
   local rise = piece.slope * dx
   local closing
   if up then closing = dy - rise else closing = rise - dy end
-  -- A box that slides along the line does not approach it, whatever rounding says.
+  -- A box that slides along the line does not approach it, even if rounding says so.
   if not (closing > ROUNDING * (abs(dy) + abs(rise))) then return end
   local from, to, gap, last_gap = window_of(first, last, first_y, last_y, open_first, open_last, up, piece)
   local forgiven = slack * max(1.0, abs(piece.slope))  -- across a steep line, not down to it
@@ -57,7 +57,7 @@ function Line.meet(piece, up, first, last, first_y, last_y, open_first, open_las
   if t then offer(t, piece.facing, false, piece, 0.0, first, last) end
 end
 
--- The end of a slope that the box stands on with its flat bottom: a crest, or where the floor ends.
+-- The end of a slope that the flat bottom of the box stands on: a crest, or the end of the floor.
 local function piece_ends(up, piece, lift)
   if up and centre then
     local half = bw / 2
@@ -67,7 +67,7 @@ local function piece_ends(up, piece, lift)
         piece) end
     return
   end
-  -- Beyond a crest the ground goes on, and beside it, unlike beside a ledge, nothing may slip through.
+  -- Beyond a crest the ground goes on. Unlike beside a ledge, nothing may slip through beside it.
   if (piece.y1 < piece.y0) == up then
     if piece.convex1 then
       flat_in_reach(piece.x1 - bw, piece.x1, piece.y1 - lift, false, piece.last1, up, piece.y1, piece)
@@ -117,8 +117,8 @@ function Terrain:against_pieces(y, first, last)
   end
 end
 
--- Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; not so its
--- middle.
+-- Its corners may be in a slope, and behind the ends of walls and ceilings that the slope covers; its middle
+-- may not.
 local middle_alone = false
 function Terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)
   if not self:has_pieces() then return contact end
@@ -135,7 +135,7 @@ function Terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)
   return contact
 end
 
--- ---- What moves along slopes ----
+-- ---- Bodies that move along slopes ----
 
 function Line.is_level(piece, _, steepest)
   local slope = abs(piece.slope)
@@ -143,9 +143,9 @@ function Line.is_level(piece, _, steepest)
   return piece.slope * piece.slope_rest <= 0
 end
 
-local SETTLED = 4  -- a box no further than so many roundings from a piece is put on it
+local SETTLED = 4  -- a box within so many roundings of a piece is put on it
 
--- A box that slid along a piece, and is not beyond its end, is on it and not a rounding error away from it.
+-- A box that slid along a piece, and is not beyond its end, is on it exactly, without a rounding error.
 function Line.settle(piece, box)
   if is_wall(piece) or is_steep(piece) then return end
   local x = box.x + foot_offset(piece, box.w, box.centre)

@@ -1,6 +1,7 @@
--- ---- Curves: stretches, each of which rises or falls throughout and bends to one side ----
--- A stretch: kind; c1 to c5: an arc's centre and radius, a polynomial's middle and coefficients, a sine's
--- zero crossing, middle, amplitude and wavelength; bends_down: y grows to both sides, as a hill's does.
+-- ---- Curves: stretches that only rise or only fall, and bend to one side ----
+-- A stretch has kind; c1 to c5, which are an arc's centre and radius, a polynomial's middle and coefficients,
+-- or a sine's zero crossing, middle, amplitude and wavelength; and bends_down: y grows to both sides, as a
+-- hill's does.
 has.curves = true
 
 local Stretch = {straight = false}  -- their form
@@ -9,10 +10,10 @@ for name, value in pairs(Free) do
 end
 
 local TAU = 6.283185307179586476925286766559
-local TRIES = 100  -- of an iteration, at most
+local TRIES = 100  -- limit for iterations
 local FINE = 8  -- iterations end when the gap is this share of the slack
 
--- Taylor series, as sine and cosine of the C library differ between machines.
+-- Taylor series, since sine and cosine of the C library differ between machines.
 local SINES = {1 / (16 * 17.), 1 / (14 * 15.), 1 / (12 * 13.), 1 / (10 * 11.), 1 / (8 * 9.), 1 / (6 * 7.),
                1 / (4 * 5.), 1 / (2 * 3.)}
 local COSINES = {1 / (15 * 16.), 1 / (13 * 14.), 1 / (11 * 12.), 1 / (9 * 10.), 1 / (7 * 8.), 1 / (5 * 6.),
@@ -74,8 +75,8 @@ end
 function Stretch.is_level(_, contact, steepest) return abs(contact.nx) <= steepest * abs(contact.ny) end
 function Stretch.time() return best_t, 0.0 end  -- as exact as it gets
 
--- Where a stretch bends towards the box, whoever slides along it meets it again at once. Turns a motion along
--- its tangent into the chord to where it goes on the stretch: the chord, that place, and the motion from there.
+-- If a stretch bends towards the box, a box that slides along it meets it again at once. Turns a motion along
+-- its tangent into the chord to its end on the stretch. Returns the chord, that end, and the motion from there.
 local function follow(piece, box, x, y)
   local offset = foot_offset(piece, box.w, box.centre)
   local there = clamp(moved_x(box.x, box.w, x), min(box.x, piece.x0 - offset), max(box.x, piece.x1 - offset))
@@ -123,7 +124,7 @@ local function put_cut(cut, stretch, ax, ay, bx, by, cuts)
   end
 end
 
--- About the middle, so that a mirrored curve has the same coefficients but for signs.
+-- The polynomial is written about the middle, so that a mirrored curve has the same coefficients but for signs.
 local function put_polynomial(cut, ax, ay, bx, by, c0, c1, c2, c3)
   local middle = (ax + bx) / 2
   local cuts = {}
@@ -170,7 +171,7 @@ function cutter.sine(cut, w)
     local to = min(x1, w.origin + (k + 1) * quarter)
     if to > x then
       local crossing = k % 2 == 0 and k or k + 1
-      local amplitude = crossing % 4 ~= 0 and -w.amplitude or w.amplitude  -- its half wave is upside down
+      local amplitude = crossing % 4 ~= 0 and -w.amplitude or w.amplitude  -- the half wave is upside down
       local s = {kind = "sine", c1 = w.origin + crossing * quarter, c2 = w.middle + 0.0, c3 = amplitude + 0.0,
                  c4 = w.wavelength + 0.0}
       s.bends_down = (crossing == k and 1 or -1) * s.c3 < 0
@@ -188,7 +189,7 @@ local function circle_time(x, y, dx, dy, radius, from_outside)
   local c = (x - radius) * (x + radius) + y * y
   local under = b * b - a * c
   local root = sqrt(under < 0 and 0.0 or under)
-  -- Of the two ways to write a root, the one that does not subtract nearly equal numbers.
+  -- A root can be written in two ways. This is the one that does not subtract nearly equal numbers.
   if from_outside then
     if b < 0 then return c / (root - b) end
     return (-b - root) / a
@@ -204,7 +205,7 @@ local function parabola_time(gap, rate, bend)
   return (-rate - root) / (2 * bend)
 end
 
--- Where f falls through zero: Newton's method, halving the bracket when it would leave it.
+-- The place where f falls through zero. Newton's method; a step that would leave the bracket halves it instead.
 local function newton_between(a, b, f, derivative, rounding)
   local t = b
   for _ = 1, TRIES do
@@ -218,7 +219,7 @@ local function newton_between(a, b, f, derivative, rounding)
   return t
 end
 
--- The same without a derivative: regula falsi (Illinois). It ends where f is still >= 0.
+-- The same without a derivative: regula falsi (Illinois). It ends at a place where f is still >= 0.
 local function zero_between(a, b, f)
   local fa, fb = f(a), f(b)
   for _ = 1, TRIES do
@@ -236,8 +237,9 @@ local function zero_between(a, b, f)
   return a
 end
 
--- from, to: the part of the motion during which the box is over or under the stretch; gap, last_gap: how far
--- away then. x, y: of the box; offset, lift: to its point that meets the curve. None: nil.
+-- from, to: the part of the motion during which the box is over or under the stretch; gap, last_gap: its
+-- distance at both. x, y: of the box; offset, lift: to its point that meets the curve. Returns nil if it does
+-- not meet the curve.
 local function curve_time(piece, x, y, dx, dy, offset, lift, slack, from, to, gap, last_gap)
   if from > to or gap < -slack then return nil end
   local stretch, up = piece.stretch, piece.facing == UP
@@ -245,7 +247,7 @@ local function curve_time(piece, x, y, dx, dy, offset, lift, slack, from, to, ga
   local dips = stretch.bends_down == up  -- the gap may close and open again
   local function corner_x(t) return clamp(x + t * dx + offset, piece.x0, piece.x1) end
   local function gap_at(t) return sign * (y_at(piece, corner_x(t)) - lift - (y + t * dy)) end
-  -- The rate at which the gap grows, but for a positive factor.
+  -- The rate at which the gap grows, times a positive factor.
   local function opening(t)
     local along_x, along_y = tangent_at(stretch, corner_x(t))
     return sign * (along_y * dx - along_x * dy)

@@ -1,6 +1,6 @@
 -- ---- Cells that need more than a bit ----
 
--- What is not a full tile, and what lies beside it, is compiled when it is first looked at.
+-- Cells that are not full tiles, and those beside them, are compiled when they are first looked at.
 function Terrain:begin()
   self.touched_top, self.touched_right, self.touched_bottom = -1, 1, 1
   for _, outline in pairs(self.outlines) do
@@ -10,7 +10,7 @@ function Terrain:begin()
       self.touched_bottom = max(self.touched_bottom, outline.bottom)
     end
   end
-  self.details = {}  -- by cell: how much there is that touches it
+  self.details = {}  -- by cell: the number of things that touch it
   self.compiled = {}
   for y = 0, self.height - 1 do
     for x = 0, self.width - 1 do self:count_details(x, y, 1) end
@@ -33,7 +33,7 @@ function Terrain:is_detailed(x, y)
   return x >= 0 and y >= 0 and x < self.width and y < self.height and self.details[y * self.width + x] ~= nil
 end
 
--- The pieces in a detailed cell, and which ways they face.
+-- The pieces in a detailed cell, and the directions that they face.
 function Terrain:detail(x, y)
   local cell = y * self.width + x
   local found = self.compiled[cell]
@@ -44,7 +44,7 @@ function Terrain:detail(x, y)
   return found
 end
 
--- Forgets what depends on a cell.
+-- Forgets the cells that depend on a cell.
 local function forget_around(self, x, y)
   self.some_pieces = nil
   for cy = max(y + self.touched_top, 0), min(y + self.touched_bottom, self.height - 1) do

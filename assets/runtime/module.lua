@@ -2,8 +2,8 @@
 
 local talus = {parts = has}
 
--- A world from a level as exported: width, height, in cells; tiles, row by row; shapes and balls, by tile;
--- curves; spawns; tuning; parts, the names of those that it needs.
+-- Makes a world from an exported level: width, height, in cells; tiles, row by row; shapes and balls, by
+-- tile; curves; spawns; tuning; parts, the names of the parts that it needs.
 function talus.new(level)
   for _, part in ipairs(level.parts or {}) do
     if not has[part] then error("the level needs a part that is not in this module: " .. part, 2) end

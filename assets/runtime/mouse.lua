@@ -1,6 +1,6 @@
--- ---- The mouse: it takes a body, and throws it when it is let go ----
+-- ---- The mouse: it grabs a body, and throws it when the button is let go ----
 has.mouse = true
-World.grabbed = 0  -- the id of the body that it has; 0: none
+World.grabbed = 0  -- the id of the body that it holds; 0: none
 
 local function body_at(world, x, y)
   for _, body in ipairs(world.bodies) do

@@ -1,6 +1,6 @@
 -- ---- Mover: takes one box through the ground, contact by contact ----
 
--- What a surface leaves of a motion into it.
+-- The part of a motion that a surface leaves.
 local function slide_along(nx, ny, x, y)
   local into = x * nx + y * ny
   return x - nx * into, y - ny * into
@@ -18,12 +18,12 @@ end
 
 local function tolerance(x, y) return (abs(x) + abs(y)) * ROUNDING end
 
--- The other bodies that a motion may meet; nil: none count.
+-- The other bodies that a motion may meet; nil: they do not count.
 function World:others() end
 
--- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) gives the motion to go on with. A
--- surface that leads back to itself follows it: it gives the way to go without it, where that ends, and the
--- motion from there.
+-- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) returns the motion to go on with.
+-- A surface that leads back to itself also returns follow values: the way to go without meeting it, its end,
+-- and the motion from there.
 local function move(world, body, box, x, y, respond)
   local others = world:others(body, box, x, y)
   local passes, before_x, before_y = 0, nil, nil
@@ -42,7 +42,7 @@ local function move(world, body, box, x, y, respond)
       box.x, box.y = contact.x, contact.y
       surface = not contact.on_end and contact.piece or nil
       x, y = respond(world, body, box, contact, x, y)
-      -- Sliding along one plane into the one before, there is nowhere to go.
+      -- Sliding along one plane leads into the one before: there is nowhere to go.
       local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
       if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then break end
       before_x, before_y, followed = contact.nx, contact.ny, nil

@@ -1,14 +1,14 @@
 -- ---- Bodies that block one another ----
 has.pairs = true
 
-local BLOCK = 16  -- px, side of a cell in which bodies are looked for
+local BLOCK = 16  -- px, side of the cells in which bodies are kept
 
 -- The cells that a box meets.
 local function block_cells(x, y, w, h)
   return floor(x / BLOCK), floor(y / BLOCK), floor((x + w) / BLOCK), floor((y + h) / BLOCK)
 end
 
--- The other bodies that a motion, whichever way it turns, may meet; in order.
+-- The other bodies that a motion may meet, whichever way it turns; in order.
 function World:others(body, box, x, y)
   if self.tuning.balls_block == 0 then return nil end
   local length = abs(x) + abs(y)

@@ -1,4 +1,4 @@
--- ---- Players: they run along the ground at the speed that is asked for, and jump off it ----
+-- ---- Players: they run along the ground at the speed asked for, and jump off it ----
 has.players = true
 
 local function take_keys(n, body, box, input)
@@ -23,8 +23,8 @@ local function stand(body, box)
   box.vy = 0.0
 end
 
--- Level ground a player follows, keeping its horizontal motion; along anything else it slides, and a walk
--- ends there.
+-- A player follows level ground and keeps its horizontal motion. Along anything else it slides, which ends a
+-- walk.
 local function meet(world, body, box, contact, x, y)
   local n = world.tuning
   local nx, ny = contact.nx, contact.ny
@@ -57,7 +57,7 @@ local function reach_down(n, x) return n.snap > 0 and n.snap or abs(x) * n.steep
 
 local function run(world, body, box, input)
   local n = world.tuning
-  body.coyote = body.coyote or 0  -- frames in which it may still jump, though it has left its floor
+  body.coyote = body.coyote or 0  -- frames in which it may still jump after leaving its floor
   take_keys(n, body, box, input)
   if body.coyote > 0 then body.coyote = body.coyote - 1 end
   local x, y = box.vx, box.vy

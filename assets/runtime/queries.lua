@@ -7,7 +7,7 @@ local function block_of(terrain, x, y, w, h, margin)
              terrain.height - 1)
 end
 
--- skip_detailed: tiles that slopes lead to do not count.
+-- skip_detailed: leaves out the tiles that slopes lead to.
 local function overlaps_tile(terrain, x, y, w, h, forgiven, skip_detailed)
   local left, right, top, bottom = block_of(terrain, x, y, w, h, -forgiven)
   for row = top, bottom do
@@ -21,7 +21,7 @@ local function overlaps_tile(terrain, x, y, w, h, forgiven, skip_detailed)
   return false
 end
 
--- Whether the box is inside of what is no full tile.
+-- Whether the box is inside of anything but full tiles.
 function Terrain:overlaps_shapes() return false end
 
 -- Whether the box is inside of the ground by more than rounding.
@@ -32,7 +32,7 @@ local function overlaps_ground(terrain, x, y, w, h, is_centre)
   return terrain:overlaps_shapes(x, y, w, h, is_centre, forgiven)
 end
 
--- How far the box is behind a side that it overlaps, and the way back in front of it.
+-- How far the box is behind a side that it overlaps, and the way back to the front of the side.
 local function exit_past(exits, piece, x, y, w, h, is_centre, forgiven)
   local distance, out_x, out_y
   if piece.facing >= LEFT then
@@ -47,7 +47,7 @@ local function exit_past(exits, piece, x, y, w, h, is_centre, forgiven)
     out_x, out_y = 0.0, limit - y
   end
   if not (distance > forgiven) then return end
-  -- Of two equal ways the one up or down first, so that mirrored boxes leave alike.
+  -- Of two equally long ways the vertical one counts, so that mirrored boxes leave alike.
   local at = #exits + 1
   while at > 1 do
     local before = exits[at - 1]
@@ -62,7 +62,7 @@ end
 local Side = {}  -- the form of a full tile's sides
 function Side.rest(side, _, _, h) return side.y0 - (side.facing == UP and h or 0.0) end
 
--- The sides in a cell: those of a full tile that other tiles leave open.
+-- The sides in a cell: those of a full tile that no other tile covers.
 function Terrain:sides(column, row)
   if not self:is_solid(column, row) then return {} end
   local x0, y0 = column * TILE, row * TILE
@@ -79,7 +79,7 @@ function Terrain:sides(column, row)
   return sides
 end
 
--- The shortest way out of the ground; nil: the box is not in it, or there is none.
+-- The shortest way out of the ground; nil if the box is not in it, or there is no way.
 local function way_out(terrain, x, y, w, h, is_centre)
   if not overlaps_ground(terrain, x, y, w, h, is_centre) then return nil end
   local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)

@@ -26,7 +26,7 @@ local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgive
   elseif y + h <= base + forgiven then
     return false
   end
-  local off = forgiven + 1.0 / WELD  -- a box on a steep line is off it by many roundings
+  local off = forgiven + 1.0 / WELD  -- rounding puts a box that is on a steep line far off it
   for index = 0, shape.width - 1 do
     local lines = shape.is_floor and shape.columns[index].top or shape.columns[index].bottom
     for _, line in ipairs(lines) do

@@ -1,7 +1,7 @@
--- ---- Segments and polylines: what is free of the grid ----
+-- ---- Segments and polylines: lines that are free of the grid ----
 has.segments = true
 
-local cutter = {}  -- by kind: cuts one of the level's list into pieces
+local cutter = {}  -- by kind: cuts a curve of the level's list into pieces
 local Free = {}    -- the form of their lines
 for name, value in pairs(Line) do Free[name] = value end
 
@@ -13,7 +13,7 @@ function Free.y(piece, x)
   return other_y + (x - other) * piece.slope
 end
 
--- upper, lower: the ways that the piece faces if what it is of faces up and down.
+-- upper, lower: the ways that the piece faces if its line faces up and down.
 local function put_piece(cut, piece, upper, lower)
   piece.solid = cut.faces == "both"
   local upright = piece.x0 == piece.x1
@@ -81,7 +81,7 @@ local function put_tips(cut)
   end
 end
 
--- The pieces of all, in order.
+-- The pieces of all curves, in order.
 local function cut_all(list)
   local cut = {pieces = {}}
   for _, entry in ipairs(list) do
@@ -92,7 +92,7 @@ local function cut_all(list)
   return cut.pieces
 end
 
--- By cell, the pieces in it.
+-- The pieces in each cell.
 local function cells_of(pieces, width, height)
   local cells = {}
   local function between(a, b, count)
@@ -129,7 +129,7 @@ function Terrain:note_free(piece, first, x, y, note)
   end
 end
 
--- A long piece is in each cell that it meets, and marked at its ends in the cells that those are in.
+-- A long piece is in each cell that it meets. It is marked at its ends, in the cells of these ends.
 function Terrain:add_free(strips, cx, cy, out)
   local function is_here(x, y)
     return x >= cx * TILE and x <= (cx + 1) * TILE and y >= cy * TILE and y <= (cy + 1) * TILE

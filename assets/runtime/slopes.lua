@@ -1,7 +1,7 @@
--- ---- Slopes: the outline of the ground in a cell that is no plain tile ----
--- A piece is a part of the outline: x0, y0, x1, y1; a line is y = base_y + (x - base_x) * slope. It faces up or
--- down, or is a wall. form: the functions for pieces of its form. solid: it bounds a body of ground. convex: the
--- ground turns away at that end; last: no floor goes on there; far: the end is in another cell.
+-- ---- Slopes: the outline of the ground in a cell that is not a plain tile ----
+-- A piece is a part of the outline: x0, y0, x1, y1. A line is y = base_y + (x - base_x) * slope. A piece faces
+-- up or down, or is a wall. form: the functions for pieces of its form. solid: it bounds a body of ground.
+-- convex: the ground turns away at that end; last: no floor goes on there; far: the end is in another cell.
 has.slopes = true
 
 local WELD = 256  -- of a px, to which ends are rounded
@@ -29,20 +29,20 @@ local function is_wall(piece) return piece.facing >= LEFT end
 -- Whether a rounding of x is worth more than one of y there.
 local function is_steep(piece) return abs(piece.slope) > 1 end
 
--- How far right of a box's left side the part of it is that touches a sloped floor or ceiling.
+-- How far right of a box's left side its part is that touches a sloped floor or ceiling.
 local function foot_offset(piece, w, centre)
   local up = piece.facing == UP
   if up and centre then return w / 2 end
   return (piece.y1 < piece.y0) == up and w or 0.0
 end
 
--- Where the top of a box at x rests on the piece.
+-- The top of a box at x that rests on the piece.
 local function rest_on(piece, x, w, h, centre)
   return y_at(piece, x + foot_offset(piece, w, centre)) - (piece.facing == UP and h or 0.0)
 end
 Line.rest = rest_on
 
--- ---- What each kind of tile is to the outline ----
+-- ---- What each kind of tile adds to the outline ----
 
 local function line_between(x0, y0, x1, y1)
   local slope, rest = two_divide(y1 - y0, 0.0, x1 - x0, 0.0)
@@ -96,7 +96,7 @@ function Terrain.outline_of(shape)
   end
   for column = 0, tiles - 1 do out.columns[column] = column_of(shape, tiles, column) end
   out.width = tiles
-  -- The cells whose outline it may change, from its own.
+  -- The cells whose outline it may change, relative to its own.
   out.left, out.right = -1, tiles
   out.top, out.bottom = -1 - (out.is_floor and extra or 0), 1 + (out.is_floor and 0 or extra)
   return out
@@ -121,7 +121,7 @@ local function range_at(body, x, to_the_right)
   return height_at(body, true, x, to_the_right), height_at(body, false, x, to_the_right)
 end
 
--- Whether there is more of it than a line right (or left) beside x.
+-- Whether the body has any height right (or left) of x; a line has none.
 local function is_thick(body, x, to_the_right)
   local in_tile = x - body.corner_x
   local far = to_the_right and huge or -huge
@@ -137,7 +137,7 @@ local function is_thick(body, x, to_the_right)
   return from ~= to or there_from ~= there_to
 end
 
--- Of what is not solid only one side stops.
+-- A body that is not solid stops with one side only.
 local function has_side(body, top) return body.tile.solid or body.tile.is_floor == top end
 
 local function new_body(terrain, tile, x, y, strip)
@@ -151,7 +151,7 @@ local function new_body(terrain, tile, x, y, strip)
   return body
 end
 
--- What of a side of a strip is ground, from the top.
+-- The parts of one side of a strip that are ground, from the top.
 local function covers_of(bodies, left)
   local covers = {}
   for _, body in ipairs(bodies) do
@@ -197,7 +197,7 @@ end
 
 -- ---- Floors and ceilings ----
 
--- Where a is below b between x0 and x1, both being straight there; rounded inwards to 1/256 px.
+-- Where a is below b between x0 and x1; both are straight there. Rounded inwards to 1/256 px.
 local function where_less(a0, a1, b0, b1, x0, x1, or_equal)
   local d0, d1 = b0 - a0, b1 - a1
   if d0 == 0 and d1 == 0 then return x0, or_equal and x1 or x0 end
@@ -231,7 +231,8 @@ local function take_out(parts, from, to)
   end
 end
 
--- Takes out where the line of body number `index` is inside of others, or the same as an earlier one's.
+-- Takes out the parts where the line of body number `index` is inside of other ones, or is the same as an
+-- earlier one.
 local function take_out_hidden(bodies, index, top, line, x0, x1, parts)
   local y0, y1 = line_at(line, x0), line_at(line, x1)
   local highest, lowest = min(y0, y1), max(y0, y1)
@@ -344,7 +345,7 @@ local function strip_beside(strips, x, to_the_right)
   return x == here * TILE and strips[1] or strips[2]
 end
 
--- Whether there is ground right (or left) beside a point.
+-- Whether there is ground right (or left) of a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
     if body.tile.solid and y >= body.highest and y <= body.lowest then
@@ -355,7 +356,7 @@ local function goes_on_at(strips, x, y, to_the_right)
   return false
 end
 
--- The tips of wedges: where a body's top and bottom meet and nothing goes on.
+-- The tips of wedges: a body's top and bottom meet there, and nothing goes on.
 local function add_tips(strips, cx, cy, out)
   local left, row0 = cx * TILE, cy * TILE
   local right, row1 = left + TILE, row0 + TILE
@@ -382,8 +383,8 @@ end
 
 -- ---- Ends ----
 
--- Which other lines that face the same way begin where this one ends: any at all, and one that does not fall
--- back from the open side.
+-- The other lines that face the same way and begin where this one ends: whether there are any, and whether one
+-- of them does not fall back from the open side.
 local function goes_on(terrain, strips, piece, first)
   local x, y = first and piece.x0 or piece.x1, first and piece.y0 or piece.y1
   local up = piece.facing == UP
@@ -417,11 +418,11 @@ local function mark_end(terrain, strips, piece, first)
   end
 end
 
--- What is free of the grid: notes the falls of what begins where a piece ends; adds the pieces in a cell.
+-- Curves: remembers what begins where a piece ends, and adds the pieces in a cell.
 function Terrain:note_free() end
 function Terrain:add_free() end
 
--- The pieces in a cell, and which ways they face.
+-- The pieces in a cell, and the directions that they face.
 local function pieces_in(terrain, x, y)
   local strips = {strip_at(terrain, x - 1, y), strip_at(terrain, x, y), strip_at(terrain, x + 1, y)}
   local out, bodies = {}, strips[2].bodies

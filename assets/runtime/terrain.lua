@@ -1,9 +1,9 @@
--- ---- Terrain: the cells of a level, and what of them is outline ----
+-- ---- Terrain: the cells of a level, and which of them are outline ----
 
--- What a tile of a shape is to the outline. Here, every shape is a full tile.
+-- What a tile of a shape adds to the outline. Here every shape is a full tile.
 function Terrain.outline_of() return {full = true} end
 
--- What there is to do when the tiles are known.
+-- Called when the tiles are known.
 function Terrain:begin() end
 
 local function new_terrain(level)
@@ -14,7 +14,7 @@ local function new_terrain(level)
   return terrain
 end
 
--- What a tile is to the outline; nil: nothing is there.
+-- What a tile adds to the outline; nil: nothing is there.
 function Terrain:outline(x, y)
   if x < 0 or y < 0 or x >= self.width or y >= self.height then return nil end
   return self.outlines[self.tiles[y * self.width + x]]

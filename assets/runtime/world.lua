@@ -3,14 +3,14 @@
 local FAST = 4096.0  -- px a step, in x and y
 local FAR = 1e9  -- px from the origin, in x and y
 
--- What carries a body away for ever is stopped.
+-- Stops bodies that would go away for ever.
 local function limit(box)
   if abs(box.vx) <= FAST and abs(box.vy) <= FAST and abs(box.x) <= FAR and abs(box.y) <= FAR then return end
   box.vx, box.vy = clamp(box.vx, -FAST, FAST), clamp(box.vy, -FAST, FAST)
   box.x, box.y = clamp(box.x, -FAR, FAR), clamp(box.y, -FAR, FAR)
 end
 
--- What the input does to the world, and what takes a body one frame further.
+-- Parts add what the input does to the world, and what takes a body one frame further.
 function World:take_input() end
 function World:step_of(body) return kinds[body.kind].step end
 
@@ -26,7 +26,7 @@ local function step_body(world, body, input)
   body.x, body.y, body.vx, body.vy, body.clear = box.x, box.y, box.vx, box.vy, true
 end
 
--- Takes every body one frame further. input: what is held, see the head; all of it may be missing.
+-- Takes every body one frame further. input: the held keys, see the head; all of them may be missing.
 function World:step(input)
   input = input or {}
   self:take_input(input)
@@ -34,14 +34,14 @@ function World:step(input)
   self.frame = self.frame + 1
 end
 
--- The first contact of a box that moves by dx, dy, or nil: t, the share of the motion; x, y, of the box then;
--- nx, ny, the ground's normal. foot: "box", or "centre" where its middle stands on slopes.
+-- The first contact of a box that moves by dx, dy, or nil: t, the share of the motion; x, y, of the box at that
+-- time; nx, ny, the ground's normal. foot: "box", or "centre" if its middle stands on slopes.
 function World:cast(x, y, w, h, dx_, dy_, foot)
   return cast_box(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, dx_ + 0.0, dy_ + 0.0, foot == "centre")
 end
 
--- The height of the floor below a box, at most `reach` px below, and its normal; nil: none, or the box is in
--- the ground.
+-- The height of the floor below a box, at most `reach` px below, and its normal. Returns nil if there is none,
+-- or if the box is in the ground.
 function World:floor(x, y, w, h, reach, foot)
   local contact = self:cast(x, y, w, h, 0.0, reach, foot)
   if not contact or self:overlaps(x, y, w, h, foot) then return nil end
@@ -53,8 +53,8 @@ function World:overlaps(x, y, w, h, foot)
   return overlaps_ground(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, foot == "centre")
 end
 
--- Adds a body and returns it: a table of kind, x and y; and, where they are not so, w and h (8), vx and vy (0),
--- foot ("box", of players "centre"). An error where this module has no part for it.
+-- Adds a body and returns it. The table needs kind, x and y; it may have w and h (8), vx and vy (0), and foot
+-- ("box", for players "centre"). It is an error if this module has no part for the kind.
 function World:add(body)
   local kind = kinds[body.kind]
   if not kind then
@@ -77,5 +77,5 @@ function World:add(body)
   return body
 end
 
--- Puts the bodies into a new world that are tiles of the map.
+-- Puts the bodies that are tiles of the map into a new world.
 function World:place_tiles() end

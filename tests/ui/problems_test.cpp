@@ -122,7 +122,7 @@ TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   EXPECT_EQ(app().ui().view.problems.kind, "seam");
   EXPECT_EQ(find("problems/row0"), nullptr);
   ASSERT_NE(find("problems/row5"), nullptr);
-  click("problems/seam");  // jumps of up to 3 px are meant from now on
+  click("problems/seam");  // jumps of up to 3 px are allowed from now on
   key(ctrl('a'));
   type("3");
   frames(4);
