@@ -26,13 +26,13 @@ namespace talus {
 using Action = std::variant<LevelAction, PixelAction, ChoiceAction, RunAction, DebugAction, CheckAction,
                             FileAction, PictureAction, ExportAction, MessageAction>;
 
-// The domains of Action that have the action A; the tests check that each action is of exactly one.
+// The number of domains of Action that have the action A; the tests check that it is 1.
 template <class A, class Domain>
 inline constexpr bool kIsOfDomain = false;
 template <class A, class... Listed>
 inline constexpr bool kIsOfDomain<A, std::variant<Listed...>> = (std::is_same_v<A, Listed> || ...);
 
-// The first one, as the member `type`.
+// The first of them, as the member `type`.
 template <class A, class Domains>
 struct DomainOf;
 template <class A, class Domain, class... Rest>
@@ -44,7 +44,7 @@ struct DomainOf<A, std::variant<>> {
   static_assert(sizeof(A) == 0, "The action is in the list of no domain.");
 };
 
-// What was done since it was last looked at, in order.
+// The actions since the last look, in order.
 class Actions {
  public:
   Actions();
@@ -68,8 +68,8 @@ class Actions {
   const Action* end() const;
 
  private:
-  // Compiled in actions.cpp for each domain, as are the members above: in every panel they would be most of
-  // the time that it takes to compile.
+  // Compiled in actions.cpp for each domain, as are the members above: in every panel they would take most of
+  // the compile time.
   template <class Domain>
   void add(Domain action);
 

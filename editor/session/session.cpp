@@ -1,4 +1,4 @@
-// Session: a handler for the actions of each domain, in the order in which they need each other.
+// Session: a handler for the actions of each domain, in the order in which they need one another.
 #include "session.h"
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Session: one open level with its history, its running simulation and what the user has chosen. The only way
-// to change it is apply(); panels see it const.
+// Session: one open level with its history, its running simulation and the user's choices. Only apply()
+// changes it; panels see it const.
 #pragma once
 
 #include <concepts>
@@ -30,13 +30,12 @@
 
 namespace talus {
 
-// Whatever plays is recorded (see sim/timeline.h). Playing and stepping at the end of the recording append to
-// it. At an earlier frame they show the next recorded ones, and append when they come to the end, unless a
-// key or the mouse's button is held: then the user takes over, and a new branch leaves the recording there.
-// Taking over, editing under EditRule go_on and resetting leave the old branch as it is, until it is dropped;
-// one without any frame is not kept. What is played new is played on the level as it is now; what is recorded
-// is shown on the level as it was.
-//
+// The session records whatever plays (see sim/timeline.h). At the end of the recording, playing and stepping
+// append to it. At an earlier frame they show the next recorded frames, and append when they come to the end.
+// If a key or the mouse button is held at an earlier frame, the user takes over: a new branch leaves the
+// recording there. Taking over, editing under EditRule go_on and resetting keep the old branch until it is
+// dropped, unless it has no frames. New frames are played on the current level; recorded ones are shown on
+// the level of their time.
 // While the recorded input is run again, in advance(), a few ms each time, time stands still. The shown frame
 // is shown again as soon as it has been run.
 class Session {
@@ -49,9 +48,9 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // Carries actions out, in order. An edit is fitted to the level as it is by then (see rebase_edit). What
-  // the simulation sees of an edit is in the next step: bodies go on from where they are, except that at
-  // frame 0 they start anew from the edited level. With a recording, edit_rule() may say otherwise.
+  // Carries actions out, in order. An edit is fitted to the current level (see rebase_edit). The simulation
+  // sees the edit in the next step: bodies go on from where they are, except that at frame 0 they start anew
+  // from the edited level. With a recording, edit_rule() may say otherwise.
   void apply(const Actions& actions);
   template <class A>  // one of Action's alternatives, or an Action
   requires(!std::same_as<A, Actions>) void apply(A action) {
@@ -59,57 +58,59 @@ class Session {
     one.push_back(std::move(action));
     apply(one);
   }
-  // Lets `seconds` (>= 0) of real time pass: makes the steps that are due, at most kMaxCatchUpSteps; after a
-  // longer pause the rest is dropped.
+  // Lets `seconds` (>= 0) of real time pass: makes the due steps, at most kMaxCatchUpSteps; after a longer
+  // pause the rest is dropped.
   void advance(double seconds);
 
   const Level& level() const;
-  std::uint64_t revision() const;  // grows with every change of the level, undo and opening included
+  std::uint64_t revision() const;  // grows with every change of the level, also by undo and opening
   const UndoStack& history() const;
   const std::string& path() const;               // empty when it has none
   std::string file_name() const;                 // for titles: "demo.talus.json"
   std::string file_names() const;                // with its companion: "game.tic + game.tic.talus.json"
-  bool modified() const;                         // differs from what its files hold
+  bool modified() const;                         // whether the level differs from its files
   int saves() const;                             // how often a level has been written to its file
-  const std::vector<Problem>& problems() const;  // lint of the level as it is
-  // The same as far as advance() has come since the last change, and what was known before of the rest: for
-  // those who must not wait.
+  const std::vector<Problem>& problems() const;  // lint of the current level
+  // The same, as far as advance() has checked since the last change, with the old problems of the rest: for
+  // callers that must not wait.
   const std::vector<Problem>& listed_problems() const;
-  bool is_linting() const;       // they are not all of the level as it is
-  double lint_progress() const;  // how much of the level has been looked at, 0 to 1
+  bool is_linting() const;       // whether they are not all of the current level's
+  double lint_progress() const;  // the checked share of the level, 0 to 1
   const LintOptions& lint_options() const;
-  const std::optional<HardCase>& hard_case() const;  // that the opened level is, whose input is played too
+  const std::optional<HardCase>& hard_case() const;  // of the opened level, whose input is played, too
 
-  // Of the shown frame: the one that was played last, unless an earlier one is visited.
-  const Scene& scene() const;        // of the level as it was there
+  // About the shown frame: the last played one, unless an earlier one is visited.
+  const Scene& scene() const;        // of the level at that frame
   const State& state() const;        // the mouse holds a body in it as soon as its button is down on one
-  const StepRecord& record() const;  // of the step that led there; empty at frame 0
+  const StepRecord& record() const;  // of the step that led to it; empty at frame 0
   const Playback& playback() const;
   const Timeline& timeline() const;
   const EditRule& edit_rule() const;
-  // Where a body was in the frames first..last of a branch, for a trail; see Trails. Until the next call.
+  // Where a body was in the frames first..last of a branch, for a trail; see Trails. Valid until the next
+  // call.
   const std::vector<TrailPoint>& trail(const Branch& branch, int body, std::int64_t first,
                                        std::int64_t last) const;
   const Choices& choices() const;
-  // The runs with marks or inputs of the user's that no file has, the one that was worked on last at the end.
-  // What loses them asks first; they are saved by SaveRecording.
+  // The runs with marks or inputs of the user's that no file has, the last changed one at the end. Actions
+  // that lose them ask first. SaveRecording saves them.
   std::vector<const Branch*> unsaved_runs() const;
-  std::uint64_t runs_revision() const;  // grows when the answer may be another one
+  std::uint64_t runs_revision() const;  // grows when the result may be another one
 
-  // What stops, is watched and is compared; brought up to what is shown by apply() and advance().
+  // The debugger; apply() and advance() bring it up to what is shown.
   const Debugger& debugger() const;
-  // Whether frames are still to be run to for what is shown: on the way to another frame, or of a trail. That
-  // goes on with advance() and with the next look.
+  // Whether frames are still to be run for what is shown: on the way to another frame, or for a trail.
+  // advance(), and the next look, go on with that.
   bool is_on_the_way() const;
-  // From now on trails are whole at the first look: where there is no window that waits for them.
+  // From now on trails are complete at the first look: for callers without a window.
   void take_time();
   // The ground of the shown frame's level, whatever the solver; see Debugger::ground().
   const std::shared_ptr<const Terrain>& ground() const;
   FrameView frame_view() const;              // the shown frame and those before it
   const std::vector<Stage>& stages() const;  // of the chosen body's step to the shown frame
-  const State* other_state() const;          // of the other side of a comparison; null: none, or not yet run
-  const Frame* other_frame() const;          // the same with its step
-  // As trail(), of a body of the other side.
+  // Of the other side of a comparison; null: there is none, or it is not run yet.
+  const State* other_state() const;
+  const Frame* other_frame() const;  // the same with its step
+  // As trail(), for a body of the other side.
   const std::vector<TrailPoint>& other_trail(int body, std::int64_t first, std::int64_t last) const;
   const StepTimes& step_times() const;
   const ReachFinder& reach() const;                  // where a player of the level gets to
@@ -117,16 +118,16 @@ class Session {
   ExportTask export_task(std::size_t preset) const;  // index of one of the level's presets
   // Whether it may be written without a question: see ExportPermissions.
   bool allows_export(std::size_t preset) const;
-  const FinishedRun* asked_exports() const;  // what question() is about, where it is about exports; or null
-  // How far a large level is compiled that was edited or opened, 0..1; until it is, the simulation goes on as
-  // it was before. Nothing: it sees the level as it is.
+  const FinishedRun* asked_exports() const;  // what question() is about, if it is about exports; else null
+  // How much of a large level that was edited or opened is compiled, 0..1; until it is, the simulation goes
+  // on as before. Nothing: the simulation is up to date.
   std::optional<double> compile_progress() const;
 
-  // A file that is to be opened, recovered or read again, while that takes longer than an instant. Until it
-  // is there, in advance(), the level is as it was, and edits and saving do nothing.
+  // A file that is being opened, recovered or read again, if that takes longer than an instant. Until it is
+  // there, in advance(), the level stays as it was, and edits and saving do nothing.
   std::optional<ReadingProgress> reading() const;
-  void finish_reading();   // waits for it, for those without a window to keep going
-  int recoveries() const;  // how many RecoverLevel have been carried out to their ends
+  void finish_reading();   // waits for it; for callers without a window
+  int recoveries() const;  // number of RecoverLevel actions that are finished
 
   const std::optional<Message>& message() const;       // stays until dismissed or replaced
   const std::optional<Question>& question() const;     // waits for AnswerQuestion
@@ -137,8 +138,8 @@ class Session {
   bool wants_save_recording() const;  // waits for SaveRecording or CancelSaveAs
   bool wants_quit() const;            // the program should end
 
-  // A number for a stroke that begins now, unlike that of any edit before. Ask once when a drag begins, and
-  // give the same number to each of its edits.
+  // Returns a number for a stroke that begins now, which no edit has yet. Call it once when a drag begins,
+  // and use the number for each of its edits.
   int next_stroke() const;
 
  private:

@@ -436,8 +436,7 @@ TEST_F(WriteFaults, WhatIsAllowedAndCannotBeRememberedIsTold) {
   session.apply(action::SaveFileAs{path("a.talus.json")});
   EXPECT_EQ(
       session.message()->text,
-      "Saved a.talus.json.\nWhich exports are allowed cannot be remembered, so that they are asked about "
-      "again: " +
+      "Saved a.talus.json.\nCannot save which exports are allowed, so Talus will ask about them again: " +
           store + " cannot be written: Not a directory.");
   EXPECT_TRUE(session.message()->is_error);
   EXPECT_FALSE(session.modified());
@@ -456,7 +455,7 @@ TEST_F(WriteFaults, WhatIsAllowedAndCannotBeRememberedIsTold) {
   later.apply(action::AnswerQuestion{action::Answer::allow});
   wait();
   EXPECT_TRUE(exists("map") && !fs::is_empty(path("map"))) << "and written";
-  EXPECT_NE(later.message()->text.find("Which exports are allowed cannot be remembered"), std::string::npos)
+  EXPECT_NE(later.message()->text.find("Cannot save which exports are allowed"), std::string::npos)
       << later.message()->text;
 }
 

@@ -370,7 +370,7 @@ TEST_F(UiExport, AChangedStarterIsShownAsKept) {
   settle();
   EXPECT_EQ(find("question/replace"), nullptr);
   EXPECT_EQ(bytes_of(path("export/love/main.lua")), "mine");
-  EXPECT_NE(message().find("Kept main.lua, which is yours by now."), std::string::npos) << message();
+  EXPECT_NE(message().find("Kept main.lua, which is yours now."), std::string::npos) << message();
 }
 
 TEST_F(UiExport, NamesHaveMoreThanLatin) {

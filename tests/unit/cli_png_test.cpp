@@ -60,7 +60,8 @@ TEST_F(CliPng, ABadPictureLeavesTheLevelAlone) {
   const std::string png = put("bad.png", rgb_png(9, std::vector<Rgb>(9)));
   const CliAnswer size = cli_answer({"import", png, "--into", level, "-o", out});
   EXPECT_EQ(size.status, kExitBad);
-  EXPECT_EQ(size.err, png + ": error: the picture is 9x1 px, which is no whole number of tiles of 8x8 px\n");
+  EXPECT_EQ(size.err,
+            png + ": error: the picture is 9x1 px, which is not a whole number of tiles of 8x8 px\n");
   EXPECT_EQ(size.out, "");
   EXPECT_FALSE(exists("unwritten.talus.json"));
   const CliAnswer none = cli_answer({"import", level, "--into", level, "-o", out});

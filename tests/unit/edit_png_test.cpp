@@ -112,9 +112,9 @@ TEST(PngImport, SaysWhatDoesNotFit) {
     return plan ? "no error" : plan.error();
   };
   EXPECT_EQ(error(filled(12, 8, kPureRed), {}),
-            "The picture is 12x8 px, which is no whole number of tiles of 8x8 px.");
+            "The picture is 12x8 px, which is not a whole number of tiles of 8x8 px.");
   EXPECT_EQ(error(filled(8, 9, kPureRed), {}),
-            "The picture is 8x9 px, which is no whole number of tiles of 8x8 px.");
+            "The picture is 8x9 px, which is not a whole number of tiles of 8x8 px.");
   EXPECT_EQ(error(filled(16, 16, kPureRed), {PngPart::tiles, 15, false}),
             "The picture of 16x16 px does not fit at tile 15, where 8x128 px are left.");
   EXPECT_EQ(error(filled(16, 16, kPureRed), {PngPart::palette, 0, false}),

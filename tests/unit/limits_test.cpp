@@ -271,8 +271,9 @@ TEST(EditLimits, AnEditThatWouldMakeTooManyIsRefusedWithAMessage) {
   EXPECT_FALSE(session.modified());
   ASSERT_TRUE(session.message());
   EXPECT_TRUE(session.message()->is_error);
-  EXPECT_EQ(session.message()->text,
-            "Place a body: not done, as the level then has 65537 bodies, but a level holds at most 65536.");
+  EXPECT_EQ(
+      session.message()->text,
+      "Place a body: not done, because the level then has 65537 bodies, but a level holds at most 65536.");
 }
 
 TEST(EditLimits, OldEditsAreForgottenForMemory) {

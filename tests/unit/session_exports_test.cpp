@@ -281,7 +281,7 @@ TEST_F(SessionExports, StartersThatTheUserChangedAreKept) {
   EXPECT_FALSE(session().question()) << "nothing is asked";
   EXPECT_EQ(bytes_of("out/main.lua"), "mine");
   EXPECT_EQ(message(), "Saved cave.talus.json.\nExported game: " + std::to_string(count - 1) +
-                           " files to out. Kept main.lua, which is yours by now.");
+                           " files to out. Kept main.lua, which is yours now.");
   // Made for a preview, they are written all the same when they are gone meanwhile.
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{4, 2, 3})});
   preview(0);

@@ -18,7 +18,7 @@ TEST_F(SessionImportTest, AMapBecomesANewLevelThatHasNoFile) {
   EXPECT_EQ(session.path(), "");
   ASSERT_TRUE(session.message());
   EXPECT_FALSE(session.message()->is_error);
-  EXPECT_EQ(session.message()->text, "Made a new level of cave.tmj; saving asks for a file of its own.");
+  EXPECT_EQ(session.message()->text, "Made a new level from cave.tmj; saving asks for a file name.");
   session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
   session.apply(action::SaveFile{});
   EXPECT_TRUE(session.wants_save_as());
@@ -33,10 +33,9 @@ TEST_F(SessionImportTest, TellsWhatIsNotInIt) {
   Session session;
   session.apply(action::OpenFile{path("room.tmx")});
   ASSERT_TRUE(session.message());
-  EXPECT_EQ(
-      session.message()->text,
-      "Made a new level of room.tmx; saving asks for a file of its own. Not in it: an object of the layer "
-      "\"things\"; the layer \"sky\", which is a picture.");
+  EXPECT_EQ(session.message()->text,
+            "Made a new level from room.tmx; saving asks for a file name. Not in it: an object of the layer "
+            "\"things\"; the layer \"sky\", which is a picture.");
 }
 
 TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {

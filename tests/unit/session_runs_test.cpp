@@ -52,7 +52,7 @@ TEST_F(SessionRuns, AMarkIsAskedAboutAndKept) {
   ASSERT_TRUE(session_.question());
   EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_run);
   EXPECT_EQ(session_.question()->text,
-            "Keep the recording of run 1?\nIt has marks or inputs of yours, and is in no file yet.");
+            "Keep the recording of run 1?\nIt has marks or inputs of yours, and is not saved in a file yet.");
   answer(act::Answer::cancel);
   EXPECT_FALSE(session_.wants_quit());
   session_.apply(act::Quit{});

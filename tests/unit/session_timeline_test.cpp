@@ -310,7 +310,7 @@ TEST_F(SessionTimeline, ARecordingThatComesOutOtherwiseIsToldOf) {
   put("other.talusrec", text);
   session_.apply(act::OpenFile{file});
   run_again();
-  EXPECT_EQ(message(), "Frame 5 is not as it was recorded, nor may be later ones.");
+  EXPECT_EQ(message(), "Frame 5 differs from the recording; later frames may differ, too.");
   EXPECT_TRUE(session_.message()->is_error);
 }
 

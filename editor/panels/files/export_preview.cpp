@@ -204,7 +204,7 @@ void draw_export_notes(const Session& session, Ui& ui) {
     draw_wrapped_text(code_text(*outcome->code_bytes),
                       theme::tone(*outcome->code_bytes > kMostTicCode ? theme::kWarning : theme::kMuted));
   if (outcome->dropped.empty()) return;
-  std::string text = "Not held there: ";
+  std::string text = "Not in the export: ";
   for (const std::string& what : outcome->dropped)
     text += (&what == &outcome->dropped.front() ? "" : ", ") + what;
   draw_scrolled_text("dropped", text + ".",

@@ -1,4 +1,4 @@
-// Actions: what is likely wrong in the level, and where a player of it gets to.
+// Actions: likely problems of the level, and where a player gets to.
 #pragma once
 
 #include <variant>
@@ -11,15 +11,15 @@ namespace action {
 struct SetLintOptions {
   LintOptions options;  // clamped
 };
-struct FindReach {};    // of the level as it is now; what was found before is forgotten
-struct CancelReach {};  // keeps what has been found
-struct ShowWay {        // plays the way to a reached cell as a new branch; to another one nothing happens
+struct FindReach {};    // in the current level; the last result is forgotten
+struct CancelReach {};  // keeps the result so far
+struct ShowWay {        // plays the way to a reached cell as a new branch; does nothing for another cell
   Cell cell;
 };
 
 }  // namespace action
 
-// What CheckHandler carries out.
+// The actions that CheckHandler carries out.
 using CheckAction =
     std::variant<action::SetLintOptions, action::FindReach, action::CancelReach, action::ShowWay>;
 

@@ -1,4 +1,4 @@
-// Looking for problems, and for where a player gets to.
+// Finds problems, and where a player gets to.
 #include "check_handler.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr double kLintSeconds = 0.003;   // of real time that a call of advance() spends
+constexpr double kLintSeconds = 0.003;   // of real time, for a call of advance()
 constexpr double kReachSeconds = 0.006;  // the same
 
 }  // namespace
@@ -25,7 +25,7 @@ void CheckHandler::carry_out(const action::FindReach&) {
   run_.refresh_scene();
   follow_scene();
   if (run_.compile_progress())
-    return messages_.tell_error("The level is still being compiled: look again when that is done.");
+    return messages_.tell_error("The level is still being compiled: try again when that is done.");
   const Body* chosen = run_.simulation().state().find(choices_.choices().body);
   const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
   if (const auto problem = reach_.start(*run_.timeline().level_scene(), origin))

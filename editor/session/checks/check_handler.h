@@ -1,4 +1,4 @@
-// CheckHandler: what is likely wrong in the level, and where a player of it gets to.
+// CheckHandler: likely problems of the level, and where a player gets to.
 #pragma once
 
 #include "check_actions.h"
@@ -18,19 +18,19 @@ class CheckHandler {
 
   void apply(const CheckAction& action);
 
-  const std::vector<Problem>& problems();  // of the level as it is
+  const std::vector<Problem>& problems();  // of the current level
   const LintCache& lint_cache() const { return lint_cache_; }
   const LintOptions& lint_options() const { return lint_options_; }
   const ReachFinder& reach() const { return reach_; }
 
-  void note_edit(const Edit& edit);  // to be called for each edit done or undone
+  void note_edit(const Edit& edit);  // call it for each edit done or undone
   void forget_level();               // another one is open
-  void follow_scene();               // what was found before in another scene is out of date
-  // Spends a few ms on what of the level has not been looked at, and on where the player gets to.
+  void follow_scene();               // results for another scene are out of date
+  // Spends a few ms on the unchecked part of the level, and on where the player gets to.
   void advance();
 
  private:
-  // For each action of CheckAction: in check_handler.cpp.
+  // For each action of CheckAction, in check_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
@@ -43,7 +43,7 @@ class CheckHandler {
   LintCache lint_cache_;
   LintOptions lint_options_;
   ReachFinder reach_;
-  int scene_ = 0;  // of RunHandler::scenes(), that reach_ knows of
+  int scene_ = 0;  // number of RunHandler::scenes() that reach_ belongs to
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// ReachFinder: the search for where a player gets to, done a few ms at a time while the editor goes on.
+// ReachFinder: finds where a player gets to, a few ms at a time while the editor goes on.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@ namespace talus {
 
 class ReachFinder {
  public:
-  // Begins anew. scene: of the level as it is. origin: of the player to be followed; of no player, or none:
-  // the first one. The error is why there is nothing to look for, one sentence.
+  // Starts again. scene: of the current level. origin: of the player to follow; if it is not a player's: the
+  // first player. The error is one sentence on why there is nothing to look for.
   std::optional<std::string> start(const Scene& scene, std::optional<BodyOrigin> origin);
-  // Goes on for so many seconds of real time, or until it has ended.
+  // Searches for so many seconds of real time, or until the search has ended.
   void advance(double seconds);
   void cancel() { running_ = false; }
-  void note_change();  // the level is another now: what was found is out of date, and the search ends
+  void note_change();  // the level has changed: the result is out of date, and the search ends
   void forget();
 
-  const ReachSearch* found() const { return search_ ? &*search_ : nullptr; }  // null: nothing was looked for
+  const ReachSearch* found() const { return search_ ? &*search_ : nullptr; }  // null: there was no search
   bool running() const { return running_; }
-  bool is_stale() const { return is_stale_; }  // the level was changed since it began
-  // Other bodies of the level, which the search leaves out.
+  bool is_stale() const { return is_stale_; }  // whether the level has changed since the search began
+  // Number of other bodies in the level, which the search leaves out.
   int others() const { return others_; }
 
  private:

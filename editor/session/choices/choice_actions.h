@@ -14,8 +14,8 @@
 
 namespace talus {
 
-// The tools of the map: those of the keys 1 to 9 and 0 in their order, 1 to 4 as in TIC-80; then those that
-// have letters.
+// The tools of the map: those of the keys 1 to 9 and 0 in their order, 1 to 4 as in TIC-80; then those with
+// letters.
 enum class MapTool {
   stamp,
   pan,
@@ -39,37 +39,37 @@ enum class SpriteTool { pencil, pick, select, fill, line, rectangle, ellipse };
 namespace action {
 
 struct SelectCurve {
-  int curve = -1;  // its index in the level; of none: none
+  int curve = -1;  // its index in the level; an unknown one: no curve
 };
 struct SetCurveKind {  // what the curve tool draws
   CurveKind kind = CurveKind::segment;
 };
-struct SelectTiles {  // on the sheet: what the canvas and the flags show, and, of tiles, the stamp
+struct SelectTiles {  // on the sheet: for the canvas and the flags, and, for tiles, the stamp
   SpriteArea area;
 };
 struct SelectPixels {            // in the canvas, until another tool or canvas is chosen
-  std::optional<CellRect> rect;  // px of the canvas, clamped to it; nothing: none
+  std::optional<CellRect> rect;  // px of the canvas, clamped to it; nothing: no selection
 };
 struct SetStamp {
   Stamp stamp;
 };
 struct SetRandomStamp {  // each painted cell takes a tile of the stamp at random
   bool on = true;
-  std::uint32_t seed = 1;  // of what is painted from now on
+  std::uint32_t seed = 1;  // for what is painted from now on
 };
-struct SelectCells {  // on the map; cut at its edge, and wholly outside, or nothing: no selection
+struct SelectCells {  // on the map; cut off at its edge; wholly outside, or nothing: no selection
   std::optional<CellRect> cells;
 };
-struct SetPasted {  // tiles that hang at the mouse until a click puts them on the map; nothing: none any more
+struct SetPasted {  // tiles that follow the mouse until a click puts them on the map; nothing: no such tiles
   std::optional<Stamp> tiles;
 };
-struct SetMapTool {  // lets go what hangs at the mouse
+struct SetMapTool {  // drops tiles that follow the mouse
   MapTool tool;
 };
 struct SetSpriteTool {
   SpriteTool tool;
 };
-struct SetBrush {  // of the tools that draw pixels
+struct SetBrush {  // for the tools that draw pixels
   int size = 1;    // px, 1..kMaxBrush; clamped
 };
 struct SetColor {
@@ -81,7 +81,7 @@ struct SetOverlay {
   bool on = true;
 };
 struct SetFlagOverlay {
-  // Tints the map and the sheet where tiles match it; it is what is painted and looked for. Nothing: no tint.
+  // Tints the map and the sheet where tiles match it, and is painted and looked for. Nothing: no tint.
   std::optional<FlagPattern> pattern;
 };
 struct SetOverlayPalette {
@@ -96,7 +96,7 @@ struct SetScreenBorders {
 
 }  // namespace action
 
-// What ChoiceHandler carries out.
+// The actions that ChoiceHandler carries out.
 using ChoiceAction =
     std::variant<action::SelectCurve, action::SetCurveKind, action::SelectTiles, action::SelectPixels,
                  action::SetStamp, action::SetRandomStamp, action::SelectCells, action::SetPasted,

@@ -1,4 +1,4 @@
-// Choosing.
+// Chooses.
 #include "choice_handler.h"
 
 #include <algorithm>

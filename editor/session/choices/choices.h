@@ -1,4 +1,4 @@
-// What the user has chosen; changed by the actions of the same names.
+// What the user has chosen; the actions with the same names change it.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ struct Choices {
   bool random_stamp = false;              // each cell takes a tile of the stamp at random
   std::uint32_t random_seed = 1;          // see random_tile()
   std::optional<CellRect> selection;      // on the map, wholly inside it
-  std::optional<Stamp> pasted;            // hangs at the mouse
+  std::optional<Stamp> pasted;            // follows the mouse
   int color = 12;                         // left button, 0..15
   int secondary_color = 0;                // right button, 0..15
-  int body = 0;                           // id of the chosen body; 0: none
-  int curve = -1;                         // index of the chosen curve; of none: no curve
-  CurveKind curve_kind = CurveKind::arc;  // that the curve tool draws
+  int body = 0;                           // id of the chosen body; 0: no body
+  int curve = -1;                         // index of the chosen curve; an unknown one: no curve
+  CurveKind curve_kind = CurveKind::arc;  // kind that the curve tool draws
   OverlaySet overlays;                    // shown in the play view
   OverlayPalette overlay_palette = OverlayPalette::standard;
   std::optional<FlagPattern> flag_overlay;  // tinted, painted and looked for

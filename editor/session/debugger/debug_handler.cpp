@@ -1,4 +1,4 @@
-// Stopping, watching and comparing.
+// Stops, watches and compares.
 #include "debug_handler.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ void DebugHandler::carry_out(const action::FindParting& a) {
   run_.refresh_scene();
   run_.set_running(false);
   plays_on_ = false;
-  nothing_found_ = "As far as they have been run, no body is further from its other self.";
+  nothing_found_ = "No body is further from the same body on the other side, as far as both have been run.";
   follow();
   debugger_.search_parting(a.threshold);
 }
@@ -76,7 +76,7 @@ void DebugHandler::play(double seconds) {
   run_.advance(seconds, may_step, stops);
 }
 
-// Says why it stands still, and shows the body that it is about where none is chosen.
+// Says why it stopped, and chooses the body that the stop is about if none is chosen.
 void DebugHandler::note_stop() {
   const Stop& stop = *debugger_.stop();
   messages_.tell(text_of(stop));

@@ -1,4 +1,4 @@
-// DebugHandler: lets the debugger stop the run, and tells what it found.
+// DebugHandler: lets the debugger stop the run, and reports what it found.
 #pragma once
 
 #include <string>
@@ -19,26 +19,26 @@ class DebugHandler {
   void apply(const DebugAction& action);
   const Debugger& debugger() const { return debugger_; }
 
-  // Brings the debugger up to the run; to be called whenever that has changed.
+  // Brings the debugger up to the run; call it whenever the run has changed.
   void follow() { debugger_.follow(run_.timeline(), open_.level); }
-  void forget_run() { debugger_.forget_run(); }  // the run is of another level now
+  void forget_run() { debugger_.forget_run(); }  // the run belongs to another level now
   void play(double seconds);                     // until a breakpoint stops it
-  void advance();                                // goes on with what the debugger has to do
+  void advance();                                // continues the debugger's work
 
  private:
-  // For each action of DebugAction: in debug_handler.cpp.
+  // For each action of DebugAction, in debug_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
-  void note_stop();  // it has stopped at debugger_.stop()
+  void note_stop();  // the run has stopped at debugger_.stop()
 
   const OpenLevel& open_;
   RunHandler& run_;
   ChoiceHandler& choices_;
   MessageHandler& messages_;
   Debugger debugger_;
-  bool plays_on_ = false;      // when the search that is under way finds nothing
-  std::string nothing_found_;  // what is said then, unless it plays on
+  bool plays_on_ = false;      // whether it plays on if the current search finds nothing
+  std::string nothing_found_;  // the message in that case, unless it plays on
 };
 
 }  // namespace talus

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-constexpr double kSeconds = 0.004;  // of real time that a call of advance() takes
+constexpr double kSeconds = 0.004;  // of real time, for a call of advance()
 
 }  // namespace
 
@@ -19,13 +19,13 @@ const std::shared_ptr<const Terrain>& Debugger::ground(const Timeline& timeline)
 }
 
 const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) const {
-  // The other solvers' stages have nothing of the ground.
+  // The stages of the other solvers do not show the ground.
   const bool is_exact = timeline.scene().tuning.solver == SolverKind::exact;
   return shown_frame_.stages(timeline, is_exact ? ground(timeline) : nullptr, body);
 }
 
 const State* Debugger::other_state(const Timeline& timeline) const {
-  // Looking at a frame compiles the ground to measure it against: not for nothing.
+  // Looking at a frame compiles the ground to measure against, so it is done only if needed.
   if (!side_.has(timeline.frame())) return nullptr;
   const auto& other = view(timeline).now().other;
   return other ? &*other : nullptr;
@@ -120,7 +120,7 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
-    // One after another: frames that are read in order take a step each, others a seek.
+    // One after another: frames that are read in order cost a step each, others a seek.
     const bool done = !searching() &&
                       shown_frame_.advance(timeline, source(), other_run(timeline), kSeconds) &&
                       stops_.count(source(), timeline.frame(), frames_.count()) &&
@@ -131,7 +131,7 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
   return std::nullopt;
 }
 
-// True when they have come to the last frame.
+// Returns true at the last frame.
 bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
   const bool done = watches_.advance(source(), chosen_body, frames_.count());
   if (side_.frames() == nullptr) return done;
@@ -141,8 +141,8 @@ bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
   return parting_watch_.advance(source(), body, frames_.count()) && done;
 }
 
-// The whole run, and what is played later; forwards from the frames that were searched before. True when it
-// has come to the last one.
+// The whole run, and what is played later: forwards from the frames that were searched before. Returns true
+// at the last frame.
 bool Debugger::advance_parting() {
   if (side_.variant() == nullptr || parting_frame_) return true;
   if (!parting_search_) {
@@ -185,7 +185,7 @@ std::optional<double> Debugger::comparing_progress(const Timeline& timeline) con
                                    : 0;
 }
 
-// Read apart from what is judged, so that each goes along its run in order.
+// Read apart from the judged frames, so that each goes along its run in order.
 const Frame* Debugger::other_frame(const Timeline& timeline) const {
   const Branch* branch = side_.branch(timeline);
   if (branch == nullptr || !side_.has(timeline.frame())) return nullptr;

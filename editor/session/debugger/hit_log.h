@@ -1,4 +1,4 @@
-// HitLog: in which frames of a run breakpoints hit, so that their hits up to any frame are known without
+// HitLog: the frames of a run in which breakpoints hit, so that the hits up to any frame are known without
 // counting again.
 #pragma once
 
@@ -11,15 +11,15 @@ namespace talus {
 
 class HitLog {
  public:
-  // Those that are not enabled are left out.
+  // Breakpoints that are not enabled are left out.
   explicit HitLog(const std::vector<ArmedBreakpoint>& breakpoints);
 
-  // Judges up to so many frames more; true when this frame and all before it are judged. The source must be
-  // the same in every call, but may have grown.
+  // Judges up to so many more frames. Returns true when this frame and all before it are judged. The source
+  // must be the same in every call, but may have grown.
   bool advance(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
-  // Takes a frame that somebody has read for something else, if it is the next one.
+  // Takes a frame that was read for something else, if it is the next one.
   void note(const FrameView& view);
-  // Hits in the frames 0 to this one; 0 of a breakpoint that is not there. Nothing: not yet judged so far.
+  // Hits in the frames 0 to this one; 0 for an unknown breakpoint. Nothing: not judged so far yet.
   std::optional<int> hits(int breakpoint, std::int64_t frame) const;
 
  private:
@@ -32,7 +32,7 @@ class HitLog {
   HitCounter counter_;
   FrameHistory history_;
   std::vector<Hits> hits_;
-  std::int64_t judged_ = -1;  // the last frame that was; -1: none
+  std::int64_t judged_ = -1;  // the last judged frame; -1: none
 };
 
 }  // namespace talus

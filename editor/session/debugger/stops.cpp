@@ -31,7 +31,7 @@ void Stops::remove(int breakpoint) {
   forget_frames();
 }
 
-// Those whose condition is wrong stop nothing; the panel shows what is wrong.
+// A breakpoint with a faulty condition does not stop; the panel shows the error.
 std::vector<ArmedBreakpoint> Stops::armed() const {
   std::vector<ArmedBreakpoint> armed;
   for (const Breakpoint& breakpoint : breakpoints_) {
@@ -73,7 +73,7 @@ std::optional<Stop> Stops::judge_newest() {
   judged_ = history_->view().now().state.frame;
   log_->note(history_->view());
   std::optional<Stop> stop = counter_.judge(history_->view());
-  // Without a count to wait for, the counter begins wherever it plays.
+  // If no breakpoint counts, the counter begins wherever the run plays.
   if (stop && !counter_.counts()) stop->hit = log_->hits(stop->breakpoint, judged_).value_or(0);
   return stop;
 }

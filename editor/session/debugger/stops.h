@@ -1,4 +1,4 @@
-// Where a run stops: breakpoints, judged while it runs, and searched for in what is recorded.
+// Stops: breakpoints that are judged while a run plays, and searched for in a recording.
 #pragma once
 
 #include <optional>
@@ -9,33 +9,33 @@
 
 namespace talus {
 
-// "Breakpoint 1 at frame 33, body 2." For a search without one: "They part at frame 33, body 2."
+// "Breakpoint 1 at frame 33, body 2." For a search without a breakpoint: "They part at frame 33, body 2."
 std::string text_of(const Stop& stop);
 
 class Stops {
  public:
   // --- Breakpoints. A change forgets the counted hits.
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
-  void put(Breakpoint breakpoint);  // in the place of the one with its id; id 0: a new one
+  void put(Breakpoint breakpoint);  // replaces the one with its id; id 0: a new one
   void remove(int breakpoint);
-  // Hits in the frames 0 to this one; 0 of one that is not there, or not in order. Nothing: still to be
-  // counted, by count().
+  // Hits in the frames 0 to this one; 0 for an unknown or faulty breakpoint. Nothing: count() still has to
+  // count them.
   std::optional<int> hits(int breakpoint, std::int64_t frame) const {
     return log_ ? log_->hits(breakpoint, frame) : 0;
   }
-  // Counts the hits of so many frames more; true when those up to this frame are counted.
+  // Counts the hits of so many more frames. Returns true when those up to this frame are counted.
   bool count(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
     return !log_ || log_->advance(source, frame, most_frames);
   }
-  void forget_hits();  // what is compared is another run now
+  void forget_hits();  // another run is compared now
 
-  // --- While it runs. source: the frames of the run that is shown.
-  // Whether the hits up to this frame are counted; if not, counts those of so many frames more. Needed before
-  // the step from there is judged; takes no time where no breakpoint counts.
+  // --- While it runs. source: the frames of the shown run.
+  // Whether the hits up to this frame are counted; if not, counts those of so many more frames. Needed before
+  // the step from there is judged. Takes no time if no breakpoint counts.
   bool ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
   // Judges the frame after the one that it was ready for.
   std::optional<Stop> judge(const FrameSource& source, std::int64_t frame);
-  void forget_frames();  // the frames are of another run now, or the breakpoints are others
+  void forget_frames();  // the frames belong to another run now, or the breakpoints have changed
 
   // --- Searching
   void search(std::int64_t from, SearchDirection direction);
@@ -44,20 +44,20 @@ class Stops {
   bool searching() const { return search_.has_value(); }
   SearchDirection direction() const { return direction_; }
   double progress(const FrameSource& source) const { return search_ ? search_->progress(source) : 1; }
-  // Goes on; true when it has just come to its end: found() tells where.
+  // Continues; returns true when it has just ended: found() has the result.
   bool advance_search(const FrameSource& source, std::int64_t most_frames);
   const std::optional<Stop>& found() const { return found_; }
 
  private:
   std::vector<ArmedBreakpoint> armed() const;
-  std::optional<Stop> judge_newest();  // of the history
+  std::optional<Stop> judge_newest();  // the newest frame of the history
 
   std::vector<Breakpoint> breakpoints_;
   int last_id_ = 0;
   HitCounter counter_{{}};
-  std::optional<HitLog> log_;            // once there was a breakpoint
-  std::optional<FrameHistory> history_;  // while there are breakpoints
-  std::int64_t judged_ = -1;             // the last frame that was judged; -1: none
+  std::optional<HitLog> log_;            // set once there was a breakpoint
+  std::optional<FrameHistory> history_;  // set while there are breakpoints
+  std::int64_t judged_ = -1;             // the last judged frame; -1: none
 
   std::optional<StopSearch> search_;
   SearchDirection direction_ = SearchDirection::forwards;

@@ -1,4 +1,4 @@
-// What the user watches: expressions, with their values over the whole run.
+// Watches: expressions that the user watches, with their values over the whole run.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace talus {
 // An expression whose value is wanted in every frame.
 struct WatchText {
   std::string text;
-  int body = 0;  // id of the body that it is about; 0: the chosen one
+  int body = 0;  // id of its body; 0: the chosen one
   friend bool operator==(const WatchText&, const WatchText&) = default;
 };
 
@@ -22,29 +22,29 @@ class Watches {
 
   struct Entry {
     WatchText watch;
-    std::optional<Expression> expression;  // nothing: its text is wrong
-    ExpressionError error;                 // then
+    std::optional<Expression> expression;  // nothing: its text is faulty
+    ExpressionError error;                 // in that case
     std::size_t series = 0;                // its place in the run
   };
 
   const std::vector<Entry>& all() const { return entries_; }
   void put(std::size_t index,
-           WatchText watch);  // in the place of that one, or, if there is none, behind the last
+           WatchText watch);  // replaces that one; if there is none, appends it
   void remove(std::size_t index);
-  // Its numbers in the frames so far; null: its text is wrong.
+  // Its numbers in the frames so far; null: its text is faulty.
   const Series* series(const Entry& entry) const;
-  // Its value in the last frame of a history; NaN: nothing there.
+  // Its value in the last frame of a history; NaN: there is none.
   static double value(const Entry& entry, const FrameView& view, int chosen_body);
 
-  // The frames are of another run now, or another body is chosen.
+  // The frames belong to another run now, or another body is chosen.
   void begin_again() { run_.reset(); }
-  // Reads up to so many frames more; true when it has come to the last one.
+  // Reads up to so many more frames. Returns true at the last one.
   bool advance(const FrameSource& source, int chosen_body, std::int64_t most_frames);
 
  private:
   std::vector<Entry> entries_;
   std::optional<WatchRun> run_;
-  int chosen_body_ = 0;  // that the run is about
+  int chosen_body_ = 0;  // the body of the run
 };
 
 }  // namespace talus

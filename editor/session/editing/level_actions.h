@@ -1,4 +1,4 @@
-// Actions: changing the level, and taking changes back.
+// Actions: changing the level, undo and redo.
 #pragma once
 
 #include <variant>
@@ -8,7 +8,7 @@
 namespace talus {
 namespace action {
 
-struct EditLevel {  // an edit made by a tool; a stroke > 0 merges with the entry of the same stroke before it
+struct EditLevel {  // an edit made by a tool; a stroke > 0 merges with an entry of the same stroke before it
   Edit edit;
   int stroke = 0;
 };
@@ -17,7 +17,7 @@ struct Redo {};
 
 }  // namespace action
 
-// What LevelHandler carries out.
+// The actions that LevelHandler carries out.
 using LevelAction = std::variant<action::EditLevel, action::Undo, action::Redo>;
 
 }  // namespace talus

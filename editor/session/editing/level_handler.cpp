@@ -1,4 +1,4 @@
-// Editing the level, undo and redo.
+// Edits the level, with undo and redo.
 #include "level_handler.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void LevelHandler::edit(const Edit& wanted, int stroke) {
   Edit edit = wanted;
   rebase_edit(open_.level, edit);
   if (const auto problem = problem_after(open_.level, edit))
-    return messages_.tell_error(edit.label + ": not done, as the level then " + *problem + ".");
+    return messages_.tell_error(edit.label + ": not done, because the level then " + *problem + ".");
   if (edit.selection) choices_.choose_cells(edit.selection->after);
   if (edit.empty()) return;
   note_edit(edit);

@@ -16,8 +16,8 @@ namespace talus {
 
 class LevelHandler {
  public:
-  // reader: while it reads a file, which may replace the level, the user's edits do nothing. permissions:
-  // what the user changes of exports is allowed.
+  // reader: while it reads a file, which may replace the level, the user's edits are ignored. permissions:
+  // exports that the user changes are allowed.
   LevelHandler(OpenLevel& open, const FileReader& reader, ExportPermissions& permissions, RunHandler& run,
                CheckHandler& checks, ChoiceHandler& choices, MessageHandler& messages)
       : open_(open),
@@ -31,19 +31,19 @@ class LevelHandler {
   void apply(const LevelAction& action);
 
   void edit_by_user(const Edit& wanted, int stroke = 0);  // as EditLevel
-  void edit(const Edit& wanted, int stroke = 0);          // by whomever
-  int begin_stroke() { return ++open_.last_stroke; }      // a number unlike that of any edit before
-  void replace(Level opened);                             // by another one, without a history
+  void edit(const Edit& wanted, int stroke = 0);          // by anybody
+  int begin_stroke() { return ++open_.last_stroke; }      // returns a number that no edit has yet
+  void replace(Level opened);                             // opens another level, without a history
   // See UndoStack.
   void mark_saved() { open_.history.mark_saved(); }
   void forget_saved() { open_.history.forget_saved(); }
 
  private:
-  // For each action of LevelAction: in level_handler.cpp.
+  // For each action of LevelAction, in level_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
-  // Of an edit that is done or undone: before it, and after.
+  // Called for an edit that is done or undone: before it, and after it.
   void note_edit(const Edit& edit);
   void note_step_of_history();
 

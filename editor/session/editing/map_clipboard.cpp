@@ -1,4 +1,4 @@
-// Reading and writing the clipboard's text.
+// Reads and writes the text of the clipboard.
 #include "map_clipboard.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void append_byte(std::string& text, int byte) {
   text += kHexDigits[static_cast<std::size_t>(byte >> 4)];
 }
 
-// Takes "300x20" and the end of its line off the front; nothing where there is no such line.
+// Takes "300x20" and the end of its line off the front; nothing if there is no such line.
 std::optional<Cell> take_size(std::string_view& text) {
   Cell size{0, 0};
   const char* const end = text.data() + text.size();
@@ -35,7 +35,7 @@ std::optional<Cell> take_size(std::string_view& text) {
   return size;
 }
 
-// The bytes of the digits, without the white space; empty where one is no digit or is left over.
+// The bytes of the digits, without white space; empty if there is another character, or a digit is left over.
 std::vector<std::uint8_t> bytes_of(std::string_view text) {
   std::string digits(text);
   std::erase_if(digits, is_space);

@@ -1,4 +1,4 @@
-// Tiles of the map as the text that TIC-80's map editor has on the clipboard.
+// Tiles of the map as text, as TIC-80's map editor puts it on the clipboard.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace talus {
 
-// TIC-80's form is one byte each for width and height and then for every tile, row by row; a byte is two
-// hexadecimal digits, the low one first. TIC-80 has no text of a side longer than 255 cells; that begins with
-// a line "map 300x20" instead of the first two bytes, for here alone.
+// TIC-80's form has one byte each for width, height and every tile, row by row. A byte is two hexadecimal
+// digits, the low one first. TIC-80 has no text for sides of more than 255 cells. For these the text begins
+// with a line "map 300x20" instead of the first two bytes, which only Talus reads.
 std::string text_of_cells(const Stamp& tiles);
-// The same back; white space is skipped. The error is the end of a sentence: "the clipboard is empty".
+// The tiles of such a text; white space is skipped. The error is the end of a sentence: "the clipboard is
+// empty".
 tl::expected<Stamp, std::string> cells_of_text(std::string_view text);
 
 }  // namespace talus

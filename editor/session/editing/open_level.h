@@ -1,5 +1,5 @@
-// OpenLevel: the level of a session with its history and its file. LevelHandler and, of the file, FileHandler
-// change it; the others read it.
+// OpenLevel: the level of a session with its history and its file. LevelHandler changes it, FileHandler its
+// file; the others read it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct OpenLevel {
 
   Level level;
   UndoStack history;
-  std::uint64_t revision = 0;  // grows with every change of the level, undo and opening included
+  std::uint64_t revision = 0;  // grows with every change of the level, also by undo and opening
   int last_stroke = 0;         // the highest number of a stroke so far
   std::string path;            // of its file; empty: it has none
 };

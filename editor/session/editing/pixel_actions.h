@@ -10,24 +10,23 @@
 namespace talus {
 namespace action {
 
-// The selected pixels are lifted from the canvas: the right button's colour stays behind, and they float
-// until something else changes the canvas. All moves in a row are one undo. Without a selection nothing
-// happens.
+// Lifts the selected pixels from the canvas: the right button's colour stays behind, and they float until
+// something else changes the canvas. All moves in a row are one undo. Does nothing without a selection.
 struct MovePixels {
   Cell by;  // px
 };
-struct TurnPixels {  // the selected ones, in the same way, or all of the canvas, which rotates if it is
-                     // square
+// The selected pixels in the same way, or the whole canvas, which must be square to rotate.
+struct TurnPixels {
   PixelTurn turn = PixelTurn::flip_horizontal;
 };
-struct PastePixels {  // they are selected, and float
-  PixelBlock block;   // 1 px or more in each direction
-  Cell at;            // px of the canvas; one px stays inside
+struct PastePixels {  // the pixels are selected, and float
+  PixelBlock block;   // at least 1 px in each direction
+  Cell at;            // px of the canvas; at least one px stays inside
 };
 
 }  // namespace action
 
-// What PixelHandler carries out.
+// The actions that PixelHandler carries out.
 using PixelAction = std::variant<action::MovePixels, action::TurnPixels, action::PastePixels>;
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Moving, turning and pasting the selected pixels.
+// Moves, turns and pastes the selected pixels.
 #include "pixel_handler.h"
 
 #include <variant>

@@ -14,16 +14,16 @@ class PixelHandler {
   void apply(const PixelAction& action);
 
  private:
-  // For each action of PixelAction: in pixel_handler.cpp.
+  // For each action of PixelAction, in pixel_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
-  std::uint8_t hole() const;  // the colour that is left where pixels are lifted
+  std::uint8_t hole() const;  // the colour that stays behind where pixels are lifted
 
   const OpenLevel& open_;
   LevelHandler& level_;
   ChoiceHandler& choices_;
-  int stroke_ = 0;  // of the selected pixels' moves, while they float
+  int stroke_ = 0;  // for the moves of the selected pixels, while they float
 };
 
 }  // namespace talus

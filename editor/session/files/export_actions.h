@@ -9,19 +9,20 @@
 namespace talus {
 namespace action {
 
-// The path of a preset, as the user has typed or chosen it: it may leave the folder of the level. Of no such
-// preset: nothing happens.
+// Sets the path of a preset to what the user has typed or chosen: it may leave the folder of the level. Does
+// nothing for an unknown preset.
 struct SetExportPath {
   std::size_t preset = 0;  // index
-  std::string path;        // as ExportPreset::path; the one that it has already is chosen by that
+  std::string path;        // as ExportPreset::path; the same path again counts as chosen, too
 };
-// Looks at what a preset of the level would write: see Session::exporting(). Of none: nothing happens.
+// Looks at what a preset of the level would write: see Session::exporting(). Does nothing for an unknown
+// preset.
 struct PreviewExport {
   std::size_t preset = 0;  // index
 };
-// Exports presets of the level as it is now, in the background; a message tells what came of it. While that
-// goes on, nothing happens. Presets that the user has not allowed, and files that no export wrote, are asked
-// about first: see Session::question().
+// Exports presets of the current level in the background; a message reports the result. Does nothing while
+// another export runs. Asks first about presets that the user has not allowed, and about files that were not
+// exported: see Session::question().
 struct RunExports {
   std::optional<std::size_t> preset = {};  // index; nothing: all
 };
@@ -29,7 +30,7 @@ struct CancelExport {};
 
 }  // namespace action
 
-// What ExportHandler carries out.
+// The actions that ExportHandler carries out.
 using ExportAction =
     std::variant<action::SetExportPath, action::PreviewExport, action::RunExports, action::CancelExport>;
 

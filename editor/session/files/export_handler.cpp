@@ -1,4 +1,4 @@
-// Exports of the level's presets, and what is said about them.
+// Exports the level's presets, and reports on that.
 #include "export_handler.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t kMostNamed = 4;  // files that a question names
 
-// In a line of a message, whatever the level's file has as a name.
+// For a line of a message, whatever the name in the level's file is.
 std::string label_of(const ExportPreset& preset) {
   constexpr std::size_t kMostShown = 100;  // bytes
   return printable(shortened(preset.name.empty() ? preset.path : preset.name, kMostShown));
 }
 
-// " Kept main.lua and conf.lua, which are yours by now."
+// " Kept main.lua and conf.lua, which are yours now."
 std::string kept_text(const std::vector<ExportOutcome>& outcomes) {
   std::string names, last;
   for (const ExportOutcome& outcome : outcomes) {
@@ -31,14 +31,14 @@ std::string kept_text(const std::vector<ExportOutcome>& outcomes) {
   }
   if (last.empty()) return "";
   return " Kept " + names + (names.empty() ? "" : " and ") + last +
-         (names.empty() ? ", which is yours by now." : ", which are yours by now.");
+         (names.empty() ? ", which is yours now." : ", which are yours now.");
 }
 
 std::string not_allowed_text(const std::string& names) {
   return "Not exported, as you have not allowed it: " + names + ". File > Export shows what it would write.";
 }
 
-// "Exported game: 3 files to export/love, map: 1 file to export/cave.tmj."; empty without any.
+// "Exported game: 3 files to export/love, map: 1 file to export/cave.tmj."; empty if there are none.
 std::string written_text(const std::vector<ExportOutcome>& outcomes) {
   std::string text, dropped, too_large;
   for (const ExportOutcome& outcome : outcomes) {
@@ -52,7 +52,7 @@ std::string written_text(const std::vector<ExportOutcome>& outcomes) {
     if (!problem.empty()) too_large += " Too large, " + label_of(outcome.task.preset) + ": " + problem + ".";
   }
   if (text.empty()) return text;
-  return text + "." + kept_text(outcomes) + (dropped.empty() ? "" : " Not held there: " + dropped + ".") +
+  return text + "." + kept_text(outcomes) + (dropped.empty() ? "" : " Not in the export: " + dropped + ".") +
          too_large;
 }
 
@@ -165,7 +165,7 @@ void ExportHandler::tell_of(const FinishedRun& finished) {
     if (!problem.empty()) problems += (problems.empty() ? "" : "\n") + problem;
   }
   std::string text = problems + (problems.empty() || written.empty() ? "" : "\n") + written;
-  // What saving said is still news.
+  // The result of saving is still news.
   const std::optional<Message>& message = messages_.message();
   const bool adds = finished.run.on_save && message;
   const bool is_error = !problems.empty() || (adds && message->is_error);
@@ -173,7 +173,7 @@ void ExportHandler::tell_of(const FinishedRun& finished) {
   is_error ? messages_.tell_error(std::move(text)) : messages_.tell(std::move(text));
 }
 
-// Of a level that has been left meanwhile, nothing is written.
+// If the level was left meanwhile, nothing is written.
 void ExportHandler::ask_to_allow(FinishedRun finished) {
   if (finished.run.tasks.front().level_file != open_.path) return;
   std::string text =
@@ -181,12 +181,11 @@ void ExportHandler::ask_to_allow(FinishedRun finished) {
   if (brings_code(finished.run))
     text += "\nThe TIC-80 carts among them bring the level's own code, which TIC-80 runs when you open them.";
   asked_run_ = std::move(finished);
-  messages_.ask(Question{std::move(text), Question::Kind::allow_exports}, [this](action::Answer answer) {
-    answer_to_allow(answer == action::Answer::allow);
-  });
+  messages_.ask(Question{std::move(text), Question::Kind::allow_exports},
+                [this](action::Answer answer) { answer_to_allow(answer == action::Answer::allow); });
 }
 
-// What was shown is allowed, and no more; without, the run goes on with the presets that are allowed already.
+// Only what was shown is allowed. If it is not, the run goes on with the presets that are allowed already.
 void ExportHandler::answer_to_allow(bool allowed) {
   auto asked = std::exchange(asked_run_, std::nullopt);
   if (!asked) return;
@@ -225,8 +224,8 @@ void ExportHandler::ask_to_replace(FinishedRun finished) {
   for (const ExportOutcome& outcome : finished.outcomes)
     finished.run.may_replace.insert(outcome.foreign.begin(), outcome.foreign.end());
   asked_run_ = std::move(finished);
-  messages_.ask(Question{"These files are not as an export wrote them. Replace them?" + names +
-                             "\nReplaced, they are gone.",
+  messages_.ask(Question{"These files are not exports, or were changed since. Replace them?" + names +
+                             "\nThis cannot be undone.",
                          Question::Kind::replace_files},
                 [this](action::Answer answer) {
                   auto asked = std::exchange(asked_run_, std::nullopt);

@@ -1,4 +1,4 @@
-// ExportHandler: exports of the level's presets, and what is asked and told about them.
+// ExportHandler: exports of the level's presets, with their questions and messages.
 #pragma once
 
 #include <optional>
@@ -25,15 +25,15 @@ class ExportHandler {
   void apply(const ExportAction& action);
   const Exporting& exporting() const { return exporting_; }
   ExportTask task(std::size_t preset) const;  // index of one of the level's presets
-  // What is asked about, where that is about exports; or null.
+  // The run that the question is about, if it is about exports; else null.
   const FinishedRun* asked() const { return asked_run_ ? &*asked_run_ : nullptr; }
 
   void export_on_save();
   void forget_level();  // another one is open
-  void take_exports();  // what the thread has done
+  void take_exports();  // takes the results of the thread
 
  private:
-  // For each action of ExportAction: in export_handler.cpp.
+  // For each action of ExportAction, in export_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
@@ -47,7 +47,7 @@ class ExportHandler {
   ExportPermissions& permissions_;
   LevelHandler& level_;
   MessageHandler& messages_;
-  std::string not_remembered_;            // why not what was allowed, until that is told; empty: it is
+  std::string not_remembered_;  // why permissions could not be saved, until it is reported; empty: they could
   std::vector<ExportPreset> declined_;    // not allowed when a save asked, which does not ask again
   std::optional<FinishedRun> asked_run_;  // waits for the question's answer
   Exporting exporting_;

@@ -1,4 +1,5 @@
-// A line a preset, in JSON: {"file": "/home/me/cave.talus.json", "preset": {...}, "place": "/home/me/game"}.
+// One line for each preset, in JSON: {"file": "/home/me/cave.talus.json", "preset": {...}, "place":
+// "/home/me/game"}.
 #include "export_permissions.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::optional<KeptPermission> permission_of(const std::string& line) {
                         place.is_string() ? place.get<std::string>() : ""};
 }
 
-// Empty: it is not kept.
+// Empty: it is not stored.
 std::string line_of(const KeptPermission& kept) {
   const auto preset = json_of(std::vector<ExportPreset>{kept.preset});
   if (!preset || !is_utf8(kept.file) || !is_utf8(kept.place)) return "";
@@ -55,7 +56,7 @@ std::string text_of(const std::vector<KeptPermission>& all) {
   return text;
 }
 
-// Nothing: it is there, and cannot be read.
+// Nothing: the file exists but cannot be read.
 std::optional<std::vector<KeptPermission>> read_store(const std::string& store) {
   std::vector<KeptPermission> all;
   std::error_code error;
@@ -144,7 +145,7 @@ ExportPermissions::Entry& ExportPermissions::entry(const ExportPreset& preset) {
   return entries_[static_cast<std::size_t>(known - entries_.data())];
 }
 
-// Where its path leads now; empty: that is not known.
+// Where its path leads now; empty: not known.
 std::string ExportPermissions::place_of(const ExportPreset& preset) const {
   const auto output = output_of(preset, level_file_);
   return output ? real_path(*output).value_or("") : "";
@@ -153,9 +154,8 @@ std::string ExportPermissions::place_of(const ExportPreset& preset) const {
 tl::expected<void, std::string> ExportPermissions::remember(std::span<const ExportPreset> presets) const {
   if (store_.empty() || key_.empty() || presets.empty()) return {};
   const auto failure = [&](const std::string& why) {
-    return tl::unexpected(
-        "Which exports are allowed cannot be remembered, so that they are asked about again: " + store_ +
-        " " + why + ".");
+    return tl::unexpected("Cannot save which exports are allowed, so Talus will ask about them again: " +
+                          store_ + " " + why + ".");
   };
   std::error_code ignored;
   fs::create_directories(fs::path(store_).parent_path(), ignored);

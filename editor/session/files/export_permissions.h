@@ -1,9 +1,9 @@
-// ExportPermissions: which export presets of the open level the user has allowed. A preset that came with a
-// file writes nothing until then; what the user makes or changes is his own word.
+// ExportPermissions: the export presets of the open level that the user has allowed. A preset that came with
+// a file writes nothing before that; presets that the user makes or changes are allowed.
 //
-// They are remembered outside of the level, by its file and by the whole preset, so that a preset which
-// somebody else has changed is not allowed any more. The presets themselves are kept rather than hashes of
-// them, which two presets could share.
+// Permissions are stored outside of the level, by its file and by the whole preset, so that a preset which
+// somebody else has changed is no longer allowed. The store holds the presets themselves; two presets could
+// share a hash.
 #pragma once
 
 #include <optional>
@@ -19,21 +19,22 @@ namespace talus {
 
 class ExportPermissions {
  public:
-  static constexpr std::size_t kMostKept = 10'000;  // of more, those of files that are gone are forgotten
+  static constexpr std::size_t kMostKept = 10'000;  // with more, those of missing files are forgotten
   static constexpr std::size_t kMostBytes = 64
-                                            << 10;  // of a preset's text; of a longer one it is asked again
+                                            // Limit for a preset's text; a longer one is asked about again.
+                                            << 10;
 
-  // store: where they are kept between starts; empty: nowhere. One that cannot be read counts as empty.
+  // store: where they are kept between starts; empty: nowhere. A store that cannot be read counts as empty.
   explicit ExportPermissions(std::string store = {}) : store_(std::move(store)) {}
 
-  // Another level is open, of this file; empty: it has none. What is known about the one before is forgotten.
+  // Another level was opened, with this file; empty: it has none. Forgets the permissions of the one before.
   void open(const std::string& level_file);
-  // The level was saved there, with these presets: what is allowed of them is remembered. The error is one
-  // sentence on why that failed, so that it is asked about again in the next start.
+  // The level was saved there, with these presets: stores which of them are allowed. The error is one
+  // sentence on why that failed; the next start then asks again.
   tl::expected<void, std::string> save(const std::string& level_file, std::span<const ExportPreset> presets);
-  // The user has changed the presets: those that are new are allowed.
+  // The user has changed the presets: new ones are allowed.
   void note_edit(std::span<const ExportPreset> before, std::span<const ExportPreset> after);
-  // And remembers it; the error is as above.
+  // And stores it; the error is as above.
   tl::expected<void, std::string> allow(std::span<const ExportPreset> presets);
   // The user has chosen this preset's path, which may leave the folder of the level's file from now on.
   void allow_place(const ExportPreset& preset);
@@ -47,8 +48,8 @@ class ExportPermissions {
   struct Entry {
     ExportPreset preset;
     bool is_allowed = false;
-    // That the user has chosen, as real_path() gives it; empty: none, or not known before the level has a
-    // file.
+    // The place that the user has chosen, as real_path() returns it; empty: no place, or not known before the
+    // level has a file.
     std::string place = {};
     bool is_chosen = false;  // in this session, so that it goes with the level to other files
   };
@@ -58,8 +59,8 @@ class ExportPermissions {
   tl::expected<void, std::string> remember(std::span<const ExportPreset> presets) const;
 
   std::string store_;
-  std::string level_file_, key_;  // key_: what the store calls the file; empty: it has none
-  std::vector<Entry> entries_;    // of this file
+  std::string level_file_, key_;  // key_: name of the file in the store; empty: it has none
+  std::vector<Entry> entries_;    // for this file
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// A line a file: its content as 16 hexadecimal digits, a blank, its path.
+// One line for each file: its content as 16 hexadecimal digits, a blank, its path.
 #include "export_record.h"
 
 #include <charconv>
@@ -61,9 +61,8 @@ void ExportRecord::note(const std::string& path, std::uint64_t content) {
 tl::expected<void, std::string> ExportRecord::save() {
   if (file_.empty() || noted_.empty()) return {};
   const auto failure = [&](const std::string& why) {
-    return tl::unexpected(
-        "Which files were exported cannot be remembered, so that they are asked about again: " + file_ + " " +
-        why + ".");
+    return tl::unexpected("Cannot save which files were exported, so Talus will ask about them again: " +
+                          file_ + " " + why + ".");
   };
   std::error_code ignored;
   fs::create_directories(fs::path(file_).parent_path(), ignored);

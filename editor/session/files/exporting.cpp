@@ -1,4 +1,4 @@
-// One thread at a time. What is given up is told so by its progress, and ends in a moment.
+// One thread at a time. A job that is given up learns it from its progress, and ends in a moment.
 #include "exporting.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 constexpr double kMaking = 0.9;                            // share of a run's time before it writes
-constexpr std::size_t kMostKept = std::size_t{256} << 20;  // bytes of a preview that are kept to be written
+constexpr std::size_t kMostKept = std::size_t{256} << 20;  // bytes of a preview that are kept for writing
 
 FormatResult<std::string> no_asset(const std::string& name) {
   return tl::unexpected(FormatError{name, "is missing: the program was started without its files"});
@@ -70,7 +70,7 @@ bool Exporting::takes_preview(const ExportTask& task) const {
 
 void Exporting::run(ExportRun run) {
   if (running() || run.tasks.empty()) return;
-  if (job_) job_->wanted = false;  // a preview, or a run that was cancelled
+  if (job_) job_->wanted = false;  // a preview, or a cancelled run
   next_run_ = std::move(run);
   start_next();
 }
@@ -100,7 +100,7 @@ std::optional<FinishedRun> Exporting::advance() {
                                                           [](const ExportOutcome& o) { return o.written; });
       last_run_ = job->outcomes;
       const auto asks = cancelled ? FinishedRun::Asks::nothing : job->asks;
-      if (job->asks == FinishedRun::Asks::nothing) preview_.reset();  // what is there is something else now
+      if (job->asks == FinishedRun::Asks::nothing) preview_.reset();  // the places have other files now
       finished = FinishedRun{std::move(job->run), std::move(job->outcomes), cancelled, asks,
                              std::move(job->record_problem)};
     } else if (job->wanted) {
@@ -189,7 +189,7 @@ void Exporting::carry_out(Job& job) {
   if (job.wanted) write(job, plans);
 }
 
-// Nothing more is done; what is not written has this problem.
+// Nothing more is done; files that are not written have this problem.
 void Exporting::fail(Job& job, const std::string& problem) {
   for (std::size_t i = job.outcomes.size(); i < job.run.tasks.size(); ++i)
     job.outcomes.push_back({.task = job.run.tasks[i], .output = {}});
@@ -199,7 +199,7 @@ void Exporting::fail(Job& job, const std::string& problem) {
   }
 }
 
-// Nothing is asked about what will not be written.
+// Files that will not be written are not asked about.
 FinishedRun::Asks Exporting::question_of(const Job& job) {
   auto asks = FinishedRun::Asks::nothing;
   for (std::size_t i = 0; i < job.outcomes.size(); ++i) {
@@ -213,7 +213,7 @@ FinishedRun::Asks Exporting::question_of(const Job& job) {
   return asks;
 }
 
-// Makes the files, if no preview did.
+// Makes the files, unless a preview did.
 tl::expected<ExportPlan, ExportProblem> Exporting::plan_of(Job& job, const ExportTask& task,
                                                            const std::string& output) {
   const auto listener = [&job](double share) {
@@ -225,7 +225,7 @@ tl::expected<ExportPlan, ExportProblem> Exporting::plan_of(Job& job, const Expor
                      Progress(listener), is_made ? job.made.content.get() : nullptr, task.bounds);
 }
 
-// Keeps what a preview made for the run that may follow, unless it is very large.
+// Keeps the files of a preview for a run that may follow, unless they are very large.
 void Exporting::keep_made(Job& job, ExportPlan plan) {
   std::size_t bytes = 0;
   for (const PlannedFile& file : plan.files) bytes += file.size;
@@ -233,7 +233,7 @@ void Exporting::keep_made(Job& job, ExportPlan plan) {
   if (bytes <= kMostKept) job.made.content = std::make_shared<const Exported>(std::move(plan.content));
 }
 
-// The plans are those of the outcomes without a problem. False: it was given up.
+// The plans belong to the outcomes without a problem. Returns false if it was given up.
 bool Exporting::make(Job& job, std::vector<ExportPlan>& plans) {
   for (std::size_t i = 0; i < job.run.tasks.size() && job.wanted; ++i) {
     job.task = i;

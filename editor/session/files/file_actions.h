@@ -1,4 +1,4 @@
-// Actions: opening and saving. What would lose unsaved changes is asked about first: see Session::question().
+// Actions: opening and saving. Actions that would lose unsaved changes ask first: see Session::question().
 #pragma once
 
 #include <memory>
@@ -14,43 +14,42 @@ namespace talus {
 namespace action {
 
 struct NewLevel {};
-// A level, or a recording with its level; a PNG without a cart in it as OpenPng. Where there is something to
-// choose of it first: see Session::level_import(). What takes long is read beside the editor: see
-// Session::reading().
+// Opens a level, or a recording with its level; a PNG without a cart as OpenPng. If the file leaves a choice:
+// see Session::level_import(). Large files are read beside the editor: see Session::reading().
 struct OpenFile {
   std::string path;
   bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
 };
-struct CancelReading {};  // of what Session::reading() tells; the level stays as it is
+struct CancelReading {};  // of what Session::reading() shows; the level stays as it is
 struct SetLevelImport {
   ImportChoices choices;
 };
-struct ApplyLevelImport {};  // while it cannot be read so, nothing happens
+struct ApplyLevelImport {};  // does nothing while the file cannot be read with the choices
 struct CancelLevelImport {};
 struct SaveFile {};  // to its own path and format; without a name: see Session::wants_save_as()
 struct SaveFileAs {
-  std::string path;  // the format by its extension; with an unknown one nothing is saved
+  std::string path;  // its extension gives the format; with an unknown one nothing is saved
 };
 struct CancelSaveAs {};
 struct SaveRecording {  // of the current branch; not while it is run again
   std::string path;
 };
-// A level that was saved by itself before the program was killed: its file is opened, if it has one, and the
-// level comes as a change of it that can be undone. Asks as OpenFile does.
+// Recovers a level that was saved automatically before the program was killed: opens its file, if it has one,
+// and makes the level an edit of it that can be undone. Asks as OpenFile does.
 struct RecoverLevel {
   std::shared_ptr<const Level> level;  // never null
-  std::string path;                    // empty: none
+  std::string path;                    // empty: it has none
   std::string name;                    // for titles, without a path
-  // Of the runs that were saved with it, none null; the last one is shown.
+  // The runs that were saved with it, never null; the last one is shown.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
 };
-// Looks whether another program has changed the level's file; see Session::question().
+// Checks whether another program has changed the level's file; see Session::question().
 struct CheckFile {};
 struct Quit {};
 
 }  // namespace action
 
-// What FileHandler carries out.
+// The actions that FileHandler carries out.
 using FileAction = std::variant<action::NewLevel, action::OpenFile, action::CancelReading,
                                 action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
                                 action::SaveFile, action::SaveFileAs, action::CancelSaveAs,

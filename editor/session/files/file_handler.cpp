@@ -1,4 +1,4 @@
-// Opening and saving, and the questions that they lead to.
+// Opens and saves files, with the questions about that.
 #include "file_handler.h"
 
 #include <memory>
@@ -22,7 +22,7 @@ std::string joined(const Strings& strings, std::string_view before_each) {
   return text;
 }
 
-// What is told of the companion, behind another sentence.
+// The note on the companion, after another sentence.
 std::string with_note(std::string text, const std::string& note) {
   if (note.empty()) return text;
   if (!text.empty()) text += " ";
@@ -30,9 +30,9 @@ std::string with_note(std::string text, const std::string& note) {
   return text;
 }
 
-// What is told of a level whose file cannot be saved.
+// The message about a level whose file cannot be saved.
 std::string import_text(const std::string& file, const std::vector<std::string>& dropped) {
-  std::string text = "Made a new level of " + file + "; saving asks for a file of its own.";
+  std::string text = "Made a new level from " + file + "; saving asks for a file name.";
   const char* separator = " Not in it: ";
   for (const std::string& what : dropped) {
     text.append(separator).append(what);
@@ -104,7 +104,7 @@ template <>
 void FileHandler::carry_out(const action::SaveFileAs& a) {
   const Format* chosen = format_for_file(a.path);
   if (chosen == nullptr) {
-    return messages_.tell_error("Cannot save " + last_name(a.path) + ": its extension is none of " +
+    return messages_.tell_error("Cannot save " + last_name(a.path) + ": its extension must be one of " +
                                 known_extensions() + ".");
   }
   if (!save_to(a.path, *chosen)) return;
@@ -163,7 +163,7 @@ void FileHandler::ask_about_unstored() {
                 });
 }
 
-// After saving.
+// Called after saving.
 void FileHandler::go_on_when_stored() {
   if (pending_ && !unstored_.empty()) return ask_about_unstored();
   continue_pending();
@@ -173,7 +173,7 @@ void FileHandler::continue_pending() {
   if (auto discarding = std::exchange(pending_, std::nullopt)) ask_about_run(std::move(*discarding));
 }
 
-// The run is shown, as it is what would be saved.
+// Shows the run that would be saved.
 void FileHandler::ask_about_run(DiscardingAction discarding) {
   const auto run = run_.handmade_runs().latest();
   if (!run || run_.timeline().find(*run) == nullptr) return discard_and_do(discarding);
@@ -181,7 +181,7 @@ void FileHandler::ask_about_run(DiscardingAction discarding) {
   if (run_.timeline().current().id != *run) run_.switch_to(*run);
   pending_ = std::move(discarding);
   messages_.ask(Question{"Keep the recording of run " + std::to_string(*run) +
-                             "?\nIt has marks or inputs of yours, and is in no file yet.",
+                             "?\nIt has marks or inputs of yours, and is not saved in a file yet.",
                          Question::Kind::unsaved_run},
                 [this](action::Answer answer) { answer_about_run(answer); });
 }
@@ -199,7 +199,7 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
   }
 }
 
-// Of a file that another program changed, what is here stays as it is, and differs from the file.
+// If another program changed the file, the level here stays as it is, and differs from the file.
 void FileHandler::note_reading_given_up() {
   if (!std::exchange(is_reloading_, false)) return;
   stamp_ = changed_from_;
@@ -236,7 +236,7 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
   }
 }
 
-// A file that cannot be written again.
+// The name for a file that cannot be written.
 void FileHandler::open_imported(const std::string& file, LoadedLevel loaded) {
   replace_level(std::move(loaded.level), file, loaded.format);
   messages_.tell(with_note(import_text(last_name(file), loaded.dropped), loaded.note));
@@ -262,7 +262,7 @@ void FileHandler::carry_out(const action::ApplyLevelImport&) {
   open_imported(import.path, *std::move(import.plan));
 }
 
-// The level becomes what it was at the recording's end, so that playing goes on from there as it was played.
+// The level becomes that of the recording's end, so that playing goes on as it was recorded.
 void FileHandler::open_recording(const std::string& file, const Recording& recording,
                                  const EndScenes& scenes) {
   Level last = recording.level;
@@ -313,7 +313,7 @@ void FileHandler::carry_out(const action::CheckFile&) {
 
 void FileHandler::note_file() { stamp_ = open_.path.empty() ? std::nullopt : stamp_of_level(open_.path); }
 
-// Each state of the file is asked or told about once.
+// Each state of the file is asked about or reported once.
 void FileHandler::take_file_change(FilesChange found) {
   const std::string changed = found.of_companion ? last_name(companion_path(open_.path)) : file_name();
   FileStamp* gone = found.of_companion && stamp_->companion ? &*stamp_->companion : &stamp_->file;
@@ -327,19 +327,18 @@ void FileHandler::take_file_change(FilesChange found) {
   changed_from_ = stamp_;
   note_file();
   if (is_stored()) return reload();
-  messages_.ask(
-      Question{changed + " was changed by another program.\n"
-                         "Read it again, or keep what is here? Undo goes back from the one to the other.",
-               Question::Kind::changed_outside},
-      [this](action::Answer answer) {
-        if (answer == action::Answer::reload) reload();
-      });
+  messages_.ask(Question{changed + " was changed by another program.\n"
+                                   "Read it again, or keep what is here? Undo switches between the two.",
+                         Question::Kind::changed_outside},
+                [this](action::Answer answer) {
+                  if (answer == action::Answer::reload) reload();
+                });
 }
 
-// As an edit, so that nothing is lost whichever was right.
+// As an edit, so that nothing is lost whichever version was right.
 void FileHandler::reload() {
   is_reloading_ = true;
-  note_file();  // first: what is written from now on is another change
+  note_file();  // first: a file that is written from now on is another change
   reading_.read(open_.path, [this, file = open_.path](const Progress& progress) {
     auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, {}, progress));
     return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
@@ -389,7 +388,8 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   format_ = opened_format;
   companion_ = std::move(opened_companion);
   unstored_.clear();
-  if (format_ && !format_->write) {  // without a file of its own, it cannot be written over what was read
+  // Without a file of its own, so that it does not overwrite the one that was read.
+  if (format_ && !format_->write) {
     name_ = last_name(open_.path);
     open_.path.clear();
     format_ = nullptr;
@@ -398,13 +398,13 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   exports_.forget_level();
   level_.replace(std::move(opened));
   debug_.forget_run();
-  // An old error no longer holds, but what a saving on the way here dropped is still news.
+  // An old error no longer holds, but what a save on the way here dropped is still news.
   messages_.dismiss_error();
 }
 
 bool FileHandler::save() {
   if (reading_.reader().is_busy())
-    return false;  // another level, or another state of this one, is on its way
+    return false;  // another level, or another state of this one, is being read
   if (open_.path.empty() || format_ == nullptr) {
     wants_save_as_ = true;
     return false;

@@ -1,4 +1,4 @@
-// FileHandler: the file of the open level: opening, saving, and the questions that they lead to.
+// FileHandler: the file of the open level: opening, saving, and the questions about that.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ namespace talus {
 
 class FileHandler {
  public:
-  // What it works with.
+  // The parts that it works with.
   struct Parts {
     OpenLevel& open;
     FileReading& reading;
@@ -41,7 +41,7 @@ class FileHandler {
 
   std::string file_name() const;   // for titles: "demo.talus.json"
   std::string file_names() const;  // with its companion
-  // Whether the file, with its companion, holds all that is here.
+  // Whether the file, with its companion, holds everything of the level.
   bool is_stored() const { return open_.history.is_saved() && unstored_.empty(); }
   int saves() const { return saves_; }
   int recoveries() const { return recoveries_; }
@@ -52,11 +52,11 @@ class FileHandler {
   bool wants_quit() const { return wants_quit_; }
 
  private:
-  // What loses the changes since the last save, and so is asked about first.
+  // Actions that lose the changes since the last save, and so ask first.
   using DiscardingAction =
       std::variant<action::NewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
 
-  // For each action of FileAction: in file_handler.cpp.
+  // For each action of FileAction, in file_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
@@ -64,7 +64,7 @@ class FileHandler {
   void answer_about_changes(action::Answer answer);
   void ask_about_unstored();
   void go_on_when_stored();
-  void ask_about_run(DiscardingAction discarding);  // the same of a run with the user's marks or inputs
+  void ask_about_run(DiscardingAction discarding);  // the same for a run with the user's marks or inputs
   void answer_about_run(action::Answer answer);
   void continue_pending();
   void discard_and_do(const DiscardingAction& discarding);
@@ -81,12 +81,12 @@ class FileHandler {
   void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
                       const EndScenes& scenes);
 
-  // Notes what the level's file holds now, as what this session knows of it.
+  // Records the current content of the level's files as known to this session.
   void note_file();
-  void take_file_change(FilesChange found);  // by another program; asks or tells what becomes of the level
+  void take_file_change(FilesChange found);  // another program has changed the file; asks or reports
   void reload();
   void take_reloaded(const FormatResult<LoadedLevel>& loaded);
-  bool save();  // false when it failed or a name is needed first
+  bool save();  // returns false if it failed or needs a name first
   bool save_to(const std::string& saved_path, const Format& saved_format);
 
   OpenLevel& open_;
@@ -101,11 +101,11 @@ class FileHandler {
 
   std::string name_;  // for titles, while there is no file
   int saves_ = 0;
-  // Of the files as they were read, written or asked about last; none: no file.
+  // The files when they were last read, written or asked about; nothing: no file.
   std::optional<LevelStamp> stamp_;
-  CompanionFile companion_;            // that the level was read or written with last
+  CompanionFile companion_;            // the companion that the level was last read or written with
   std::vector<std::string> unstored_;  // what the file lacks of the saved level, one phrase each
-  const Format* format_ = nullptr;     // that the file is in; null: none, or an unknown one
+  const Format* format_ = nullptr;     // of the file; null: it has none, or an unknown one
 
   std::optional<LevelImport> level_import_;
   std::optional<DiscardingAction>
@@ -115,8 +115,8 @@ class FileHandler {
   bool wants_quit_ = false;
 
   int recoveries_ = 0;
-  std::optional<LevelStamp> changed_from_;  // `stamp_` as it was before another program changed the file
-  bool is_reloading_ = false;               // what is being read is that file
+  std::optional<LevelStamp> changed_from_;  // `stamp_` before another program changed the file
+  bool is_reloading_ = false;               // whether that file is being read
 };
 
 }  // namespace talus

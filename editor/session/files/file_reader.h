@@ -1,4 +1,4 @@
-// FileReader: reads what may be a large file beside the editor, which goes on with what it has.
+// FileReader: reads large files beside the editor, which goes on with the level that it has.
 #pragma once
 
 #include <atomic>
@@ -15,34 +15,34 @@
 
 namespace talus {
 
-// What is being read.
+// The file that is being read.
 struct ReadingProgress {
   std::string name;    // of the file
-  double share = 0;    // that is read, 0..1
+  double share = 0;    // of the file, 0..1
   double seconds = 0;  // since it began
 };
 
 class FileReader {
  public:
-  // What becomes of what was read: called on the editor's thread, once, unless the reading was cancelled.
+  // Uses the result: called once on the editor's thread, unless the reading was cancelled.
   using Finish = std::function<void()>;
   // Reads, on another thread; never empty.
   using Work = std::function<Finish(const Progress& progress)>;
 
   FileReader() = default;
-  ~FileReader();  // waits until all that was cancelled has given up
+  ~FileReader();  // waits until all cancelled jobs have given up
   FileReader(const FileReader&) = delete;
   FileReader& operator=(const FileReader&) = delete;
 
-  // Begins, in the place of what is under way, and waits up to `patience` for it to be done.
+  // Starts reading, replaces the current job, and waits up to `patience` for the result.
   void start(std::string name, Work work, std::chrono::milliseconds patience);
-  // What is under way will not be finished.
+  // The current job will not be finished.
   void cancel();
   bool is_busy() const { return job_ != nullptr; }
-  std::optional<ReadingProgress> progress() const;  // of what is under way
-  // Finishes what is done. True when it did.
+  std::optional<ReadingProgress> progress() const;  // of the current job
+  // Finishes a job that is done. Returns true if there was one.
   bool finish();
-  // Until what is under way is done and finished, and whatever that has begun.
+  // Waits until the current job is done and finished, and whatever that has started.
   void wait();
 
  private:
@@ -54,10 +54,10 @@ class FileReader {
     std::atomic<bool> wanted = true;
     std::future<Finish> result;
   };
-  void forget_ended();  // of what was cancelled
+  void forget_ended();  // removes cancelled jobs that have ended
 
   std::unique_ptr<Job> job_;
-  std::vector<std::unique_ptr<Job>> cancelled_;  // that have not yet given up
+  std::vector<std::unique_ptr<Job>> cancelled_;  // those that have not given up yet
 };
 
 }  // namespace talus

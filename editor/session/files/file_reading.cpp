@@ -1,4 +1,4 @@
-// Reading beside the window.
+// Reads beside the window.
 #include "file_reading.h"
 
 #include <chrono>
@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-// How long to wait for what is read: what is small is there at once, and of what is large the window goes on.
+// How long to wait for the result: small files are there at once; for large ones the window goes on.
 constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
 
 std::chrono::milliseconds patience_for(const std::string& path) {

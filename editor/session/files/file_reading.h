@@ -1,4 +1,4 @@
-// FileReading: reads beside the window what is not read at once, and tells where that fails.
+// FileReading: reads files beside the window if they take long, and reports failures.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,15 @@ class FileReading {
  public:
   explicit FileReading(MessageHandler& messages) : messages_(messages) {}
 
-  // The level stays as it is until `work`'s answer is called. is_large: it takes long, whatever the size of
-  // the file.
+  // The level stays as it is until the function that `work` returns is called. is_large: it takes long,
+  // whatever the size of the file.
   void read(const std::string& file, FileReader::Work work, bool is_large = false);
   void cancel();
   void wait() { reader_.wait(); }
   void finish() { reader_.finish(); }
   const FileReader& reader() const { return reader_; }
 
-  // Called whenever what is read is given up: cancelled by whomever, or as it cannot be read.
+  // Called whenever reading is given up: cancelled by anybody, or because the file cannot be read.
   void when_given_up(std::function<void()> call) { on_given_up_ = std::move(call); }
 
  private:

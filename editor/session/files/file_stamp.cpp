@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-// Time and size; nothing when there is no such file.
+// Time and size; nothing if there is no such file.
 std::optional<FileStamp> outer_stamp(const std::string& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
@@ -22,7 +22,7 @@ std::optional<FileStamp> outer_stamp(const std::string& path) {
       status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec, status.st_size, status.st_ino, {}};
 }
 
-// What may be read without waiting for ever.
+// Whether it can be read without waiting for ever.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error));
@@ -31,7 +31,7 @@ bool is_plain_file(const std::string& path) {
 }  // namespace
 
 std::optional<FileStamp> stamp_of_file(const std::string& path) {
-  std::optional<FileStamp> stamp = outer_stamp(path);  // before the bytes: what comes between shows later
+  std::optional<FileStamp> stamp = outer_stamp(path);  // before the bytes: changes in between show later
   if (!stamp) return std::nullopt;
   if (const auto bytes = read_file(path)) stamp->content = std::hash<std::string_view>()(*bytes);
   return stamp;

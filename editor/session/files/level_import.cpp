@@ -1,4 +1,4 @@
-// First choices.
+// Makes the first choices.
 #include "level_import.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Opening a file of another program that holds more than a level can, with what comes of it told beforehand.
+// LevelImport: opens a file of another program that holds more than a level can, and shows the result
+// beforehand.
 #pragma once
 
 #include <string>
@@ -8,16 +9,16 @@
 
 namespace talus {
 
-// A file that was opened, until the user has chosen what of it becomes the level, or cancels it.
+// An opened file, until the user has chosen which part of it becomes the level, or cancels.
 struct LevelImport {
   std::string path;
   std::vector<TiledLayerName> layers;  // of tiles
   ImportChoices choices;
-  FormatResult<LoadedLevel> plan;  // with these choices, or why not
+  FormatResult<LoadedLevel> plan;  // the result with these choices, or why there is none
 };
 
-// Of a file that cannot be read without choices. Of several layers the one with the most tiles is chosen, and
-// only the tiles that are used where it cannot be read otherwise, so that it can be opened at once.
+// For a file that cannot be read without choices. Chooses the layer with the most tiles, and only the used
+// tiles if it cannot be read otherwise, so that it can be opened at once.
 LevelImport first_level_import(const std::string& path, const Progress& progress = {});
 
 }  // namespace talus

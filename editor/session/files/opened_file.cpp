@@ -1,4 +1,4 @@
-// Tells recordings from levels, and levels from what has to be chosen from.
+// Tells recordings, levels, and files that leave a choice apart.
 #include "opened_file.h"
 
 #include <utility>
@@ -19,8 +19,7 @@ void put(FormatResult<Content> read, OpenedFile& opened) {
 }  // namespace
 
 OpenedFile read_for_opening(const std::string& path, bool has_choice, const Progress& progress) {
-  OpenedFile opened{
-      stamp_of_level(path), FormatError{}, {}};  // first: what is written while it is read shows later
+  OpenedFile opened{stamp_of_level(path), FormatError{}, {}};  // first: changes while it is read show later
   if (const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, 0.05));
       bytes && is_recording(*bytes, context_for_file(path))) {
     put(read_recording(*bytes, progress.part(0.05, 0.6)), opened);

@@ -1,4 +1,4 @@
-// What a file holds that is to be opened, as FileReader's thread reads it.
+// The content of an opened file, as FileReader's thread reads it.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@
 namespace talus {
 
 struct OpenedFile {
-  std::optional<LevelStamp> stamp;  // as the file was before it was read; nothing: it could not be
-  // LevelImport: there is something to choose of it first.
+  std::optional<LevelStamp> stamp;  // of the file before it was read; nothing: not possible
+  // LevelImport: the user has to choose first.
   std::variant<FormatError, LoadedLevel, Recording, LevelImport> content;
-  EndScenes scenes;  // of a recording
+  EndScenes scenes;  // for a recording
 };
 
-// has_choice: a file that cannot be read without choices is a LevelImport, and no error.
+// has_choice: a file that cannot be read without choices becomes a LevelImport, and is no error.
 OpenedFile read_for_opening(const std::string& path, bool has_choice, const Progress& progress);
 
 }  // namespace talus

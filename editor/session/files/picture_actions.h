@@ -1,4 +1,4 @@
-// Actions: pictures of the sheets and of the palette, out and in.
+// Actions: import and export of pictures of the sheets and of the palette.
 #pragma once
 
 #include <string>
@@ -13,18 +13,18 @@ struct ExportPng {
   PngPart part = PngPart::tiles;
   std::string path;
 };
-struct OpenPng {  // to be taken into the level: see Session::png_import()
+struct OpenPng {  // imports it into the level: see Session::png_import()
   std::string path;
 };
 struct SetPngImport {
   PngImportOptions options;
 };
-struct ApplyPngImport {};  // while its plan is an error, nothing happens
+struct ApplyPngImport {};  // does nothing while its plan is an error
 struct CancelPngImport {};
 
 }  // namespace action
 
-// What PictureHandler carries out.
+// The actions that PictureHandler carries out.
 using PictureAction = std::variant<action::ExportPng, action::OpenPng, action::SetPngImport,
                                    action::ApplyPngImport, action::CancelPngImport>;
 

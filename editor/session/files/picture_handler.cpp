@@ -1,4 +1,4 @@
-// Pictures of the sheets and of the palette, out and in.
+// Imports and exports pictures of the sheets and of the palette.
 #include "picture_handler.h"
 
 #include <memory>
@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-// Of a picture that can only be that, a palette; else of the sheet that is shown, at the selection. Only what
-// is larger than the sheet is cut off.
+// The part that a picture becomes: the palette if it can be nothing else, or else the shown sheet, at the
+// selection. Only a picture that is larger than the sheet is cut off.
 PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area) {
   const int width = in_whole_tiles(picture.width), height = in_whole_tiles(picture.height);
   PngImportOptions options;

@@ -1,4 +1,4 @@
-// PictureHandler: pictures of the sheets and of the palette, out and in.
+// PictureHandler: import and export of pictures of the sheets and of the palette.
 #pragma once
 
 #include <optional>
@@ -20,12 +20,12 @@ class PictureHandler {
   // Waits for ApplyPngImport or CancelPngImport.
   const std::optional<PngImport>& png_import() const { return png_import_; }
 
-  // A picture is taken into the level that is open, and loses nothing. on_cart: called in its place where the
-  // picture has a cart in it; none: it is a picture like others.
+  // A picture goes into the open level, and loses nothing. on_cart: called instead if the picture has a cart
+  // in it; empty: it counts as a picture.
   void open(const std::string& path, const FileReader::Finish& on_cart = nullptr);
 
  private:
-  // For each action of PictureAction: in picture_handler.cpp.
+  // For each action of PictureAction, in picture_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 

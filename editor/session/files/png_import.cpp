@@ -1,4 +1,4 @@
-// Plans of imports.
+// Plans imports.
 #include "png_import.h"
 
 #include <algorithm>
@@ -11,13 +11,13 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height) + " px";
 }
 
-// px of a side that are taken, of `size` where `room` is left.
+// px of a side of `size` that are used if there is `room`.
 int fitted_side(int size, int room, PngFit fit) {
   if (fit == PngFit::cut_off) return std::min(size, room) / kTileSize * kTileSize;
   return in_whole_tiles(size);
 }
 
-// The part of the picture that goes on the sheet, in whole tiles; what it is filled up with is transparent.
+// The part of the picture that goes on the sheet, in whole tiles; filled-up pixels are transparent.
 tl::expected<PngPicture, std::string> fitted(const PngPicture& picture, const PngImportOptions& options) {
   const int room_x = kSheetSide - options.tile % kSheetColumns * kTileSize;
   const int room_y = kSheetSide - options.tile / kSheetColumns * kTileSize;
@@ -28,7 +28,7 @@ tl::expected<PngPicture, std::string> fitted(const PngPicture& picture, const Pn
                    {},
                    picture.palette};
   if (options.fit == PngFit::exact && (taken.width != picture.width || taken.height != picture.height))
-    return tl::unexpected("The picture is " + size + ", which is no whole number of tiles of 8x8 px.");
+    return tl::unexpected("The picture is " + size + ", which is not a whole number of tiles of 8x8 px.");
   if (taken.width > room_x || taken.height > room_y)
     return tl::unexpected("The picture of " + size + " does not fit at tile " + std::to_string(options.tile) +
                           ", where " + size_text(room_x, room_y) + " are left.");
@@ -92,7 +92,7 @@ void draw_on_sheet(const PngPicture& picture, const PngImportOptions& options, P
   change_pixels(picture, matched, options, plan);
 }
 
-// The error is what is wrong with the picture.
+// The error says what is wrong with the picture.
 tl::expected<void, std::string> take_palette(const Level& level, const FormatResult<Palette>& palette,
                                              PngImportPlan& plan) {
   if (!palette) return tl::unexpected("The picture " + palette.error().message + ".");

@@ -1,4 +1,4 @@
-// What a session tells its user, and what it asks.
+// The messages and questions of a session.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Actions: what the session tells, and the answers to what it asks.
+// Actions: messages, and answers to questions.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct ShowMessage {  // for what panels and the platform find out
   bool is_error = false;
 };
 struct DismissMessage {};
-// To "unsaved changes": save, discard or cancel. To "the file was changed": reload or keep. To "drop this
-// run": discard or cancel. To "replace these files": replace or cancel. To "keep the recording", and to "the
-// file cannot hold all of this level": save (as), discard or cancel. To "these exports came with the file":
-// allow or cancel.
+// Which answers fit: to "unsaved changes" save, discard or cancel; to "the file was changed" reload or keep;
+// to "drop this run" discard or cancel; to "replace these files" replace or cancel; to "keep the recording",
+// and to "the file cannot hold all of this level", save (as), discard or cancel; to "these exports came with
+// the file" allow or cancel.
 enum class Answer { save, discard, cancel, reload, keep, replace, allow };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;
@@ -23,7 +23,7 @@ struct AnswerQuestion {  // to Session::question()
 
 }  // namespace action
 
-// What MessageHandler carries out.
+// The actions that MessageHandler carries out.
 using MessageAction = std::variant<action::ShowMessage, action::DismissMessage, action::AnswerQuestion>;
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Telling, asking, and what becomes of the answers.
+// Shows messages, asks, and passes on the answers.
 #include "message_handler.h"
 
 #include <utility>

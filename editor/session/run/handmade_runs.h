@@ -1,5 +1,5 @@
-// HandmadeRuns: the runs of a session that hold something the user has made, which no file has yet: marks,
-// and inputs that were set by hand. What is only played is as easily played again.
+// HandmadeRuns: the runs of a session with something that the user has made and that no file has yet: marks,
+// and inputs that were set by hand. A run that was only played is easily played again.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@ namespace talus {
 
 class HandmadeRuns {
  public:
-  // The branch with this id has marks now, or has none any more.
+  // The branch with this id now has marks, or no longer has any.
   void note_marks(int branch, bool has_any);
-  void note_input(int branch);      // was set by hand in it
-  void note_run_again(int branch);  // as far as it goes: what was kept of it before is old
+  void note_input(int branch);      // an input of it was set by hand
+  void note_run_again(int branch);  // to its end: what was kept of it before is old
   void note_saved(int branch) { forget(branch); }
   void note_gone(int branch) { forget(branch); }
   void clear();
-  // By when they were worked on, the latest last; empty: all that is worth keeping is in files.
+  // Sorted by the time of the last change, the latest last. Empty: everything worth keeping is in files.
   std::vector<int> all() const;
   std::optional<int> latest() const;
   std::uint64_t revision() const { return revision_; }  // grows with each of these changes

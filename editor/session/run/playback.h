@@ -1,4 +1,4 @@
-// Whether a session plays, how fast, and what is held.
+// Playback: whether a session plays, how fast, and the held input.
 #pragma once
 
 #include <talus/sim/state.h>
@@ -6,7 +6,7 @@
 namespace talus {
 
 inline constexpr double kStepsPerSecond = 60;  // at speed 1; TIC-80's rate
-inline constexpr int kMaxCatchUpSteps = 64;    // that are made at once
+inline constexpr int kMaxCatchUpSteps = 64;    // limit for steps made in one go
 
 inline constexpr double kMinSpeed = 1.0 / 8;
 inline constexpr double kMaxSpeed = 8;

@@ -1,4 +1,4 @@
-// Playing, going about in what was recorded, and following what is edited.
+// Plays, moves in the recording, and follows edits.
 #include "run_handler.h"
 
 #include <algorithm>
@@ -188,7 +188,7 @@ void RunHandler::carry_out(const action::SetMouse& a) {
   note_input([&] { simulation_.timeline().set_mouse(a.first, a.last, a.position); });
 }
 
-// What was so before makes no run that is worth keeping.
+// The state before does not make a run worth keeping.
 void RunHandler::note_input(FunctionRef<void()> change) {
   const auto shown = [this] {
     const Branch& branch = timeline().current();
@@ -238,12 +238,12 @@ void RunHandler::advance(double seconds, FunctionRef<bool()> may_step, FunctionR
   simulation_.advance(seconds, may_step, stops);
 }
 
-// A recording that was read must come out as it was recorded, or its user should know where it does not.
+// A recording that was read must give the recorded frames; if it does not, the user should know where.
 void RunHandler::note_rerun_ended() {
   handmade_runs_.note_run_again(timeline().current().id);
   if (const auto frame = timeline().unexpected_frame(timeline().current()))
     messages_.tell_error("Frame " + std::to_string(*frame) +
-                         " is not as it was recorded, nor may be later ones.");
+                         " differs from the recording; later frames may differ, too.");
 }
 
 // --- The level
@@ -272,7 +272,7 @@ void RunHandler::leave_compiler() {
   is_opening_ = false;
 }
 
-// A large level is opened with nothing on its map, which the compiled scene brings.
+// A large level is opened with an empty map; the compiled scene brings the map.
 void RunHandler::load_simulation() {
   compiler_.cancel();
   is_opening_ = SceneCompiler::is_large(open_.level);

@@ -1,5 +1,5 @@
-// RunHandler: the run of the open level: plays it, goes about in what was recorded, and brings it up to what
-// is edited.
+// RunHandler: the run of the open level: plays it, moves in the recording, and keeps it up to date with
+// edits.
 #pragma once
 
 #include <memory>
@@ -29,39 +29,40 @@ class RunHandler {
   const Timeline& timeline() const { return simulation_.timeline(); }
   const HandmadeRuns& handmade_runs() const { return handmade_runs_; }
   const std::optional<HardCase>& hard_case() const { return hard_case_; }
-  // Of the timeline, and of a variant's.
+  // Of the timeline, and of the variant.
   Trails& trails() { return trails_; }
   Trails& other_trails() { return other_trails_; }
 
-  // --- What the level was edited to
+  // --- Edits of the level
   void begin_series() { simulation_.timeline().begin_series(); }  // of edits
-  void note_edit(const Edit& edit);                               // to be called for each edit done or undone
-  // Brings the simulation up to the level, if it is behind; where a large level is compiled for that, later.
+  void note_edit(const Edit& edit);                               // call it for each edit done or undone
+  // Updates the simulation if the level has changed. A large level is compiled first, so that takes effect
+  // later.
   void refresh_scene();
-  void take_compiled();                            // the scene of a large level, when it is done
+  void take_compiled();                            // takes the scene of a large level when it is done
   int scenes() const { return scenes_; }           // grows when the level has another scene
   bool is_opening() const { return is_opening_; }  // time stands still until the level's first scene
-  std::optional<double> compile_progress() const;  // 0..1; nothing: the simulation sees the level as it is
+  std::optional<double> compile_progress() const;  // 0..1; nothing: the simulation is up to date
   void load_level();                               // another one is open
   void read_hard_case();  // of the level as it was opened; shows its answer and plays its input
-  // The level is the recording's last one.
+  // The level is the last one of the recording.
   void load(const Recording& recording, const EndScenes& scenes);
-  // On the level as it is by now, which differs from the recordings' last ones where pixels were drawn later.
-  // None null; scenes: of the first one.
+  // On the current level, which differs from the recordings' last ones if pixels were drawn later. None is
+  // null. scenes: of the first one.
   void recover(const std::vector<std::shared_ptr<const Recording>>& recordings, const EndScenes& scenes);
 
-  // --- What other actions do with the run
+  // --- For other actions
   void advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops);  // as Simulation
   void note_rerun_ended();
   void set_running(bool running) { simulation_.set_running(running); }
-  void show_frame(std::int64_t frame) { simulation_.seek(frame); }  // of the scene that there is
+  void show_frame(std::int64_t frame) { simulation_.seek(frame); }  // of the current scene
   void switch_to(int branch);
   void play_new(const std::vector<Input>& inputs);  // as a new branch, which ends there, paused
   void note_saved(int branch) { handmade_runs_.note_saved(branch); }
   void give_up(int branch) { handmade_runs_.note_gone(branch); }  // it is not worth keeping
 
  private:
-  // For each action of RunAction: in run_handler.cpp.
+  // For each action of RunAction, in run_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
@@ -79,7 +80,7 @@ class RunHandler {
   Trails trails_, other_trails_;
   SceneChanges scene_changes_;
   SceneCompiler compiler_;
-  bool is_opening_ = false;  // the compiler is at the first scene of the level
+  bool is_opening_ = false;  // the compiler works on the first scene of the level
   int scenes_ = 0;
   std::optional<HardCase> hard_case_;
   HandmadeRuns handmade_runs_;

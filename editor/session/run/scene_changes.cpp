@@ -15,7 +15,7 @@ bool same_physics(const Level& level, std::uint8_t flags_a, std::uint8_t flags_b
          shape_of_flags(level, flags_a) == shape_of_flags(level, flags_b);
 }
 
-// Whether the simulation can see a change. Painting pixels or one plain tile over another must not cost a
+// Whether the simulation can see a change. Painting pixels, or one plain tile over another, must not cost a
 // compilation.
 bool changes_scene(const Level& level, const Change& change) {
   return std::visit(

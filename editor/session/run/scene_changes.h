@@ -1,4 +1,4 @@
-// SceneChanges: what has changed in the level that the simulation has not seen yet.
+// SceneChanges: changes of the level that the simulation has not seen yet.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 namespace talus {
 
 struct SceneChanges {
-  static constexpr std::size_t kMostCells = 1000;  // beyond that the whole level is compiled no slower
+  static constexpr std::size_t kMostCells = 1000;  // with more, compiling the whole level is as quick
 
   bool whole = false;       // all of the ground may have changed
-  bool bodies = false;      // spawns or tuning, which the ground does not see
+  bool bodies = false;      // spawns or tuning, which do not affect the ground
   std::vector<Cell> cells;  // unless `whole`
   bool empty() const { return !whole && !bodies && cells.empty(); }
-  // What the simulation cannot see is left out.
+  // Changes that the simulation cannot see are left out.
   void add(const Level& level, const Change& change);
 };
 

@@ -14,14 +14,14 @@ namespace talus {
 
 class SceneCompiler {
  public:
-  // A map of more cells than this takes too long to be compiled between two frames.
+  // A map with more cells takes too long to be compiled between two frames.
   static constexpr std::size_t kMostCellsAtOnce = std::size_t{1} << 17;
   static bool is_large(const Level& level) { return level.map.cells().size() > kMostCellsAtOnce; }
 
   struct Result {
     std::shared_ptr<const Level> level;
-    ScenePtr scene;       // its; null: there is a problem
-    std::string problem;  // what kept it from being compiled
+    ScenePtr scene;       // its scene; null: there is a problem
+    std::string problem;  // why it could not be compiled
   };
 
   SceneCompiler() = default;
@@ -29,19 +29,19 @@ class SceneCompiler {
   SceneCompiler(const SceneCompiler&) = delete;
   SceneCompiler& operator=(const SceneCompiler&) = delete;
 
-  void start(const Level& level);                   // in the place of what is under way
-  void cancel();                                    // waits until it has given up, a few ms
+  void start(const Level& level);                   // replaces the current job
+  void cancel();                                    // waits until the job has given up, a few ms
   bool is_busy() const { return job_ != nullptr; }  // from start() until take() or cancel()
-  double progress() const;                          // of what is under way, 0..1
-  std::optional<Result> take();                     // once it is done, and then no more
+  double progress() const;                          // of the current job, 0..1
+  std::optional<Result> take();                     // returns the result once, when it is done
 
  private:
   struct Job {
     std::shared_ptr<const Level> level;
     std::atomic<double> progress = 0;
     std::atomic<bool> wanted = true, done = false;
-    ScenePtr scene;       // written before `done`, as is:
-    std::string problem;  // empty: none
+    ScenePtr scene;       // written before `done`, like:
+    std::string problem;  // empty: no problem
   };
   std::unique_ptr<Job> job_;
   std::thread thread_;

@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr double kReadSeconds = 0.004;  // that view() spends on reading
+constexpr double kReadSeconds = 0.004;  // of real time that view() spends on reading
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The frame that is shown, as the debugger sees it: with those before it, and its stages.
+// ShownFrame: the shown frame for the debugger: with the frames before it, and its stages.
 #pragma once
 
 #include "debug/expression.h"
@@ -7,21 +7,21 @@
 
 namespace talus {
 
-// Read only when somebody asks, a little at a time, and kept until another frame is shown.
+// Read only on request, a little at a time, and kept until another frame is shown.
 class ShownFrame {
  public:
-  // source: the frames of the timeline's current branch, the shown one among them (asserted). Good until the
-  // next call for another frame. Until it is read, which may take many steps, the frame is alone, as the
-  // timeline shows it: with none before it and no other side.
-  // other: the run of the other side whose frame is there; 0: none is.
+  // source: the frames of the timeline's current branch, including the shown one (asserted). Valid until the
+  // next call for another frame. Until it is read, which may take many steps, the frame is alone: without
+  // frames before it and without another side.
+  // other: the run of the other side, if its frame is there; else 0.
   FrameView view(const Timeline& timeline, const FrameSource& source, int other);
-  // Spends so many seconds on reading what view() was asked for, if that is still shown. True: nothing is
-  // left to read.
+  // Spends so many seconds on reading what view() was asked for, if that is still shown. Returns true if
+  // nothing is left to read.
   bool advance(const Timeline& timeline, const FrameSource& source, int other, double seconds);
   bool is_read() const { return is_read_; }  // what view() was asked for last
-  // Of what the timeline shows, for which the step is not made again. ground: as Frame::ground.
+  // The stages of what the timeline shows; the step is not made again. ground: as Frame::ground.
   const std::vector<Stage>& stages(const Timeline& timeline, std::shared_ptr<const Terrain> ground, int body);
-  void forget();  // the run is of another level now
+  void forget();  // the run belongs to another level now
 
  private:
   struct Key {
@@ -36,9 +36,9 @@ class ShownFrame {
 
   Key key_;
   FrameHistory history_{kMaxBefore + 1};
-  bool is_read_ = true;  // the frame of key_
-  Frame alone_;          // the same while it is not
-  Key staged_;           // whose stages are known, of a body
+  bool is_read_ = true;  // whether the frame of key_ is read
+  Frame alone_;          // the same frame while it is not read
+  Key staged_;           // the body and frame of the stages
   int staged_body_ = 0;
   Frame staged_frame_;  // kept for its memory
   std::vector<Stage> stages_;

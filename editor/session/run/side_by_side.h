@@ -1,5 +1,5 @@
-// The other side of an A/B comparison: another branch of the timeline, or the same input through another
-// solver or precision.
+// SideBySide: the other side of a comparison: another branch of the timeline, or the same input through
+// another solver or precision.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,12 @@ namespace talus {
 // The frames of a branch that is followed while it grows.
 class FollowedFrames {
  public:
-  // The same object as before while it is the same branch and nothing of it was run again; then it has grown.
+  // Returns the same object as before if it is the same branch and nothing of it was run again; it has grown
+  // then.
   const BranchFrames& of(const Branch& branch);
   const BranchFrames* get() const { return frames_ ? &*frames_ : nullptr; }
   void clear() { frames_.reset(); }
-  int run() const { return run_; }  // a number that every new run followed has for itself
+  int run() const { return run_; }  // unique for every run that was followed
 
  private:
   int branch_ = 0, revision_ = 0, run_ = 0;
@@ -25,19 +26,19 @@ class FollowedFrames {
 
 class SideBySide {
  public:
-  // nothing: the timeline's compared branch, if there is one, is the other side.
+  // nothing: the other side is the timeline's compared branch, if there is one
   void set_variant(std::optional<Variant> variant);
   const VariantRun* variant() const { return variant_ ? &*variant_ : nullptr; }
 
-  // Brings it up to what is shown, a variant by at most so many steps.
+  // Brings it up to the shown frame; a variant makes at most so many steps.
   void follow(const Timeline& shown, const Level& level, std::int64_t most_steps);
-  // The other side's frames as they were followed last; null: there is no other side, or it is not begun.
+  // The other side's frames when they were followed last; null: there is no other side, or it has not begun.
   const BranchFrames* frames() const { return frames_.get(); }
-  // A number that every other side has for itself; 0: there is none.
+  // unique for every other side; 0: there is none
   int run() const { return frames() != nullptr ? frames_.run() : 0; }
-  // The other side's run; null: there is none, or it is not begun.
+  // The other side's run; null: there is none, or it has not begun.
   const Branch* branch(const Timeline& shown) const;
-  // Whether it has come to this frame.
+  // Whether it has reached this frame.
   bool has(std::int64_t frame) const { return frames() != nullptr && frames()->last() >= frame; }
 
  private:

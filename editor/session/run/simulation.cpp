@@ -128,7 +128,7 @@ void Simulation::advance(double seconds, FunctionRef<bool()> may_step, FunctionR
     step();
     if (stops()) set_running(false);
   }
-  if (watch.seconds() >= kPlaySeconds) due_ -= std::floor(due_);  // what takes too long plays slower
+  if (watch.seconds() >= kPlaySeconds) due_ -= std::floor(due_);  // slow steps make playing slower
 }
 
 void Simulation::run_again() {

@@ -15,35 +15,35 @@ class Simulation {
  public:
   explicit Simulation(const Level& level) { load(level); }
 
-  void load(const Level& level);  // another level: stopped, at frame 0, with nothing recorded
+  void load(const Level& level);  // opens another level: paused, at frame 0, with nothing recorded
   // The same with a recording, which is still to be run.
   void load(const Recording& recording, const EndScenes& scenes);
-  // The same level, edited; see Timeline::edit, also for what is returned. What follows the rule says.
+  // The same level was edited; see Timeline::edit, also for the result. The rule says what follows.
   bool edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled = nullptr);
   void set_rule(const EditRule& rule) { rule_ = rule; }
   void reset();  // a new run from frame 0; keeps running if it ran
 
-  // What is held in each frame besides what the user holds; stays until set again.
+  // Input in each frame besides the user's; stays until it is set again.
   void set_script(std::vector<CaseInput> script) { script_ = std::move(script); }
 
   void set_running(bool running);
   void set_speed(double factor);  // clamped; NaN gives kMinSpeed
-  // Input for the steps to come. Where the button goes down on a ball, `body` is its id (0: none): it is held
-  // from the next step on, though the mouse may be elsewhere by then.
+  // Input for the next steps. If the button goes down on a ball, `body` is its id (0: no body): it is held
+  // from the next step on, even if the mouse is elsewhere by then.
   void hold_mouse(const action::HoldMouse& mouse, int body);
-  // A key that is held and let go between two steps of a running simulation counts in the next one.
+  // A key that is pressed and released between two steps of a running simulation counts in the next step.
   void hold_keys(const action::HoldKeys& keys);
 
   void step();                    // see Session
   void seek(std::int64_t frame);  // pauses
-  // See Session::advance. may_step() is asked before each step; false puts it off. stops() is asked after it;
-  // true pauses.
+  // See Session::advance. may_step() is called before each step; false postpones it. stops() is called after
+  // it; true pauses.
   void advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops);
 
-  // For what neither time nor the input is needed for; show() afterwards.
+  // For changes that need neither time nor input; call show() afterwards.
   Timeline& timeline() { return *timeline_; }
   const Timeline& timeline() const { return *timeline_; }
-  // Spends up to its share of time on the way to the frame that the timeline is to show; advance() goes on.
+  // Spends up to its share of time on the way to the frame that the timeline should show; advance() goes on.
   void show();
 
   const State& state() const { return held_ ? *held_ : timeline_->state(); }
@@ -52,7 +52,7 @@ class Simulation {
   const StepTimes& step_times() const { return step_times_; }
 
  private:
-  // Of real time, that a call spends on a re-run, on the way to another frame, and on playing; one step may
+  // Real time for a re-run, for the way to another frame, and for playing, in one call; a single step may
   // take longer.
   static constexpr double kRerunSeconds = 0.008, kWaySeconds = 0.03, kPlaySeconds = 0.1;
 
@@ -60,14 +60,14 @@ class Simulation {
   void run_again();
   void show_held();
 
-  std::optional<Timeline> timeline_;  // always there
-  std::optional<State> held_;  // the state shown, if the mouse holds a body that the next step will take
+  std::optional<Timeline> timeline_;  // always set
+  std::optional<State> held_;  // the shown state, if the mouse holds a body that the next step will grab
   EditRule rule_;
   Playback playback_;
   std::vector<CaseInput> script_;  // by frame
-  Input tapped_;                   // keys held at any time since the last step; of a running simulation alone
+  Input tapped_;                   // keys pressed at any time since the last step; only while running
   StepTimes step_times_;
-  double due_ = 0;  // steps that real time asks for and that are not made yet, below 1 after advance()
+  double due_ = 0;  // steps that are due but not made yet; below 1 after advance()
   WorkShare rerun_share_{16, 0.002}, way_share_{64, 0.004};  // frames
 };
 

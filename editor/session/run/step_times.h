@@ -1,4 +1,5 @@
-// How long the steps took when they were made last, ns: by frame, for a plot. No part of any result.
+// StepTimes: how long the steps took when they were made last, ns: by frame, for a plot. Results do not
+// depend on it.
 #pragma once
 
 #include <limits>

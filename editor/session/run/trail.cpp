@@ -35,7 +35,7 @@ const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Bra
     kept.last = state.frame;
     return true;
   };
-  // The frame that is shown need not be made again.
+  // The shown frame need not be made again.
   if (kept.last + 1 == last && branch.id == timeline.current().id && timeline.frame() == last)
     add(timeline.state(), nullptr);
   const Stopwatch watch;

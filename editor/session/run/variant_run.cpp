@@ -31,7 +31,7 @@ void VariantRun::follow(const Timeline& a, const Level& level, std::int64_t most
   if (b.behind()) return b.catch_up(most_steps);
   if (b.last_frame() >= branch.run_frame()) return;
   if (b.on_the_way()) return b.go_on(most_steps);
-  if (b.in_past()) return b.seek(b.last_frame());  // which is run again from a keyframe, wherever it is
+  if (b.in_past()) return b.seek(b.last_frame());  // it is run again from a keyframe, wherever it is
   for (; most_steps > 0 && b.last_frame() < branch.run_frame(); --most_steps)
     b.step(branch.input(b.last_frame() + 1), false);
 }

@@ -1,4 +1,4 @@
-// A run with the same input through another solver or precision.
+// VariantRun: a run with the same input through another solver or precision.
 #pragma once
 
 #include <memory>
@@ -7,10 +7,10 @@
 
 namespace talus {
 
-// What it has in place of the level's own.
+// What it has instead of the level's own.
 struct Variant {
   SolverKind solver = SolverKind::exact;
-  bool single_precision = false;  // of exact
+  bool single_precision = false;  // only for exact
   friend bool operator==(const Variant&, const Variant&) = default;
 };
 
@@ -19,8 +19,8 @@ class VariantRun {
   explicit VariantRun(Variant variant) : variant_(variant) {}
 
   const Variant& variant() const { return variant_; }
-  // Brings it up to the current branch of `a`, by at most so many steps; begins anew when that is another run
-  // than the one it followed. level: as Timeline::recording has it.
+  // Brings it up to the current branch of `a`, by at most so many steps. Begins anew if that is another run
+  // than the one it followed. level: as in Timeline::recording.
   void follow(const Timeline& a, const Level& level, std::int64_t most_steps);
   const Timeline* timeline() const { return timeline_.get(); }  // null before the first follow()
   int begun() const { return begun_; }                          // how often it began anew
@@ -30,7 +30,7 @@ class VariantRun {
 
   Variant variant_;
   std::unique_ptr<Timeline> timeline_;
-  int branch_ = 0, revision_ = 0;  // that it follows
+  int branch_ = 0, revision_ = 0;  // of the followed branch
   std::size_t chapters_ = 0;
   int begun_ = 0;
 };

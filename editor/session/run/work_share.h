@@ -1,5 +1,5 @@
-// How much work is done between two looks at the clock, so that slow steps do not hold the window up, and
-// quick ones pay for few looks.
+// WorkShare: how much work to do between two looks at the clock, so that slow steps do not stop the window,
+// and quick ones do not pay for many looks.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace talus {
 
-// A clock that runs from where it is made.
+// A clock that starts when it is made.
 class Stopwatch {
  public:
   double seconds() const {
@@ -21,13 +21,14 @@ class Stopwatch {
 
 class WorkShare {
  public:
-  // most: pieces of work at once, >= 1. seconds: that they may take. It begins with one piece.
+  // most: pieces of work in one go, >= 1. seconds: time that they may take. It begins with one piece.
   WorkShare(std::int64_t most, double seconds) : most_(most), seconds_(seconds) {}
 
   std::int64_t count() const { return count_; }  // pieces to do now, 1 to `most`
-  // Other pieces are next, and nobody knows yet how long one takes.
+  // The next pieces are of another kind, whose time is not known yet.
   void begin_again() { count_ = 1; }
-  // What they took. Fewer are done at once after that if it was too long, and more if it was short.
+  // The time of the last pieces. If it was too long, fewer are done in one go after that; if it was short,
+  // more.
   void note(double seconds) {
     count_ = seconds > seconds_ ? std::max<std::int64_t>(count_ / 4, 1) : std::min(count_ * 2, most_);
   }
@@ -38,7 +39,7 @@ class WorkShare {
   std::int64_t count_ = 1;
 };
 
-// Notes how long it lives.
+// Measures how long it lives.
 class TimedPiece {
  public:
   explicit TimedPiece(WorkShare& share) : share_(share) {}
