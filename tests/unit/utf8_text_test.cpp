@@ -36,8 +36,12 @@ TEST(Utf8Text, WhatIsNoTextIsEscaped) {
 TEST(Utf8Text, NoLineIsACommandOfALog) {
   EXPECT_EQ(printable_line("::error file=a::b"), R"(\x3a:error file=a::b)");
   EXPECT_EQ(printable_line("  ::error"), R"(  \x3a:error)");
+  EXPECT_EQ(printable_line("\u00a0\u2003 \u3000::error"), "\u00a0\u2003 \u3000\\x3a:error")
+      << "all white space";
+  EXPECT_EQ(printable_line("\u00a0a::b"), "\u00a0a::b");
   EXPECT_EQ(printable_line("a.tmx\n::error"), R"(a.tmx\n::error)") << "it is one line";
   EXPECT_EQ(printable_line("a ##[error] ##vso[task] ## b"), R"(a \x23#[error] \x23#vso[task] ## b)");
+  EXPECT_EQ(printable_line("###teamcity[x] ##a b["), R"(#\x23#teamcity[x] ##a b[)");
 }
 
 TEST(Utf8Text, LongTextIsCutBetweenCharacters) {

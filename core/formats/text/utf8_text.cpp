@@ -1,6 +1,7 @@
 // One decoder serves all functions.
 #include "utf8_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -35,6 +36,29 @@ void append_escaped(std::string& text, std::uint32_t c) {
     append_hex(text, "\\x", c, 2);
   else
     append_hex(text, "\\u", c, 4);
+}
+
+bool is_white_space(std::uint32_t c) {
+  return c == ' ' || c == 0xa0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x202f || c == 0x205f ||
+         c == 0x3000;
+}
+
+// How many bytes of white space the text begins with, of what printable() leaves as it is.
+std::size_t white_space_before(std::string_view text) {
+  std::size_t bytes = 0;
+  while (bytes < text.size()) {
+    const CodePoint next = first_code_point(text.substr(bytes));
+    if (next.bytes == 0 || !is_white_space(next.value)) break;
+    bytes += next.bytes;
+  }
+  return bytes;
+}
+
+// Whether what follows "##" is a word, or nothing, and "[".
+bool begins_a_command(std::string_view text) {
+  const auto end = std::find_if_not(text.begin(), text.end(),
+                                    [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+  return end != text.end() && *end == '[';
 }
 
 }  // namespace
@@ -83,11 +107,10 @@ std::string printable(std::string_view text) {
 
 std::string printable_line(std::string_view line) {
   std::string shown = printable(line);
-  const std::size_t first = shown.find_first_not_of(' ');
-  if (first != shown.npos && shown.compare(first, 2, "::") == 0) shown.replace(first, 1, "\\x3a");
-  for (const std::string_view command : {"##[", "##vso["}) {
-    for (std::size_t at = shown.find(command); at != shown.npos; at = shown.find(command, at + 1))
-      shown.replace(at, 1, "\\x23");
+  const std::size_t first = white_space_before(shown);
+  if (shown.compare(first, 2, "::") == 0) shown.replace(first, 1, "\\x3a");
+  for (std::size_t at = shown.find("##"); at != shown.npos; at = shown.find("##", at + 1)) {
+    if (begins_a_command(std::string_view(shown).substr(at + 2))) shown.replace(at, 1, "\\x23");
   }
   return shown;
 }

@@ -22,8 +22,9 @@ bool is_utf8(std::string_view text);
 // ", "\x1b", "\u202e". All else stays, backslashes too, so doing it twice changes nothing more.
 std::string printable(std::string_view text);
 
-// The same for a whole line that a continuous integration may read: it cannot begin with "::" or contain
-// "##[" or "##vso[", which are commands in its logs.
+// The same for a whole line that a continuous integration may read. The line neither begins with "::", after
+// white space of any kind, nor contains "##[", "##vso[", "##teamcity[" or the like: these are commands in
+// logs.
 std::string printable_line(std::string_view line);
 
 // Returns the text up to `most` bytes, and "..." instead of the rest. most: 3 or more.
