@@ -170,7 +170,7 @@ TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
   EXPECT_EQ(kept.status, 0) << kept.err;
   const CliAnswer other = cli_answer({"export", path("mine.js"), "--to", "tic-text", "-o", path("out.lua")});
   EXPECT_EQ(other.status, 1);
-  EXPECT_THAT(other.err, HasSubstr("it must end with .js\n"));
+  EXPECT_THAT(other.err, HasSubstr("the name must end with .js\n"));
 }
 
 TEST_F(CliOwnFiles, ATextCartOfYueHasEitherName) {

@@ -270,7 +270,7 @@ TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
   with(R"("map": {"width": -3})");
   expect_not_read("key map.width: must be a whole number from 1 to 2097152");
   with(R"("cart": {"kind": "tic", "chunks": []})");
-  expect_not_read("key cart: is what the file beside it holds");
+  expect_not_read("key cart: must not be in a companion: the file beside it holds the cart");
   put("game.tic.talus.json", R"({"talus": 99, "companion": {"file": "game.tic"}})");
   EXPECT_THAT(load("game.tic").note, HasSubstr("has version 99"));
 }
