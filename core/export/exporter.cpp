@@ -190,6 +190,11 @@ std::span<const Exporter> exporters() {
   return list;
 }
 
+bool brings_code(const Level& level, std::string_view id) {
+  const Exporter* exporter = find_exporter(id);
+  return exporter != nullptr && exporter->keeps_code && level.cart != nullptr;
+}
+
 const Exporter* find_exporter(std::string_view id) {
   const auto all = exporters();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Exporter& e) { return e.id == id; });

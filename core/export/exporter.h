@@ -38,6 +38,10 @@ struct Exported {
 // The content of a single named file. Its bytes are moved; a list in braces would copy them.
 Exported exported_file(std::string bytes, std::vector<std::string> dropped = {});
 
+// Whether an export writes the code of the level's cart, which TIC-80 runs, and other programs may. id: of
+// the exporter; no code with an unknown one.
+bool brings_code(const Level& level, std::string_view id);
+
 inline constexpr std::size_t kMostTicCode = 65'536;  // bytes of code that TIC-80's free version allows
 
 // The text of a file that comes with the program, such as "runtime/base.lua".

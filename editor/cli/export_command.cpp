@@ -10,6 +10,8 @@
 #include "export_writer.h"
 #include "file_watch.h"
 #include "formats/files/atomic_file.h"
+#include "platform/user_folder.h"
+#include "session/files/export_permissions.h"
 
 namespace talus {
 namespace {
@@ -21,6 +23,9 @@ struct ExportOptions {
   bool all = false;
   bool watch = false;
   bool playable = false;  // for a cart: with code that plays the level
+  bool allow_code = false;
+  // The presets that --allow-code was meant for; none yet: those of the first level that is read.
+  std::optional<std::vector<ExportPreset>> may_bring_code = {};
   ExportRules rules;
 
   bool takes_presets() const { return all || !presets.empty(); }
@@ -56,6 +61,20 @@ bool find_clashes(CommandContext& context, const ExportOptions& options,
   return found;
 }
 
+// Why a preset that came with the level must not be written, one sentence without its full stop; empty: it
+// may. What it brings of the level's code could be run by other programs, under the name that the level
+// chose.
+std::string code_problem_of(const ExportOptions& options, const Level& level, const ExportPreset& preset) {
+  if (!brings_code(level, preset.exporter)) return "";
+  const auto& meant = options.may_bring_code;
+  if (meant && std::find(meant->begin(), meant->end(), preset) != meant->end()) return "";
+  ExportPermissions permissions(state_folder() + "/" + kPermissionsFile);
+  permissions.open(options.input);
+  if (permissions.allows(preset)) return "";
+  return "writes the level's own code to " + preset.path +
+         ", which has not been allowed: allow it in the editor, in File > Export, or by --allow-code";
+}
+
 void export_presets(CommandContext& context, const ExportOptions& options, Level level) {
   std::vector<ExportPreset> presets = std::exchange(level.exports, {});
   for (const std::string& name : options.presets) {
@@ -70,6 +89,10 @@ void export_presets(CommandContext& context, const ExportOptions& options, Level
   });
   if (find_clashes(context, options, presets)) return;
   for (const ExportPreset& preset : presets) {
+    if (const std::string problem = code_problem_of(options, level, preset); !problem.empty()) {
+      fail(context, options.input, "preset \"" + preset.name + "\"", problem);
+      continue;
+    }
     const auto output = output_of(preset, options.input);
     if (!output) {
       fail(context, options.input, "preset \"" + preset.name + "\"", output.error().error.message);
@@ -87,9 +110,11 @@ void export_presets(CommandContext& context, const ExportOptions& options, Level
   }
 }
 
-void export_file(CommandContext& context, const ExportOptions& options) {
+void export_file(CommandContext& context, ExportOptions& options) {
+  context.inputs.clear();
   const std::optional<Level> level = load_or_fail(context, options.input);
   if (!level) return;
+  if (options.allow_code && !options.may_bring_code) options.may_bring_code = level->exports;
   if (options.takes_presets()) return export_presets(context, options, *level);
   carry_out(context, {.level = *level,
                       .input = options.input,
@@ -183,6 +208,10 @@ void add_export_command(CLI::App& program, CommandContext& context) {
       "--allow-outside", options->rules.allow_outside,
       "Let presets write outside of the folder of FILE, and exports through links that lead out "
       "of their folder");
+  command->add_flag(
+      "--allow-code", options->allow_code,
+      "Let presets write the level's own code, as carts hold it, though nobody has allowed that in "
+      "the editor; with --watch those that the level has at first");
   command->callback([&context, options] {
     check_options(*options);
     options->input = level_path(options->input);

@@ -146,7 +146,7 @@ void App::open_first_level() {
   ExportTools tools{.read_asset = [](const std::string& name) { return read_file(asset_path(name)); }};
   if (options_.remember) {
     tools.record = state_folder() + "/exports";
-    tools.permissions = state_folder() + "/allowed_exports";
+    tools.permissions = state_folder() + "/" + kPermissionsFile;
   }
   if (!options_.file.empty()) {
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);

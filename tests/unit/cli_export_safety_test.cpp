@@ -5,6 +5,8 @@
 #include <talus/formats/format.h>
 #include "cli_answer.h"
 #include "folder_test.h"
+#include "platform/user_folder.h"
+#include "session/files/export_permissions.h"
 
 namespace talus::cli_export_safety_test {
 
@@ -101,6 +103,35 @@ TEST_F(CliPresetPaths, ReplaceNothingThatNoExportWrote) {
   fs::create_symlink("main.lua", path("level/linked.lua"));
   fs::remove_all(path(".state"));
   EXPECT_EQ(all(), 1) << answer_.out;
+}
+
+// A text project that is named as another program wants it would be run by that.
+TEST_F(CliPresetPaths, BringNoCodeThatWasNotAllowed) {
+  Level level;
+  level.cart = std::make_shared<const CartOrigin>(CartOrigin{
+      .kind = CartOrigin::Kind::text, .comment = "#", .bytes = "# script: python\nprint('run')\n"});
+  level.exports = {{.name = "code", .exporter = "tic-text", .path = "json.py", .extra = ""},
+                   {.name = "data", .exporter = "lua", .path = "data.lua", .extra = ""}};
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
+  EXPECT_EQ(all(), 1);
+  EXPECT_EQ(answer_.err,
+            path("level/cave.talus.json") +
+                ":preset \"code\": error: writes the level's own code to json.py, which has not been "
+                "allowed: allow it in the editor, in File > Export, or by --allow-code\n");
+  EXPECT_FALSE(exists("level/json.py"));
+  EXPECT_TRUE(exists("level/data.lua")) << "which brings none";
+  EXPECT_EQ(all("--force"), 1) << "that is about other things";
+  EXPECT_EQ(all("--allow-code"), 0) << answer_.err;
+  EXPECT_THAT(bytes_of("level/json.py"), HasSubstr("print('run')"));
+  EXPECT_EQ(all(), 1) << "it was meant once";
+
+  ExportPermissions permissions(state_folder() + "/" + kPermissionsFile);
+  permissions.open(path("level/cave.talus.json"));
+  ASSERT_TRUE(permissions.allow(level.exports));
+  EXPECT_EQ(all(), 0) << "as after an answer in the window: " << answer_.err;
+  level.exports[0].path = "conftest.py";
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
+  EXPECT_EQ(all(), 1) << "another path was not allowed";
 }
 
 TEST_F(CliPresetPaths, NeverWaitForAPipe) {

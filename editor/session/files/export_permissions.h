@@ -17,6 +17,8 @@
 
 namespace talus {
 
+inline constexpr const char* kPermissionsFile = "allowed_exports";  // in the state folder
+
 class ExportPermissions {
  public:
   static constexpr std::size_t kMostKept = 10'000;  // with more, those of missing files are forgotten
