@@ -165,6 +165,18 @@ TEST_F(ForeignPresets, AreNamedInALineOfAMessage) {
       << message();
 }
 
+TEST_F(ForeignPresets, AddNoLineToAMessageByTheirPath) {
+  ExportPreset forged = data_;
+  forged.path = "a\nSaved everything.lua";
+  open(put_level({forged}));
+  paint_and_save();
+  ASSERT_TRUE(asks());
+  answer(Answer::allow);
+  wait();
+  EXPECT_NE(message().find("1 file to a\\nSaved everything.lua"), std::string::npos) << message();
+  EXPECT_EQ(message().find("\nSaved everything"), std::string::npos) << message();
+}
+
 TEST_F(ForeignPresets, AreForeignAgainWhenSomebodyElseHasChangedThem) {
   const std::string file = put_level({data_});
   open(file);

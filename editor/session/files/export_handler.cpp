@@ -26,7 +26,7 @@ std::string kept_text(const std::vector<ExportOutcome>& outcomes) {
     if (!outcome.written) continue;
     for (const PlannedFile& file : outcome.kept) {
       if (!last.empty()) names += (names.empty() ? "" : ", ") + last;
-      last = file.name;
+      last = printable(file.name);
     }
   }
   if (last.empty()) return "";
@@ -45,8 +45,10 @@ std::string written_text(const std::vector<ExportOutcome>& outcomes) {
     if (!outcome.written) continue;
     const std::size_t count = outcome.files.size();
     text += (text.empty() ? "Exported " : ", ") + label_of(outcome.task.preset) + ": " +
-            std::to_string(count) + (count == 1 ? " file to " : " files to ") + outcome.task.preset.path;
-    for (const std::string& what : outcome.dropped) dropped += (dropped.empty() ? "" : ", ") + what;
+            std::to_string(count) + (count == 1 ? " file to " : " files to ") +
+            printable(outcome.task.preset.path);
+    for (const std::string& what : outcome.dropped)
+      dropped += (dropped.empty() ? "" : ", ") + printable(what);
     const std::string problem =
         code_problem(*find_exporter(outcome.task.preset.exporter), outcome.code_bytes);
     if (!problem.empty()) too_large += " Too large, " + label_of(outcome.task.preset) + ": " + problem + ".";
@@ -62,18 +64,16 @@ std::string problems_text(const std::vector<ExportOutcome>& outcomes) {
     if (!outcome.problem) continue;
     const FormatError& error = outcome.problem->error;
     text += (text.empty() ? "" : "\n") + std::string("Export of ") + label_of(outcome.task.preset) + ": " +
-            (error.place.empty() ? "" : error.place + ": ") + error.message + ".";
+            printable((error.place.empty() ? "" : error.place + ": ") + error.message) + ".";
   }
   return text;
 }
 
 // Whether one of the exports to allow writes the code of the level's cart.
-bool brings_code(const ExportRun& run) {
-  const bool may_keep_code = std::any_of(run.to_allow.begin(), run.to_allow.end(), [&](std::size_t task) {
-    const Exporter* exporter = find_exporter(run.tasks[task].preset.exporter);
-    return exporter != nullptr && exporter->keeps_code;
+bool any_brings_code(const ExportRun& run) {
+  return std::any_of(run.to_allow.begin(), run.to_allow.end(), [&](std::size_t task) {
+    return brings_code(*run.level, run.tasks[task].preset.exporter);
   });
-  return may_keep_code && run.level->cart != nullptr;
 }
 
 std::string names_of(const std::vector<ExportOutcome>& outcomes) {
@@ -81,7 +81,7 @@ std::string names_of(const std::vector<ExportOutcome>& outcomes) {
   std::string names;
   for (const ExportOutcome& outcome : outcomes) {
     for (const std::string& path : outcome.foreign) {
-      if (count++ < kMostNamed) names += "\n  " + path;
+      if (count++ < kMostNamed) names += "\n  " + printable(path);
     }
   }
   return count > kMostNamed ? names + "\n  and " + std::to_string(count - kMostNamed) + " more" : names;
@@ -178,7 +178,7 @@ void ExportHandler::ask_to_allow(FinishedRun finished) {
   if (finished.run.tasks.front().level_file != open_.path) return;
   std::string text =
       "These exports came with the level's file. Nothing of them is written until you allow it.";
-  if (brings_code(finished.run))
+  if (any_brings_code(finished.run))
     text += "\nThe TIC-80 carts among them bring the level's own code, which TIC-80 runs when you open them.";
   asked_run_ = std::move(finished);
   messages_.ask(Question{std::move(text), Question::Kind::allow_exports},
