@@ -70,6 +70,8 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   if (!hard) return fail(context, options.file, hard.error().place, hard.error().message);
   const std::vector<CaseInput> script = *hard ? (*hard)->input : std::vector<CaseInput>();
 
+  // The line holds back the signals that end the program, and so outlives the trace's unfinished file.
+  ProgressLine line(context.err, options.file, is_terminal(context.err) && options.trace != "-");
   TraceFile trace(context, options);
   if (!trace.good()) return;
 
@@ -85,7 +87,6 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   const auto stops = [&] {
     return until.wanted() && until.stops_at({scene, ground, state, record, input, {}});
   };
-  ProgressLine line(context.err, options.file, is_terminal(context.err) && options.trace != "-");
   bool stopped = stops();
   for (std::int64_t i = 0; !stopped && i < options.frames; ++i) {
     if (!line.at(static_cast<double>(i) / static_cast<double>(options.frames)))
