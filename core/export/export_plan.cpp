@@ -119,7 +119,9 @@ void leave_out(ExportPlan& plan, const std::vector<std::size_t>& which) {
 
 const PlannedFile* own_file_in(const ExportPlan& plan, const std::string& level_file) {
   const auto own = std::find_if(plan.files.begin(), plan.files.end(), [&](const PlannedFile& file) {
-    return !file.path.empty() && is_same_file(file.path, level_file);
+    return !file.path.empty() &&
+           (is_same_file(file.path, level_file) ||
+            (!level_file.empty() && is_same_file(file.path, companion_path(level_file))));
   });
   return own == plan.files.end() ? nullptr : &*own;
 }

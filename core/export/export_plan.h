@@ -52,7 +52,8 @@ std::vector<std::size_t> own_starters(const ExportPlan& plan,
                                       const std::function<bool(const PlannedFile&)>& is_exported);
 // Takes files out of the plan. which: indices, rising.
 void leave_out(ExportPlan& plan, const std::vector<std::size_t>& which);
-// The first file that is the level's own one, also by a link or another name; null if there is none.
+// The first file that is the level's own one or its companion, also by a link or another name; null if there
+// is none.
 const PlannedFile* own_file_in(const ExportPlan& plan, const std::string& level_file);
 // Writes what was planned, as write_exported does.
 tl::expected<void, ExportProblem> write_plan(const ExportPlan& plan, const WriteProgress& progress = nullptr);

@@ -112,6 +112,7 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   LoadedLevel loaded{Level(), format};
   FormatContext noting = context;
   noting.dropped = &loaded.dropped;
+  noting.linked = &loaded.linked;
   auto level = read_guarded([&] { return format->read(bytes, noting); });
   if (!level) return tl::unexpected(level.error());
   loaded.level = *std::move(level);

@@ -107,6 +107,8 @@ std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std:
     say(context.err, file + ": warning: not in the level: " + what);
   if (!loaded->note.empty()) say(context.err, file + ": warning: " + loaded->note);
   context.doing = "working on " + file;
+  context.inputs.insert(context.inputs.end(), {file, loaded->path, loaded->companion.path});
+  context.inputs.insert(context.inputs.end(), loaded->linked.begin(), loaded->linked.end());
   return *std::move(loaded);
 }
 

@@ -18,6 +18,9 @@ struct CommandContext {
   int status = kExitGood;  // set by the command that ran
   // What the command is doing, for an unexpected error: "reading cave.tmx". Empty: only the command is known.
   std::string doing = {};
+  // The files that it has read a level from: the named ones, and those that these name. No command writes
+  // over them.
+  std::vector<std::string> inputs = {};
 };
 
 // To add a sub-command: write its file, declare it here, and list it in cli.cpp.

@@ -78,14 +78,16 @@ bool is_earlier_export(const ExportOrder& order, const ExportPlan& plan, const E
 }
 
 // Why a file must not be written, one sentence without its full stop; empty if it may.
-std::string problem_of_file(const ExportOrder& order, const ExportPlan& plan, std::size_t index,
-                            const ExportRecord& record, bool may_replace) {
+std::string problem_of_file(const CommandContext& context, const ExportOrder& order, const ExportPlan& plan,
+                            std::size_t index, const ExportRecord& record, bool may_replace) {
   const PlannedFile& file = plan.files[index];
   const ExportedFile& content = plan.content.files[index];
   const bool was_typed = content.name.empty() && !order.is_of_level;
-  if (was_typed) return output_problem({file.path, content.bytes, {order.input}, /*may_be_unknown=*/true});
+  if (was_typed) return output_problem({file.path, content.bytes, context.inputs, /*may_be_unknown=*/true});
   if (is_same_file(file.path, order.input))
     return "is the level itself, which the export would overwrite: name another place";
+  if (is_one_of(context.inputs, file.path))
+    return "is an input of this command, which the export would overwrite: name another place";
   if (file.place != Place::other || content.is_starter || may_replace ||
       (file.old && record.has(file.path, *file.old)))
     return "";
@@ -100,7 +102,7 @@ bool finds_foreign_files(CommandContext& context, const ExportOrder& order, cons
   const bool may_replace = order.rules.force || is_earlier_export(order, plan, record);
   bool found = false;
   for (std::size_t i = 0; i < plan.files.size(); ++i) {
-    const std::string problem = problem_of_file(order, plan, i, record, may_replace);
+    const std::string problem = problem_of_file(context, order, plan, i, record, may_replace);
     if (problem.empty()) continue;
     fail(context, plan.files[i].path, "", problem);
     found = true;
@@ -163,7 +165,7 @@ void carry_out(CommandContext& context, const ExportOrder& order) {
   for (std::size_t i = 0; i < plan->files.size(); ++i)
     record.note(plan->files[i].path, content_hash(plan->content.files[i].bytes));
   if (const auto kept_record = record.save(); !kept_record)
-    context.err << order.output << ": warning: " << kept_record.error() << '\n';
+    say(context.err, order.output + ": warning: " + kept_record.error());
   const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
   if (order.tells) {
     say(context.out, summary_of(*plan) + ", " + std::to_string(time.count()) + " ms");

@@ -46,12 +46,14 @@ std::string_view content_kind(std::string_view bytes) {
   return "";
 }
 
+bool is_one_of(const std::vector<std::string>& files, const std::string& path) {
+  return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return reads(file, path); });
+}
+
 std::string output_problem(const OutputFile& output) {
   if (output.path == "-") return "";
-  for (const std::string& input : output.inputs) {
-    if (reads(input, output.path))
-      return "is the input of this command, which it would overwrite: name another file";
-  }
+  if (is_one_of(output.inputs, output.path))
+    return "is the input of this command, which it would overwrite: name another file";
   std::error_code ignored;
   if (!fs::is_regular_file(output.path, ignored)) return "";
   const auto old = read_file(output.path);

@@ -15,6 +15,10 @@ struct OutputFile {
   bool may_be_unknown = false;
 };
 
+// Whether a path leads to one of these files, or to a companion of one, or to what one is a companion of.
+// Links and other names of a file are seen through.
+bool is_one_of(const std::vector<std::string>& files, const std::string& path);
+
 // One sentence without its full stop on why the command must not write there; empty if it may. Links and
 // other names of a file are followed. Devices and pipes may always be written.
 std::string output_problem(const OutputFile& output);

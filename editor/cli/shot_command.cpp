@@ -78,6 +78,8 @@ void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
 void shoot(CommandContext& context, ShotCommandOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
+  if (const auto problem = output_problem({options.output, kPngBeginning, context.inputs}); !problem.empty())
+    return fail(context, options.output, "", problem);
   apply_physics(options.physics, level->tuning);
   for (const std::string& key : options.overlays) options.shot.overlays.set(*find_overlay(key), true);
   if (!options.window.empty()) return shoot_window(context, options);

@@ -53,10 +53,12 @@ bool catch_up(CommandContext& context, const SimOptions& options, Timeline& time
 }
 
 // Why the trace must not be written to the given place; empty if it may.
-std::string trace_problem(const SimOptions& options) {
+std::string trace_problem(const CommandContext& context, const SimOptions& options) {
   if (has_name_of_level(options.trace))
     return "has the name of a level or a recording, but would hold a trace: name another file";
-  return output_problem({options.trace, kTraceBeginning, {options.file, options.input}});
+  std::vector<std::string> inputs = context.inputs;
+  inputs.insert(inputs.end(), {options.file, options.input});
+  return output_problem({options.trace, kTraceBeginning, std::move(inputs)});
 }
 
 // "passed 3600 frames", or "failed frame 61: hash .., recorded ..".
@@ -93,7 +95,7 @@ TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
     out_ = &context.out;
     return;
   }
-  if (const std::string problem = trace_problem(options); !problem.empty()) {
+  if (const std::string problem = trace_problem(context, options); !problem.empty()) {
     good_ = false;
     fail(context, options.trace, "", problem);
     return;
@@ -154,11 +156,12 @@ void simulate_recording(CommandContext& context, const SimOptions& options) {
   Timeline timeline(*recording);
   if (options.verify) return verify(context, options, timeline);
 
+  // The line holds back the signals that end the program, and so outlives the trace's unfinished file.
+  ProgressLine line(context.err, options.file, is_terminal(context.err) && options.trace != "-");
   TraceFile trace(context, options);
   if (!trace.good()) return;
   const Branch& branch = timeline.current();
   std::int64_t frames = std::min(options.frames, branch.last_frame());
-  ProgressLine line(context.err, options.file, is_terminal(context.err) && options.trace != "-");
   if (!catch_up(context, options, timeline, frames, line)) return;
   bool goes_on = true;
   const auto is_wanted = [&](double share) { return goes_on = line.at(share); };

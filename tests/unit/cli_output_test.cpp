@@ -90,6 +90,17 @@ TEST_F(CliOutput, AShotReplacesPicturesAlone) {
   expect_refused(shot_to(path("text.png")), path("text.png"));
 }
 
+TEST_F(CliOutput, WhatALevelNamesIsNotReplaced) {
+  ASSERT_EQ(cli_answer({"export", path("cave.talus.json"), "--to", "tmx", "-o", path("map.tmx")}).status, 0);
+  const std::string picture = path("map-tiles.png");
+  ASSERT_TRUE(exists("map-tiles.png"));
+  fs::create_hard_link(picture, path("again.png"));
+  for (const std::string& name : {picture, path("again.png")}) {
+    expect_refused({"shot", path("map.tmx"), "-o", name}, name);
+    expect_refused({"export", path("map.tmx"), "--to", "palette-png", "-o", name}, name);
+  }
+}
+
 TEST_F(CliOutput, AnExportReplacesNoFileOfAnotherKind) {
   const std::string level = path("cave.talus.json");
   for (const Exporter& exporter : exporters()) {
@@ -139,7 +150,7 @@ TEST_F(CliOutput, AReportReplacesReportsAlone) {
   EXPECT_EQ(bytes_of("notes.txt"), "of mine\n");
   EXPECT_FALSE(exists("report/report.csv"));
   EXPECT_EQ(output_problem({path("notes.txt"), "scene,solver\n1", {}}),
-            "is a file of another kind, which would be lost: name another file, or move it away");
+            "exists, and is a file of another kind, which would be lost: name another file, or move it away");
   put("old.csv", "scene,solver\n2");
   EXPECT_EQ(output_problem({path("old.csv"), "scene,solver\n1", {}}), "");
 }

@@ -95,6 +95,7 @@ class TiledFiles {
 FormatResult<std::string> TiledFiles::read_beside(const std::string& name) {
   auto bytes = read_in(context_.folder, name);
   if (!bytes) return bytes;
+  if (context_.linked != nullptr) context_.linked->push_back((fs::path(context_.folder) / name).string());
   bytes_ += bytes->size();
   if (bytes_ > kMaxFileBytes) {
     return error_in(name, {"", "is too large: all files that a map names may have up to " +

@@ -62,6 +62,7 @@ struct FormatContext {
   std::string folder = {};     // where files lie that the content names; empty: they are not looked for
   ImportChoices choices = {};  // for readers of formats that are read alone
   std::vector<std::string>* dropped = nullptr;  // gets a phrase for each thing that a reader could not keep
+  std::vector<std::string>* linked = nullptr;   // gets the path of each file that the content names
   Progress progress = {};  // told how much a reader has read; where it says so, reading ends as an error
 };
 
@@ -95,6 +96,7 @@ struct LoadedLevel {
   Level level;
   const Format* format = nullptr;         // never null
   std::vector<std::string> dropped = {};  // what a level cannot hold of what was read, one phrase each
+  std::vector<std::string> linked = {};   // paths of the files that it names, such as a map's tilesets
   std::string path = {};  // of the file; where its companion was named, of the one that it belongs to
   CompanionFile companion = {};
   std::string note = {};  // what is to be told of the companion, a sentence without full stop; empty: nothing
