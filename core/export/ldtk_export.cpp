@@ -7,8 +7,8 @@
 // has one JSON object as text for each tile with flags or a shape: flags, ball, and the shape as in
 // docs/export-data.md. Curves are dropped.
 //
-// All keys that LDtk's schema requires are there. LDtk's own loader does without many of them, other programs
-// do not.
+// All keys that LDtk's schema requires are in assets/templates/ldtk.json. LDtk's own loader does without many
+// of them, other programs do not.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -18,6 +18,7 @@
 #include "../formats/text/append_number.h"
 #include "export_targets.h"
 #include "ldtk_shapes.h"
+#include "ldtk_skeleton.h"
 #include "plain_data.h"
 #include "plain_text.h"
 
@@ -36,58 +37,7 @@ enum LdtkUid : int {
   kNextUid = 50
 };
 
-constexpr const char* kLayerDef = R"({"__type":"","identifier":"","type":"","uid":0,"doc":null,"uiColor":null,
-"gridSize":8,"guideGridWid":0,"guideGridHei":0,"displayOpacity":1,"inactiveOpacity":0.6,"hideInList":false,
-"hideFieldsWhenInactive":true,"canSelectWhenInactive":true,"renderInWorldView":true,"pxOffsetX":0,
-"pxOffsetY":0,"parallaxFactorX":0,"parallaxFactorY":0,"parallaxScaling":true,"requiredTags":[],
-"excludedTags":[],"autoTilesKilledByOtherLayerUid":null,"uiFilterTags":[],"useAsyncRender":false,
-"intGridValues":[],"intGridValuesGroups":[],"autoRuleGroups":[],"autoSourceLayerDefUid":null,
-"tilesetDefUid":null,"tilePivotX":0,"tilePivotY":0,"biomeFieldUid":null})";
-
-constexpr const char* kFieldDef =
-    R"({"identifier":"","doc":null,"__type":"","uid":0,"type":"","isArray":false,
-"canBeNull":false,"arrayMinLength":null,"arrayMaxLength":null,"editorDisplayMode":"Hidden",
-"editorDisplayScale":1,"editorDisplayPos":"Above","editorLinkStyle":"StraightArrow","editorDisplayColor":null,
-"editorAlwaysShow":false,"editorShowInWorld":true,"editorCutLongValues":true,"editorTextSuffix":null,
-"editorTextPrefix":null,"useForSmartColor":false,"exportToToc":false,"searchable":false,"min":null,"max":null,
-"regex":null,"acceptFileTypes":null,"defaultOverride":null,"textLanguageMode":null,"symmetricalRef":false,
-"autoChainRef":true,"allowOutOfLevelRef":true,"allowedRefs":"OnlySame","allowedRefsEntityUid":null,
-"allowedRefTags":[],"tilesetUid":null})";
-
-constexpr const char* kEntityDef = R"({"identifier":"","uid":0,"tags":[],"exportToToc":false,
-"allowOutOfBounds":true,"doc":null,"width":8,"height":8,"resizableX":true,"resizableY":true,"minWidth":null,
-"maxWidth":null,"minHeight":null,"maxHeight":null,"keepAspectRatio":false,"tileOpacity":1,"fillOpacity":0.5,
-"lineOpacity":1,"hollow":false,"color":"","renderMode":"Rectangle","showName":true,"tilesetId":null,
-"tileRenderMode":"FitInside","tileRect":null,"uiTileRect":null,"nineSliceBorders":[],"maxCount":0,
-"limitScope":"PerLevel","limitBehavior":"MoveLastOne","pivotX":0,"pivotY":0,"fieldDefs":[]})";
-
-constexpr const char* kTilesetDef = R"({"__cWid":16,"__cHei":16,"identifier":"Sheet","uid":0,"relPath":"",
-"embedAtlas":null,"pxWid":128,"pxHei":128,"tileGridSize":8,"spacing":0,"padding":0,"tags":[],
-"tagsSourceEnumUid":null,"enumTags":[],"customData":[],"savedSelections":[],"cachedPixelData":null})";
-
-constexpr const char* kLevel = R"({"identifier":"","iid":"","uid":0,"worldX":0,"worldY":0,"worldDepth":0,
-"pxWid":0,"pxHei":0,"__bgColor":"","bgColor":null,"useAutoIdentifier":false,"bgRelPath":null,"bgPos":null,
-"bgPivotX":0.5,"bgPivotY":0.5,"__smartColor":"","__bgPos":null,"externalRelPath":null,"fieldInstances":[],
-"__neighbours":[]})";
-
-constexpr const char* kProject = R"({"__header__":{"fileType":"LDtk Project JSON","app":"LDtk",
-"doc":"https://ldtk.io/json","schema":"https://ldtk.io/files/JSON_SCHEMA.json"},"iid":"",
-"jsonVersion":"1.5.3","appBuildId":0,"nextUid":0,"identifierStyle":"Free","toc":[],"worldLayout":"Free",
-"worldGridWidth":256,"worldGridHeight":256,"defaultLevelWidth":256,"defaultLevelHeight":256,
-"defaultPivotX":0,"defaultPivotY":0,"defaultGridSize":8,"defaultEntityWidth":8,"defaultEntityHeight":8,
-"bgColor":"#40465B","defaultLevelBgColor":"","minifyJson":false,"externalLevels":false,"exportTiled":false,
-"simplifiedExport":false,"imageExportMode":"None","exportLevelBg":true,"pngFilePattern":null,
-"backupOnSave":false,"backupLimit":10,"backupRelPath":null,"levelNamePattern":"Level_%idx",
-"tutorialDesc":null,"customCommands":[],"flags":[],"defs":{"layers":[],"entities":[],"tilesets":[],
-"enums":[],"externalEnums":[],"levelFields":[]},"worlds":[],"dummyWorldIid":""})";
-
-OrderedJson filled(const char* defaults, const OrderedJson& changes) {
-  OrderedJson object = OrderedJson::parse(defaults);
-  object.update(changes);
-  return object;
-}
-
-// Unique in the project, and the same in every export of a level.
+// Unique in the project, and the same whenever a level is exported.
 std::string iid(int number) {
   const std::string digits = std::to_string(number);
   return "7a105000-0000-11f0-8000-" + std::string(12 - digits.size(), '0') + digits;
@@ -143,13 +93,14 @@ const char* field_type(const std::string& name, const OrderedJson& value) {
   return value.is_string() ? "String" : "Float";
 }
 
-OrderedJson entity_def(const char* identifier, int uid, const char* color) {
-  OrderedJson entity = filled(kEntityDef, {{"identifier", identifier}, {"uid", uid}, {"color", color}});
+OrderedJson entity_def(const LdtkSkeleton& skeleton, const char* identifier, int uid, const char* color) {
+  OrderedJson entity =
+      skeleton.filled("entity_definition", {{"identifier", identifier}, {"uid", uid}, {"color", color}});
   const OrderedJson fields = body_fields({});
   for (const auto& [name, value] : fields.items()) {
     const std::string type = field_type(name, value);
-    OrderedJson& field = entity["fieldDefs"].emplace_back(
-        filled(kFieldDef, {{"identifier", name}, {"__type", type}, {"uid", ++uid}, {"type", "F_" + type}}));
+    OrderedJson& field = entity["fieldDefs"].emplace_back(skeleton.filled(
+        "field_definition", {{"identifier", name}, {"__type", type}, {"uid", ++uid}, {"type", "F_" + type}}));
     if (type == "Tile")
       field.update(
           {{"canBeNull", true}, {"tilesetUid", int{kTilesetUid}}, {"editorDisplayMode", "EntityTile"}});
@@ -274,8 +225,10 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
 
 class LdtkProject {
  public:
-  LdtkProject(const Level& level, std::string stem, std::string sheet, Progress progress)
-      : level_(level),
+  LdtkProject(const LdtkSkeleton& skeleton, const Level& level, std::string stem, std::string sheet,
+              Progress progress)
+      : skeleton_(skeleton),
+        level_(level),
         progress_(std::move(progress)),
         stem_(std::move(stem)),
         sheet_(std::move(sheet)),
@@ -286,10 +239,10 @@ class LdtkProject {
 
   std::string text() const {
     const std::string background = color_text(level_.palette[0]);
-    OrderedJson project = filled(kProject, {{"iid", iid(1)},
-                                            {"nextUid", kNextUid},
-                                            {"defaultLevelBgColor", background},
-                                            {"dummyWorldIid", iid(2)}});
+    OrderedJson project = skeleton_.filled("project", {{"iid", iid(1)},
+                                                       {"nextUid", kNextUid},
+                                                       {"defaultLevelBgColor", background},
+                                                       {"dummyWorldIid", iid(2)}});
     OrderedJson& defs = project["defs"];
     defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid),
                       layer_def("Collision", "IntGrid", kCollisionUid),
@@ -303,19 +256,19 @@ class LdtkProject {
                         {"groupUid", 0}});
     }
     defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
-    defs["entities"] = {entity_def("Ball", kBallUid, kBallColor),
-                        entity_def("Player", kPlayerUid, kPlayerColor)};
-    defs["tilesets"] =
-        OrderedJson::array({filled(kTilesetDef, {{"uid", kTilesetUid},
+    defs["entities"] = {entity_def(skeleton_, "Ball", kBallUid, kBallColor),
+                        entity_def(skeleton_, "Player", kPlayerUid, kPlayerColor)};
+    defs["tilesets"] = OrderedJson::array(
+        {skeleton_.filled("tileset_definition", {{"uid", kTilesetUid},
                                                  {"relPath", sheet_},
                                                  {"customData", custom_data(level_, ground_of(level_))}})});
-    OrderedJson level = filled(kLevel, {{"identifier", ldtk_identifier(stem_)},
-                                        {"iid", iid(3)},
-                                        {"uid", kLevelUid},
-                                        {"pxWid", level_.map.width() * kTileSize},
-                                        {"pxHei", level_.map.height() * kTileSize},
-                                        {"__bgColor", background},
-                                        {"__smartColor", background}});
+    OrderedJson level = skeleton_.filled("level", {{"identifier", ldtk_identifier(stem_)},
+                                                   {"iid", iid(3)},
+                                                   {"uid", kLevelUid},
+                                                   {"pxWid", level_.map.width() * kTileSize},
+                                                   {"pxHei", level_.map.height() * kTileSize},
+                                                   {"__bgColor", background},
+                                                   {"__smartColor", background}});
     std::string text = opened(project);
     begin_member(text, "levels").append("[\n").append(opened(level));
     begin_member(text, "layerInstances") += "[\n";
@@ -329,8 +282,9 @@ class LdtkProject {
   }
 
  private:
-  static OrderedJson layer_def(const char* name, const char* type, int uid) {
-    return filled(kLayerDef, {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}});
+  OrderedJson layer_def(const char* name, const char* type, int uid) const {
+    return skeleton_.filled("layer_definition",
+                            {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}});
   }
 
   // An open object, without the members that differ between layers.
@@ -381,6 +335,7 @@ class LdtkProject {
     begin_member(text, "entityInstances") += "[]}";
   }
 
+  const LdtkSkeleton& skeleton_;
   const Level& level_;
   Progress progress_;
   std::string stem_, sheet_;
@@ -391,7 +346,9 @@ class LdtkProject {
 }  // namespace
 
 FormatResult<Exported> export_ldtk(const ExportRequest& request) {
-  const LdtkProject project(request.level, request.stem(), request.sheet_name(), request.progress);
+  const FormatResult<LdtkSkeleton> skeleton = read_ldtk_skeleton(request.read_asset);
+  if (!skeleton) return tl::unexpected(skeleton.error());
+  const LdtkProject project(*skeleton, request.level, request.stem(), request.sheet_name(), request.progress);
   std::vector<std::string> dropped = dropped_curves(request.level);
   if (const std::size_t cells = project.overlaps(); cells > 0)
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "export/exporter.h"
+#include "formats/files/atomic_file.h"
 #include "formats/pictures/png_picture.h"
 
 namespace talus::export_ldtk_test {
@@ -11,10 +12,10 @@ namespace talus::export_ldtk_test {
 using LdtkJson = nlohmann::json;
 
 Exported exported(const Level& level, const std::string& name = "my cave.ldtk") {
-  const ReadAsset nothing = [](const std::string& asset) -> FormatResult<std::string> {
-    return tl::unexpected(FormatError{asset, "is not wanted"});
+  const ReadAsset assets = [](const std::string& asset) {
+    return read_file(TALUS_SOURCE_DIR "/assets/" + asset);
   };
-  auto out = find_exporter("ldtk")->write({level, name, nothing});
+  auto out = find_exporter("ldtk")->write({level, name, assets});
   EXPECT_TRUE(out);
   return out.value_or(Exported());
 }
@@ -55,6 +56,20 @@ TEST(ExportLdtk, IsAProjectAndTheSheetBesideIt) {
   EXPECT_EQ(level["pxWid"], 24);
   EXPECT_EQ(level["pxHei"], 16);
   EXPECT_EQ(exported(small_level(), "-").files[1].name, "level-tiles.png");
+}
+
+TEST(ExportLdtk, AnAssetThatLacksAPartIsAnError) {
+  for (const std::string text : {"", "[]", R"({"project": {}})", R"({"project": {}, "level": 1})"}) {
+    const ReadAsset damaged = [&](const std::string&) -> FormatResult<std::string> { return text; };
+    const auto out = find_exporter("ldtk")->write({small_level(), "cave.ldtk", damaged});
+    ASSERT_FALSE(out) << text;
+    EXPECT_EQ(out.error().place, "templates/ldtk.json");
+  }
+  const ReadAsset missing = [](const std::string& asset) -> FormatResult<std::string> {
+    return tl::unexpected(FormatError{asset, "cannot be read"});
+  };
+  const auto out = find_exporter("ldtk")->write({small_level(), "cave.ldtk", missing});
+  EXPECT_EQ(out.error().message, "cannot be read");
 }
 
 TEST(ExportLdtk, AnIntGridTellsTheShapes) {
