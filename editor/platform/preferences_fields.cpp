@@ -1,5 +1,4 @@
-// Writes and reads the preferences.
-#include "preferences_json.h"
+#include "preferences_fields.h"
 
 #include <nlohmann/json.hpp>
 
@@ -7,8 +6,6 @@ namespace talus {
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* kThemeNames[] = {"dark", "light"};  // by ThemeKind
 
 KeyBindings bindings_of(const json& object) {
   KeyBindings bindings;
@@ -22,36 +19,43 @@ KeyBindings bindings_of(const json& object) {
   return bindings;
 }
 
-}  // namespace
-
-json to_json(const Preferences& preferences) {
-  json keys = json::object(), programs = json::object();
-  for (const auto& [command, chords] : preferences.keys.changed)
-    keys[command] = {to_string(chords[0]), to_string(chords[1])};
-  for (const ProgramInfo& info : program_infos())
-    programs[std::string(info.key)] = preferences.programs[static_cast<std::size_t>(info.id)];
-  return {{"theme", kThemeNames[static_cast<std::size_t>(preferences.theme)]},
-          {"font_size", preferences.font_size},
-          {"keys", keys},
-          {"programs", programs}};
+// Only commands whose keys were changed; commands that nobody knows are kept.
+Field<Preferences> keys_field(const char* key) {
+  return {key, json::object(), [](const json& v) { return v.is_object(); },
+          [](Preferences& p, const json& v) { p.keys = bindings_of(v); },
+          [](const Preferences& p) {
+            json keys = json::object();
+            for (const auto& [command, chords] : p.keys.changed)
+              keys[command] = {to_string(chords[0]), to_string(chords[1])};
+            return keys;
+          }};
 }
 
-Preferences preferences_of_json(const json& value) {
-  Preferences preferences;
-  if (!value.is_object()) return preferences;
-  if (value.contains("theme") && value["theme"] == kThemeNames[1]) preferences.theme = ThemeKind::light;
-  if (value.contains("font_size") && value["font_size"].is_number()) {
-    const double size = value["font_size"];
-    if (size >= kMinFontSize && size <= kMaxFontSize) preferences.font_size = size;
-  }
-  if (value.contains("keys") && value["keys"].is_object()) preferences.keys = bindings_of(value["keys"]);
-  if (!value.contains("programs") || !value["programs"].is_object()) return preferences;
-  for (const ProgramInfo& info : program_infos()) {
-    const auto it = value["programs"].find(std::string(info.key));
-    if (it != value["programs"].end() && it->is_string())
-      preferences.programs[static_cast<std::size_t>(info.id)] = it->get<std::string>();
-  }
-  return preferences;
+// The command of each program; one that is missing, or no text, is the program's usual one.
+Field<Preferences> programs_field(const char* key) {
+  return {key, json::object(), [](const json& v) { return v.is_object(); },
+          [](Preferences& p, const json& v) {
+            p.programs = default_program_commands();
+            for (const ProgramInfo& info : program_infos()) {
+              const auto it = v.find(std::string(info.key));
+              if (it != v.end() && it->is_string())
+                p.programs[static_cast<std::size_t>(info.id)] = it->get<std::string>();
+            }
+          },
+          [](const Preferences& p) {
+            json programs = json::object();
+            for (const ProgramInfo& info : program_infos())
+              programs[std::string(info.key)] = p.programs[static_cast<std::size_t>(info.id)];
+            return programs;
+          }};
+}
+
+}  // namespace
+
+Fields<Preferences> preferences_fields() {
+  return {choice("theme", &Preferences::theme, ThemeKind::dark, {"dark", "light"}),
+          number("font_size", &Preferences::font_size, Preferences().font_size, kMinFontSize, kMaxFontSize),
+          keys_field("keys"), programs_field("programs")};
 }
 
 }  // namespace talus

@@ -12,22 +12,23 @@
 
 namespace talus {
 
+// settings.cpp has the default and the range of each.
 struct Settings {
-  int width = 0, height = 0;  // px, of the window; 320 to 16384, else 0: as the display allows
-  Layout layout;              // each 0.05 to 0.95, else the default
-  CanvasMode canvas = CanvasMode::both;
-  double ui_scale = 0;  // 0: automatic; else 1 to 4
-  bool grid = true;
-  bool screen_borders = true;
+  int width{}, height{};  // px, of the window; 0: as the display allows
+  Layout layout;
+  CanvasMode canvas{};
+  double ui_scale{};  // 0: automatic
+  bool grid{};
+  bool screen_borders{};
   PixelView pixels;
   OverlaySet overlays;                    // unknown names are left out
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
-  bool dock_open = false;                 // the debugger's panels
-  bool legend_folded = false;             // the overlays' legend has no names
+  bool dock_open{};                       // the debugger's panels
+  bool legend_folded{};                   // the overlays' legend has no names
   std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
   std::vector<std::string> watches;       // expressions; at most kMaxWatches
-  OverlayPalette overlay_palette = OverlayPalette::standard;
+  OverlayPalette overlay_palette{};
   Preferences preferences;
 };
 inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoints = 64, kMaxWatches = 64;

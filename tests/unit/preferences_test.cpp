@@ -10,7 +10,7 @@
 #include "folder_test.h"
 #include "overlay/overlay_id.h"
 #include "panels/commands/key_conflicts.h"
-#include "platform/preferences_json.h"
+#include "platform/preferences_fields.h"
 #include "platform/settings.h"
 
 namespace talus::preferences_test {
@@ -51,6 +51,12 @@ TEST(KeyBindings, ASideOfTheWindowHasKeysOfItsOwn) {
   EXPECT_FALSE(command_keys(stamp, bindings)[0]) << "a key that works everywhere takes it from both";
 }
 
+Preferences read_preferences(const nlohmann::json& object) {
+  Preferences preferences;
+  read_fields(preferences_fields(), object, preferences);
+  return preferences;
+}
+
 TEST(PreferencesJson, ComesBackAsItWasWritten) {
   Preferences preferences;
   preferences.theme = ThemeKind::light;
@@ -58,17 +64,16 @@ TEST(PreferencesJson, ComesBackAsItWasWritten) {
   preferences.programs[1] = "\"/opt/my love\" {folder}";
   preferences.keys.changed["file/save"] = {ctrl_shift('x'), KeyChord{}};
   preferences.keys.changed["no/such/command"] = {KeyChord{}, alt(kKeyF12)};
-  EXPECT_EQ(preferences_of_json(to_json(preferences)), preferences);
-  EXPECT_EQ(preferences_of_json(to_json(Preferences())), Preferences());
+  EXPECT_EQ(read_preferences(written_fields(preferences_fields(), preferences)), preferences);
+  EXPECT_EQ(read_preferences(written_fields(preferences_fields(), Preferences())), Preferences());
 }
 
 TEST(PreferencesJson, WhatIsWrongGetsItsDefault) {
-  EXPECT_EQ(preferences_of_json(nlohmann::json::parse(
+  EXPECT_EQ(read_preferences(nlohmann::json::parse(
                 R"({"theme": 3, "font_size": 99, "keys": {"a": 1}, "programs": {"tic80": 4, "x": "y"}})")),
             Preferences());
-  EXPECT_EQ(preferences_of_json(nlohmann::json::parse(R"([1, 2])")), Preferences());
   const Preferences odd =
-      preferences_of_json(nlohmann::json::parse(R"({"keys": {"a": ["Ctrl+A", "What+B", "Ctrl+C"]}})"));
+      read_preferences(nlohmann::json::parse(R"({"keys": {"a": ["Ctrl+A", "What+B", "Ctrl+C"]}})"));
   EXPECT_EQ(odd.keys.changed.at("a"), (CommandKeys{ctrl('a'), KeyChord{}}));
 }
 
@@ -109,6 +114,32 @@ TEST_F(SettingsFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(again.watches, settings.watches);
   EXPECT_EQ(again.overlay_palette, OverlayPalette::colour_blind);
   EXPECT_EQ(again.preferences, settings.preferences);
+}
+
+TEST(SettingsText, WhatIsMissingOrWrongGetsItsDefault) {
+  const Settings defaults = default_settings();
+  EXPECT_EQ(defaults.width, 0);
+  EXPECT_EQ(defaults.canvas, CanvasMode::both);
+  EXPECT_TRUE(defaults.grid && defaults.screen_borders && defaults.overlays.has(OverlayId::normals));
+  const Settings wrong =
+      settings_of_text(R"({"width": 100, "height": "tall", "layout": {"left": 0.99, "dock": 0.4},
+      "canvas": "all", "ui_scale": 9, "grid": 1, "overlays": 5, "tabs": {}, "recent_files": ["a", 7, "b"],
+      "breakpoints": [{"condition": "x > 1", "count": 0}, {"body": 2}, {"condition": 3}, 4], "preferences": []})")
+          .value();
+  EXPECT_EQ(wrong.width, 0);
+  EXPECT_EQ(wrong.height, 0);
+  EXPECT_EQ(wrong.layout.left, Layout().left);
+  EXPECT_EQ(wrong.layout.dock, 0.4);
+  EXPECT_EQ(wrong.canvas, CanvasMode::both);
+  EXPECT_EQ(wrong.ui_scale, 0);
+  EXPECT_TRUE(wrong.grid);
+  for (const OverlayInfo& info : overlay_infos())
+    EXPECT_EQ(wrong.overlays.has(info.id), defaults.overlays.has(info.id)) << info.key;
+  EXPECT_TRUE(wrong.tabs.empty());
+  EXPECT_EQ(wrong.recent_files, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(wrong.breakpoints, std::vector<Breakpoint>{{.condition = "x > 1"}});
+  EXPECT_EQ(wrong.preferences, Preferences());
+  EXPECT_FALSE(settings_of_text("[]"));
 }
 
 TEST(FrameMetrics, RemembersTheLast120Frames) {
