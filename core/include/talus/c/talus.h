@@ -28,14 +28,18 @@ typedef struct talus_game talus_game;
 /* Keys of the players, to be added up. */
 enum { TALUS_LEFT = 1, TALUS_RIGHT = 2, TALUS_JUMP = 4 };
 
+/* A body of the current frame. */
 typedef struct talus_body {
   int32_t id;          /* from 1, in the order of the map's ball tiles, columns from the left, then spawns */
   int32_t is_player;   /* 0: a ball; 1: a player, who does what the keys say */
   int32_t is_grounded; /* 1: it stood on ground after the last frame; solver `exact` alone, else 0 */
   int32_t is_held;     /* 1: the mouse holds it; else 0 */
-  double x, y;         /* px, top left corner of its box */
-  double w, h;         /* px, of its box */
-  double vx, vy;       /* px a frame */
+  double x;            /* px, left side of its box */
+  double y;            /* px, top side of its box */
+  double w;            /* px, width of its box */
+  double h;            /* px, height of its box */
+  double vx;           /* px a frame, to the right */
+  double vy;           /* px a frame, down */
 } talus_body;
 
 /* Loads a level or cart of any format that the editor opens, at its first frame. Null after an error; then

@@ -7,17 +7,18 @@
 
 namespace talus {
 
+// What a cast met first. Without a contact, t is infinite and the other fields have no meaning.
 template <class Real>
 struct Contact {
   Real t = std::numeric_limits<Real>::infinity();  // time of impact, 0..1 of the motion; infinite: none
   BasicVec2<Real> position;                        // of the box then, its top-left corner, on what it hit
   BasicVec2<Real> normal;                          // unit, out of the ground
-  Facing facing = Facing::up;
-  std::int32_t origin = 0;             // as Piece::origin; -1 - index of one of `others`
-  const Piece<Real>* piece = nullptr;  // what it hit; null: a full tile, or one of `others`
-  bool is_other = false;               // one of `others`
-  bool on_end = false;                 // a flat side of the box met the end of the piece, not its line
-  explicit operator bool() const { return t <= 1; }
+  Facing facing = Facing::up;                      // of the side that it hit
+  std::int32_t origin = 0;                         // as Piece::origin; -1 - index of one of `others`
+  const Piece<Real>* piece = nullptr;              // what it hit; null: a full tile, or one of `others`
+  bool is_other = false;                           // one of `others`
+  bool on_end = false;  // a flat side of the box met the end of the piece, not its line
+  explicit operator bool() const { return t <= 1; }  // something was met
 };
 
 // A moving box. Every piece stops only what comes from the side that it faces; a box that is further behind
@@ -26,7 +27,7 @@ struct Contact {
 template <class Real>
 struct Cast {
   BasicRect<Real> box;     // px
-  BasicVec2<Real> motion;  // px
+  BasicVec2<Real> motion;  // px, the whole way; any length
   Foot foot = Foot::box;   // what of the box stands on floors: the whole bottom, or its centre alone
 };
 
@@ -38,7 +39,8 @@ inline constexpr double kMaxCastReach = double(1LL << 40);  // px, sum of all co
 // What a cast may look at, for callers that cannot wait for a long one: each slice of a long way counts 1,
 // each piece of the outline and each other box as well.
 struct CastBudget {
-  std::int64_t left = std::numeric_limits<std::int64_t>::max();
+  std::int64_t left =
+      std::numeric_limits<std::int64_t>::max();  // what may still be looked at; casts lower it
   // Share of the last cast's motion that was looked at. Less than 1: the budget was used up there; nothing is
   // met before, and what comes after is not known.
   double seen = 1;

@@ -7,6 +7,7 @@
 
 namespace talus {
 
+// Only FunctionRef<R(Args...)> is defined.
 template <class Signature>
 class FunctionRef;
 
@@ -15,6 +16,7 @@ class FunctionRef;
 template <class R, class... Args>
 class FunctionRef<R(Args...)> {
  public:
+  // callable: a function, a lambda or an object with operator() of that signature; not null.
   template <class F>
   requires(!std::is_same_v<std::remove_cvref_t<F>, FunctionRef> && std::is_invocable_r_v<R, F&, Args...>)
       FunctionRef(F&& callable)  // NOLINT: implicit, so that a lambda can be passed where one is taken
@@ -23,6 +25,7 @@ class FunctionRef<R(Args...)> {
           return (*static_cast<std::remove_reference_t<F>*>(object))(std::forward<Args>(args)...);
         }) {}
 
+  // Calls it. What it throws comes through.
   R operator()(Args... args) const { return call_(object_, std::forward<Args>(args)...); }
 
  private:

@@ -17,22 +17,25 @@ enum class Facing : std::uint8_t { up, down, left, right };
 // Odd to the last bit.
 template <class Real>
 Real sine_of_turns(Real turns);
+// The cosine of the same.
 template <class Real>
 Real cosine_of_turns(Real turns);
 
 // A stretch of a curve y = f(x) on which f rises or falls throughout and bends to one side only.
 template <class Real>
 struct CurveStretch {
+  // What the coefficients mean.
   enum class Kind : std::uint8_t {
     arc,         // c: centre x, centre y, radius; sign: -1 the upper half, +1 the lower
     polynomial,  // c: middle x, then the coefficients of (x - middle)^0 to ^3
     sine         // c: x of the zero crossing, middle y, amplitude, wavelength
   };
-  Kind kind = Kind::polynomial;
-  Real sign = 1;
-  Real c[5] = {};
-  bool bends_down = false;  // f'' > 0: y grows to both sides, as a hill's does
+  Kind kind = Kind::polynomial;  // how y is reckoned
+  Real sign = 1;                 // of an arc: -1 or +1; of others 1
+  Real c[5] = {};                // coefficients, as Kind says, px
+  bool bends_down = false;       // f'' > 0: y grows to both sides, as a hill's does
 
+  // px: the height at x, px, which must be within the stretch.
   Real y_at(Real x) const {
     const Real u = x - c[0];
     switch (kind) {
@@ -46,7 +49,7 @@ struct CurveStretch {
     return 0;
   }
 
-  // Unit tangent, from left to right. Even of an arc's vertical end.
+  // Unit tangent, from left to right, at x, px, within the stretch. Even of an arc's vertical end.
   BasicVec2<Real> tangent_at(Real x) const {
     const Real u = x - c[0];
     if (kind == Kind::arc)
@@ -57,38 +60,49 @@ struct CurveStretch {
     return {1 / length, slope / length};
   }
 
+  // A whole turn, in radians.
   static constexpr Real kTwoPi = static_cast<Real>(6.283185307179586476925286766559);
 };
 
+// A line, a stretch of a curve or a wall. A terrain makes them; a caller only reads them.
+//
+// Ends: x0 <= x1. Of a wall x0 == x1 and y0 <= y1; one of no height is the tip of a wedge.
+//
+// A line is y = base_y + (x - base_x) * slope. The base is the upper end of the whole slope that the piece
+// was cut from, so that its pieces lie on one line, and a mirrored one has the mirrored bits.
+//
+// An end is convex where the outline turns away from the open side: a floor's end that a box can stand on
+// with its bottom side alone, a wall's end that a box can pass by. It is last where no floor goes on. It is
+// far, of a piece in several cells, where the end is outside of the cell of this copy: the copy that has the
+// end in its cell knows what is around it, and alone stops a box there.
 template <class Real>
 struct Piece {
-  // Ends, px, x0 <= x1. Of a wall x0 == x1 and y0 <= y1; one of no height is the tip of a wedge.
-  Real x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  // A line is y = base_y + (x - base_x) * slope. The base is the upper end of the whole slope that the piece
-  // was cut from, so that its pieces lie on one line, and a mirrored one has the mirrored bits.
-  Real base_x = 0, base_y = 0, slope = 0;
-  Real slope_rest = 0;        // what rounding took from the slope
-  std::int32_t origin = 0;    // of a tile's shape, its cell as y * width + x; of a curve, -1 - its number
-  std::uint32_t stretch = 0;  // 1 + the number of the curve's stretch; 0: a line or a wall
-  Facing facing = Facing::up;
-  // Whether the outline turns away from the open side at the first and at the second end: a floor's end that
-  // a box can stand on with its bottom side alone, a wall's end that a box can pass by.
-  bool convex0 : 1 = false, convex1 : 1 = false;
-  // Whether no floor goes on at this end.
-  bool last0 : 1 = false, last1 : 1 = false;
-  bool one_way : 1 = false;
-  // Of a piece in several cells: whether the end is outside of the cell of this copy. The copy that has the
-  // end in its cell knows what is around it, and alone stops a box there.
-  bool far0 : 1 = false, far1 : 1 = false;
+  Real x0 = 0;                 // px, of the first end
+  Real y0 = 0;                 // px, of the first end
+  Real x1 = 0;                 // px, of the second end
+  Real y1 = 0;                 // px, of the second end
+  Real base_x = 0;             // px, of the base
+  Real base_y = 0;             // px, of the base
+  Real slope = 0;              // dy/dx of a line
+  Real slope_rest = 0;         // what rounding took from the slope
+  std::int32_t origin = 0;     // of a tile's shape, its cell as y * width + x; of a curve, -1 - its number
+  std::uint32_t stretch = 0;   // 1 + the number of the curve's stretch; 0: a line or a wall
+  Facing facing = Facing::up;  // the side that stops bodies
+  bool convex0 : 1 = false;    // the first end is convex
+  bool convex1 : 1 = false;    // the second end is convex
+  bool last0 : 1 = false;      // the first end is last
+  bool last1 : 1 = false;      // the second end is last
+  bool one_way : 1 = false;    // bodies that come from behind pass it
+  bool far0 : 1 = false;       // the first end is far
+  bool far1 : 1 = false;       // the second end is far
 
-  bool rises_to_the_right() const { return y1 < y0; }
-  bool is_wall() const { return facing == Facing::left || facing == Facing::right; }
+  bool rises_to_the_right() const { return y1 < y0; }  // its second end is the higher one
+  bool is_wall() const { return facing == Facing::left || facing == Facing::right; }  // it is vertical
 
-  // Whether a box beside the end passes it.
-  bool is_open0() const { return convex0 || far0; }
-  bool is_open1() const { return convex1 || far1; }
+  bool is_open0() const { return convex0 || far0; }  // a box beside the first end passes it
+  bool is_open1() const { return convex1 || far1; }  // a box beside the second end passes it
 
-  // The height at x, clamped to the piece.
+  // px: the height at x, px, clamped to the piece. stretches: those of its terrain.
   Real y_at(Real x, std::span<const CurveStretch<Real>> stretches) const {
     if (x <= x0) return y0;
     if (x >= x1) return y1;
@@ -104,6 +118,7 @@ struct Piece {
     if (origin >= 0 || std::abs(x - base_x) <= std::abs(x - other_x)) return {base_x, base_y};
     return {other_x, is_base0 ? y1 : y0};
   }
+  // px: the height of the line at x, px, which may be beyond its ends.
   Real line_at(Real x) const {
     const BasicVec2<Real> base = base_near(x);
     return base.y + (x - base.x) * slope;

@@ -21,81 +21,99 @@ enum class Foot : std::uint8_t { box, centre };
 // The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end and may
 // reach over the cells to its right, and up (a floor) or down (a ceiling).
 struct TileShape {
+  // What the ground in the cell is.
   enum class Kind : std::uint8_t {
-    none,
+    none,    // air; the fields below are not used
     solid,   // the whole cell; the fields below but `one_way` are not used
     slope,   // a straight line between two heights
     profile  // a line through several heights, at equal distances
   };
+  // Where the ground lies, from the line.
   enum class Side : std::uint8_t {
     floor,   // ground between the line and the cell's bottom; heights are measured upwards from there
     ceiling  // ground between the line and the cell's top; heights are measured downwards from there
   };
-  Kind kind = Kind::none;
-  Side side = Side::floor;
-  bool one_way = false;  // only the line stops bodies, and only those that come from its open side
-  int tiles = 1;         // width in tiles, 1..kMaxShapeTiles
+  Kind kind = Kind::none;   // what the ground is
+  Side side = Side::floor;  // of a slope or profile
+  bool one_way = false;     // only the line stops bodies, and only those that come from its open side
+  int tiles = 1;            // width in tiles, 1..kMaxShapeTiles
   // px, 0..64, left to right: 2 of a slope, 3..kMaxShapeHeights of a profile, none of the others.
   std::vector<double> heights = {};
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
 
-// Why a shape cannot be used, as the end of a sentence ("has a height that is no number"); none: it can.
+// Why a shape cannot be used, as the end of a sentence ("has a height that is no number"). Nothing when it
+// can.
 std::optional<std::string> problem_of(const TileShape& shape);
 
 inline constexpr int kWeldParts = 256;  // of a px, to which ends are rounded
 
 // Rounds to 1/256 px, halves away from zero: ends that ought to meet do, and mirrored ones are mirrored.
 double weld(double coordinate);
+// The same for both coordinates.
 inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }
 
 // Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces. Their points, and the
 // radius of an arc, are welded to 1/256 px; so are the heights of a polyline, but neither slopes nor the
 // middle, the amplitude, the wavelength and the origin of a sine. What has no width left then (a segment: no
 // length) is bad.
-struct Segment {  // between any two points
-  // Welded. from.x <= to.x; a vertical one has from.y < to.y. One that only welding makes vertical may have
-  // any.
-  Vec2 from, to;
+//
+// A straight line between two points, with from.x <= to.x. A vertical one has from.y < to.y; one that only
+// welding makes vertical may have any.
+struct Segment {
+  Vec2 from;  // px, welded
+  Vec2 to;    // px, welded
   friend bool operator==(const Segment&, const Segment&) = default;
 };
-struct Arc {              // of a circle
-  Vec2 center;            // welded, as are the next three
-  double radius = 0;      // > 0
-  double x0 = 0, x1 = 0;  // ends, within the circle, x0 < x1
-  bool upper = true;      // the upper half of the circle (a hill), else the lower (a bowl)
+// A part of a circle.
+struct Arc {
+  Vec2 center;        // px, welded
+  double radius = 0;  // px, > 0, welded
+  double x0 = 0;      // px, left end, within the circle, welded
+  double x1 = 0;      // px, right end, > x0, within the circle, welded
+  bool upper = true;  // the upper half of the circle (a hill), else the lower (a bowl)
   friend bool operator==(const Arc&, const Arc&) = default;
 };
-struct Parabola {        // the quadratic Bezier curve whose control point is half way between the ends in x
-  Vec2 from, to;         // welded, from.x < to.x
-  double control_y = 0;  // welded
+// The quadratic Bezier curve whose control point is half way between the ends in x.
+struct Parabola {
+  Vec2 from;             // px, left end, welded
+  Vec2 to;               // px, right end, to.x > from.x, welded
+  double control_y = 0;  // px, of the control point, welded
   friend bool operator==(const Parabola&, const Parabola&) = default;
 };
-struct Cubic {                          // Hermite form
-  Vec2 from, to;                        // welded, from.x < to.x
-  double from_slope = 0, to_slope = 0;  // dy/dx at the ends
+// A cubic in Hermite form.
+struct Cubic {
+  Vec2 from;              // px, left end, welded
+  Vec2 to;                // px, right end, to.x > from.x, welded
+  double from_slope = 0;  // dy/dx at the left end
+  double to_slope = 0;    // dy/dx at the right end
   friend bool operator==(const Cubic&, const Cubic&) = default;
 };
-struct Sine {             // y = middle + amplitude * sin(2 pi (x - origin) / wavelength)
-  double x0 = 0, x1 = 0;  // ends, welded, x0 < x1
-  double middle = 0;
-  double amplitude = 0;   // any sign
-  double wavelength = 0;  // > 0; x0..x1 holds kMaxWaves at most
-  double origin = 0;      // where the sine is 0 and, with a positive amplitude, goes down on the screen
+// y = middle + amplitude * sin(2 pi (x - origin) / wavelength).
+struct Sine {
+  double x0 = 0;          // px, left end, welded
+  double x1 = 0;          // px, right end, > x0, welded
+  double middle = 0;      // px, y of the zero crossings
+  double amplitude = 0;   // px, any sign
+  double wavelength = 0;  // px, > 0; x0..x1 holds kMaxWaves at most
+  double origin = 0;      // px, where the sine is 0 and, with a positive amplitude, goes down on the screen
   friend bool operator==(const Sine&, const Sine&) = default;
 };
-struct Polyline {          // through heights at equal distances
-  double x0 = 0, x1 = 0;   // ends, welded, x0 < x1
-  std::vector<double> ys;  // welded; 2..kMaxPolylineHeights, at distances of 1/256 px or more, welded too
+// Straight lines through heights at equal distances, which are 1/256 px or more, welded too.
+struct Polyline {
+  double x0 = 0;           // px, left end, welded
+  double x1 = 0;           // px, right end, > x0, welded
+  std::vector<double> ys;  // px, welded, left to right; 2..kMaxPolylineHeights of them
   friend bool operator==(const Polyline&, const Polyline&) = default;
 };
 
+// A curve with the sides that it stops bodies on.
 struct Curve {
   // Which way its normals point. A vertical segment that faces up faces left, and one that faces down, right.
   // One that only welding makes vertical keeps the side that it was given.
   enum class Faces : std::uint8_t { up, down, both };
-  std::variant<Segment, Arc, Parabola, Cubic, Sine, Polyline> form;
-  Faces faces = Faces::up;
+  std::variant<Segment, Arc, Parabola, Cubic, Sine, Polyline> form;  // where it runs
+  Faces faces = Faces::up;                                           // the sides that stop bodies
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 
@@ -103,9 +121,9 @@ struct Curve {
 inline constexpr int kMaxTerrainSide = 1 << 21;   // cells
 inline constexpr int kMaxTerrainCells = 1 << 24;  // 4096 x 4096
 inline constexpr double kMaxCoordinate =
-    kMaxTerrainSide * kTileSide;           // px; no curve goes further from the origin
-inline constexpr double kMaxWaves = 4096;  // each is cut into four stretches
-inline constexpr std::size_t kMaxPolylineHeights = 65536;
+    kMaxTerrainSide * kTileSide;                           // px; no curve goes further from the origin
+inline constexpr double kMaxWaves = 4096;                  // of a sine; each is cut into four stretches
+inline constexpr std::size_t kMaxPolylineHeights = 65536;  // of one polyline
 
 // Whether a terrain can have this size, in cells.
 constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
@@ -113,7 +131,7 @@ constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
   return sides && width * height <= kMaxTerrainCells;
 }
 
-// Why a curve cannot be used, as problem_of(shape) says it.
+// Why a curve cannot be used, as problem_of(shape) says it. Nothing when it can.
 std::optional<std::string> problem_of(const Curve& curve);
 
 // About how many cells a curve passes, on a map or off it, those that it comes back to each time; twice as

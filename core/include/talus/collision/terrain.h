@@ -25,20 +25,22 @@ namespace talus {
 class OutlineCompiler;  // both internal, see outline_compiler.h and tile_outlines.h
 class TileOutlines;
 
-inline constexpr int kTileKinds = 256;
+inline constexpr int kTileKinds = 256;  // numbers that a tile may have
 
 // What a terrain is made of. Coordinates and heights are rounded to 1/256 px, so that ends which ought to
 // meet do meet. The size must be within the limits, shapes and curves good (see problem_of); asserted.
 struct TerrainSource {
-  int width = 0, height = 0;            // cells, 1 to kMaxTerrainSide each, kMaxTerrainCells in all
-  std::span<const std::uint8_t> cells;  // width * height tile numbers, row by row
-  std::array<TileShape, kTileKinds> shapes;
-  std::vector<Curve> curves;
+  int width = 0;                             // cells, 1 to kMaxTerrainSide
+  int height = 0;                            // cells, the same; kMaxTerrainCells in all
+  std::span<const std::uint8_t> cells;       // width * height tile numbers, row by row
+  std::array<TileShape, kTileKinds> shapes;  // by tile number; of kind none: air
+  std::vector<Curve> curves;                 // free of the grid, by their numbers
   // Called now and then while the terrain is made, with the part that is done, 0..1. False gives up: what
   // was made by then is good for nothing. None: it is made in one go.
   std::function<bool(double)> progress = {};
 };
 
+// @cond INTERNAL
 // A row of a terrain's chunk: bit x of a word is the cell in column x.
 struct TerrainRow {
   std::uint64_t solid = 0;     // a full solid tile
@@ -50,11 +52,14 @@ struct TerrainRow {
   friend bool operator==(const TerrainRow&, const TerrainRow&) = default;
 };
 inline constexpr TerrainRow kEmptyRow;
+// @endcond
 
-// A terrain is a value: a copy shares the chunks that are equal, and takes time by the number of chunks.
+// A terrain is a value: a copy shares the chunks that are equal, and takes time by the number of chunks. The
+// const functions may be called by several threads at once. Real: double, or float.
 template <class Real>
 class BasicTerrain {
  public:
+  // @cond INTERNAL
   static constexpr int kChunkSide = 64;  // cells
   static constexpr int kBandRows = 8;    // of a chunk
 
@@ -77,19 +82,27 @@ class BasicTerrain {
     }
   };
 
+  // @endcond
+
   BasicTerrain();  // one empty cell
+  // Compiles the whole ground, which takes time by its cells and curves. What the source refers to need not
+  // stay. When its progress gives up, the terrain may only be destroyed.
   explicit BasicTerrain(const TerrainSource& source);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  int width() const { return width_; }    // cells
+  int height() const { return height_; }  // cells
+  // Whether a cell is one of the terrain's.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
   // Whether its outline has pieces: those of slopes, profiles, one-way tiles or curves.
   bool has_pieces() const { return pieces_ != 0; }
 
-  // Gives a cell of the terrain (asserted) another tile. Only its surroundings are compiled anew.
+  // Gives a cell of the terrain (asserted) another tile, by its number. Only its surroundings are compiled
+  // anew.
   void set_cell(Cell cell, std::uint8_t tile);
   std::uint8_t tile_at(Cell cell) const;  // 0 outside
+  // The shape of the tile there; outside, that of tile 0. Good as long as the terrain and its copies are.
   const TileShape& shape_at(Cell cell) const;
+  // @cond INTERNAL
   const TileOutlines& outlines() const;  // by tile number
 
   // What is in a few columns of a row. Bit i tells of the cell in the window's column + i; it is 0 outside of
@@ -151,12 +164,17 @@ class BasicTerrain {
     const Chunk* chunk_;
   };
 
+  // @endcond
+
+  // Whether the cell is a full solid tile; false outside.
   bool is_solid(Cell c) const { return (Window(*this, c.x, 1).row(c.y).solid() & 1) != 0; }
+  // Whether the outline in the cell is in pieces, as that of a slope or a curve is; false outside.
   bool is_detailed(Cell c) const { return (Window(*this, c.x, 1).row(c.y).detailed() & 1) != 0; }
 
   // The outline in a detailed cell; none for other cells. A piece longer than a cell is in each that it
-  // meets.
+  // meets. Good until the terrain changes.
   std::span<const Piece<Real>> pieces_in(Cell cell) const;
+  // Of all curves; Piece::stretch counts them from 1. Good as long as the terrain and its copies are.
   std::span<const CurveStretch<Real>> stretches() const { return stretches_; }
 
   // The same cells, shapes and curves. Quick where chunks are shared.
@@ -204,7 +222,7 @@ class BasicTerrain {
   std::size_t pieces_ = 0;                            // in all of them
 };
 
-using Terrain = BasicTerrain<double>;
+using Terrain = BasicTerrain<double>;  // in double precision
 
 extern template class BasicTerrain<double>;
 extern template class BasicTerrain<float>;

@@ -31,7 +31,7 @@ namespace talus {
 struct ItemId {
   std::uint32_t index = 0;       // slot, from 1; dense, so it can index a caller's own array
   std::uint32_t generation = 0;  // from 1; 0 only in the null handle
-  explicit operator bool() const { return generation != 0; }
+  explicit operator bool() const { return generation != 0; }  // it names something, present or gone
   friend bool operator==(const ItemId&, const ItemId&) = default;
 };
 
@@ -48,35 +48,39 @@ enum class Response : std::uint16_t {
 
 // One contact of a move, in the order in which the move met them.
 struct Collision {
-  ItemId item;   // the mover; null when project() was called without one
-  ItemId other;  // what it met
-  Response response = Response::touch;
-  bool overlaps = false;  // the boxes already overlapped before the move
-  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
-  Vec2 move;              // px, what the mover wanted when this contact was found
-  Vec2 normal;            // unit axis vector out of `other`; {0,0} has no direction
-  Vec2 touch;             // px, the mover's top-left corner at the contact
-  Rect item_rect;         // the mover before the move
-  Rect other_rect;
+  ItemId item;                          // the mover; null when project() was called without one
+  ItemId other;                         // what it met
+  Response response = Response::touch;  // what the filter answered
+  bool overlaps = false;                // the boxes already overlapped before the move
+  double ti = 0;            // time of impact, fraction of `move`; minus the overlap area if overlaps
+  Vec2 move;                // px, what the mover wanted when this contact was found
+  Vec2 normal;              // unit axis vector out of `other`; {0,0} has no direction
+  Vec2 touch;               // px, the mover's top-left corner at the contact
+  Rect item_rect;           // px, the mover before the move
+  Rect other_rect;          // px, of what it met
   std::optional<Vec2> aim;  // slide and bounce: the goal they redirected the mover to
 };
 
 // A box met by a segment. ti1 and ti2 are the fractions of the segment where it enters and leaves the box.
 struct SegmentHit {
-  ItemId item;
-  double ti1 = 0;
-  double ti2 = 0;
-  Vec2 enter;  // px, point at ti1
-  Vec2 leave;  // px, point at ti2
+  ItemId item;     // the box's
+  double ti1 = 0;  // 0..1, where it enters; 0 when it starts inside
+  double ti2 = 0;  // 0..1, where it leaves; 1 when it ends inside
+  Vec2 enter;      // px, point at ti1
+  Vec2 leave;      // px, point at ti2
 };
 
+// What a World throws; its what() is a sentence in bump's words.
 class WorldError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Sentences of the errors, for callers that keep items under names of their own.
+// Sentences of the errors, for callers that keep items under names of their own. That no item of that name is
+// in the world.
 std::string item_not_added_message(std::string_view item);
+// That an item of that name is in the world already.
 std::string item_added_twice_message(std::string_view item);
+// That there is no response of that name.
 std::string unknown_response_message(std::string_view name);
 
 // Used by one thread at a time: even the const functions share scratch memory. A filter or response may call
@@ -89,9 +93,10 @@ class World {
 
   // A filter as a table: the response to an item by its group. The same results as a function that looks the
   // group up, in less than half the time: nothing is called, and what is far from the move is looked at once.
-  static constexpr int kGroupCount = 8;
-  using GroupResponses = std::array<Response, kGroupCount>;
+  static constexpr int kGroupCount = 8;                      // groups of items
+  using GroupResponses = std::array<Response, kGroupCount>;  // by group
 
+  // How contacts are reckoned.
   enum class Mode {
     faithful,  // bump's results to the last bit, quirks included
     // Places the mover exactly on the side it hit: no ghosts, no sticking at seams, no teleports. An overlap
@@ -104,45 +109,58 @@ class World {
   // Where bump would hang or run out of memory, WorldError is thrown and nothing changes: for a coordinate
   // that is infinite or kMaxCell cells or more from the origin, and for an item with which all would cover
   // more than kMaxCells and kMaxCellsOfItem for each of them.
-  static constexpr int kMaxCell = 1 << 30;
-  static constexpr std::int64_t kMaxCells = 1 << 20, kMaxCellsOfItem = 16;
-  static constexpr double kMaxCellSize = 1e100;  // px; keeps squares of coordinates finite
+  static constexpr int kMaxCell = 1 << 30;             // cells from the origin
+  static constexpr std::int64_t kMaxCells = 1 << 20;   // of all items together, beyond those of each
+  static constexpr std::int64_t kMaxCellsOfItem = 16;  // that each item may cover besides
+  static constexpr double kMaxCellSize = 1e100;        // px; keeps squares of coordinates finite
 
   // cell_size: px, side of a grid cell; > 0 and at most kMaxCellSize, or WorldError. A few times a typical
   // item is a good value.
   explicit World(double cell_size = 64, Mode mode = Mode::faithful);
   ~World();
-  World(World&&) noexcept;
-  World& operator=(World&&) noexcept;
+  World(World&&) noexcept;             // the other one may only be destroyed or assigned to
+  World& operator=(World&&) noexcept;  // the same
 
   // w and h must be > 0, as for bump; NaN passes, as for bump, and puts the item in no cell. `group`, for
-  // GroupResponses: 0 to kGroupCount - 1 (asserted).
+  // GroupResponses: 0 to kGroupCount - 1 (asserted). The handle is good until the item is removed.
   ItemId add(Rect rect, int group = 0);
+  // Its handle is stale from then on: every function that takes one throws WorldError for it, but has().
   void remove(ItemId item);
   void update(ItemId item, Rect rect);      // places it without looking for contacts
   void update(ItemId item, Vec2 position);  // the same, keeping its size
 
-  // Moves towards the goal under the filter's responses; returns where it ended. `hits` is cleared first.
+  // Moves towards the goal, px, of its top-left corner, under the filter's responses; returns where it ended,
+  // px. `hits` gets the contacts in the order in which they were met, and is cleared first.
   Vec2 move(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits);
+  // The same with a table.
   Vec2 move(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits);
-  Vec2 move(ItemId item, Vec2 goal, std::vector<Collision>& hits);  // slide against everything
+  Vec2 move(ItemId item, Vec2 goal, std::vector<Collision>& hits);  // the same; slide against everything
   // As move, but only says where it would end.
   Vec2 check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
+  // The same with a table.
   Vec2 check(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
-  // The same for a box that is no item of this world; the filter's `item` is null.
+  // The same for a box that is no item of this world, from `start`, px; the filter's `item` is null.
   Vec2 check(Rect start, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
+  // The same with a table.
   Vec2 check(Rect start, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
   // Every contact on the straight way of a box from `rect` to `goal`, by time, then distance, then age; no
   // response is run. `item` is left out of the candidates and may be null.
   void project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
 
-  // Items strictly overlapping the rectangle, holding the point inside, or cut by the segment. The first two
-  // answer in the order of adding, segments from `from` to `to`. The answer is cleared first.
+  // Queries: `out` is cleared first, and is empty when nothing is found; the filter keeps what it is true
+  // for.
+  //
+  // Items that strictly overlap the rectangle, px, in the order of adding.
   void query_rect(Rect rect, std::vector<ItemId>& out) const;
+  // Those of them that the filter keeps.
   void query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) const;
+  // Items with the point, px, inside, in the order of adding.
   void query_point(Vec2 point, std::vector<ItemId>& out) const;
+  // Those of them that the filter keeps.
   void query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out) const;
+  // Items that the segment cuts, px, in the order from `from` to `to`.
   void query_segment(Vec2 from, Vec2 to, std::vector<SegmentHit>& out) const;
+  // Those of them that the filter keeps.
   void query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<SegmentHit>& out) const;
 
   // One check() or move() looks at no more cells and boxes than this, about: each contact makes it look at
@@ -153,18 +171,18 @@ class World {
   void set_most_tests(std::int64_t count);  // of one check, from now on; below 1: as 1
   bool gave_up() const noexcept;            // the last check() or move(), also of a response
 
-  bool has(ItemId item) const noexcept;
-  Rect rect(ItemId item) const;
-  void items(std::vector<ItemId>& out) const;  // in the order of adding
-  std::size_t item_count() const noexcept;
+  bool has(ItemId item) const noexcept;        // false for a stale or null handle
+  Rect rect(ItemId item) const;                // px
+  void items(std::vector<ItemId>& out) const;  // all, in the order of adding; `out` is cleared first
+  std::size_t item_count() const noexcept;     // of all
   // Cells that hold or ever held an item, as bump counts them until its garbage is collected. Collected by
   // collect_empty_cells(), or when the grid must grow and most of them are empty.
   std::size_t cell_count() const noexcept;
-  void collect_empty_cells();
+  void collect_empty_cells();  // forgets the cells that hold no item
 
-  double cell_size() const noexcept;
-  Cell to_cell(Vec2 point) const;  // 1-based, as bump's: the cell of {0,0} is {1,1}
-  Vec2 to_world(Cell cell) const;  // its top-left corner
+  double cell_size() const noexcept;  // px
+  Cell to_cell(Vec2 point) const;     // 1-based, as bump's: the cell of {0,0} is {1,1}
+  Vec2 to_world(Cell cell) const;     // px, its top-left corner
 
   // A response of the user's own: given the contact, the mover's box at the start of the move and its goal,
   // it appends further contacts to `next` (usually by world.project with the same filter) and returns the new
@@ -174,6 +192,7 @@ class World {
   Response add_response(std::string name, ResponseFunction function);  // replaces one of the same name
   // The response of that name, built in or added; nothing when there is none.
   std::optional<Response> find_response(std::string_view name) const;
+  // Of a response that is built in or was added; WorldError for another one.
   std::string_view response_name(Response response) const;
 
  private:

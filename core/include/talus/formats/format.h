@@ -30,6 +30,7 @@ FormatError error_within(const std::string& place, FormatError error);
 // however long the names are that the file has.
 std::string to_string(const FormatError& error, std::string_view file);
 
+// A value, or what is wrong.
 template <class T>
 using FormatResult = tl::expected<T, FormatError>;
 
@@ -42,7 +43,7 @@ tl::unexpected<FormatError> was_cancelled();
 // A written level, and what is lost of it: what neither the format nor a companion (see companion.h) can
 // hold.
 struct WrittenLevel {
-  std::string bytes;
+  std::string bytes;                 // the whole file
   std::vector<std::string> dropped;  // one phrase each: "the BINARY chunk of bank 0"; empty: nothing is lost
 };
 
@@ -66,11 +67,13 @@ struct FormatContext {
   Progress progress = {};  // told how much a reader has read; where it says so, reading ends as an error
 };
 
+// One row for each format of files.
 struct Format {
   std::string_view id;                           // "tic", as in `talus export --to tic`
   std::string_view label;                        // "TIC-80 cartridge"
   std::span<const std::string_view> extensions;  // without the dot; the first is the usual one
   bool (*accepts)(std::string_view bytes, const FormatContext&);  // could this be such a file?
+  // The level of a file, or what is wrong with it; all bytes of the file.
   FormatResult<Level> (*read)(std::string_view bytes, const FormatContext&);
   // Null: the format is read alone. What is opened from it has no file yet, so that saving asks for one.
   FormatResult<WrittenLevel> (*write)(const Level&, const FormatContext&);
@@ -84,6 +87,7 @@ std::span<const Format> formats();
 const Format* find_format(std::string_view id);  // null when there is none
 // The format that a file of this name is written in; null when none is written under its extension.
 const Format* format_for_file(const std::string& path);
+// The extension and the folder of a path, for a reader; the file need not exist.
 FormatContext context_for_file(const std::string& path);
 
 // The companion of a level's file, as it was read or written with the level.
@@ -92,27 +96,31 @@ struct CompanionFile {
   std::optional<std::uint64_t> content = {};  // content_hash of its bytes; none: not all of it was understood
 };
 
+// What load_level() and read_level() give.
 struct LoadedLevel {
-  Level level;
+  Level level;                            // the whole of it
   const Format* format = nullptr;         // never null
   std::vector<std::string> dropped = {};  // what a level cannot hold of what was read, one phrase each
   std::vector<std::string> linked = {};   // paths of the files that it names, such as a map's tilesets
-  std::string path = {};  // of the file; where its companion was named, of the one that it belongs to
-  CompanionFile companion = {};
+  std::string path = {};         // of the file; where its companion was named, of the one that it belongs to
+  CompanionFile companion = {};  // to be given to save_level()
   std::string note = {};  // what is to be told of the companion, a sentence without full stop; empty: nothing
 };
 
+// What save_level() gives.
 struct SavedLevel {
   std::vector<std::string> dropped = {};  // as WrittenLevel has it
-  CompanionFile companion = {};
-  std::string note = {};  // as LoadedLevel has it
+  CompanionFile companion = {};           // to be given to the next save_level()
+  std::string note = {};                  // as LoadedLevel has it
 };
 
-// Reads bytes or a file in whichever format accepts them, told by content, then by extension.
+// Reads bytes in whichever format accepts them, told by content, then by extension. An error when none does.
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
 // The file that holds the level of a path: of a companion, the one that it belongs to; else the path itself.
 std::string level_path(const std::string& path);
-// With its companion, if it has one; a file that cannot be one is left alone, and the note says so.
+// Reads a file as read_level() does, with its companion, if it has one; a file that cannot be one is left
+// alone, and the note says so. choices: what to take of a file that holds more than a level. progress: see
+// FormatContext.
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {},
                                      const Progress& progress = {});
 // Writes atomically (see atomic_file.h), with a companion where the format cannot hold everything. The format

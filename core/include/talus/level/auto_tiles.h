@@ -27,26 +27,32 @@ enum class GroundPart : std::uint8_t {
   slope_down_left,
   slope_down_right
 };
-inline constexpr int kGroundPartCount = 15;
+inline constexpr int kGroundPartCount = 15;  // of GroundPart
 
+// The tiles of one kind of ground.
 struct AutoTiles {
   // By GroundPart. 0: none, as tile 0 is air.
   std::array<std::uint8_t, kGroundPartCount> tiles{};
 
+  // The number of the tile that plays the part; 0: none does.
   std::uint8_t of(GroundPart part) const { return tiles[static_cast<std::size_t>(part)]; }
+  // The same, to be changed.
   std::uint8_t& of(GroundPart part) { return tiles[static_cast<std::size_t>(part)]; }
   // Whether cells with this tile are ground of the set.
   bool has(std::uint8_t tile) const {
     return tile != 0 && std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
   }
+  // No part has a tile.
   bool empty() const { return *this == AutoTiles(); }
   friend bool operator==(const AutoTiles&, const AutoTiles&) = default;
 };
 
+// One row for each part.
 struct GroundPartInfo {
   std::string_view key;    // in files and names of widgets: "slope_up_left"
   std::string_view label;  // for people: "slope up, left half"
 };
+// By GroundPart.
 inline constexpr std::array<GroundPartInfo, kGroundPartCount> kGroundParts = {{
     {"inside", "inside"},
     {"top", "top"},

@@ -14,7 +14,8 @@ inline constexpr std::size_t kMaxBrushName = 1000;  // bytes
 // A rectangle of tiles to paint with.
 struct Brush {
   std::string name;                       // for people; may be empty or repeated
-  int w = 1, h = 1;                       // cells, each 1..kMaxBrushSide
+  int w = 1;                              // cells, 1..kMaxBrushSide
+  int h = 1;                              // cells, 1..kMaxBrushSide
   std::vector<std::uint8_t> tiles = {0};  // w*h, row by row
   bool random = false;  // paints a tile of its own at random in each cell, instead of the rectangle
   std::string extra;    // JSON object of keys that this version does not know, or empty

@@ -16,6 +16,7 @@ struct FlagPattern {
   std::uint8_t mask = 1;  // the flags that it is about, at least one
   std::uint8_t bits = 1;  // those of them that are set; lies within the mask
 
+  // Whether a tile with these flags matches.
   bool matches(std::uint8_t flags) const { return (flags & mask) == bits; }
   // Flags that match, otherwise the same.
   std::uint8_t put_in(std::uint8_t flags) const { return static_cast<std::uint8_t>((flags & ~mask) | bits); }
@@ -40,9 +41,11 @@ struct FlagField {
   std::vector<std::string> values;  // names of the values from 0; at most 2^bits; empty: unnamed
   std::string extra;                // JSON object of keys that this version does not know, or empty
 
-  int last() const { return first + bits - 1; }
-  int value_count() const { return 1 << bits; }
+  int last() const { return first + bits - 1; }  // the highest flag, 0..7
+  int value_count() const { return 1 << bits; }  // 4..256
+  // The flags that it is made of.
   std::uint8_t mask() const { return static_cast<std::uint8_t>((value_count() - 1) << first); }
+  // 0..value_count()-1, of a tile with these flags.
   int value_of(std::uint8_t flags) const { return (flags & mask()) >> first; }
   // value: 0..value_count()-1
   FlagPattern pattern(int value) const { return {mask(), static_cast<std::uint8_t>(value << first)}; }

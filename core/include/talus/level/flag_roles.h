@@ -16,13 +16,13 @@ enum class TileRole : std::uint8_t { none, solid, up_slope, down_slope, ball };
 // The flag, 0..7, that stands for a role, or that changes the shape which a tile's other flags give it;
 // kUnused where no flag does. The defaults are the article's.
 struct FlagRoles {
-  static constexpr int kUnused = -1;
-  int solid = 0;
-  int ball = 1;
-  int up_slope = 2;       // low on the left, high on the right
-  int down_slope = 3;     // high on the left, low on the right
-  int one_way = kUnused;  // makes the shape one-way
-  int ceiling = kUnused;  // puts the shape upside down
+  static constexpr int kUnused = -1;  // no flag
+  int solid = 0;                      // a full tile of ground
+  int ball = 1;                       // a body that starts there
+  int up_slope = 2;                   // low on the left, high on the right
+  int down_slope = 3;                 // high on the left, low on the right
+  int one_way = kUnused;              // makes the shape one-way
+  int ceiling = kUnused;              // puts the shape upside down
   friend bool operator==(const FlagRoles&, const FlagRoles&) = default;
 };
 
@@ -36,7 +36,7 @@ struct FlagRoleInfo {
   int FlagRoles::*flag;    // where FlagRoles keeps the flag
   TileRole role;           // what the flag makes of a tile; none: it changes the shape alone
 };
-const std::array<FlagRoleInfo, 6>& flag_role_infos();
+const std::array<FlagRoleInfo, 6>& flag_role_infos();  // all of them
 
 // Whether a tile with these flags has the flag, 0..7 or kUnused.
 inline bool has_flag(std::uint8_t flags, int flag) {

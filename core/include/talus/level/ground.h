@@ -16,8 +16,8 @@ TerrainSource ground_of(const Level& level);
 // The solvers article and bump make boxes of each tile of ground, which take some hundred bytes each, and
 // exact keeps the lines of slopes and the like by cell, which take as much. A level with more of them than
 // this has no ground for its solver.
-inline constexpr std::size_t kMaxGroundBoxes = std::size_t{1} << 21;
-inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 24;
+inline constexpr std::size_t kMaxGroundBoxes = std::size_t{1} << 21;  // for article and bump
+inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 24;  // for exact
 
 // About how many lines a shape has, counted again in each cell that they pass. 0 of a full tile, which needs
 // none, and of what is no shape or none that can be used.

@@ -19,10 +19,11 @@
 
 namespace talus {
 
+// A ball falls and bounces; a player runs and jumps as the input says.
 enum class BodyKind : std::uint8_t { ball, player };
 
-inline constexpr double kMinBodySize = 1.0 / 256;  // px
-inline constexpr double kMaxBodySize = 1024;
+inline constexpr double kMinBodySize = 1.0 / 256;  // px, in width and in height
+inline constexpr double kMaxBodySize = 1024;       // px, the same
 
 // A body placed by hand, besides those that ball tiles of the map make.
 struct Spawn {
@@ -33,14 +34,15 @@ struct Spawn {
   BodyKind kind = BodyKind::ball;  // a player runs and jumps as the input says
   Vec2 size = {8, 8};              // px, each kMinBodySize..kMaxBodySize
   std::optional<Foot> foot = {};   // what stands on slopes; none: a ball's whole box, a player's centre
+  // What stands on slopes: its own, or that of its kind.
   Foot used_foot() const { return foot.value_or(kind == BodyKind::player ? Foot::centre : Foot::box); }
   friend bool operator==(const Spawn&, const Spawn&) = default;
 };
 
 // A curve of the level, free of the grid.
 struct LevelCurve {
-  std::string name;  // for people; may be empty or repeated
-  Curve curve;
+  std::string name;   // for people; may be empty or repeated
+  Curve curve;        // px; its ends lie on the map
   std::string extra;  // as Spawn::extra
   friend bool operator==(const LevelCurve&, const LevelCurve&) = default;
 };
@@ -48,34 +50,41 @@ struct LevelCurve {
 // The cart that a level came from, kept so that saving gives back every byte that was not edited.
 // formats/ alone looks inside.
 struct CartOrigin {
+  // A cartridge, or a text project.
   enum class Kind { tic, text };
-  Kind kind = Kind::tic;
-  std::string comment;  // text only: the comment prefix, such as "--"
-  std::string bytes;    // the whole file, as read
+  Kind kind = Kind::tic;  // what the bytes are
+  std::string comment;    // text only: the comment prefix, such as "--"
+  std::string bytes;      // the whole file, as read
   friend bool operator==(const CartOrigin&, const CartOrigin&) = default;
 };
 
+// A plain value. Readers give, and writers and compile_scene() expect, one that keeps to the ranges below;
+// what does not is refused by writers (problem_of) and left out of the ground.
 struct Level {
-  std::array<Sheet, 2> sheets;  // by SheetId
-  Palette palette = default_palette();
+  std::array<Sheet, 2> sheets;                     // by SheetId
+  Palette palette = default_palette();             // the 16 colours
   std::array<std::string, kFlagCount> flag_names;  // what the user calls each flag; empty: unnamed
   std::vector<FlagField> flag_fields;              // none of them shares a flag with another
-  FlagRoles roles;
-  std::array<TileShape, kTileCount> tile_shapes;  // of kind none: the tile's flags give its shape
-  std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
-  TileMap map;
-  std::vector<LevelCurve> curves;
-  Tuning tuning;
-  std::vector<Spawn> spawns;
-  std::vector<Brush> brushes;  // at most kMaxBrushes
-  AutoTiles auto_tiles;
-  std::vector<ExportPreset> exports;       // at most kMaxExports
-  std::shared_ptr<const CartOrigin> cart;  // null for a level that never was a cart
-  std::string extra;                       // JSON object of keys that this version does not know, or empty
+  FlagRoles roles;                                 // which flag means what
+  std::array<TileShape, kTileCount> tile_shapes;   // of kind none: the tile's flags give its shape
+  std::array<TileShape, kFlagCount> flag_shapes;   // the shape that a flag stands for; kind none: no shape
+  TileMap map;                                     // numbers of tiles of the first sheet
+  std::vector<LevelCurve> curves;                  // at most kMaxCurves
+  Tuning tuning;                                   // the numbers of the physics
+  std::vector<Spawn> spawns;                       // at most kMaxSpawns
+  std::vector<Brush> brushes;                      // at most kMaxBrushes
+  AutoTiles auto_tiles;                            // of the ground that is painted
+  std::vector<ExportPreset> exports;               // at most kMaxExports
+  std::shared_ptr<const CartOrigin> cart;          // null for a level that never was a cart
+  std::string extra;  // JSON object of keys that this version does not know, or empty
 
+  // One of the two sheets, to be changed.
   Sheet& sheet(SheetId id) { return sheets[static_cast<std::size_t>(id)]; }
+  // One of the two sheets.
   const Sheet& sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
+  // Bit n is flag n.
   std::uint8_t tile_flags(std::uint8_t tile) const { return sheet(SheetId::tiles).flags[tile]; }
+  // Of the tile in a cell, which must lie inside the map (asserted).
   TileRole role_at(Cell cell) const { return role_of(tile_flags(map.at(cell)), roles); }
 };
 
@@ -93,9 +102,9 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags);
 // Whether the tile stands on the map for a body: its flags make it a ball, and it has no shape of its own.
 bool is_ball_tile(const Level& level, std::uint8_t tile);
 
+inline constexpr double kCurveEndSlack = 1.0 / 256;  // px, that an end of a curve may be off the map
 // Why a curve cannot be part of a level with this map, as problem_of(curve) says it: that, or an end more
-// than kCurveEndSlack off the map.
-inline constexpr double kCurveEndSlack = 1.0 / 256;  // px
+// than kCurveEndSlack off the map. Nothing when it can.
 std::optional<std::string> problem_of(const Curve& curve, const TileMap& map);
 
 }  // namespace talus

@@ -13,8 +13,8 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMaxSpawns = 65'536;
-inline constexpr std::size_t kMaxCurves = 16'384;
+inline constexpr std::size_t kMaxSpawns = 65'536;                   // of a level
+inline constexpr std::size_t kMaxCurves = 16'384;                   // of a level
 inline constexpr std::size_t kMaxLevelHeights = 262'144;            // of all polylines together
 inline constexpr std::size_t kMaxCurveCells = 2'097'152;            // that all curves pass, see cells_passed
 inline constexpr std::size_t kMaxBrushCells = 1'048'576;            // of all brushes together
@@ -25,10 +25,10 @@ inline constexpr std::size_t kMaxUnknownBytes = std::size_t{1} << 20;  // of all
 // 8x2097152, with its many lines, 55 MB.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 
-// Of the edits of one recording: how many, the memory that their versions of the level take (see
-// level_version.h), and the sizes of all the levels that reading and writing it goes through.
-inline constexpr std::size_t kMaxRecordedEdits = 10'000;
+inline constexpr std::size_t kMaxRecordedEdits = 10'000;  // of one recording
+// Memory that the versions of the level take which one recording's edits make.
 inline constexpr std::size_t kMaxVersionBytes = std::size_t{256} << 20;
+// The sizes of all the levels together that reading and writing one recording goes through.
 inline constexpr std::size_t kMaxEditedBytes = std::size_t{2} << 30;
 
 // Of the edits that can be undone; the oldest are forgotten beyond it.

@@ -14,6 +14,7 @@ class Progress {
   using Listener = std::function<bool(double share)>;
 
   Progress() = default;  // nobody waits, and nothing ends it
+  // listener: not null.
   explicit Progress(Listener listener) : state_(std::make_shared<State>(std::move(listener))) {}
 
   // The work from one share of this to another, itself counted from 0 to 1.
@@ -34,10 +35,12 @@ class Progress {
     state_->stopped = !state_->listener(now);
     return !state_->stopped;
   }
+  // The same for `done` of `all`, such as bytes; all of nothing are done.
   template <class Count>
   bool at(Count done, Count all) const {
     return at(all == 0 ? 1 : static_cast<double>(done) / static_cast<double>(all));
   }
+  // Whether the listener has said to end.
   bool stopped() const { return state_ != nullptr && state_->stopped; }
 
   // As a TerrainSource takes it.

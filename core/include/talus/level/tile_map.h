@@ -9,11 +9,12 @@
 
 namespace talus {
 
-inline constexpr int kTicMapWidth = 240;  // cells, the size of every TIC-80 map
-inline constexpr int kTicMapHeight = 136;
-inline constexpr int kScreenColumns = 30;  // cells, one TIC-80 screen
-inline constexpr int kScreenRows = 17;
+inline constexpr int kTicMapWidth = 240;   // cells, of every TIC-80 map
+inline constexpr int kTicMapHeight = 136;  // cells, the same
+inline constexpr int kScreenColumns = 30;  // cells, of one TIC-80 screen
+inline constexpr int kScreenRows = 17;     // cells, the same
 
+// A map is a value; at first every cell has tile 0.
 class TileMap {
  public:
   // width, height: cells, as is_terrain_size says (asserted).
@@ -22,12 +23,14 @@ class TileMap {
     assert(is_terrain_size(width, height));
   }
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  int width() const { return width_; }    // cells
+  int height() const { return height_; }  // cells
+  // Whether the cell lies inside the map.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
 
-  // The cell must lie inside the map (asserted).
+  // The number of the tile in a cell, which must lie inside the map (asserted).
   std::uint8_t at(Cell c) const { return cells_[index(c)]; }
+  // Puts a tile there; as at().
   void set(Cell c, std::uint8_t tile) { cells_[index(c)] = tile; }
 
   const std::vector<std::uint8_t>& cells() const { return cells_; }  // row by row

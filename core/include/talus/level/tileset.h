@@ -8,30 +8,35 @@
 
 namespace talus {
 
-inline constexpr int kTileSize = 8;     // px, side of a tile
-inline constexpr int kTileCount = 256;  // images in a sheet
-inline constexpr int kSheetColumns = 16;
+inline constexpr int kTileSize = 8;                           // px, side of a tile
+inline constexpr int kTileCount = 256;                        // images in a sheet
+inline constexpr int kSheetColumns = 16;                      // images in a row of a sheet
 inline constexpr int kSheetSide = kSheetColumns * kTileSize;  // px, of the square that a sheet fills
-inline constexpr int kColorCount = 16;
-inline constexpr int kFlagCount = 8;
+inline constexpr int kColorCount = 16;                        // of a palette
+inline constexpr int kFlagCount = 8;                          // of an image
 
 // The column or the row of the cell that holds a coordinate of px.
 inline int cell_of(double px) { return static_cast<int>(std::floor(px / kTileSize)); }
 
+// A colour.
 struct Rgb {
-  std::uint8_t r = 0, g = 0, b = 0;
+  std::uint8_t r = 0;  // red, 0..255
+  std::uint8_t g = 0;  // green, 0..255
+  std::uint8_t b = 0;  // blue, 0..255
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-using Palette = std::array<Rgb, kColorCount>;
+using Palette = std::array<Rgb, kColorCount>;  // by index
 
 // Palette indices 0..15, row by row from the top left.
 using TileImage = std::array<std::uint8_t, kTileSize * kTileSize>;
 
+// The two sheets of a level.
 enum class SheetId : std::uint8_t { tiles, sprites };  // the map shows tiles
 
+// Images with their flags.
 struct Sheet {
-  std::array<TileImage, kTileCount> images{};
+  std::array<TileImage, kTileCount> images{};    // by number, row by row on the sheet
   std::array<std::uint8_t, kTileCount> flags{};  // bit n is flag n
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };

@@ -9,6 +9,7 @@
 
 namespace talus {
 
+// How bodies are moved.
 enum class SolverKind {
   article,  // the article's algorithm, defects included
   bump,     // slopes as one more response of the World
@@ -63,11 +64,12 @@ struct PlayerTuning {
   friend bool operator==(const PlayerTuning&, const PlayerTuning&) = default;
 };
 
+// All numbers. A level with one outside of its range is refused by readers and writers.
 struct Tuning {
-  SolverKind solver = SolverKind::exact;
-  SharedTuning shared;
-  ExactTuning exact;
-  PlayerTuning player;
+  SolverKind solver = SolverKind::exact;  // which of them moves the bodies
+  SharedTuning shared;                    // of all solvers
+  ExactTuning exact;                      // of the solver exact alone
+  PlayerTuning player;                    // of players; article and bump move them as balls
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
@@ -78,21 +80,22 @@ struct TuningField {
   std::string_view label;  // on screen: "fall speed"
   std::string_view unit;   // "px", "px/frame", "px/frame^2" or ""
   double& (*in)(Tuning& tuning);  // where a tuning keeps the number
-  double min, max;                // inclusive; a file with a value outside is refused
+  double min;                     // the least value; a file with a smaller one is refused
+  double max;                     // the largest value; a file with a larger one is refused
   bool whole;                     // a file with a value that is no whole number is refused
   std::string_view help;          // what it does and what a wrong value looks like, one sentence
 
-  std::string path() const;  // "exact.gravity", or the key alone
-  double of(Tuning tuning) const { return in(tuning); }
-  double standard() const { return of(Tuning()); }  // the default
-  bool accepts(double value) const;                 // in range, and whole if it must be
+  std::string path() const;                              // "exact.gravity", or the key alone
+  double of(Tuning tuning) const { return in(tuning); }  // the number of that tuning
+  double standard() const { return of(Tuning()); }       // the default
+  bool accepts(double value) const;                      // in range, and whole if it must be
 };
 // Those of a group follow one another.
 std::span<const TuningField> tuning_fields();
 // The shared numbers have no group.
 inline constexpr std::array<std::string_view, 2> kTuningGroups = {"exact", "player"};
 
-std::span<const SolverKind> solver_kinds();
+std::span<const SolverKind> solver_kinds();                       // all of them
 std::string_view solver_name(SolverKind solver);                  // in files and on screen: "article"
 std::optional<SolverKind> solver_of_name(std::string_view name);  // none: there is no such solver
 

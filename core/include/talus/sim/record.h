@@ -29,16 +29,17 @@ struct SlopeProbe {
   bool corrected = false;  // the body has been put at placed_y; false only where the article found it above
 };
 
+// A body met something.
 struct ContactRecord {
-  int body = 0;   // id
-  int order = 0;  // from 0, within the body's step
-  Obstacle other;
-  Response response = Response::slide;
-  bool overlaps = false;  // the boxes overlapped before the move
-  double ti = 0;          // time of impact, fraction of `move`; minus the overlap area if overlaps
-  Vec2 move;              // px, what the body wanted when this contact was found
-  Vec2 normal;            // unit, out of the obstacle; along an axis but on slopes of exact and bump
-  Vec2 touch;             // px, the body's top-left corner at the contact
+  int body = 0;                         // id
+  int order = 0;                        // from 0, within the body's step
+  Obstacle other;                       // what it met
+  Response response = Response::slide;  // how it reacted
+  bool overlaps = false;                // the boxes overlapped before the move
+  double ti = 0;  // time of impact, fraction of `move`; minus the overlap area if overlaps
+  Vec2 move;      // px, what the body wanted when this contact was found
+  Vec2 normal;    // unit, out of the obstacle; along an axis but on slopes of exact and bump
+  Vec2 touch;     // px, the body's top-left corner at the contact
   std::optional<SlopeProbe> slope;  // when the contact led to a look for the slope's floor
   bool handled = false;             // false: found, but the solver did nothing more with it
   std::optional<Vec2> after = {};   // px, the motion that it went on with, of exact alone
@@ -47,13 +48,13 @@ struct ContactRecord {
 // A candidate of the broad phase whose box was tested against the body's way. Only the solvers on World,
 // article and bump, note them.
 struct TestedBox {
-  int body = 0;
-  Obstacle other;
+  int body = 0;    // id
+  Obstacle other;  // what was tested
 };
 
 // How a body went in this step.
 struct BodyPath {
-  int body = 0;
+  int body = 0;            // id
   Rect from;               // px, its box before the step
   Vec2 goal;               // px, where it wanted its top-left corner
   Rect to;                 // px, its box after the step
@@ -62,11 +63,12 @@ struct BodyPath {
   bool cut_short = false;  // all that it may look at in a step was looked at: it stopped there
 };
 
+// One step. A record may be used again for the next one, which keeps its memory.
 struct StepRecord {
   std::vector<BodyPath> paths;          // by body id
   std::vector<ContactRecord> contacts;  // in the order in which they were handled
   std::vector<TestedBox> tested;        // each once for a body, in the order of testing
-  void clear();
+  void clear();                         // forgets the step
 };
 
 }  // namespace talus

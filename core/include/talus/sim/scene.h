@@ -24,10 +24,10 @@ struct BodyOrigin {
 // A straight line of the ground across a box, that reaches its top, or of a ceiling its bottom, at the higher
 // end. What else is in the box is ground, and nothing of it if it is one-way.
 struct GroundLine {
-  bool rises_to_the_right = false;
-  double low = 0;  // px, of the lower end over the box's bottom; of a ceiling below its top
-  bool ceiling = false;
-  bool one_way = false;
+  bool rises_to_the_right = false;  // its right end is the higher one
+  double low = 0;                   // px, of the lower end over the box's bottom; of a ceiling below its top
+  bool ceiling = false;             // it hangs from the top of the box
+  bool one_way = false;             // only the line stops bodies, and only from its open side
   friend bool operator==(const GroundLine&, const GroundLine&) = default;
 };
 
@@ -42,6 +42,7 @@ struct SceneItem {
   Foot foot = Foot::box;            // of a body
   std::optional<GroundLine> line =
       {};  // of an obstacle that is neither full nor a slope from corner to corner
+  // Of a body: where it comes from.
   BodyOrigin origin() const { return {cell, spawn}; }
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
 };
@@ -53,19 +54,21 @@ struct SceneFeatures {
   friend bool operator==(const SceneFeatures&, const SceneFeatures&) = default;
 };
 
+// Everything that a step reads besides the state. compile_scene() makes it; it is shared by const pointers.
 struct Scene {
   // Map order, as the article adds them: columns left to right, each from top to bottom; then the spawns.
   // Bodies get their ids in this order, and ties go to the earlier item. For the exact solver, which has the
   // ground, bodies only.
   std::vector<SceneItem> items;
-  // For the exact solver alone, in the precision that the tuning asks for; the other is null.
+  // For the exact solver alone, and null where the tuning asks for single precision.
   std::shared_ptr<const Terrain> ground;
+  // For the exact solver alone, where the tuning asks for single precision; else null.
   std::shared_ptr<const BasicTerrain<float>> single_ground;
   std::vector<std::string> curve_names;  // of the ground's curves, by their numbers; may be empty
   // For the exact solver, of the level's ground, see ground.h; where they are too many, there is none of it.
   std::size_t ground_lines = 0;
-  SceneFeatures features;
-  Tuning tuning;
+  SceneFeatures features;  // what its bodies make necessary
+  Tuning tuning;           // the level's
 };
 bool operator==(const Scene& a, const Scene& b);  // grounds are compared by their cells and outlines
 

@@ -18,14 +18,15 @@ inline constexpr double kMaxBodyDistance = 1e9;  // px from the origin in x and 
 class Solver {
  public:
   virtual ~Solver() = default;
-  // Advances `state` by one frame. `record`, when given, is overwritten with what happened.
+  // Advances `state`, one of the solver's scene, by one frame. `record`, when given, is overwritten with what
+  // happened; null: nobody wants it.
   virtual void step(State& state, const Input& input, StepRecord* record = nullptr) = 0;
 };
 
-// The solver that the scene's tuning names.
+// The solver that the scene's tuning names, never null. scene: not null.
 std::unique_ptr<Solver> make_solver(std::shared_ptr<const Scene> scene);
 
-// The same as one pure function, for callers that step once.
+// A step as one pure function, for callers that step once.
 State step(const Scene& scene, const State& state, const Input& input, StepRecord* record = nullptr);
 
 }  // namespace talus

@@ -17,19 +17,22 @@ struct Gait {
   friend bool operator==(const Gait&, const Gait&) = default;
 };
 
+// A body that moves.
 struct Body {
-  int id = 0;  // from 1, in scene order at the start; never reused
-  BodyOrigin origin;
-  Rect box;       // px
-  Vec2 velocity;  // px/frame
-  Vec2 previous;  // px, top-left corner before the last dragged frame; its throw is measured from here
-  BodyKind kind = BodyKind::ball;
-  Foot foot = Foot::box;
-  Gait gait;
+  int id = 0;         // from 1, in scene order at the start; never reused
+  BodyOrigin origin;  // where it started
+  Rect box;           // px
+  Vec2 velocity;      // px/frame
+  Vec2 previous;      // px, top-left corner before the last dragged frame; its throw is measured from here
+  BodyKind kind = BodyKind::ball;  // what moves it
+  Foot foot = Foot::box;           // what of it stands on slopes
+  Gait gait;                       // what it remembers
   bool is_clear = false;  // the exact solver has put it where no ground is; the scene has not changed since
   friend bool operator==(const Body&, const Body&) = default;
 };
 
+// A plain value: a copy of it is a snapshot, and giving the copy to a solver of the same scene goes on from
+// there.
 struct State {
   std::int64_t frame = 0;          // steps made so far
   std::vector<Body> bodies;        // by id
@@ -39,14 +42,18 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
+// What is held down in one step. A default one holds nothing.
 struct Input {
-  Vec2 mouse;                                      // px, in the level
-  bool mouse_down = false;                         // the left button
-  bool left = false, right = false, jump = false;  // keys of the players
+  Vec2 mouse;               // px, in the level; finite
+  bool mouse_down = false;  // the left button
+  bool left = false;        // the key with which players run to the left
+  bool right = false;       // the same to the right; both together: neither
+  bool jump = false;        // the key with which players jump
   int grab = 0;  // id of the body that the button took when it went down; 0, or of none: the one under it
   friend bool operator==(const Input&, const Input&) = default;
 };
 
+// The state of frame 0: every body of the scene at its start.
 State initial_state(const Scene& scene);
 
 // The state that goes on in an edited scene: a body stays where and as fast as it is while its origin stays,
