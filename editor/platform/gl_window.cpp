@@ -16,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "panels/ui/icons.h"
 #include "panels/ui/theme.h"
 
 namespace talus {
@@ -62,6 +63,7 @@ void load_fonts(const WindowStyle& style, float pixel_ratio) {
     config.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(style.scale * pixel_ratio));
     io.Fonts->AddFontDefault(&config);
   }
+  add_icon_font(*io.Fonts, style.scale * pixel_ratio);
   io.FontGlobalScale = 1 / pixel_ratio;
 }
 

@@ -1,8 +1,13 @@
-// The icons: a few strokes each, in a unit square.
+// Common icons are glyphs of a font; what no font has is a few strokes in a unit square.
 #include "icons.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <initializer_list>
+#include <iterator>
+
+#include "shown_text.h"
 
 namespace talus {
 namespace {
@@ -40,55 +45,7 @@ class Pen {
   float width_;
 };
 
-void draw_play_icon(const Pen& pen, Icon icon) {
-  switch (icon) {
-    case Icon::first_frame:
-      pen.box(.15f, .2f, .27f, .8f);
-      pen.solid({{.6f, .25f}, {.6f, .75f}, {.28f, .5f}});
-      pen.solid({{.92f, .25f}, {.92f, .75f}, {.6f, .5f}});
-      break;
-    case Icon::last_frame:
-      pen.box(.73f, .2f, .85f, .8f);
-      pen.solid({{.4f, .25f}, {.72f, .5f}, {.4f, .75f}});
-      pen.solid({{.08f, .25f}, {.4f, .5f}, {.08f, .75f}});
-      break;
-    case Icon::restart:
-      pen.arc({.5f, .54f}, .32f, -.4f, 4.4f);
-      pen.solid({{.3f, .04f}, {.62f, .2f}, {.34f, .42f}});
-      break;
-    case Icon::play:
-      pen.solid({{.25f, .15f}, {.85f, .5f}, {.25f, .85f}});
-      break;
-    case Icon::pause:
-      pen.box(.22f, .18f, .42f, .82f);
-      pen.box(.58f, .18f, .78f, .82f);
-      break;
-    case Icon::step:
-      pen.solid({{.15f, .2f}, {.65f, .5f}, {.15f, .8f}});
-      pen.box(.72f, .2f, .84f, .8f);
-      break;
-    case Icon::step_back:
-      pen.solid({{.85f, .2f}, {.85f, .8f}, {.35f, .5f}});
-      pen.box(.16f, .2f, .28f, .8f);
-      break;
-    case Icon::run_on:
-      pen.solid({{.08f, .25f}, {.4f, .5f}, {.08f, .75f}});
-      pen.solid({{.4f, .25f}, {.72f, .5f}, {.4f, .75f}});
-      pen.solid({{.88f, .3f}, {.98f, .5f}, {.88f, .7f}, {.78f, .5f}});
-      break;
-    case Icon::run_back:
-      pen.solid({{.92f, .25f}, {.92f, .75f}, {.6f, .5f}});
-      pen.solid({{.6f, .25f}, {.6f, .75f}, {.28f, .5f}});
-      pen.solid({{.12f, .3f}, {.22f, .5f}, {.12f, .7f}, {.02f, .5f}});
-      break;
-    default:  // split
-      pen.frame(.1f, .2f, .46f, .8f);
-      pen.frame(.54f, .2f, .9f, .8f);
-      break;
-  }
-}
-
-void draw_map_tool_icon(const Pen& pen, Icon icon) {
+void draw_tool_icon(const Pen& pen, Icon icon) {
   switch (icon) {
     case Icon::stamp:
       pen.box(.15f, .15f, .47f, .47f);
@@ -96,26 +53,10 @@ void draw_map_tool_icon(const Pen& pen, Icon icon) {
       pen.frame(.56f, .15f, .85f, .44f);
       pen.frame(.15f, .56f, .44f, .85f);
       break;
-    case Icon::pan:
-      pen.stroke({{.5f, .1f}, {.5f, .9f}});
-      pen.stroke({{.1f, .5f}, {.9f, .5f}});
-      pen.stroke({{.38f, .22f}, {.5f, .1f}, {.62f, .22f}});
-      pen.stroke({{.38f, .78f}, {.5f, .9f}, {.62f, .78f}});
-      pen.stroke({{.22f, .38f}, {.1f, .5f}, {.22f, .62f}});
-      pen.stroke({{.78f, .38f}, {.9f, .5f}, {.78f, .62f}});
-      break;
-    case Icon::rectangle:
-      pen.frame(.14f, .22f, .86f, .78f);
-      pen.box(.26f, .34f, .74f, .66f);
-      break;
     case Icon::fill:
       pen.stroke({{.42f, .15f}, {.8f, .5f}, {.45f, .85f}, {.1f, .5f}}, true);
       pen.solid({{.14f, .5f}, {.76f, .5f}, {.45f, .82f}});
       pen.solid({{.88f, .6f}, {.96f, .82f}, {.8f, .82f}});
-      break;
-    case Icon::erase:
-      pen.stroke({{.5f, .2f}, {.85f, .5f}, {.55f, .8f}, {.35f, .8f}, {.12f, .58f}}, true);
-      pen.solid({{.31f, .39f}, {.66f, .69f}, {.55f, .8f}, {.35f, .8f}, {.12f, .58f}});
       break;
     case Icon::body:
       pen.box(.28f, .12f, .72f, .66f);
@@ -138,20 +79,14 @@ void draw_map_tool_icon(const Pen& pen, Icon icon) {
       pen.solid({{.08f, .86f}, {.08f, .66f}, {.5f, .66f}, {.5f, .86f}});
       pen.solid({{.44f, .86f}, {.44f, .66f}, {.66f, .36f}, {.92f, .36f}, {.92f, .86f}});
       break;
-    default:  // pick
-      pen.stroke({{.15f, .85f}, {.2f, .66f}, {.6f, .26f}, {.74f, .4f}, {.34f, .8f}}, true);
-      pen.stroke({{.52f, .2f}, {.8f, .48f}});
-      pen.solid({{.62f, .28f}, {.76f, .12f}, {.88f, .24f}, {.72f, .38f}});
+    default:  // line
+      pen.stroke({{.14f, .86f}, {.86f, .14f}});
       break;
   }
 }
 
-void draw_sprite_icon(const Pen& pen, Icon icon) {
+void draw_picture_icon(const Pen& pen, Icon icon) {
   switch (icon) {
-    case Icon::pencil:
-      pen.stroke({{.14f, .86f}, {.2f, .64f}, {.7f, .14f}, {.86f, .3f}, {.36f, .8f}}, true);
-      pen.solid({{.14f, .86f}, {.18f, .7f}, {.3f, .82f}});
-      break;
     case Icon::select:
       for (float f : {.12f, .44f, .76f}) {
         for (float side : {.14f, .86f}) {
@@ -160,27 +95,12 @@ void draw_sprite_icon(const Pen& pen, Icon icon) {
         }
       }
       break;
-    case Icon::line:
-      pen.stroke({{.14f, .86f}, {.86f, .14f}});
-      break;
-    case Icon::frame:
-      pen.frame(.14f, .22f, .86f, .78f);
-      break;
-    case Icon::ellipse:
-      pen.arc({.5f, .5f}, .37f, 0, 6.2832f);
-      break;
     case Icon::neighbours:
       pen.box(.36f, .36f, .64f, .64f);
       for (float f : {.28f, .72f}) {
         pen.stroke({{f, .06f}, {f, .94f}});
         pen.stroke({{.06f, f}, {.94f, f}});
       }
-      break;
-    case Icon::enlarge:
-      pen.stroke({{.55f, .12f}, {.88f, .12f}, {.88f, .45f}});
-      pen.stroke({{.12f, .55f}, {.12f, .88f}, {.45f, .88f}});
-      pen.stroke({{.88f, .12f}, {.58f, .42f}});
-      pen.stroke({{.12f, .88f}, {.42f, .58f}});
       break;
     case Icon::flip_horizontal:
       pen.solid({{.42f, .2f}, {.42f, .8f}, {.1f, .8f}});
@@ -190,59 +110,71 @@ void draw_sprite_icon(const Pen& pen, Icon icon) {
       pen.solid({{.2f, .42f}, {.8f, .42f}, {.8f, .1f}});
       pen.stroke({{.2f, .58f}, {.8f, .58f}, {.8f, .9f}}, true);
       break;
-    case Icon::rotate:
-      pen.arc({.5f, .54f}, .32f, -0.4f, 4.4f);
-      pen.solid({{.62f, .34f}, {.94f, .22f}, {.9f, .52f}});
-      break;
-    default:  // clear
-      pen.frame(.18f, .18f, .82f, .82f);
-      pen.stroke({{.18f, .82f}, {.82f, .18f}});
+    default:  // borders
+      pen.frame(.12f, .22f, .88f, .78f);
+      pen.stroke({{.5f, .22f}, {.5f, .78f}});
       break;
   }
 }
 
-void draw_view_icon(const Pen& pen, Icon icon) {
-  switch (icon) {
-    case Icon::grid:
-      for (float f : {.18f, .5f, .82f}) {
-        pen.stroke({{f, .12f}, {f, .88f}});
-        pen.stroke({{.12f, f}, {.88f, f}});
-      }
-      break;
-    case Icon::borders:
-      pen.frame(.12f, .22f, .88f, .78f);
-      pen.stroke({{.5f, .22f}, {.5f, .78f}});
-      break;
-    case Icon::minimap:
-      pen.frame(.1f, .16f, .9f, .84f);
-      pen.box(.52f, .5f, .78f, .74f);
-      break;
-    case Icon::dice:
-      pen.frame(.14f, .14f, .86f, .86f);
-      for (float f : {.26f, .44f, .62f}) pen.box(f, f, f + .12f, f + .12f);
-      break;
-    case Icon::zoom_in:
-      pen.stroke({{.5f, .2f}, {.5f, .8f}});
-      [[fallthrough]];
-    case Icon::zoom_out:
-      pen.stroke({{.2f, .5f}, {.8f, .5f}});
-      break;
-    default:  // close
-      pen.stroke({{.25f, .25f}, {.75f, .75f}});
-      pen.stroke({{.25f, .75f}, {.75f, .25f}});
-      break;
+// What the icon font has, with a text in its place where the font is missing.
+struct Glyph {
+  Icon icon;
+  ImWchar code;  // in Fork Awesome
+  const char* text;
+};
+constexpr Glyph kGlyphs[] = {
+    {Icon::first_frame, 0xf049, "|<"}, {Icon::last_frame, 0xf050, ">|"}, {Icon::restart, 0xf021, "O"},
+    {Icon::play, 0xf04b, ">"},         {Icon::pause, 0xf04c, "||"},      {Icon::step, 0xf051, "+1"},
+    {Icon::step_back, 0xf048, "-1"},   {Icon::run_on, 0xf04e, ">>"},     {Icon::run_back, 0xf04a, "<<"},
+    {Icon::split, 0xf0db, "[]"},       {Icon::pan, 0xf047, "<>"},        {Icon::rectangle, 0xf0c8, "R"},
+    {Icon::erase, 0xf12d, "E"},        {Icon::pick, 0xf1fb, "?"},        {Icon::pencil, 0xf040, "P"},
+    {Icon::frame, 0xf096, "F"},        {Icon::ellipse, 0xf1db, "O"},     {Icon::enlarge, 0xf065, "[+]"},
+    {Icon::rotate, 0xf01e, "R"},       {Icon::clear, 0xf014, "C"},       {Icon::grid, 0xf00a, "#"},
+    {Icon::minimap, 0xf278, "M"},      {Icon::dice, 0xf074, "~"},        {Icon::zoom_in, 0xf00e, "+"},
+    {Icon::zoom_out, 0xf010, "-"},     {Icon::close, 0xf00d, "x"},
+};
+
+const Glyph* find_glyph(Icon icon) {
+  const auto* found =
+      std::find_if(std::begin(kGlyphs), std::end(kGlyphs), [&](const Glyph& g) { return g.icon == icon; });
+  return found == std::end(kGlyphs) ? nullptr : found;
+}
+
+void draw_glyph(ImDrawList& list, const Glyph& glyph, ImVec2 middle, ImU32 color) {
+  const ImFont& font = *ImGui::GetFont();
+  const float size = ImGui::GetFontSize(), scale = size / font.FontSize;
+  if (const ImFontGlyph* g = font.FindGlyphNoFallback(glyph.code)) {
+    const ImVec2 at = {middle.x - (g->X0 + g->X1) / 2 * scale, middle.y - (g->Y0 + g->Y1) / 2 * scale};
+    font.RenderChar(&list, size, {std::round(at.x), std::round(at.y)}, color, glyph.code);
+    return;
   }
+  const ImVec2 extent = ImGui::CalcTextSize(glyph.text);
+  add_text(list, {std::round(middle.x - extent.x / 2), std::round(middle.y - extent.y / 2)}, color,
+           glyph.text);
 }
 
 }  // namespace
 
+void add_icon_font(ImFontAtlas& fonts, float scale) {
+  constexpr const char* kFile = "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf";
+  constexpr float kSize = 14;  // px at scale 1
+  static constexpr ImWchar kRange[] = {0xf000, 0xf2ff, 0};
+  std::error_code error;
+  if (!std::filesystem::exists(kFile, error)) return;
+  ImFontConfig config;
+  config.MergeMode = true;
+  config.OversampleH = 2;
+  fonts.AddFontFromFileTTF(kFile, std::round(kSize * scale), &config, kRange);
+}
+
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) {
-  const Pen pen(list, at, size, color);
   if (icon == Icon::none) return;
-  if (icon <= Icon::split) return draw_play_icon(pen, icon);
-  if (icon <= Icon::curve) return draw_map_tool_icon(pen, icon);
-  if (icon <= Icon::clear) return draw_sprite_icon(pen, icon);
-  draw_view_icon(pen, icon);
+  if (const Glyph* glyph = find_glyph(icon))
+    return draw_glyph(list, *glyph, {at.x + size / 2, at.y + size / 2}, color);
+  const Pen pen(list, at, size, color);
+  if (icon <= Icon::line) return draw_tool_icon(pen, icon);
+  draw_picture_icon(pen, icon);
 }
 
 }  // namespace talus

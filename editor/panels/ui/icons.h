@@ -1,4 +1,4 @@
-// Small vector icons, drawn so that no font has to have them.
+// Icons: common ones from the font Fork Awesome, and own drawings of what no font has.
 #pragma once
 
 #include <imgui.h>
@@ -7,6 +7,21 @@ namespace talus {
 
 enum class Icon {
   none,
+  // Drawn in strokes: tools, then pictures.
+  stamp,
+  fill,
+  body,
+  slope,
+  segment,
+  ground,
+  curve,
+  line,
+  select,
+  neighbours,
+  flip_horizontal,
+  flip_vertical,
+  borders,
+  // Glyphs.
   first_frame,
   last_frame,
   restart,
@@ -17,38 +32,30 @@ enum class Icon {
   run_on,
   run_back,
   split,
-  stamp,
   pan,
   rectangle,
-  fill,
   erase,
   pick,
-  body,
-  slope,
-  segment,
-  ground,
-  curve,
   pencil,
-  select,
-  line,
   frame,
   ellipse,
-  neighbours,
   enlarge,
-  flip_horizontal,
-  flip_vertical,
   rotate,
   clear,
   grid,
-  borders,
-  zoom_in,
-  zoom_out,
   minimap,
   dice,
+  zoom_in,
+  zoom_out,
   close,
 };
 
-// Fills the square from `at` of side `size` px.
+// Merges the glyphs of Debian's fonts-fork-awesome into the font that was added to the atlas last. scale:
+// pixels for one px at scale 1. Without the font's file nothing is added, and short texts stand for the
+// glyphs.
+void add_icon_font(ImFontAtlas& fonts, float scale);
+
+// In the square from `at` of side `size` px. Strokes fill it, and glyphs lie in its middle.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
 
 }  // namespace talus
