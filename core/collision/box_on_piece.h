@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// How far right of a box's left side the part of it is that touches a sloped floor or ceiling.
+// How far right of a box's left side its part is that touches a sloped floor or ceiling.
 template <class Real>
 Real foot_offset(const Piece<Real>& piece, Real width, Foot foot) {
   const bool up = piece.facing == Facing::up;
@@ -17,13 +17,13 @@ Real foot_offset(const Piece<Real>& piece, Real width, Foot foot) {
   return piece.rises_to_the_right() == up ? width : 0;
 }
 
-// Whether a rounding of x is worth more than one of y there. Not told of curves.
+// Whether a rounding of x is worth more than one of y there. Not for curves.
 template <class Real>
 bool is_steep(const Piece<Real>& piece) {
   return std::abs(piece.slope) > 1;
 }
 
-// Where the top of a box at x rests on the piece, box.y being of no matter.
+// The top of a box at x that rests on the piece; box.y does not matter.
 template <class Real>
 Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stretches,
              const BasicRect<Real>& box, Foot foot);

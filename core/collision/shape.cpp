@@ -144,7 +144,7 @@ std::optional<std::string> problem_of(const TileShape& shape) {
   if (shape.kind == Kind::profile && (count < 3 || count > kMaxShapeHeights))
     return "must have 3 to 65 heights";
   for (const double height : shape.heights) {
-    if (!std::isfinite(height)) return "has a height that is no number";
+    if (!std::isfinite(height)) return "has a height that is not a number";
     if (height < 0 || height > kMaxShapeTiles * kTileSide) return "has a height that is not from 0 to 64 px";
   }
   return {};

@@ -178,7 +178,7 @@ TEST(NativeShapes, WhatCouldNotBeReadIsNotWritten) {
   level.tile_shapes[3] = {.kind = TileShape::Kind::slope,
                           .heights = {0, std::numeric_limits<double>::quiet_NaN()}};
   EXPECT_EQ(error_of(level).place, "key tile_shapes.3");
-  EXPECT_EQ(error_of(level).message, "has a height that is no number");
+  EXPECT_EQ(error_of(level).message, "has a height that is not a number");
   level.tile_shapes[3] = {};
   level.curves.push_back({"", {Segment{{0, 0}, {5000, 1}}, Curve::Faces::up}, ""});
   EXPECT_EQ(error_of(level).place, "key curves[0]");

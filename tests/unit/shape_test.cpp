@@ -41,7 +41,7 @@ TEST(TileShape, ProblemsSayWhy) {
   EXPECT_EQ(problem(shape_of(Kind::slope, {0, 1, 2})), "must have 2 heights");
   EXPECT_EQ(problem(shape_of(Kind::profile, {0, 1})), "must have 3 to 65 heights");
   EXPECT_EQ(problem(shape_of(Kind::profile, std::vector<double>(66))), "must have 3 to 65 heights");
-  EXPECT_EQ(problem(shape_of(Kind::slope, {0, kNan})), "has a height that is no number");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, kNan})), "has a height that is not a number");
   EXPECT_EQ(problem(shape_of(Kind::slope, {-0.001, 8})), "has a height that is not from 0 to 64 px");
   EXPECT_EQ(problem(shape_of(Kind::profile, {0, 64.5, 0})), "has a height that is not from 0 to 64 px");
 }

@@ -10,47 +10,46 @@ namespace talus {
 // What a cast met first. Without a contact, t is infinite and the other fields have no meaning.
 template <class Real>
 struct Contact {
-  Real t = std::numeric_limits<Real>::infinity();  // time of impact, 0..1 of the motion; infinite: none
-  BasicVec2<Real> position;                        // of the box then, its top-left corner, on what it hit
-  BasicVec2<Real> normal;                          // unit, out of the ground
-  Facing facing = Facing::up;                      // of the side that it hit
-  std::int32_t origin = 0;                         // as Piece::origin; -1 - index of one of `others`
-  const Piece<Real>* piece = nullptr;              // what it hit; null: a full tile, or one of `others`
-  bool is_other = false;                           // one of `others`
-  bool on_end = false;  // a flat side of the box met the end of the piece, not its line
+  Real t = std::numeric_limits<Real>::infinity();  // time of impact, 0..1 of the motion; infinite: no contact
+  BasicVec2<Real> position;            // px, top-left corner of the box at that time, on what it hit
+  BasicVec2<Real> normal;              // unit, out of the ground
+  Facing facing = Facing::up;          // of the side that it hit
+  std::int32_t origin = 0;             // as Piece::origin; -1 - index of one of `others`
+  const Piece<Real>* piece = nullptr;  // what it hit; null: a full tile, or one of `others`
+  bool is_other = false;               // one of `others`
+  bool on_end = false;                 // a flat side of the box met the end of the piece, not its line
   explicit operator bool() const { return t <= 1; }  // something was met
 };
 
-// A moving box. Every piece stops only what comes from the side that it faces; a box that is further behind
-// one than a few roundings of its coordinates goes through it, so a box that starts inside of the ground can
-// leave.
+// A moving box. Every piece stops only what comes from the side that it faces. A box that is further behind a
+// piece than a few roundings of its coordinates goes through it, so a box that starts inside of the ground
+// can leave.
 template <class Real>
 struct Cast {
   BasicRect<Real> box;     // px
   BasicVec2<Real> motion;  // px, the whole way; any length
-  Foot foot = Foot::box;   // what of the box stands on floors: the whole bottom, or its centre alone
+  Foot foot = Foot::box;   // the part of the box that stands on floors: the whole bottom, or only its centre
 };
 
-// A box with a negative size, with a number that is infinite or none, or beyond these limits meets nothing.
-// No terrain comes near them.
+// A box with a negative size, with a number that is not finite, or beyond these limits meets nothing. No
+// terrain comes near them.
 inline constexpr double kMaxCastSize = 1 << 26;             // px, of a box in x and in y
 inline constexpr double kMaxCastReach = double(1LL << 40);  // px, sum of all coordinates and sizes
 
-// What a cast may look at, for callers that cannot wait for a long one: each slice of a long way counts 1,
-// each piece of the outline and each other box as well.
+// Limits what a cast may look at, for callers that cannot wait long. Each slice of a long way counts 1, and
+// so do each piece of the outline and each other box.
 struct CastBudget {
   std::int64_t left =
       std::numeric_limits<std::int64_t>::max();  // what may still be looked at; casts lower it
-  // Share of the last cast's motion that was looked at. Less than 1: the budget was used up there; nothing is
-  // met before, and what comes after is not known.
+  // Share of the last cast's motion that was looked at. Less than 1: the budget was used up there. Nothing is
+  // met before that; what comes after is not known.
   double seen = 1;
 };
 
-// The first contact. Between contacts at the same time the most opposing one counts, then the one more level;
-// two mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as
-// a floor or ceiling. `ignored`: a piece that stops nothing this time.
-// `others`: boxes that stop it as tiles do. None for a box that meets nothing (see kMaxCastSize). budget:
-// null: none.
+// The first contact. Of contacts at the same time the most opposing one counts, then the more level one. Two
+// mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as a
+// floor or ceiling. `ignored`: a piece that stops nothing this time; may be null. `others`: boxes that stop
+// it as tiles do. A box that cannot be cast (see kMaxCastSize) has no contact. budget: null: no limit.
 template <class Real>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                        std::span<const BasicRect<Real>> others = {}, const Piece<Real>* ignored = nullptr,

@@ -6,8 +6,8 @@
 
 namespace talus {
 
-// A point, a motion or a direction. Any numbers, also infinite ones and NaN; who takes one says what it does
-// with those.
+// A point, a motion or a direction. Its numbers may be infinite or NaN; each function says what it does with
+// those.
 template <class Real>
 struct BasicVec2 {
   Real x = 0;  // px, to the right
@@ -37,7 +37,7 @@ Real dot(BasicVec2<Real> a, BasicVec2<Real> b) {
   return a.x * b.x + a.y * b.y;
 }
 
-// An axis-aligned bounding box (AABB): its top-left corner and its size. Who takes one says which sizes it
+// An axis-aligned bounding box (AABB): its top-left corner and its size. Each function says which sizes it
 // accepts.
 template <class Real>
 struct BasicRect {

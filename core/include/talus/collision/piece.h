@@ -10,11 +10,11 @@
 
 namespace talus {
 
-// The way that a piece's normal points; it stops only what comes from there. A wall faces left or right.
+// The direction of a piece's normal; the piece stops only what comes from there. A wall faces left or right.
 enum class Facing : std::uint8_t { up, down, left, right };
 
-// sin(2 pi turns), for |turns| <= 1/4, of the library's own: that of the C library differs between machines.
-// Odd to the last bit.
+// sin(2 pi turns), for |turns| <= 1/4. Not the C library's, which differs between machines. Odd to the last
+// bit.
 template <class Real>
 Real sine_of_turns(Real turns);
 // The cosine of the same.
@@ -30,8 +30,8 @@ struct CurveStretch {
     polynomial,  // c: middle x, then the coefficients of (x - middle)^0 to ^3
     sine         // c: x of the zero crossing, middle y, amplitude, wavelength
   };
-  Kind kind = Kind::polynomial;  // how y is reckoned
-  Real sign = 1;                 // of an arc: -1 or +1; of others 1
+  Kind kind = Kind::polynomial;  // how y is computed
+  Real sign = 1;                 // for an arc -1 or +1; else 1
   Real c[5] = {};                // coefficients, as Kind says, px
   bool bends_down = false;       // f'' > 0: y grows to both sides, as a hill's does
 
@@ -49,7 +49,7 @@ struct CurveStretch {
     return 0;
   }
 
-  // Unit tangent, from left to right, at x, px, within the stretch. Even of an arc's vertical end.
+  // Unit tangent, from left to right, at x, px, within the stretch; also at an arc's vertical end.
   BasicVec2<Real> tangent_at(Real x) const {
     const Real u = x - c[0];
     if (kind == Kind::arc)
@@ -66,15 +66,15 @@ struct CurveStretch {
 
 // A line, a stretch of a curve or a wall. A terrain makes them; a caller only reads them.
 //
-// Ends: x0 <= x1. Of a wall x0 == x1 and y0 <= y1; one of no height is the tip of a wedge.
+// Ends: x0 <= x1. A wall has x0 == x1 and y0 <= y1; a wall without height is the tip of a wedge.
 //
 // A line is y = base_y + (x - base_x) * slope. The base is the upper end of the whole slope that the piece
 // was cut from, so that its pieces lie on one line, and a mirrored one has the mirrored bits.
 //
-// An end is convex where the outline turns away from the open side: a floor's end that a box can stand on
-// with its bottom side alone, a wall's end that a box can pass by. It is last where no floor goes on. It is
-// far, of a piece in several cells, where the end is outside of the cell of this copy: the copy that has the
-// end in its cell knows what is around it, and alone stops a box there.
+// An end is convex if the outline turns away from the open side there: a floor's end that a box can stand on
+// with only its bottom side, or a wall's end that a box can pass by. An end is last if no floor goes on
+// there. An end of a piece in several cells is far if it is outside of the cell of this copy: the copy that
+// has the end in its cell knows what is around it, and is the only one that stops a box there.
 template <class Real>
 struct Piece {
   Real x0 = 0;                 // px, of the first end
@@ -85,7 +85,7 @@ struct Piece {
   Real base_y = 0;             // px, of the base
   Real slope = 0;              // dy/dx of a line
   Real slope_rest = 0;         // what rounding took from the slope
-  std::int32_t origin = 0;     // of a tile's shape, its cell as y * width + x; of a curve, -1 - its number
+  std::int32_t origin = 0;     // for a tile's shape, its cell as y * width + x; for a curve, -1 - its number
   std::uint32_t stretch = 0;   // 1 + the number of the curve's stretch; 0: a line or a wall
   Facing facing = Facing::up;  // the side that stops bodies
   bool convex0 : 1 = false;    // the first end is convex
@@ -110,8 +110,8 @@ struct Piece {
     return std::clamp(y, std::min(y0, y1), std::max(y0, y1));
   }
 
-  // The point from which the line's height at x is reckoned. A free line is whole, and has that of its nearer
-  // end, which halves the rounding.
+  // The point from which the line's height at x is computed. A free line is whole, and uses its nearer end,
+  // which halves the rounding.
   BasicVec2<Real> base_near(Real x) const {
     const bool is_base0 = base_x == x0;
     const Real other_x = is_base0 ? x1 : x0;

@@ -18,48 +18,48 @@ inline constexpr int kMaxShapeHeights = 65;  // one for each column line of a sl
 // Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
 enum class Foot : std::uint8_t { box, centre };
 
-// The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end and may
+// The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end. It may
 // reach over the cells to its right, and up (a floor) or down (a ceiling).
 struct TileShape {
   // What the ground in the cell is.
   enum class Kind : std::uint8_t {
     none,    // air; the fields below are not used
-    solid,   // the whole cell; the fields below but `one_way` are not used
+    solid,   // the whole cell; of the fields below only `one_way` is used
     slope,   // a straight line between two heights
     profile  // a line through several heights, at equal distances
   };
-  // Where the ground lies, from the line.
+  // On which side of the line the ground lies.
   enum class Side : std::uint8_t {
     floor,   // ground between the line and the cell's bottom; heights are measured upwards from there
     ceiling  // ground between the line and the cell's top; heights are measured downwards from there
   };
   Kind kind = Kind::none;   // what the ground is
-  Side side = Side::floor;  // of a slope or profile
+  Side side = Side::floor;  // for a slope or profile
   bool one_way = false;     // only the line stops bodies, and only those that come from its open side
   int tiles = 1;            // width in tiles, 1..kMaxShapeTiles
-  // px, 0..64, left to right: 2 of a slope, 3..kMaxShapeHeights of a profile, none of the others.
+  // px, 0..64, left to right: 2 for a slope, 3..kMaxShapeHeights for a profile, empty for the others.
   std::vector<double> heights = {};
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
 
-// Why a shape cannot be used, as the end of a sentence ("has a height that is no number"). Nothing when it
+// Why a shape cannot be used, as the end of a sentence ("has a height that is not a number"). Nothing when it
 // can.
 std::optional<std::string> problem_of(const TileShape& shape);
 
-inline constexpr int kWeldParts = 256;  // of a px, to which ends are rounded
+inline constexpr int kWeldParts = 256;  // of a px; ends are rounded to it
 
 // Rounds to 1/256 px, halves away from zero: ends that ought to meet do, and mirrored ones are mirrored.
 double weld(double coordinate);
 // The same for both coordinates.
 inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }
 
-// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces. Their points, and the
-// radius of an arc, are welded to 1/256 px; so are the heights of a polyline, but neither slopes nor the
-// middle, the amplitude, the wavelength and the origin of a sine. What has no width left then (a segment: no
-// length) is bad.
+// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces. Their points, the radius
+// of an arc and the heights of a polyline are welded: rounded to 1/256 px. Slopes, and the middle, amplitude,
+// wavelength and origin of a sine, are not. A curve without width after that (a segment: without length)
+// cannot be used.
 //
 // A straight line between two points, with from.x <= to.x. A vertical one has from.y < to.y; one that only
-// welding makes vertical may have any.
+// becomes vertical by welding may have any y.
 struct Segment {
   Vec2 from;  // px, welded
   Vec2 to;    // px, welded
@@ -95,11 +95,11 @@ struct Sine {
   double x1 = 0;          // px, right end, > x0, welded
   double middle = 0;      // px, y of the zero crossings
   double amplitude = 0;   // px, any sign
-  double wavelength = 0;  // px, > 0; x0..x1 holds kMaxWaves at most
+  double wavelength = 0;  // px, > 0; x0..x1 holds at most kMaxWaves waves
   double origin = 0;      // px, where the sine is 0 and, with a positive amplitude, goes down on the screen
   friend bool operator==(const Sine&, const Sine&) = default;
 };
-// Straight lines through heights at equal distances, which are 1/256 px or more, welded too.
+// Straight lines through heights at equal distances. The distances are at least 1/256 px, and welded, too.
 struct Polyline {
   double x0 = 0;           // px, left end, welded
   double x1 = 0;           // px, right end, > x0, welded
@@ -109,15 +109,15 @@ struct Polyline {
 
 // A curve with the sides that it stops bodies on.
 struct Curve {
-  // Which way its normals point. A vertical segment that faces up faces left, and one that faces down, right.
-  // One that only welding makes vertical keeps the side that it was given.
+  // The direction of its normals. A vertical segment that faces up faces left; one that faces down faces
+  // right. A segment that only becomes vertical by welding keeps its side.
   enum class Faces : std::uint8_t { up, down, both };
   std::variant<Segment, Arc, Parabola, Cubic, Sine, Polyline> form;  // where it runs
   Faces faces = Faces::up;                                           // the sides that stop bodies
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-// A terrain may be long or high: only its area is limited, so that an index of a cell fits 32 bits.
+// A terrain may be long or high: only its area is limited, so that the index of a cell fits 32 bits.
 inline constexpr int kMaxTerrainSide = 1 << 21;   // cells
 inline constexpr int kMaxTerrainCells = 1 << 24;  // 4096 x 4096
 inline constexpr double kMaxCoordinate =
@@ -131,12 +131,12 @@ constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
   return sides && width * height <= kMaxTerrainCells;
 }
 
-// Why a curve cannot be used, as problem_of(shape) says it. Nothing when it can.
+// Why a curve cannot be used, in the words of problem_of(shape). Nothing when it can.
 std::optional<std::string> problem_of(const Curve& curve);
 
-// About how many cells a curve passes, on a map or off it, those that it comes back to each time; twice as
-// many if it faces both ways. What a terrain takes for a curve goes with it. At least 0, and finite for
-// curves without a problem.
+// About how many cells a curve passes, on a map or off it. A cell that it comes back to counts each time, and
+// both sides count if it faces both ways. The memory of a terrain for a curve grows with this number. At
+// least 0, and finite for curves without a problem.
 double cells_passed(const Curve& curve);
 
 }  // namespace talus

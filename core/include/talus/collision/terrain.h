@@ -1,11 +1,11 @@
-// Terrain: the ground compiled for collision. Full tiles are bits, 64 to a word; everything else is pieces of
-// one merged outline: what lies inside the ground, or where two shapes touch, is gone.
+// Terrain: the ground compiled for collision. Full tiles are bits, 64 to a word. Everything else is pieces of
+// one merged outline, without what lies inside of the ground or where two shapes touch.
 //
-// The outline is no linked chains. Each cell keeps its pieces, and their ends are marked with how the outline
-// goes on there: it turns away from the open side (convex), no floor goes on (last), or the end is in another
-// cell, whose copy of the piece knows (far). So a cell can be compiled from its surroundings alone. Free
-// curves are merged with tiles, and with one another, only where their ends meet: one that crosses a tile
-// stays whole, inside of the ground too.
+// The pieces of the outline are not linked to chains. Each cell keeps its pieces, and their ends say how the
+// outline goes on: it turns away from the open side (convex), no floor goes on (last), or the end is in
+// another cell, whose copy of the piece knows (far). So a cell can be compiled from its surroundings alone.
+// Free curves are merged with tiles, and with one another, only where their ends meet: a curve that crosses a
+// tile stays whole, also inside of the ground.
 #pragma once
 
 #include <array>
@@ -25,18 +25,19 @@ namespace talus {
 class OutlineCompiler;  // both internal, see outline_compiler.h and tile_outlines.h
 class TileOutlines;
 
-inline constexpr int kTileKinds = 256;  // numbers that a tile may have
+inline constexpr int kTileKinds = 256;  // number of different tiles
 
-// What a terrain is made of. Coordinates and heights are rounded to 1/256 px, so that ends which ought to
-// meet do meet. The size must be within the limits, shapes and curves good (see problem_of); asserted.
+// The parts of a terrain. Coordinates and heights are rounded to 1/256 px, so that ends which ought to meet
+// do meet. The size must be within the limits, and shapes and curves must be usable (see problem_of);
+// asserted.
 struct TerrainSource {
   int width = 0;                             // cells, 1 to kMaxTerrainSide
   int height = 0;                            // cells, the same; kMaxTerrainCells in all
   std::span<const std::uint8_t> cells;       // width * height tile numbers, row by row
-  std::array<TileShape, kTileKinds> shapes;  // by tile number; of kind none: air
+  std::array<TileShape, kTileKinds> shapes;  // by tile number; kind none: air
   std::vector<Curve> curves;                 // free of the grid, by their numbers
-  // Called now and then while the terrain is made, with the part that is done, 0..1. False gives up: what
-  // was made by then is good for nothing. None: it is made in one go.
+  // Called now and then while the terrain is made, with the share that is done, 0..1. If it returns false,
+  // the work ends, and the result is not valid. Empty: the terrain is made without calls.
   std::function<bool(double)> progress = {};
 };
 
@@ -63,7 +64,7 @@ class BasicTerrain {
   static constexpr int kChunkSide = 64;  // cells
   static constexpr int kBandRows = 8;    // of a chunk
 
-  // The pieces of some rows of a chunk. Bands are shared by the copies of a chunk that differ elsewhere.
+  // The pieces of some rows of a chunk. Copies of a chunk that differ elsewhere share them.
   struct Band {
     std::array<std::uint32_t, kBandRows * kChunkSide + 1> first{};  // by cell, row by row; and the end
     std::vector<Piece<Real>> pieces;
@@ -73,7 +74,7 @@ class BasicTerrain {
     std::array<TerrainRow, kChunkSide> rows{};
     std::array<std::shared_ptr<const Band>, kChunkSide / kBandRows> bands;  // null: no pieces
 
-    // x, y: in the chunk.
+    // x, y: inside of the chunk.
     std::span<const Piece<Real>> pieces_in(int x, int y) const {
       const Band* band = bands[y / kBandRows].get();
       if (band == nullptr) return {};
@@ -85,8 +86,8 @@ class BasicTerrain {
   // @endcond
 
   BasicTerrain();  // one empty cell
-  // Compiles the whole ground, which takes time by its cells and curves. What the source refers to need not
-  // stay. When its progress gives up, the terrain may only be destroyed.
+  // Compiles the whole ground, which takes time by its cells and curves. Data that the source refers to is
+  // not needed afterwards. If its progress stops the work, the terrain may only be destroyed.
   explicit BasicTerrain(const TerrainSource& source);
 
   int width() const { return width_; }    // cells
@@ -100,12 +101,13 @@ class BasicTerrain {
   // anew.
   void set_cell(Cell cell, std::uint8_t tile);
   std::uint8_t tile_at(Cell cell) const;  // 0 outside
-  // The shape of the tile there; outside, that of tile 0. Good as long as the terrain and its copies are.
+  // The shape of the tile there; outside of the terrain, that of tile 0. Valid as long as the terrain or a
+  // copy of it lives.
   const TileShape& shape_at(Cell cell) const;
   // @cond INTERNAL
   const TileOutlines& outlines() const;  // by tile number
 
-  // What is in a few columns of a row. Bit i tells of the cell in the window's column + i; it is 0 outside of
+  // The content of a few columns of a row. Bit i is the cell in the window's column + i; it is 0 outside of
   // the terrain.
   class RowWindow {
    public:
@@ -121,16 +123,16 @@ class BasicTerrain {
     int shift_ = 0;
   };
 
-  // Reads a few columns, row by row. Of the cells beyond `count` nothing is said.
+  // Reads a few columns, row by row. Bits beyond `count` have no meaning.
   class Window {
    public:
-    // column: any; count: 1..64. The terrain must stay as it is.
+    // column: any; count: 1..64. The terrain must not change meanwhile.
     Window(const BasicTerrain& terrain, int column, int count)
         : terrain_(terrain),
           chunk_column_(column >> 6),  // rounds down for negative columns too
           shift_(column & 63),
           is_split_(shift_ + count > kChunkSide) {}
-    // Good until the next call.
+    // Valid until the next call.
     RowWindow row(int row);
     std::span<const Piece<Real>> pieces(int bit, int row) const {
       return terrain_.pieces_in({chunk_column_ * kChunkSide + shift_ + bit, row});
@@ -143,14 +145,14 @@ class BasicTerrain {
     TerrainRow joined_;  // of two chunks
   };
 
-  // The same for a window within one chunk, which most are: quicker.
+  // The same for a window within one chunk, the usual case: quicker.
   class OneChunk {
    public:
     static bool covers(int column, int count, int first_row, int last_row) {
       return (column & 63) + count <= kChunkSide && first_row >> 6 == last_row >> 6 && column >= 0 &&
              first_row >= 0;
     }
-    // The window's column, and any of its rows, which is in the terrain.
+    // The window's column, and any of its rows; must be in the terrain.
     OneChunk(const BasicTerrain& terrain, int column, int row)
         : shift_(column & 63), chunk_(terrain.chunk_at(column >> 6, row >> 6)) {}
     explicit operator bool() const { return chunk_ != nullptr; }  // false: nothing in it
@@ -171,13 +173,13 @@ class BasicTerrain {
   // Whether the outline in the cell is in pieces, as that of a slope or a curve is; false outside.
   bool is_detailed(Cell c) const { return (Window(*this, c.x, 1).row(c.y).detailed() & 1) != 0; }
 
-  // The outline in a detailed cell; none for other cells. A piece longer than a cell is in each that it
-  // meets. Good until the terrain changes.
+  // The outline in a detailed cell; empty for other cells. A piece longer than a cell is in each cell that it
+  // meets. Valid until the terrain changes.
   std::span<const Piece<Real>> pieces_in(Cell cell) const;
-  // Of all curves; Piece::stretch counts them from 1. Good as long as the terrain and its copies are.
+  // Of all curves; Piece::stretch counts them from 1. Valid as long as the terrain or a copy of it lives.
   std::span<const CurveStretch<Real>> stretches() const { return stretches_; }
 
-  // The same cells, shapes and curves. Quick where chunks are shared.
+  // Whether cells, shapes and curves are the same. Quick if chunks are shared.
   friend bool operator==(const BasicTerrain& a, const BasicTerrain& b) { return a.equals(b); }
 
  private:
@@ -194,7 +196,7 @@ class BasicTerrain {
     return static_cast<std::size_t>(c.y / kChunkSide) * chunk_columns_ + c.x / kChunkSide;
   }
   bool equals(const BasicTerrain& other) const;
-  // Null: outside, or nothing in it.
+  // Null: outside of the terrain, or an empty chunk.
   const Chunk* chunk_at(int chunk_column, int chunk_row) const {
     if (chunk_column < 0 || chunk_column >= chunk_columns_ || chunk_row < 0) return nullptr;
     if (chunk_row * kChunkSide >= height_) return nullptr;

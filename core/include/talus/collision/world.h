@@ -26,17 +26,17 @@
 
 namespace talus {
 
-// Names an item of one World. A value: copy it freely. {0,0} names nothing. Once its item is removed the
-// handle is stale for good, since a later item in the same slot has another generation.
+// Names an item of one World. It is a value: copy it freely. {0,0} names nothing. Once its item is removed
+// the handle is stale for good, since a later item in the same slot has another generation.
 struct ItemId {
   std::uint32_t index = 0;       // slot, from 1; dense, so it can index a caller's own array
   std::uint32_t generation = 0;  // from 1; 0 only in the null handle
-  explicit operator bool() const { return generation != 0; }  // it names something, present or gone
+  explicit operator bool() const { return generation != 0; }  // it names an item, present or removed
   friend bool operator==(const ItemId&, const ItemId&) = default;
 };
 
-// What a filter answers about a pair of items, and so how the mover reacts. Values from `first_user` on are
-// handed out by World::add_response.
+// What a filter answers about a pair of items, and so how the mover reacts. World::add_response returns
+// values from `first_user` on.
 enum class Response : std::uint16_t {
   ignore,  // not a candidate: passes through, nothing reported
   touch,   // stops at the touch point
@@ -70,33 +70,34 @@ struct SegmentHit {
   Vec2 leave;      // px, point at ti2
 };
 
-// What a World throws; its what() is a sentence in bump's words.
+// Thrown by a World; its what() is a sentence in bump's words.
 class WorldError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Sentences of the errors, for callers that keep items under names of their own. That no item of that name is
-// in the world.
+// Texts of errors, for callers that keep items under names of their own. This one: no item of that name is in
+// the world.
 std::string item_not_added_message(std::string_view item);
-// That an item of that name is in the world already.
+// An item of that name is in the world already.
 std::string item_added_twice_message(std::string_view item);
-// That there is no response of that name.
+// There is no response of that name.
 std::string unknown_response_message(std::string_view name);
 
-// Used by one thread at a time: even the const functions share scratch memory. A filter or response may call
-// the const ones, never change the world. Filters are called once a projection for every item whose cells the
-// swept box covers, before any geometry, in an order that depends only on the calls made so far.
+// For one thread at a time: even the const functions share scratch memory. A filter or response may call the
+// const ones, but must never change the world. A projection calls the filter once for every item whose cells
+// the swept box covers, before any geometry, in an order that depends only on the calls made so far.
 class World {
  public:
   using Filter = FunctionRef<Response(ItemId item, ItemId other)>;  // how `item` reacts to `other`
   using ItemFilter = FunctionRef<bool(ItemId item)>;                // true keeps the item in a query's answer
 
-  // A filter as a table: the response to an item by its group. The same results as a function that looks the
-  // group up, in less than half the time: nothing is called, and what is far from the move is looked at once.
+  // A filter as a table: the response to an item by its group. It gives the same results as a function that
+  // looks up the group, in less than half the time: nothing is called, and what is far from the move is
+  // looked at once.
   static constexpr int kGroupCount = 8;                      // groups of items
   using GroupResponses = std::array<Response, kGroupCount>;  // by group
 
-  // How contacts are reckoned.
+  // How contacts are computed.
   enum class Mode {
     faithful,  // bump's results to the last bit, quirks included
     // Places the mover exactly on the side it hit: no ghosts, no sticking at seams, no teleports. An overlap
@@ -107,10 +108,10 @@ class World {
   };
 
   // Where bump would hang or run out of memory, WorldError is thrown and nothing changes: for a coordinate
-  // that is infinite or kMaxCell cells or more from the origin, and for an item with which all would cover
-  // more than kMaxCells and kMaxCellsOfItem for each of them.
+  // that is infinite, or kMaxCell cells or more from the origin; and for an item with which all items would
+  // cover more than kMaxCells cells, plus kMaxCellsOfItem for each.
   static constexpr int kMaxCell = 1 << 30;             // cells from the origin
-  static constexpr std::int64_t kMaxCells = 1 << 20;   // of all items together, beyond those of each
+  static constexpr std::int64_t kMaxCells = 1 << 20;   // limit for all items together, besides that of each
   static constexpr std::int64_t kMaxCellsOfItem = 16;  // that each item may cover besides
   static constexpr double kMaxCellSize = 1e100;        // px; keeps squares of coordinates finite
 
@@ -121,10 +122,10 @@ class World {
   World(World&&) noexcept;             // the other one may only be destroyed or assigned to
   World& operator=(World&&) noexcept;  // the same
 
-  // w and h must be > 0, as for bump; NaN passes, as for bump, and puts the item in no cell. `group`, for
-  // GroupResponses: 0 to kGroupCount - 1 (asserted). The handle is good until the item is removed.
+  // w and h must be > 0, as for bump; NaN is accepted, as by bump, and puts the item in no cell. `group`, for
+  // GroupResponses: 0 to kGroupCount - 1 (asserted). The handle is valid until the item is removed.
   ItemId add(Rect rect, int group = 0);
-  // Its handle is stale from then on: every function that takes one throws WorldError for it, but has().
+  // Its handle is stale from then on: every function that takes it throws WorldError, except has().
   void remove(ItemId item);
   void update(ItemId item, Rect rect);      // places it without looking for contacts
   void update(ItemId item, Vec2 position);  // the same, keeping its size
@@ -139,7 +140,7 @@ class World {
   Vec2 check(ItemId item, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
   // The same with a table.
   Vec2 check(ItemId item, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
-  // The same for a box that is no item of this world, from `start`, px; the filter's `item` is null.
+  // The same for a box that is not an item of this world, from `start`, px; the filter's `item` is null.
   Vec2 check(Rect start, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
   // The same with a table.
   Vec2 check(Rect start, Vec2 goal, const GroupResponses& responses, std::vector<Collision>& hits) const;
@@ -147,29 +148,29 @@ class World {
   // response is run. `item` is left out of the candidates and may be null.
   void project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vector<Collision>& hits) const;
 
-  // Queries: `out` is cleared first, and is empty when nothing is found; the filter keeps what it is true
-  // for.
+  // Queries: `out` is cleared first, and stays empty if nothing is found. A filter returns true for items to
+  // keep.
   //
   // Items that strictly overlap the rectangle, px, in the order of adding.
   void query_rect(Rect rect, std::vector<ItemId>& out) const;
-  // Those of them that the filter keeps.
+  // The same, but only items that the filter keeps.
   void query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) const;
   // Items with the point, px, inside, in the order of adding.
   void query_point(Vec2 point, std::vector<ItemId>& out) const;
-  // Those of them that the filter keeps.
+  // The same, but only items that the filter keeps.
   void query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out) const;
   // Items that the segment cuts, px, in the order from `from` to `to`.
   void query_segment(Vec2 from, Vec2 to, std::vector<SegmentHit>& out) const;
-  // Those of them that the filter keeps.
+  // The same, but only items that the filter keeps.
   void query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<SegmentHit>& out) const;
 
-  // One check() or move() looks at no more cells and boxes than this, about: each contact makes it look at
-  // those near anew, which in a heap of thousands would take minutes. Where that is used up the mover stays
-  // where it is, with no contacts, and gave_up() says so. In robust mode a move has no more than 64 looks
-  // anyway.
+  // Limits the cells and boxes that one check() or move() looks at, roughly: each contact makes it look at
+  // those near again, which in a heap of thousands would take minutes. When the limit is reached, the mover
+  // stays where it is, without contacts, and gave_up() returns true. In robust mode a move has at most 64
+  // looks anyway.
   static constexpr std::int64_t kMostTests = 1 << 26;
-  void set_most_tests(std::int64_t count);  // of one check, from now on; below 1: as 1
-  bool gave_up() const noexcept;            // the last check() or move(), also of a response
+  void set_most_tests(std::int64_t count);  // for each check from now on; below 1 counts as 1
+  bool gave_up() const noexcept;  // whether the last check() or move() gave up, also one by a response
 
   bool has(ItemId item) const noexcept;        // false for a stale or null handle
   Rect rect(ItemId item) const;                // px
@@ -184,15 +185,15 @@ class World {
   Cell to_cell(Vec2 point) const;     // 1-based, as bump's: the cell of {0,0} is {1,1}
   Vec2 to_world(Cell cell) const;     // px, its top-left corner
 
-  // A response of the user's own: given the contact, the mover's box at the start of the move and its goal,
-  // it appends further contacts to `next` (usually by world.project with the same filter) and returns the new
-  // goal.
+  // A response of the user's own. It gets the contact, the mover's box at the start of the move and its goal.
+  // It appends further contacts to `next` (usually by world.project with the same filter), and returns the
+  // new goal.
   using ResponseFunction = std::function<Vec2(const World& world, Collision& hit, Rect start, Vec2 goal,
                                               Filter filter, std::vector<Collision>& next)>;
   Response add_response(std::string name, ResponseFunction function);  // replaces one of the same name
-  // The response of that name, built in or added; nothing when there is none.
+  // The response of that name, built in or added; nothing if there is none.
   std::optional<Response> find_response(std::string_view name) const;
-  // Of a response that is built in or was added; WorldError for another one.
+  // The name of a response that is built in or was added; WorldError for another one.
   std::string_view response_name(Response response) const;
 
  private:

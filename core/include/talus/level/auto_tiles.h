@@ -1,4 +1,4 @@
-// The auto-tile set of a level: which tile plays which part where ground is painted (edit/auto_tile.h).
+// The auto-tile set of a level: the tiles for the parts of painted ground (edit/auto_tile.h).
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace talus {
 
-// A side is one that faces air. A slope rises from left to right when it goes up; one of two tiles, as the
-// article's 16x8 px slopes, has a left and a right half.
+// A side faces air. A slope up rises from left to right. A slope of two tiles, such as the article's 16x8 px
+// slopes, has a left and a right half.
 enum class GroundPart : std::uint8_t {
   inside,
   top,
@@ -31,10 +31,10 @@ inline constexpr int kGroundPartCount = 15;  // of GroundPart
 
 // The tiles of one kind of ground.
 struct AutoTiles {
-  // By GroundPart. 0: none, as tile 0 is air.
+  // By GroundPart. 0: no tile, as tile 0 is air.
   std::array<std::uint8_t, kGroundPartCount> tiles{};
 
-  // The number of the tile that plays the part; 0: none does.
+  // The number of the part's tile; 0: it has none.
   std::uint8_t of(GroundPart part) const { return tiles[static_cast<std::size_t>(part)]; }
   // The same, to be changed.
   std::uint8_t& of(GroundPart part) { return tiles[static_cast<std::size_t>(part)]; }
@@ -42,7 +42,7 @@ struct AutoTiles {
   bool has(std::uint8_t tile) const {
     return tile != 0 && std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
   }
-  // No part has a tile.
+  // Whether no part has a tile.
   bool empty() const { return *this == AutoTiles(); }
   friend bool operator==(const AutoTiles&, const AutoTiles&) = default;
 };

@@ -1,4 +1,4 @@
-// Brushes of a level: stamps that the user has given a name.
+// Brushes of a level: stamps with a name.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Brush {
   int w = 1;                              // cells, 1..kMaxBrushSide
   int h = 1;                              // cells, 1..kMaxBrushSide
   std::vector<std::uint8_t> tiles = {0};  // w*h, row by row
-  bool random = false;  // paints a tile of its own at random in each cell, instead of the rectangle
+  bool random = false;  // each cell gets a random tile of the brush, instead of the rectangle
   std::string extra;    // JSON object of keys that this version does not know, or empty
   friend bool operator==(const Brush&, const Brush&) = default;
 };

@@ -1,4 +1,4 @@
-// What a level is exported to: presets that are kept with it.
+// Export presets: what a level is exported to. They are kept with the level.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,14 @@ namespace talus {
 inline constexpr std::size_t kMaxExports = 100;      // of a level
 inline constexpr std::size_t kMaxExportText = 4096;  // bytes of each text of a preset
 
-// A target and where it is written.
+// A target, and where it is written.
 struct ExportPreset {
   std::string name;      // for people and for `talus export --preset`; may be empty or repeated
-  std::string exporter;  // id in export/exporter.h, "love"; one that this version does not know is kept
-  std::string path;      // of the file or folder, with '/': from the folder of the level's file, or absolute
-  // Of Lua's runtime, besides those that the level uses (export/lua_parts.h): "players, pairs"; often empty.
+  std::string exporter;  // id in export/exporter.h, "love"; an id that this version does not know is kept
+  // Of the file or folder, with '/': absolute, or relative to the folder of the level's file.
+  std::string path;
+  // Parts of the Lua runtime besides those that the level uses (export/lua_parts.h): "players, pairs"; often
+  // empty.
   std::string parts = {};
   bool on_save = false;  // the editor exports it whenever it saves the level
   std::string extra;     // JSON object of keys that this version does not know, or empty

@@ -9,12 +9,12 @@
 
 namespace talus {
 
-// What a tile is to the physics. When a tile has several of these flags the first of solid, up_slope,
+// What a tile is to the physics. If a tile has several of these flags, the first of solid, up_slope,
 // down_slope, ball wins (the order of the article's is_obj).
 enum class TileRole : std::uint8_t { none, solid, up_slope, down_slope, ball };
 
-// The flag, 0..7, that stands for a role, or that changes the shape which a tile's other flags give it;
-// kUnused where no flag does. The defaults are the article's.
+// For each role, and for each change of the shape that the other flags give, the flag, 0..7, that stands for
+// it; kUnused if no flag does. The defaults are the article's.
 struct FlagRoles {
   static constexpr int kUnused = -1;  // no flag
   int solid = 0;                      // a full tile of ground
@@ -26,15 +26,15 @@ struct FlagRoles {
   friend bool operator==(const FlagRoles&, const FlagRoles&) = default;
 };
 
-// The role that a tile with these flags has.
+// The role of a tile with these flags.
 TileRole role_of(std::uint8_t flags, const FlagRoles& roles);
 
-// One row for everything that lists the roles: the files, the flags panel, the documentation.
+// One row for each role, for everything that lists the roles: files, flags panel, documentation.
 struct FlagRoleInfo {
   std::string_view key;    // in files: "up_slope"
   std::string_view label;  // on screen: "up-slope"
   int FlagRoles::*flag;    // where FlagRoles keeps the flag
-  TileRole role;           // what the flag makes of a tile; none: it changes the shape alone
+  TileRole role;           // what the flag makes of a tile; none: it only changes the shape
 };
 const std::array<FlagRoleInfo, 6>& flag_role_infos();  // all of them
 

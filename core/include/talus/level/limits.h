@@ -1,7 +1,7 @@
-// What a level, and what is kept of it, holds at most: one set for all. Readers refuse a file that has more,
-// edits that would make more are refused, and nothing is saved that could not be read again.
+// The limits of a level and of what belongs to it: the same for all. Readers refuse a file with more, edits
+// that would make more are refused, and nothing is saved that could not be read again.
 //
-// Others are where their things are: kMaxTerrainSide and kMaxTerrainCells, kMaxPolylineHeights,
+// Other limits are beside what they limit: kMaxTerrainSide and kMaxTerrainCells, kMaxPolylineHeights,
 // kMaxShapeHeights, kMaxBrushSide, kMaxBrushes, kMaxExports.
 #pragma once
 
@@ -13,34 +13,34 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMaxSpawns = 65'536;                   // of a level
-inline constexpr std::size_t kMaxCurves = 16'384;                   // of a level
-inline constexpr std::size_t kMaxLevelHeights = 262'144;            // of all polylines together
-inline constexpr std::size_t kMaxCurveCells = 2'097'152;            // that all curves pass, see cells_passed
-inline constexpr std::size_t kMaxBrushCells = 1'048'576;            // of all brushes together
+inline constexpr std::size_t kMaxSpawns = 65'536;         // of a level
+inline constexpr std::size_t kMaxCurves = 16'384;         // of a level
+inline constexpr std::size_t kMaxLevelHeights = 262'144;  // of all polylines together
+inline constexpr std::size_t kMaxCurveCells = 2'097'152;  // cells that all curves pass, see cells_passed
+inline constexpr std::size_t kMaxBrushCells = 1'048'576;  // of all brushes together
 inline constexpr std::size_t kMaxNameBytes = std::size_t{4} << 20;  // of all names and other texts together
 inline constexpr std::size_t kMaxUnknownBytes = std::size_t{1} << 20;  // of all unknown members together
 
-// Bytes of a file that is read; of the largest levels a full map of 4096x4096 cells takes 34 MB, and one of
-// 8x2097152, with its many lines, 55 MB.
+// Limit for the bytes of a file. Of the largest levels, a full map of 4096x4096 cells takes 34 MB, and one of
+// 8x2097152 cells, with its many lines, 55 MB.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 
 inline constexpr std::size_t kMaxRecordedEdits = 10'000;  // of one recording
-// Memory that the versions of the level take which one recording's edits make.
+// Memory of the versions of the level that one recording's edits make.
 inline constexpr std::size_t kMaxVersionBytes = std::size_t{256} << 20;
-// The sizes of all the levels together that reading and writing one recording goes through.
+// Sum of the sizes of all levels that reading or writing one recording goes through.
 inline constexpr std::size_t kMaxEditedBytes = std::size_t{2} << 30;
 
-// Of the edits that can be undone; the oldest are forgotten beyond it.
+// Memory of the edits that can be undone; beyond it the oldest are forgotten.
 inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
 
-// What a level has more of than it may: "has 70000 bodies, but a level holds at most 65536". Nothing: all is
-// well.
+// What a level has too much of: "has 70000 bodies, but a level holds at most 65536". Nothing if it keeps the
+// limits.
 std::optional<std::string> problem_of_amounts(const Level& level);
 
-// About what a level takes as data, by which work that goes through it is reckoned: its cells, heights and
-// texts, and some bytes for each body, curve and brush. Pictures, shapes and tuning are small, and count as
-// nothing.
+// About the size of a level as data, which measures the work of going through it: its cells, heights and
+// texts, and some bytes for each body, curve and brush. Pictures, shapes and tuning are small, and do not
+// count.
 std::size_t size_of(const Level& level);
 
 }  // namespace talus

@@ -1,4 +1,5 @@
-// How far something long is, as reading a file or an export: told to who waits for it, and who may end it.
+// Progress: how much of a long task, such as reading a file or an export, is done. Reports it to a listener,
+// who may stop the task.
 #pragma once
 
 #include <functional>
@@ -7,17 +8,17 @@
 
 namespace talus {
 
-// Copies, and parts, tell the same listener. One thread may use them at a time.
+// Copies and parts report to the same listener. One thread at a time may use them.
 class Progress {
  public:
-  // Gets the share that is done, 0..1, which never goes down. False: what is made is to be given up.
+  // Gets the share that is done, 0..1, which never decreases. If it returns false, the task is given up.
   using Listener = std::function<bool(double share)>;
 
-  Progress() = default;  // nobody waits, and nothing ends it
+  Progress() = default;  // nobody listens, and nothing stops the task
   // listener: not null.
   explicit Progress(Listener listener) : state_(std::make_shared<State>(std::move(listener))) {}
 
-  // The work from one share of this to another, itself counted from 0 to 1.
+  // The part of the task from one share to another; its own shares go from 0 to 1.
   Progress part(double from, double to) const {
     Progress part = *this;
     part.from_ = from_ + (to_ - from_) * from;
@@ -25,8 +26,8 @@ class Progress {
     return part;
   }
 
-  // To be called often, as it asks the listener a thousand times in all at most. False: end at once, with
-  // whatever there is; that is so from then on.
+  // Call it often: it calls the listener a thousand times in all at most. If it returns false, end at once,
+  // with whatever there is; it then goes on returning false.
   bool at(double share) const {
     if (state_ == nullptr) return true;
     const double now = from_ + (to_ - from_) * share;
@@ -35,15 +36,15 @@ class Progress {
     state_->stopped = !state_->listener(now);
     return !state_->stopped;
   }
-  // The same for `done` of `all`, such as bytes; all of nothing are done.
+  // The same for `done` of `all`, such as bytes; if `all` is 0, everything is done.
   template <class Count>
   bool at(Count done, Count all) const {
     return at(all == 0 ? 1 : static_cast<double>(done) / static_cast<double>(all));
   }
-  // Whether the listener has said to end.
+  // Whether the listener has stopped the task.
   bool stopped() const { return state_ != nullptr && state_->stopped; }
 
-  // As a TerrainSource takes it.
+  // In the form that a TerrainSource takes.
   std::function<bool(double)> function() const {
     if (state_ == nullptr) return nullptr;
     return [progress = *this](double share) { return progress.at(share); };
@@ -54,7 +55,7 @@ class Progress {
   struct State {
     explicit State(Listener to) : listener(std::move(to)) {}
     Listener listener;
-    double next = 0;  // the share from which on it is told again
+    double next = 0;  // the next share to report
     bool stopped = false;
   };
 

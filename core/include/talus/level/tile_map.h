@@ -17,7 +17,7 @@ inline constexpr int kScreenRows = 17;     // cells, the same
 // A map is a value; at first every cell has tile 0.
 class TileMap {
  public:
-  // width, height: cells, as is_terrain_size says (asserted).
+  // width, height: cells; is_terrain_size must allow them (asserted).
   explicit TileMap(int width = kTicMapWidth, int height = kTicMapHeight)
       : width_(width), height_(height), cells_(static_cast<std::size_t>(width) * height) {
     assert(is_terrain_size(width, height));

@@ -64,25 +64,25 @@ struct PlayerTuning {
   friend bool operator==(const PlayerTuning&, const PlayerTuning&) = default;
 };
 
-// All numbers. A level with one outside of its range is refused by readers and writers.
+// All numbers. Readers and writers refuse a level with a number outside of its range.
 struct Tuning {
-  SolverKind solver = SolverKind::exact;  // which of them moves the bodies
+  SolverKind solver = SolverKind::exact;  // the one that moves the bodies
   SharedTuning shared;                    // of all solvers
   ExactTuning exact;                      // of the solver exact alone
-  PlayerTuning player;                    // of players; article and bump move them as balls
+  PlayerTuning player;                    // for players; article and bump move them as balls
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
-// One row for everything that lists the numbers: the files, the tuning panel, the documentation.
+// One row for each number, for everything that lists the numbers: files, tuning panel, documentation.
 struct TuningField {
   std::string_view group;  // in files, the object in "tuning" that holds it: "exact"; empty: "tuning" itself
   std::string_view key;    // in files: "fall_speed"
   std::string_view label;  // on screen: "fall speed"
   std::string_view unit;   // "px", "px/frame", "px/frame^2" or ""
   double& (*in)(Tuning& tuning);  // where a tuning keeps the number
-  double min;                     // the least value; a file with a smaller one is refused
+  double min;                     // the smallest value; a file with a smaller one is refused
   double max;                     // the largest value; a file with a larger one is refused
-  bool whole;                     // a file with a value that is no whole number is refused
+  bool whole;                     // a file with a value that is not a whole number is refused
   std::string_view help;          // what it does and what a wrong value looks like, one sentence
 
   std::string path() const;                              // "exact.gravity", or the key alone
@@ -90,13 +90,13 @@ struct TuningField {
   double standard() const { return of(Tuning()); }       // the default
   bool accepts(double value) const;                      // in range, and whole if it must be
 };
-// Those of a group follow one another.
+// Fields of one group follow one another.
 std::span<const TuningField> tuning_fields();
 // The shared numbers have no group.
 inline constexpr std::array<std::string_view, 2> kTuningGroups = {"exact", "player"};
 
 std::span<const SolverKind> solver_kinds();                       // all of them
 std::string_view solver_name(SolverKind solver);                  // in files and on screen: "article"
-std::optional<SolverKind> solver_of_name(std::string_view name);  // none: there is no such solver
+std::optional<SolverKind> solver_of_name(std::string_view name);  // nothing if there is no such solver
 
 }  // namespace talus

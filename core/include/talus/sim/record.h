@@ -1,4 +1,4 @@
-// What a step did, for those who want to see it. Recording never changes a result.
+// StepRecord: what a step did. Recording never changes a result.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@ namespace talus {
 // The other side of a contact: a tile of the map, or another body.
 struct Obstacle {
   TileRole role = TileRole::solid;  // ball: a body
-  Cell cell;                        // its tile; of a body, the tile it started from
+  Cell cell;                        // its tile; for a body, the tile it started from
   int body = 0;                     // id; 0 for a tile
   Rect box;                         // px
-  int curve = -1;                   // number of a curve of the level; -1: none
+  int curve = -1;                   // number of a curve of the level; -1: not a curve
 };
 
-// How a body met a slope: of the article, its correction, for which the floor is interpolated at the body's
-// centre; of the other solvers, which round nothing, their contact with a sloped line.
+// How a body met a slope. For the article it is the correction, for which the floor is interpolated at the
+// body's centre. For the other solvers, which round nothing, it is the contact with a sloped line.
 struct SlopeProbe {
-  Obstacle slope;          // the slope that the probe found, not always the contact's own
+  Obstacle slope;          // the slope that the probe found, not always that of the contact
   double delta = 0;        // how far along the slope the centre is, 0 at its left end to 1 at its right end
   double floor_y = 0;      // px, where the body's feet are put, before rounding; at a ceiling, its top
-  double placed_y = 0;     // px, the body's top: of the article after its floor()
+  double placed_y = 0;     // px, the body's top; for the article after its floor()
   Vec2 normal;             // unit, out of the slope
-  bool corrected = false;  // the body has been put at placed_y; false only where the article found it above
+  bool corrected = false;  // the body was put at placed_y; false only if the article found it above
 };
 
 // A body met something.
@@ -38,29 +38,29 @@ struct ContactRecord {
   bool overlaps = false;                // the boxes overlapped before the move
   double ti = 0;  // time of impact, fraction of `move`; minus the overlap area if overlaps
   Vec2 move;      // px, what the body wanted when this contact was found
-  Vec2 normal;    // unit, out of the obstacle; along an axis but on slopes of exact and bump
+  Vec2 normal;    // unit, out of the obstacle; along an axis, except on slopes of exact and bump
   Vec2 touch;     // px, the body's top-left corner at the contact
-  std::optional<SlopeProbe> slope;  // when the contact led to a look for the slope's floor
+  std::optional<SlopeProbe> slope;  // set if the contact led to a search for the slope's floor
   bool handled = false;             // false: found, but the solver did nothing more with it
-  std::optional<Vec2> after = {};   // px, the motion that it went on with, of exact alone
+  std::optional<Vec2> after = {};   // px, the motion that it went on with; only for exact
 };
 
 // A candidate of the broad phase whose box was tested against the body's way. Only the solvers on World,
-// article and bump, note them.
+// article and bump, record them.
 struct TestedBox {
   int body = 0;    // id
   Obstacle other;  // what was tested
 };
 
-// How a body went in this step.
+// How a body moved in this step.
 struct BodyPath {
   int body = 0;            // id
   Rect from;               // px, its box before the step
   Vec2 goal;               // px, where it wanted its top-left corner
   Rect to;                 // px, its box after the step
   bool limited = false;    // its way or speed was cut to kMaxBodySpeed or kMaxBodyDistance
-  bool capped = false;     // it met more than the solver's most contacts; the rest of its motion was dropped
-  bool cut_short = false;  // all that it may look at in a step was looked at: it stopped there
+  bool capped = false;     // it met more contacts than the solver handles; the rest of its motion was dropped
+  bool cut_short = false;  // it looked at all that it may in a step, and stopped there
 };
 
 // One step. A record may be used again for the next one, which keeps its memory.

@@ -13,13 +13,13 @@ namespace talus {
 inline constexpr double kMaxBodySpeed = 4096;    // px/frame in x and y: 512 tiles
 inline constexpr double kMaxBodyDistance = 1e9;  // px from the origin in x and y
 
-// A solver keeps working storage between steps, for speed alone: what step() does depends on nothing but the
+// A solver keeps working storage between steps, only for speed: the result of step() depends only on the
 // scene and its arguments, so one solver may step unrelated states in any order.
 class Solver {
  public:
   virtual ~Solver() = default;
-  // Advances `state`, one of the solver's scene, by one frame. `record`, when given, is overwritten with what
-  // happened; null: nobody wants it.
+  // Advances `state`, one of the solver's scene, by one frame. `record` is overwritten with what happened;
+  // null: nobody wants it.
   virtual void step(State& state, const Input& input, StepRecord* record = nullptr) = 0;
 };
 
