@@ -22,7 +22,7 @@ void check(CommandContext& context, const std::string& file) {
     const bool is_error = problem.severity == Severity::error;
     const std::string place = place_of(problem);
     say(context.out, file + (place.empty() ? "" : ":") + place + (is_error ? ": error: " : ": warning: ") +
-                         problem.message + " [" + problem.code + "]");
+                         problem.message + " [" + std::string(problem.rule->code) + "]");
     if (is_error) context.status = kExitBad;
   }
 }

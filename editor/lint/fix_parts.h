@@ -1,29 +1,32 @@
-// The parts of the fixes, by what they are about; for fixes.cpp alone. Each appends edits, the best first.
+// What fixes of several rules make.
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "fixes.h"
-#include "lint_tiles.h"
+#include "edit/single_change.h"
 
 namespace talus {
-
-// Of slopes that lack a half, a flag or a picture, or that meet what they should not.
-void fix_slope(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out);
-// Of floors and ceilings that jump, and of floors that are too steep.
-void fix_seam(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out);
-void fix_steepness(const Level& level, const Problem& problem, std::vector<Edit>& out);
-// Of flags, pictures, shapes, roles, curves and the solver.
-void fix_tile(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out);
-void fix_level(const Level& level, const Problem& problem, std::vector<Edit>& out);
-// Of spawns and balls.
-void fix_start(const Level& level, const LintTiles& tiles, const Problem& problem, std::vector<Edit>& out);
 
 // "tile 12", in labels.
 inline std::string tile_text(int tile) { return "tile " + std::to_string(tile); }
 
 // An edit of one cell that has another tile.
-Edit put_tile(const Level& level, Cell cell, std::uint8_t tile, std::string label);
+inline Edit put_tile(const Level& level, Cell cell, std::uint8_t tile, std::string label) {
+  return single_change(std::move(label), CellChange{cell, level.map.at(cell), tile});
+}
+
+// An edit of all flags of a tile.
+inline Edit change_flags(const Level& level, std::uint8_t tile, int after, std::string label) {
+  return single_change(std::move(label), FlagsChange{SheetId::tiles, tile, level.tile_flags(tile),
+                                                     static_cast<std::uint8_t>(after)});
+}
+
+// The tile that is drawn beside another one on the sheet; none: the sheet ends there.
+inline std::optional<std::uint8_t> beside(int tile, int by) {
+  const int column = tile % kSheetColumns + by;
+  if (column < 0 || column >= kSheetColumns) return std::nullopt;
+  return static_cast<std::uint8_t>(tile + by);
+}
 
 }  // namespace talus

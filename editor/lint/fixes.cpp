@@ -4,68 +4,47 @@
 #include <algorithm>
 #include <memory>
 
-#include "edit/single_change.h"
-#include "fix_parts.h"
-#include "lint_parts.h"
+#include "rule_group.h"
 
 namespace talus {
 namespace {
 
-bool is_of_tile(std::string_view code) {
-  return code == "flags-conflict" || code == "flag-idle" || code == "invisible" || code == "too-steep" ||
-         code == "slope-unflagged";
-}
-
-// The problems of the tile, of the cell, or of the rest of the level, wherever this one is.
-std::vector<Problem> problems_now(const Level& level, const LintTiles& tiles, const Problem& problem) {
-  if (is_of_tile(problem.code)) return tiles.problems_of(static_cast<std::size_t>(problem.tile));
+// What the problem's rule and those beside it find now, wherever this problem is.
+std::vector<Problem> problems_now(const LintContext& context, const Problem& problem) {
   std::vector<Problem> now;
-  if (problem.object >= 0 || !problem.cell) {
-    lint_level(level, tiles, true, now);
-  } else if (level.map.contains(*problem.cell)) {
-    lint_cells(level, tiles, {*problem.cell, *problem.cell}, now);
-  }
+  const RuleGroup* group = group_of(*problem.rule);
+  if (group == nullptr) return now;
+  if (group->check_tile != nullptr && problem.tile >= 0) group->check_tile(context, problem.tile, now);
+  if (group->check_area != nullptr && problem.cell && context.level.map.contains(*problem.cell))
+    group->check_area(context, {*problem.cell, *problem.cell}, now);
+  if (group->check_level != nullptr) group->check_level(context, now);
   return now;
 }
 
 // Whether the level still has the problem, with the same numbers or others.
-bool is_there(const Level& level, const LintTiles& tiles, const Problem& problem) {
-  const std::vector<Problem> now = problems_now(level, tiles, problem);
+bool is_there(const LintContext& context, const Problem& problem) {
+  const std::vector<Problem> now = problems_now(context, problem);
   return std::any_of(now.begin(), now.end(), [&](const Problem& other) {
-    return other.code == problem.code && other.tile == problem.tile && other.object == problem.object;
+    return other.rule == problem.rule && other.tile == problem.tile && other.object == problem.object;
   });
 }
 
-std::vector<Edit> fixes_with(const Level& level, const LintTiles& tiles, const Problem& problem) {
+std::vector<Edit> fixes_with(const LintContext& context, const Problem& problem) {
   std::vector<Edit> edits;
-  if (!is_there(level, tiles, problem)) return edits;
-  const std::string& code = problem.code;
-  if (code.starts_with("spawn-")) {
-    fix_start(level, tiles, problem, edits);
-  } else if (code == "too-steep") {
-    fix_steepness(level, problem, edits);
-  } else if (code.starts_with("seam")) {
-    fix_seam(level, tiles, problem, edits);
-  } else if (code.starts_with("slope-")) {
-    fix_slope(level, tiles, problem, edits);
-  } else if (is_of_tile(code)) {
-    fix_tile(level, tiles, problem, edits);
-  } else {
-    fix_level(level, problem, edits);
-  }
+  if (problem.rule->fix != nullptr && is_there(context, problem)) problem.rule->fix(context, problem, edits);
   return edits;
 }
 
 // How many problems the cells around have.
-std::size_t problems_around(const Level& level, const LintTiles& tiles, const Problem& problem) {
+std::size_t problems_around(const LintContext& context, const Problem& problem) {
+  const TileMap& map = context.level.map;
   std::vector<Problem> found;
-  if (problem.cell && level.map.contains(*problem.cell)) {
-    const int reach = tiles.reach();
+  if (problem.cell && map.contains(*problem.cell)) {
+    const int reach = context.tiles.reach();
     const Cell cell = *problem.cell;
-    lint_cells(level, tiles,
+    check_area(context,
                {Cell{std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)},
-                Cell{std::min(cell.x + reach, level.map.width() - 1),
-                     std::min(cell.y + reach, level.map.height() - 1)}},
+                Cell{std::min(cell.x + reach, map.width() - 1), std::min(cell.y + reach, map.height() - 1)}},
                found);
   }
   return found.size();
@@ -78,16 +57,13 @@ bool is_of_cells_alone(const Edit& edit) {
 
 }  // namespace
 
-Edit put_tile(const Level& level, Cell cell, std::uint8_t tile, std::string label) {
-  return single_change(std::move(label), CellChange{cell, level.map.at(cell), tile});
-}
-
 std::vector<Edit> fixes_for(const Level& level, const LintOptions& options, const Problem& problem) {
-  return fixes_with(level, LintTiles(level, options), problem);
+  const LintTiles tiles(level, options);
+  return fixes_with({level, tiles}, problem);
 }
 
 Edit fix_all(const Level& level, const LintOptions& options, std::span<const Problem> problems,
-             std::string_view code, int* fixed) {
+             const LintRule& rule, int* fixed) {
   Level trial = level;
   Edit all;
   EditMerger merger;
@@ -96,13 +72,13 @@ Edit fix_all(const Level& level, const LintOptions& options, std::span<const Pro
   // From the last one, so that what is removed leaves those before it where they are.
   for (std::size_t i = problems.size(); i-- > 0 && count < kMostFixes;) {
     const Problem& problem = problems[i];
-    if (problem.code != code) continue;
-    for (const Edit& edit : fixes_with(trial, *tiles, problem)) {
-      const std::size_t before = problems_around(trial, *tiles, problem);
+    if (problem.rule != &rule) continue;
+    for (const Edit& edit : fixes_with({trial, *tiles}, problem)) {
+      const std::size_t before = problems_around({trial, *tiles}, problem);
       apply_edit(trial, edit);
       auto changed = is_of_cells_alone(edit) ? nullptr : std::make_unique<LintTiles>(trial, options);
       const LintTiles& now = changed ? *changed : *tiles;
-      if (!is_there(trial, now, problem) && problems_around(trial, now, problem) <= before) {
+      if (!is_there({trial, now}, problem) && problems_around({trial, now}, problem) <= before) {
         if (changed) tiles = std::move(changed);
         merger.merge(all, edit);
         ++count;
@@ -111,8 +87,8 @@ Edit fix_all(const Level& level, const LintOptions& options, std::span<const Pro
       revert_edit(trial, edit);
     }
   }
-  all.label = "Fix " + std::to_string(count) + (count == 1 ? " problem: " : " problems: ") +
-              std::string(rule_label(code));
+  all.label =
+      "Fix " + std::to_string(count) + (count == 1 ? " problem: " : " problems: ") + std::string(rule.label);
   if (fixed != nullptr) *fixed = count;
   return all;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "edit/edit.h"
@@ -14,11 +13,11 @@ namespace talus {
 // that the problem is gone.
 std::vector<Edit> fixes_for(const Level& level, const LintOptions& options, const Problem& problem);
 
-// One edit that fixes the listed problems of a kind, each by its first fix that makes no new problem around,
+// One edit that fixes the listed problems of a rule, each by its first fix that makes no new problem around,
 // and no more than kMostFixes of them, so that nobody waits long; problems without a fix stay. fixed: if not
 // null, how many were fixed.
 inline constexpr int kMostFixes = 200;
 Edit fix_all(const Level& level, const LintOptions& options, std::span<const Problem> problems,
-             std::string_view code, int* fixed = nullptr);
+             const LintRule& rule, int* fixed = nullptr);
 
 }  // namespace talus

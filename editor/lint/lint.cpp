@@ -1,56 +1,65 @@
-// The rules by name: what users of the article's convention get wrong. Only what is certainly wrong is an
-// error.
+// The rules one after the other, and a whole level at once.
 #include "lint.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "lint_cache.h"
+#include "rule_group.h"
 
 namespace talus {
 
-std::span<const LintRule> lint_rules() {
-  static constexpr std::array<LintRule, 25> kRules = {{
-      {"slope-half-missing", "slope without its right half"},
-      {"slope-left-missing", "slope without its left half"},
-      {"slope-overlap", "slope and tile in one place"},
-      {"slope-unflagged", "slope without a flag"},
-      {"seam", "floor that jumps"},
-      {"seam-ceiling", "ceiling that jumps"},
-      {"interior-edge", "edge inside the ground"},
-      {"too-steep", "floor too steep"},
-      {"gap-too-small", "gap too small for a player"},
-      {"flags-conflict", "flags that contradict each other"},
-      {"flag-idle", "flag that changes nothing"},
-      {"invisible", "tile without a picture"},
-      {"spawn-in-solid", "body inside a tile"},
-      {"spawn-in-slope", "body inside a slope"},
-      {"spawn-outside", "body off the map"},
-      {"no-balls", "nothing to move"},
-      {"shape-leaves-map", "shape over the map's edge"},
-      {"bad-shape", "shape that cannot be used"},
-      {"bad-curve", "curve that cannot be used"},
-      {"curve-leaves-map", "curve that leaves the map"},
-      {"curves-need-exact", "curves without their solver"},
-      {"ground-not-in-article", "ground that the article does not know"},
-      {"too-much-ground", "too much ground for its solver"},
-      {"spawn-too-fast", "body that is too fast"},
-      {"shared-flag", "flag with two meanings"},
-  }};
+std::span<const LintRule* const> lint_rules() {
+  static const std::vector<const LintRule*> kRules = [] {
+    std::vector<const LintRule*> rules;
+    for (const RuleGroup* group : rule_groups())
+      rules.insert(rules.end(), group->rules.begin(), group->rules.end());
+    return rules;
+  }();
   return kRules;
-}
-
-std::string_view rule_label(std::string_view code) {
-  for (const LintRule& rule : lint_rules()) {
-    if (rule.code == code) return rule.label;
-  }
-  return code;
 }
 
 std::vector<Problem> lint(const Level& level, const LintOptions& options) {
   LintCache cache;
   cache.finish(level, options);
   return cache.problems();
+}
+
+Problem& report(std::vector<Problem>& out, const LintRule& rule, std::string message,
+                std::optional<Cell> cell, int tile, int object) {
+  return out.emplace_back(Problem{&rule, rule.severity, std::move(message), cell, tile, object});
+}
+
+std::optional<Cell> nearest_cell(const TileMap& map, Vec2 at) {
+  const int width = map.width(), height = map.height();
+  if (width == 0 || height == 0 || std::isnan(at.x) || std::isnan(at.y)) return std::nullopt;
+  const auto clamped = [](double px, int cells) {  // far away it may be no int
+    return static_cast<int>(std::clamp(std::floor(px / kTileSize), 0.0, cells - 1.0));
+  };
+  return Cell{clamped(at.x, width), clamped(at.y, height)};
+}
+
+void check_tile(const LintContext& context, int tile, std::vector<Problem>& out) {
+  for (const RuleGroup* group : rule_groups())
+    if (group->check_tile != nullptr) group->check_tile(context, tile, out);
+}
+
+void check_level(const LintContext& context, std::vector<Problem>& out) {
+  for (const RuleGroup* group : rule_groups())
+    if (group->check_level != nullptr) group->check_level(context, out);
+}
+
+void check_area(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
+  for (const RuleGroup* group : rule_groups())
+    if (group->check_area != nullptr) group->check_area(context, area, out);
+}
+
+const RuleGroup* group_of(const LintRule& rule) {
+  const auto groups = rule_groups();
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const RuleGroup* group) {
+    return std::find(group->rules.begin(), group->rules.end(), &rule) != group->rules.end();
+  });
+  return found == groups.end() ? nullptr : *found;
 }
 
 }  // namespace talus

@@ -11,11 +11,27 @@
 
 namespace talus {
 
+struct Edit;
+struct LintContext;
+struct Problem;
+
 enum class Severity { warning, error };
 
+// Appends edits that fix a problem of the rule, the best first.
+using LintFix = void(const LintContext& context, const Problem& problem, std::vector<Edit>& out);
+
+// A kind of problem. There is one object of each, which problems point to; see rule_group.h.
+struct LintRule {
+  std::string_view code;   // stable name, such as "slope-half-missing"; `talus check` writes it
+  std::string_view label;  // on screen: "floor that jumps"
+  Severity severity = Severity::warning;  // of most of its problems
+  LintFix* fix = nullptr;                 // null: nobody but the user can tell what is meant
+  bool has_seam = false;                  // LintOptions::seam says what counts
+};
+
 struct Problem {
+  const LintRule* rule = nullptr;  // never null in what lint() returns
   Severity severity = Severity::warning;
-  std::string code;          // stable name of the rule, such as "slope-half-missing"; see lint_rules()
   std::string message;       // one sentence
   std::optional<Cell> cell;  // where on the map, if it has a place there
   int tile = -1;             // which tile, 0..255, if it is about one; else -1
@@ -34,14 +50,8 @@ struct LintOptions {
 };
 inline constexpr double kMaxSeam = kTileSize - 1.0 / 256;
 
-// A kind of problem.
-struct LintRule {
-  std::string_view code;   // as Problem::code
-  std::string_view label;  // on screen: "seam"
-};
 // Every kind, but the one that says how many are not listed.
-std::span<const LintRule> lint_rules();
-std::string_view rule_label(std::string_view code);  // the code itself, where it is no rule's
+std::span<const LintRule* const> lint_rules();
 
 // A level wrong in more places than this gets one more problem, without a place, that says how many are left.
 inline constexpr std::size_t kMaxProblems = 1000;

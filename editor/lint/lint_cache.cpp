@@ -3,10 +3,14 @@
 
 #include <algorithm>
 
-#include "lint_parts.h"
+#include <tuple>
+
+#include "rule_group.h"
 
 namespace talus {
 namespace {
+
+constexpr LintRule kMore{.code = "more", .label = "problems that are not listed"};
 
 // A block full of slopes takes a fraction of a ms. On large maps blocks are larger: each of them may hold
 // kMaxProblems.
@@ -19,6 +23,12 @@ int blocks_along(int cells, int side) { return (cells + side - 1) / side; }
 
 bool holds(const std::array<Cell, 2>& area, Cell c) {
   return c.x >= area[0].x && c.x <= area[1].x && c.y >= area[0].y && c.y <= area[1].y;
+}
+
+bool is_before(const Problem& a, const Problem& b) {  // by row, column and rule
+  const Cell none = {-1, -1};
+  const Cell p = a.cell.value_or(none), q = b.cell.value_or(none);
+  return std::tie(p.y, p.x, a.rule->code) < std::tie(q.y, q.x, b.rule->code);
 }
 
 std::optional<Cell> find_in(const TileMap& map, std::uint8_t tile, const std::array<Cell, 2>& area) {
@@ -65,6 +75,11 @@ void LintCache::begin(const Level& level, const LintOptions& options) {
   auto tiles = std::make_unique<const LintTiles>(level, options);
   const bool others = tiles_ == nullptr || !(*tiles == *tiles_);
   tiles_ = std::move(tiles);
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    std::vector<Problem>& found = tile_problems_[static_cast<std::size_t>(tile)];
+    found.clear();
+    check_tile({level, *tiles_}, tile, found);
+  }
   if (resized) {
     width_ = level.map.width(), height_ = level.map.height();
     for (side_ = kLeastSide; blocks_along(width_, side_) * blocks_along(height_, side_) > kMostBlocks;)
@@ -108,7 +123,7 @@ void LintCache::look_at_cells(const Level& level) {
               Cell{std::min(around[1].x, area[1].x), std::min(around[1].y, area[1].y)}};
       std::vector<Problem> found = std::move(block.problems);
       std::erase_if(found, [&](const Problem& problem) { return holds(area, *problem.cell); });
-      lint_cells(level, *tiles_, area, found);
+      check_area({level, *tiles_}, area, found);
       put(block, std::move(found));
     }
     // A tile that has gone from the block stays noted: list() looks for it.
@@ -121,7 +136,7 @@ void LintCache::look_at_block(const Level& level, std::size_t number) {
   Block& block = blocks_[number];
   const std::array<Cell, 2> area = area_of(number);
   std::vector<Problem> found;
-  lint_cells(level, *tiles_, area, found);
+  check_area({level, *tiles_}, area, found);
   put(block, std::move(found));
   block.tiles.reset();
   for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
@@ -160,16 +175,16 @@ void LintCache::list(const Level& level) {
   problems_.clear();
   for (std::size_t tile = 0; tile < kTileCount; ++tile) {
     const bool is_ball = (*tiles_)[tile].role == TileRole::ball && !has_balls;
-    if (!is_ball && tiles_->problems_of(tile).empty()) continue;
+    if (!is_ball && tile_problems_[tile].empty()) continue;
     const std::optional<Cell> first = find(level, tile);
     if (!first) continue;
     has_balls = has_balls || is_ball;
-    for (Problem problem : tiles_->problems_of(tile)) {
+    for (Problem problem : tile_problems_[tile]) {
       problem.cell = first;
       problems_.push_back(std::move(problem));
     }
   }
-  lint_level(level, *tiles_, has_balls, problems_);
+  check_level({level, *tiles_, has_balls}, problems_);
   std::size_t left_out = 0;
   Severity worst = Severity::warning;
   const auto leave_out = [&](Severity severity, std::size_t count) {
@@ -195,7 +210,7 @@ void LintCache::list(const Level& level) {
   for (; problems_.size() > kMaxProblems; problems_.pop_back()) leave_out(problems_.back().severity, 1);
   if (left_out > 0) {
     problems_.insert(problems_.begin(),
-                     {worst, "more", std::to_string(left_out) + " more problems are not listed", {}, -1, -1});
+                     {&kMore, worst, std::to_string(left_out) + " more problems are not listed", {}, -1, -1});
   }
 }
 

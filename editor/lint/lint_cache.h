@@ -62,11 +62,12 @@ class LintCache {
   std::vector<Cell> cells_;        // noted
   bool map_ = true, rest_ = true;  // noted
   std::unique_ptr<const LintTiles> tiles_;
-  int width_ = 0, height_ = 0;  // cells, of the map
-  int side_ = 1;                // cells, of a block
-  int across_ = 1;              // blocks beside one another
-  std::vector<Block> blocks_;   // row by row
-  std::size_t next_ = 0;        // no block before it is unknown
+  std::array<std::vector<Problem>, kTileCount> tile_problems_;  // without a cell
+  int width_ = 0, height_ = 0;                                  // cells, of the map
+  int side_ = 1;                                                // cells, of a block
+  int across_ = 1;                                              // blocks beside one another
+  std::vector<Block> blocks_;                                   // row by row
+  std::size_t next_ = 0;                                        // no block before it is unknown
   std::vector<Problem> problems_;
 };
 

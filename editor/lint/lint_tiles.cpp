@@ -1,10 +1,8 @@
-// What is known of the tiles, and the rules about a tile by itself.
+// What is known of the tiles.
 #include "lint_tiles.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "level/level_text.h"
 
 namespace talus {
 namespace {
@@ -83,15 +81,11 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
     tile.to_draw = cells_to_draw(shapes_[i]);
   }
   note_masks(level);
+  note_likeness();
   for (const Spawn& spawn : level.spawns) {
     if (spawn.kind != BodyKind::player) continue;
     const Vec2 least = player_.value_or(spawn.size);
     player_ = Vec2{std::min(least.x, spawn.size.x), std::min(least.y, spawn.size.y)};
-  }
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    check_flags(level, tile);
-    check_steepness(level, tile);
-    check_picture(tile);
   }
 }
 
@@ -118,68 +112,16 @@ int LintTiles::reach() const {
   return reach;
 }
 
-void LintTiles::add(Severity severity, const char* code, int tile, const std::string& text) {
-  problems_[static_cast<std::size_t>(tile)].push_back(
-      {severity, code, "tile " + std::to_string(tile) + " " + text, {}, tile, -1});
-}
-
-void LintTiles::check_flags(const Level& level, int tile) {
-  const std::uint8_t flags = level.tile_flags(static_cast<std::uint8_t>(tile));
-  std::string labels;
-  int count = 0, last_flag = FlagRoles::kUnused;
-  for (const FlagRoleInfo& info : flag_role_infos()) {
-    const int flag = level.roles.*info.flag;
-    if (!has_flag(flags, flag) || flag == last_flag || info.role == TileRole::none) continue;
-    labels += (count == 0 ? "" : " and ") + std::string(info.label);
-    last_flag = flag;
-    ++count;
-  }
-  const Tile& facts = tiles_[static_cast<std::size_t>(tile)];
-  if (count > 1) {
-    add(Severity::error, "flags-conflict", tile,
-        "has the flags of " + labels + "; only the first, " + role_label(facts.role) + ", counts");
-  }
-  for (const FlagRoleInfo& info : flag_role_infos()) {
-    const bool set = info.role == TileRole::none && has_flag(flags, level.roles.*info.flag);
-    if (set && shapes_[static_cast<std::size_t>(tile)].kind == TileShape::Kind::none) {
-      add(Severity::warning, "flag-idle", tile,
-          "has the flag of " + std::string(info.label) + ", which changes nothing: it has no shape");
+// What looks like a slope without being one was meant as one.
+void LintTiles::note_likeness() {
+  has_pictures_ = std::any_of(masks_.begin(), masks_.end(), [](std::uint64_t mask) { return mask != 0; });
+  for (std::size_t i = 0; i < kTileCount; ++i) {
+    Tile& tile = tiles_[i];
+    if (!tile.shapeless || tile.half_of >= 0 || !is_partial(masks_[i])) continue;
+    for (std::size_t other = 0; other < kTileCount && tile.like < 0; ++other) {
+      if (is_slope(other) && !tiles_[other].own_shape && masks_[other] == masks_[i])
+        tile.like = static_cast<int>(other);
     }
-  }
-}
-
-void LintTiles::check_steepness(const Level& level, int tile) {
-  const TileShape& shape = shapes_[static_cast<std::size_t>(tile)];
-  const bool floor = is_line_shape(shape) && shape.side == TileShape::Side::floor && shape.heights.size() > 1;
-  if (!floor || level.tuning.solver != SolverKind::exact) return;
-  const double width = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
-  double rise = 0;
-  for (std::size_t i = 1; i < shape.heights.size(); ++i)
-    rise = std::max(rise, std::abs(weld(shape.heights[i]) - weld(shape.heights[i - 1])));
-  const double steepest = level.tuning.exact.steepest;
-  if (rise <= width * steepest) return;
-  add(Severity::warning, "too-steep", tile,
-      "rises " + px_text(rise) + " px in " + px_text(width) + " px; more than " + px_text(width * steepest) +
-          " px is not a floor to stand on");
-}
-
-void LintTiles::check_picture(int tile) {
-  const auto i = static_cast<std::size_t>(tile);
-  Tile& facts = tiles_[i];
-  const bool has_pictures =
-      std::any_of(masks_.begin(), masks_.end(), [](std::uint64_t mask) { return mask != 0; });
-  if (!facts.shapeless && facts.blank && has_pictures) {
-    const std::string what = facts.role != TileRole::none ? "is " + role_label(facts.role) : "has a shape";
-    add(Severity::warning, "invisible", tile, what + ", but its picture is blank");
-  }
-  if (!facts.shapeless || facts.half_of >= 0 || !is_partial(masks_[i])) return;
-  for (std::size_t other = 0; other < kTileCount; ++other) {
-    if (!is_slope(other) || tiles_[other].own_shape || masks_[other] != masks_[i]) continue;
-    facts.like = static_cast<int>(other);
-    add(Severity::warning, "slope-unflagged", tile,
-        "is drawn like tile " + std::to_string(other) + ", " + role_with_article(tiles_[other].role) +
-            ", but nothing makes it one");
-    return;
   }
 }
 

@@ -1,5 +1,4 @@
-// What the lint has to know of each tile, worked out once for all its cells; and what is wrong with a tile
-// wherever it is.
+// What the lint has to know of each tile, worked out once for all its cells.
 #pragma once
 
 #include <array>
@@ -40,6 +39,9 @@ class LintTiles {
   bool is_empty(std::size_t tile) const {
     return tiles_[tile].shapeless && (tile == 0 || tiles_[tile].blank);
   }
+  // The shape of a tile, 0..255; of kind none where it cannot be used.
+  const TileShape& shape(int tile) const { return shapes_[static_cast<std::size_t>(tile)]; }
+  bool has_pictures() const { return has_pictures_; }  // not all tiles are blank
   const TileOutlines& outlines() const { return outlines_; }
   const CurveOutline& curves() const { return curves_; }
   double seam() const { return options_.seam; }
@@ -49,8 +51,6 @@ class LintTiles {
   const std::optional<Vec2>& player() const { return player_; }
   // Cells in x and y: problems depend on nothing that is further from their own cell.
   int reach() const;
-  // Of the tile itself, without a cell.
-  const std::vector<Problem>& problems_of(std::size_t tile) const { return problems_[tile]; }
 
   // Whether they make the same problems of the same map.
   friend bool operator==(const LintTiles& a, const LintTiles& b);
@@ -59,22 +59,19 @@ class LintTiles {
 
  private:
   void note_masks(const Level& level);
-  void check_flags(const Level& level, int tile);
-  void check_steepness(const Level& level, int tile);
-  void check_picture(int tile);
-  void add(Severity severity, const char* code, int tile, const std::string& text);
+  void note_likeness();
 
   LintOptions options_;
   std::array<TileShape, kTileCount> shapes_;  // those that can be used
   std::array<Tile, kTileCount> tiles_;
   std::array<std::uint64_t, kTileCount>
       masks_{};  // by pixel, row by row: whether it has another colour than 0
+  bool has_pictures_ = false;
   TileOutlines outlines_;
   std::vector<Curve> sources_;
   CurveOutline curves_;
   int slope_cells_ = 2, slope_rows_ = 1;
   std::optional<Vec2> player_;
-  std::array<std::vector<Problem>, kTileCount> problems_;
 };
 
 }  // namespace talus

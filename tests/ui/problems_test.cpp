@@ -21,7 +21,7 @@ class UiProblems : public UiTest {
 
   std::vector<std::string> codes() {
     std::vector<std::string> codes;
-    for (const Problem& problem : *app().ui().problems) codes.push_back(problem.code);
+    for (const Problem& problem : *app().ui().problems) codes.emplace_back(problem.rule->code);
     return codes;
   }
   std::string row_of(const std::string& code) {
@@ -78,9 +78,9 @@ TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
 TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
   start_broken();
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.problems.chosen->code, "flags-conflict");
+  EXPECT_EQ(app().ui().view.problems.chosen->rule->code, "flags-conflict");
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.problems.chosen->code, "spawn-in-solid");
+  EXPECT_EQ(app().ui().view.problems.chosen->rule->code, "spawn-in-solid");
   key(kKeyF8);
   EXPECT_EQ(app().ui().view.marked_cell, (Cell{10, 14}));
   key(alt(kKeyF8));
@@ -89,7 +89,7 @@ TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
   key(kKeyF8);  // the one that has the fixed one's row now
   EXPECT_EQ(app().ui().view.marked_cell, (Cell{14, 14}));
   key(shift(kKeyF8));
-  EXPECT_EQ(app().ui().view.problems.chosen->code, "spawn-in-solid");
+  EXPECT_EQ(app().ui().view.problems.chosen->rule->code, "spawn-in-solid");
   key(shift(kKeyF8));
   key(shift(kKeyF8));  // round to the last one
   EXPECT_EQ(app().ui().view.marked_cell, (Cell{21, 14}));
@@ -119,7 +119,7 @@ TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   ASSERT_NE(find("problems/choice0"), nullptr);
   click("problems/choice_kind");
   frames(2);  // the list scrolls back to what is left of it
-  EXPECT_EQ(app().ui().view.problems.kind, "seam");
+  EXPECT_EQ(app().ui().view.problems.kind->code, "seam");
   EXPECT_EQ(find("problems/row0"), nullptr);
   ASSERT_NE(find("problems/row5"), nullptr);
   click("problems/seam");  // jumps of up to 3 px are allowed from now on

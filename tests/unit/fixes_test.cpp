@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 Problem first_of(const Level& level, std::string_view code) {
   for (const Problem& problem : lint(level)) {
-    if (problem.code == code) return problem;
+    if (problem.rule->code == code) return problem;
   }
   ADD_FAILURE() << "no " << code;
   return {};
@@ -185,7 +185,7 @@ TEST(Fixes, AllOfAKindAreOneEdit) {
   const Level level = slope_level({"o..........", "./../..e../", "###########"});
   const std::vector<Problem> problems = lint(level);
   int fixed = 0;
-  const Edit edit = fix_all(level, {}, problems, "slope-half-missing", &fixed);
+  const Edit edit = fix_all(level, {}, problems, *first_of(level, "slope-half-missing").rule, &fixed);
   EXPECT_EQ(fixed, 3);
   EXPECT_EQ(edit.label, "Fix 3 problems: slope without its right half");
   EXPECT_EQ(edit.changes.size(), 3u);
@@ -194,7 +194,7 @@ TEST(Fixes, AllOfAKindAreOneEdit) {
   EXPECT_EQ(after.map.at({2, 1}), kFlaggedHalf);
   EXPECT_EQ(after.map.at({5, 1}), kFlaggedHalf);
   EXPECT_EQ(after.map.at({10, 1}), 0);
-  for (const Problem& problem : lint(after)) EXPECT_NE(problem.code, "slope-half-missing");
+  for (const Problem& problem : lint(after)) EXPECT_NE(problem.rule->code, "slope-half-missing");
   revert_edit(after, edit);
   EXPECT_TRUE(after == level);
 }
@@ -203,7 +203,7 @@ TEST(Fixes, CurvesAreRemovedFromTheLast) {
   Level level = slope_level({"o....", "#####"});
   const LevelCurve bad{"", {Segment{{8, 0}, {0, 8}}, Curve::Faces::up}, ""};
   level.curves = {bad, {"good", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""}, bad};
-  const Edit edit = fix_all(level, {}, lint(level), "bad-curve");
+  const Edit edit = fix_all(level, {}, lint(level), *first_of(level, "bad-curve").rule);
   apply_edit(level, edit);
   ASSERT_EQ(level.curves.size(), 1u);
   EXPECT_EQ(level.curves[0].name, "good");

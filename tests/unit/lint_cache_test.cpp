@@ -70,7 +70,7 @@ TEST(LintCache, OfTooManyProblemsTheUpperOnesAreListed) {
   }
   const std::vector<Problem> found = lint(level);
   ASSERT_EQ(found.size(), kMaxProblems + 1);
-  EXPECT_EQ(found[0].code, "more");
+  EXPECT_EQ(found[0].rule->code, "more");
   EXPECT_GE(found[1].cell->x, 100);
   EXPECT_TRUE(std::is_sorted(found.begin() + 1, found.end(), [](const Problem& a, const Problem& b) {
     return std::pair(a.cell->y, a.cell->x) < std::pair(b.cell->y, b.cell->x);

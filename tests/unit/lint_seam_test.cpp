@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include <talus/formats/format.h>
+#include "lint/rule_group.h"
 #include "slope_level.h"
 
 namespace talus::lint_seam_test {
@@ -193,9 +195,14 @@ TEST(LintSpawns, ABodyInAShapeOfItsOwn) {
   EXPECT_THAT(lint_lines(level), IsEmpty());
 }
 
-TEST(LintRules, EveryKindHasALabel) {
-  for (const LintRule& rule : lint_rules()) EXPECT_EQ(rule_label(rule.code), rule.label);
-  EXPECT_EQ(rule_label("more"), "more");
+TEST(LintRules, EachHasALabelAndACodeOfItsOwn) {
+  for (const LintRule* rule : lint_rules()) {
+    EXPECT_FALSE(rule->label.empty()) << rule->code;
+    EXPECT_NE(group_of(*rule), nullptr) << rule->code;
+    const auto same = std::count_if(lint_rules().begin(), lint_rules().end(),
+                                    [&](const LintRule* other) { return other->code == rule->code; });
+    EXPECT_EQ(same, 1) << rule->code;
+  }
 }
 
 TEST(LintSeams, TheDemoHasTheProblemOfItsTourAlone) {
@@ -214,9 +221,9 @@ TEST(LintSeams, HardCasesHaveFewProblems) {
     const auto level = load_level(file.path().string());
     ASSERT_TRUE(level);
     for (const Problem& problem : lint(level->level)) {
-      if (!problem.code.starts_with("spawn-"))
-        lines.push_back(file.path().filename().string().substr(0, 2) + " " + problem.code + ": " +
-                        problem.message);
+      if (!problem.rule->code.starts_with("spawn-"))
+        lines.push_back(file.path().filename().string().substr(0, 2) + " " + std::string(problem.rule->code) +
+                        ": " + problem.message);
     }
   }
   EXPECT_THAT(

@@ -37,7 +37,7 @@ std::vector<std::string> problems(const Level& level) {
   std::vector<std::string> list;
   for (const Problem& p : lint(level)) {
     std::string text = p.severity == Severity::error ? "E " : "W ";
-    text += p.code;
+    text += p.rule->code;
     if (p.cell)
       text.append(" (").append(std::to_string(p.cell->x)).append(", ").append(std::to_string(p.cell->y)) +=
           ")";
@@ -58,7 +58,7 @@ TEST(Lint, OnlyTheFirstThousandAreListed) {
       level_of(std::vector<std::string>(40, std::string(40, '/')));  // 1600 slopes without a half
   const std::vector<Problem> found = lint(level);
   ASSERT_EQ(found.size(), kMaxProblems + 1);
-  EXPECT_EQ(found[0].code, "more");
+  EXPECT_EQ(found[0].rule->code, "more");
   EXPECT_EQ(found[0].severity, Severity::error);
   EXPECT_EQ(found[0].message, "601 more problems are not listed");  // with the one that nothing will move
 }

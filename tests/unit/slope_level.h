@@ -47,7 +47,8 @@ inline Level slope_level(const std::vector<std::string>& rows) {
 // What lint finds, "code: message" each.
 inline std::vector<std::string> lint_lines(const Level& level, const LintOptions& options = {}) {
   std::vector<std::string> lines;
-  for (const Problem& problem : lint(level, options)) lines.push_back(problem.code + ": " + problem.message);
+  for (const Problem& problem : lint(level, options))
+    lines.push_back(std::string(problem.rule->code) + ": " + problem.message);
   return lines;
 }
 

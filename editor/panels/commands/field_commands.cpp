@@ -4,6 +4,8 @@
 #include "panels/inspector/chosen_curve.h"
 #include "panels/inspector/chosen_spawn.h"
 
+#include <algorithm>
+
 namespace talus {
 namespace {
 
@@ -177,7 +179,10 @@ void take_next_brush(S session, A actions, U) {
 
 // The field is there while such problems are listed.
 void type_seam(S session, A actions, U ui) {
-  ui.view.problems.kind = "seam";
+  const auto rules = lint_rules();
+  const auto rule =
+      std::find_if(rules.begin(), rules.end(), [](const LintRule* other) { return other->has_seam; });
+  ui.view.problems.kind = rule == rules.end() ? nullptr : *rule;
   go_to_field(panel_id::kProblems, "problems/seam")(session, actions, ui);
 }
 

@@ -57,7 +57,7 @@ std::vector<Command> problem_commands() {
        .key = alt_shift(kKeyF8),
        .menu = menus::kEditProblems,
        .run = [](S session, A actions,
-                 U ui) { fix_all_problems(chosen_problem(ui)->code, session, actions, ui); },
+                 U ui) { fix_all_problems(*chosen_problem(ui)->rule, session, actions, ui); },
        .enabled = has_chosen},
       {.id = "reach/find",
        .label = "Find where the player gets to",

@@ -21,9 +21,9 @@ std::string problems_text(const Session& session, const Ui& ui) {
 
 std::vector<std::size_t> listed_rows(const Ui& ui) {
   std::vector<std::size_t> rows;
-  const std::string& kind = ui.view.problems.kind;
+  const LintRule* kind = ui.view.problems.kind;
   for (std::size_t i = 0; i < ui.problems->size(); ++i) {
-    if (kind.empty() || (*ui.problems)[i].code == kind) rows.push_back(i);
+    if (kind == nullptr || (*ui.problems)[i].rule == kind) rows.push_back(i);
   }
   return rows;
 }
@@ -79,14 +79,14 @@ void fix_problem(const Problem& problem, const Session& session, Actions& action
   }
 }
 
-void fix_all_problems(std::string_view code, const Session& session, Actions& actions, const Ui& ui) {
+void fix_all_problems(const LintRule& rule, const Session& session, Actions& actions, const Ui& ui) {
   int fixed = 0;
-  Edit edit = fix_all(session.level(), session.lint_options(), *ui.problems, code, &fixed);
+  Edit edit = fix_all(session.level(), session.lint_options(), *ui.problems, rule, &fixed);
   const auto all = std::count_if(ui.problems->begin(), ui.problems->end(),
-                                 [&](const Problem& problem) { return problem.code == code; });
+                                 [&](const Problem& problem) { return problem.rule == &rule; });
   actions.push_back(action::EditLevel{std::move(edit)});
   actions.push_back(action::ShowMessage{"Fixed " + std::to_string(fixed) + " of " + std::to_string(all) +
-                                        ": " + std::string(rule_label(code)) + "."});
+                                        ": " + std::string(rule.label) + "."});
 }
 
 }  // namespace talus

@@ -26,6 +26,6 @@ const Problem* chosen_problem(const Ui& ui);
 // Applies the first fix of a problem, or of all listed problems of its kind. A message says what was done, to
 // how many, and what cannot be fixed.
 void fix_problem(const Problem& problem, const Session& session, Actions& actions);
-void fix_all_problems(std::string_view code, const Session& session, Actions& actions, const Ui& ui);
+void fix_all_problems(const LintRule& rule, const Session& session, Actions& actions, const Ui& ui);
 
 }  // namespace talus

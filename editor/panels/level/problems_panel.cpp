@@ -37,7 +37,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (remedies_.size() > kMostRemedies) remedies_.clear();
   if (ui.problems->empty()) {
     ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
-    ui.view.problems.kind.clear();
+    ui.view.problems.kind = nullptr;
     return;
   }
   draw_bar(session, actions, ui);
@@ -58,43 +58,43 @@ void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
   };
   button("problems/previous", "<");
   button("problems/next", ">");
-  const std::string& kind = ui.view.problems.kind;
-  if (!kind.empty()) {
+  const LintRule* kind = ui.view.problems.kind;
+  if (kind != nullptr) {
     ImGui::SameLine();
     if (ui.text_button(
             "problems/fix_all", "Fix all", false,
             "Fixes every problem of this kind that can be fixed, each as its own Fix button says, as "
             "one change that can be undone.",
             keys_of(find_command("problems/fix_kind"), ui)))
-      fix_all_problems(kind, session, actions, ui);
+      fix_all_problems(*kind, session, actions, ui);
   }
-  if (kind.starts_with("seam")) draw_seam(session, actions, ui);
+  if (kind != nullptr && kind->has_seam) draw_seam(session, actions, ui);
   ui.end_row();
 }
 
 void ProblemsPanel::draw_kinds(Ui& ui) {
-  std::string& kind = ui.view.problems.kind;
-  const auto count = [&](std::string_view code) {
+  const LintRule*& kind = ui.view.problems.kind;
+  const auto count = [&](const LintRule& rule) {
     return std::count_if(ui.problems->begin(), ui.problems->end(),
-                         [&](const Problem& problem) { return problem.code == code; });
+                         [&](const Problem& problem) { return problem.rule == &rule; });
   };
   const auto text = [&](std::string_view label, std::ptrdiff_t number) {
     return std::string(label) + " (" + std::to_string(number) + ")";
   };
   const std::string all = text("all", static_cast<std::ptrdiff_t>(ui.problems->size()));
-  const std::string preview = kind.empty() ? all : text(rule_label(kind), count(kind));
-  const float others = ui.px(kind.empty() ? 64 : 126);
+  const std::string preview = kind == nullptr ? all : text(kind->label, count(*kind));
+  const float others = ui.px(kind == nullptr ? 64 : 126);
   if (!ui.begin_combo("problems/kind", preview,
                       std::max(ImGui::GetContentRegionAvail().x - others, ui.px(90)),
                       "Which kind of problem is listed."))
     return;
-  if (selectable(all, {}, kind.empty())) kind.clear();
+  if (selectable(all, {}, kind == nullptr)) kind = nullptr;
   ui.item("problems/kind_all");
-  for (const LintRule& rule : lint_rules()) {
-    const std::ptrdiff_t number = count(rule.code);
+  for (const LintRule* rule : lint_rules()) {
+    const std::ptrdiff_t number = count(*rule);
     if (number == 0) continue;
-    if (selectable(text(rule.label, number), {}, kind == rule.code)) kind = std::string(rule.code);
-    ui.item("problems/kind_" + std::string(rule.code));
+    if (selectable(text(rule->label, number), {}, kind == rule)) kind = rule;
+    ui.item("problems/kind_" + std::string(rule->code));
   }
   ImGui::EndCombo();
 }
@@ -161,7 +161,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height}))
     go_to_problem(index, session, actions, ui);
   ImGui::PopStyleColor();
-  const std::string help(problem.message.size() > kMostLine ? problem.message : rule_label(problem.code));
+  const std::string help(problem.message.size() > kMostLine ? problem.message : problem.rule->label);
   ui.item("problems/row" + row, help, "click to go there");
   if (is_chosen && std::exchange(ui.view.problems.scroll, false)) ImGui::SetScrollHereY(0.5f);
   if (ImGui::IsItemVisible()) {
@@ -189,16 +189,16 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   }
   if (remedy.fixes.empty()) ImGui::TextUnformatted("Only you can tell what is meant here.");
   ImGui::Separator();
-  if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(problem.code, session, actions, ui);
+  if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(*problem.rule, session, actions, ui);
   ui.item("problems/choice_all");
-  if (ImGui::MenuItem("List only this kind")) ui.view.problems.kind = problem.code;
+  if (ImGui::MenuItem("List only this kind")) ui.view.problems.kind = problem.rule;
   ui.item("problems/choice_kind");
   ImGui::EndPopup();
 }
 
 // While something is dragged, the last result must do.
 const ProblemsPanel::Remedy& ProblemsPanel::remedy_of(const Problem& problem, const Session& session) {
-  Remedy& remedy = remedies_[problem.code + ": " + problem.message];
+  Remedy& remedy = remedies_[std::string(problem.rule->code) + ": " + problem.message];
   const std::uint64_t now = session.revision() + 1;  // 0: not yet looked for
   if (remedy.revision == now || looked_for_ == kRemediesAFrame || ImGui::IsAnyMouseDown()) return remedy;
   ++looked_for_;

@@ -1,10 +1,10 @@
-// Where the outline of the ground jumps from one column of cells to the next: a side of a tile is exposed
-// there, and stops what runs along. And where it stays open inside the ground.
+// Compiles the outline around each cell, and compares its ends at the borders of columns of cells.
+#include "seam_finder.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "level/level_text.h"
-#include "lint_parts.h"
+#include "slope_fault.h"
 
 namespace talus {
 namespace {
@@ -21,7 +21,7 @@ struct End {
 
 class SeamFinder {
  public:
-  SeamFinder(const Level& level, const LintTiles& tiles, std::vector<Seam>& out, std::vector<Crack>& cracks)
+  SeamFinder(const Level& level, const LintTiles& tiles, SeamsAndCracks& out)
       : level_(level),
         tiles_(tiles),
         compiler_(level.map.width(), tiles.outlines(), tiles.curves().pieces, tiles.curves().ends,
@@ -30,7 +30,6 @@ class SeamFinder {
                     return level.map.contains(c) ? tiles.outlines()[level.map.at(c)] : kNothing;
                   }),
         out_(out),
-        cracks_(cracks),
         least_body_(tiles.player() ? std::min<double>(tiles.player()->y, kTileSize) : kTileSize) {}
 
   void find(std::array<Cell, 2> area) {
@@ -161,7 +160,7 @@ class SeamFinder {
     if (!left || !right) return;
     const bool begins = !goes_on(cell, false, *left);
     if (begins || !goes_on(cell, true, *right))
-      cracks_.push_back({cell, begins ? left->gap() : right->gap()});
+      out_.cracks.push_back({cell, begins ? left->gap() : right->gap()});
   }
 
   void find_jump(Cell cell, const End& end) {
@@ -180,7 +179,7 @@ class SeamFinder {
     if (is_in_slit({cell.x, end.row}, true, end.y, end.floor) ||
         is_in_slit(seam.right, false, seam.right_y, end.floor))
       return;
-    if (!has_fault(seam.left_tile) && !has_fault(seam.right_tile)) out_.push_back(seam);
+    if (!has_fault(seam.left_tile) && !has_fault(seam.right_tile)) out_.seams.push_back(seam);
   }
 
   // Whether the floor or the ceiling that ends there at a side of a cell is in a slit. A ceiling's is told of
@@ -207,8 +206,7 @@ class SeamFinder {
   const Level& level_;
   const LintTiles& tiles_;
   OutlineCompiler compiler_;
-  std::vector<Seam>& out_;
-  std::vector<Crack>& cracks_;
+  SeamsAndCracks& out_;
   const double least_body_;       // px: no body is lower
   std::array<Cell, 2> around_{};  // the area and its neighbours
   // By cell around the area: whether a slope or the like may change the outline; and whether there is ground.
@@ -234,11 +232,12 @@ bool has_lines(const Level& level, const LintTiles& tiles, std::array<Cell, 2> a
   return false;
 }
 
-// Both, of an area.
-void find_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area, std::vector<Seam>& seams,
-             std::vector<Crack>& cracks) {
-  if (!tiles.outlines().has_lines()) return;
-  SeamFinder finder(level, tiles, seams, cracks);
+}  // namespace
+
+SeamsAndCracks find_seams(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
+  SeamsAndCracks found;
+  if (!tiles.outlines().has_lines()) return found;
+  SeamFinder finder(level, tiles, found);
   for (int y = area[0].y; y <= area[1].y; y += kPatch) {
     for (int x = area[0].x; x <= area[1].x; x += kPatch) {
       const std::array<Cell, 2> patch = {
@@ -246,35 +245,7 @@ void find_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> are
       if (has_lines(level, tiles, patch)) finder.find(patch);
     }
   }
-}
-
-}  // namespace
-
-std::vector<Seam> seams_in(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
-  std::vector<Seam> seams;
-  std::vector<Crack> cracks;
-  find_in(level, tiles, area, seams, cracks);
-  return seams;
-}
-
-void lint_seams(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,
-                std::vector<Problem>& out) {
-  std::vector<Seam> seams;
-  std::vector<Crack> cracks;
-  find_in(level, tiles, area, seams, cracks);
-  for (const Seam& seam : seams) {
-    const std::string jump = px_text(std::abs(seam.left_y - seam.right_y));
-    out.push_back({Severity::warning, seam.floor ? "seam" : "seam-ceiling",
-                   std::string(seam.floor ? "floor" : "ceiling") + " jumps " + jump + " px between " +
-                       cell_text(seam.left) + " and " + cell_text(seam.right),
-                   seam.left, -1, -1});
-  }
-  for (const Crack& crack : cracks) {
-    out.push_back({Severity::warning, "interior-edge",
-                   "the ground above " + cell_text(crack.cell) + " stays open by " + px_text(crack.gap) +
-                       " px, too little for a body: edges inside it can catch what comes along",
-                   crack.cell, -1, -1});
-  }
+  return found;
 }
 
 }  // namespace talus

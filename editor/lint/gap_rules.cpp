@@ -2,10 +2,12 @@
 #include <cmath>
 
 #include "level/level_text.h"
-#include "lint_parts.h"
+#include "rule_group.h"
 
 namespace talus {
 namespace {
+
+constexpr LintRule kGap{.code = "gap-too-small", .label = "gap too small for a player"};
 
 // Looks at the map as it is, or turned so that columns are rows: what holds for the height of tunnels holds
 // for the width of shafts.
@@ -61,11 +63,10 @@ class GapFinder {
 
   void add(Cell cell, int cells) {
     const Cell at = on_map(cell);
-    out_.push_back({Severity::warning, "gap-too-small",
-                    "the gap at " + cell_text(at) + " is " + std::to_string(cells * kTileSize) + " px " +
-                        (turned_ ? "wide, and a player is " : "high, and a player is ") + px_text(size_) +
-                        " px",
-                    at, -1, -1});
+    report(out_, kGap,
+           "the gap at " + cell_text(at) + " is " + std::to_string(cells * kTileSize) + " px " +
+               (turned_ ? "wide, and a player is " : "high, and a player is ") + px_text(size_) + " px",
+           at);
   }
 
   const Level& level_;
@@ -76,10 +77,8 @@ class GapFinder {
   std::vector<Problem>& out_;
 };
 
-}  // namespace
-
-void lint_gaps(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area,
-               std::vector<Problem>& out) {
+void check_gaps(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
+  const auto& [level, tiles, has_balls] = context;
   if (!tiles.player()) return;
   const auto [width, height] = *tiles.player();
   GapFinder tunnels(level, tiles, false, height, out), shafts(level, tiles, true, width, out);
@@ -89,6 +88,14 @@ void lint_gaps(const Level& level, const LintTiles& tiles, std::array<Cell, 2> a
       if (width > kTileSize) shafts.check({c.y, c.x});
     }
   }
+}
+
+}  // namespace
+
+const RuleGroup& gap_rules() {
+  static constexpr const LintRule* kRules[] = {&kGap};
+  static constexpr RuleGroup kGroup{.rules = kRules, .check_area = check_gaps};
+  return kGroup;
 }
 
 }  // namespace talus

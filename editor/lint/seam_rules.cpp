@@ -1,0 +1,188 @@
+// Floors and ceilings that jump where two tiles meet, which stops what runs along, and edges inside the
+// ground.
+#include <algorithm>
+#include <cmath>
+
+#include "fix_parts.h"
+#include "level/level_text.h"
+#include "rule_group.h"
+#include "seam_finder.h"
+
+namespace talus {
+namespace {
+
+LintFix fix_floor, fix_ceiling;
+
+constexpr LintRule kFloorSeam{
+    .code = "seam", .label = "floor that jumps", .fix = fix_floor, .has_seam = true};
+constexpr LintRule kCeilingSeam{
+    .code = "seam-ceiling", .label = "ceiling that jumps", .fix = fix_ceiling, .has_seam = true};
+constexpr LintRule kInteriorEdge{.code = "interior-edge", .label = "edge inside the ground"};
+
+void check_seams(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
+  const auto [seams, cracks] = find_seams(context.level, context.tiles, area);
+  for (const Seam& seam : seams) {
+    report(out, seam.floor ? kFloorSeam : kCeilingSeam,
+           std::string(seam.floor ? "floor" : "ceiling") + " jumps " +
+               px_text(std::abs(seam.left_y - seam.right_y)) + " px between " + cell_text(seam.left) +
+               " and " + cell_text(seam.right),
+           seam.left);
+  }
+  for (const Crack& crack : cracks) {
+    report(out, kInteriorEdge,
+           "the ground above " + cell_text(crack.cell) + " stays open by " + px_text(crack.gap) +
+               " px, too little for a body: edges inside it can catch what comes along",
+           crack.cell);
+  }
+}
+
+// What a level is around a cell: small enough to try something on it.
+Level cut_out(const Level& level, Cell cell, int reach, Cell& corner) {
+  const TileMap& map = level.map;
+  corner = {std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)};
+  const Cell last{std::min(cell.x + reach, map.width() - 1), std::min(cell.y + reach, map.height() - 1)};
+  Level local;
+  local.sheets = level.sheets;
+  local.roles = level.roles;
+  local.tile_shapes = level.tile_shapes;
+  local.flag_shapes = level.flag_shapes;
+  local.tuning = level.tuning;
+  local.map = TileMap(last.x - corner.x + 1, last.y - corner.y + 1);
+  for (Cell c = corner; c.y <= last.y; ++c.y) {
+    for (c.x = corner.x; c.x <= last.x; ++c.x) local.map.set({c.x - corner.x, c.y - corner.y}, map.at(c));
+  }
+  return local;
+}
+
+class SeamFixer {
+ public:
+  SeamFixer(const Level& level, const LintTiles& tiles, const Seam& seam)
+      : level_(level), tiles_(tiles), seam_(seam) {}
+
+  std::vector<Edit> fixes() {
+    go_on(true);
+    go_on(false);
+    change_height(true);
+    change_height(false);
+    keep_the_best();
+    return std::move(edits_);
+  }
+
+ private:
+  const TileShape* shape_at(Cell cell) {
+    shape_ = shape_of_tile(level_, level_.map.at(cell));
+    return is_line_shape(shape_) && shape_.heights.size() > 1 ? &shape_ : nullptr;
+  }
+  static double left_end(const TileShape& shape, Cell cell) {
+    return end(shape, cell, shape.heights.front());
+  }
+  static double right_end(const TileShape& shape, Cell cell) {
+    return end(shape, cell, shape.heights.back());
+  }
+  static double end(const TileShape& shape, Cell cell, double height) {
+    const bool floor = shape.side == TileShape::Side::floor;
+    const double base = (cell.y + (floor ? 1.0 : 0.0)) * kTileSize;
+    return floor ? base - weld(height) : base + weld(height);
+  }
+
+  // Puts the tile that is drawn beside a slope's on the sheet beside it on the map, where that goes on at the
+  // same height, and where nothing is yet.
+  void go_on(bool right) {
+    const Cell tile = right ? seam_.left_tile : seam_.right_tile;
+    const TileShape* shape = shape_at(tile);
+    if (shape == nullptr) return;
+    const int by = right ? shape->tiles : -1;
+    const double y = right ? seam_.left_y : seam_.right_y;
+    const auto next = beside(level_.map.at(tile), by);
+    if (!next) return;
+    for (int dy = -1; dy <= 1; ++dy) {
+      const Cell cell{tile.x + by, tile.y + dy};
+      if (!level_.map.contains(cell) || !tiles_.is_empty(level_.map.at(cell))) continue;
+      const TileShape other = shape_of_tile(level_, *next);
+      if (!is_line_shape(other) || other.heights.size() < 2 || (!right && other.tiles != 1)) continue;
+      if ((right ? left_end(other, cell) : right_end(other, cell)) != y) continue;
+      edits_.push_back(put_tile(
+          level_, cell, *next,
+          "Place " + tile_text(*next) + ", which goes on at the same height, at " + cell_text(cell)));
+      return;
+    }
+  }
+
+  // Raises or lowers the end of a slope's tile to the other side.
+  void change_height(bool left) {
+    const Cell at = left ? seam_.left_tile : seam_.right_tile;
+    const TileShape* before = shape_at(at);
+    if (before == nullptr) return;
+    const std::uint8_t tile = level_.map.at(at);
+    TileShape after = *before;
+    double& height = left ? after.heights.back() : after.heights.front();
+    const double now = height;
+    const double up = left ? seam_.left_y - seam_.right_y : seam_.right_y - seam_.left_y;
+    height += after.side == TileShape::Side::floor ? up : -up;
+    const bool is_nothing =
+        std::all_of(after.heights.begin(), after.heights.end(), [](double h) { return h == 0; });
+    if (is_nothing || problem_of(after)) return;
+    edits_.push_back(single_change(std::string(height > now ? "Raise" : "Lower") + " the " +
+                                       (left ? "right" : "left") + " end of " + tile_text(tile) +
+                                       "'s slope from " + px_text(now) + " to " + px_text(height) +
+                                       " px, wherever the tile is",
+                                   TileShapeChange{tile, level_.tile_shapes[tile], after}));
+  }
+
+  // What leaves the fewest problems around comes first, and what leaves more than there were not at all.
+  void keep_the_best() {
+    Cell corner;
+    Level local = cut_out(level_, seam_.left, 2 * tiles_.reach(), corner);
+    const auto problems = [&] {
+      const LintTiles facts(local, {tiles_.seam()});
+      std::vector<Problem> found;
+      check_area({local, facts}, {Cell{0, 0}, Cell{local.map.width() - 1, local.map.height() - 1}}, found);
+      return found.size();
+    };
+    const std::size_t now = problems();
+    std::vector<std::pair<std::size_t, Edit>> rated;
+    for (Edit& edit : edits_) {
+      Edit there = edit;
+      if (auto* cell = std::get_if<CellChange>(&there.changes.front()))
+        cell->cell = {cell->cell.x - corner.x, cell->cell.y - corner.y};
+      apply_edit(local, there);
+      const std::size_t then = problems();
+      revert_edit(local, there);
+      if (then < now) rated.emplace_back(then, std::move(edit));
+    }
+    std::stable_sort(rated.begin(), rated.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    edits_.clear();
+    for (auto& [left, edit] : rated) edits_.push_back(std::move(edit));
+  }
+
+  const Level& level_;
+  const LintTiles& tiles_;
+  const Seam seam_;
+  TileShape shape_;
+  std::vector<Edit> edits_;
+};
+
+void fix_seam(const LintContext& context, Cell cell, bool floor, std::vector<Edit>& out) {
+  for (const Seam& seam : find_seams(context.level, context.tiles, {cell, cell}).seams) {
+    if (seam.floor != floor) continue;
+    for (Edit& edit : SeamFixer(context.level, context.tiles, seam).fixes()) out.push_back(std::move(edit));
+    return;
+  }
+}
+void fix_floor(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  fix_seam(context, *problem.cell, true, out);
+}
+void fix_ceiling(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  fix_seam(context, *problem.cell, false, out);
+}
+
+}  // namespace
+
+const RuleGroup& seam_rules() {
+  static constexpr const LintRule* kRules[] = {&kFloorSeam, &kCeilingSeam, &kInteriorEdge};
+  static constexpr RuleGroup kGroup{.rules = kRules, .check_area = check_seams};
+  return kGroup;
+}
+
+}  // namespace talus

@@ -1,0 +1,167 @@
+// Shapes that cannot be used, that nothing draws, that are too steep, or that reach over the map's edge.
+#include <algorithm>
+#include <cmath>
+
+#include "fix_parts.h"
+#include "level/level_text.h"
+#include "level/slope_tiles.h"
+#include "rule_group.h"
+
+namespace talus {
+namespace {
+
+LintFix fix_steepness, fix_picture, fix_bad_shape;
+
+constexpr LintRule kTooSteep{.code = "too-steep", .label = "floor too steep", .fix = fix_steepness};
+constexpr LintRule kInvisible{.code = "invisible", .label = "tile without a picture", .fix = fix_picture};
+constexpr LintRule kLeavesMap{.code = "shape-leaves-map", .label = "shape over the map's edge"};
+constexpr LintRule kBadShape{.code = "bad-shape",
+                             .label = "shape that cannot be used",
+                             .severity = Severity::error,
+                             .fix = fix_bad_shape};
+
+void check_steepness(const LintContext& context, int tile, std::vector<Problem>& out) {
+  const Level& level = context.level;
+  const TileShape& shape = context.tiles.shape(tile);
+  const bool floor = is_line_shape(shape) && shape.side == TileShape::Side::floor && shape.heights.size() > 1;
+  if (!floor || level.tuning.solver != SolverKind::exact) return;
+  const double width = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  double rise = 0;
+  for (std::size_t i = 1; i < shape.heights.size(); ++i)
+    rise = std::max(rise, std::abs(weld(shape.heights[i]) - weld(shape.heights[i - 1])));
+  const double steepest = level.tuning.exact.steepest;
+  if (rise <= width * steepest) return;
+  report(out, kTooSteep,
+         tile_text(tile) + " rises " + px_text(rise) + " px in " + px_text(width) + " px; more than " +
+             px_text(width * steepest) + " px is not a floor to stand on",
+         {}, tile);
+}
+
+void check_picture(const LintContext& context, int tile, std::vector<Problem>& out) {
+  const LintTiles::Tile& facts = context.tiles[static_cast<std::size_t>(tile)];
+  if (facts.shapeless || !facts.blank || !context.tiles.has_pictures()) return;
+  const std::string what = facts.role != TileRole::none ? "is " + role_label(facts.role) : "has a shape";
+  report(out, kInvisible, tile_text(tile) + " " + what + ", but its picture is blank", {}, tile);
+}
+
+void check_shape_tile(const LintContext& context, int tile, std::vector<Problem>& out) {
+  check_steepness(context, tile, out);
+  check_picture(context, tile, out);
+}
+
+// Of a slope that its flags alone make, the rules of slopes tell.
+void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
+  const TileMap& map = context.level.map;
+  for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
+    for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
+      const std::uint8_t tile = map.at(cell);
+      const LintTiles::Tile& facts = context.tiles[tile];
+      if (!facts.line || (context.tiles.is_slope(tile) && !facts.own_shape)) continue;
+      const auto& [first, last] = facts.covered;
+      const std::string where = cell.x + last.x >= map.width()    ? "right"
+                                : cell.y + first.y < 0            ? "upper"
+                                : cell.y + last.y >= map.height() ? "lower"
+                                                                  : "";
+      if (where.empty()) continue;
+      report(out, kLeavesMap,
+             tile_text(tile) + " at " + cell_text(cell) + " reaches over the map's " + where +
+                 " edge, where it stops nothing",
+             cell, tile);
+    }
+  }
+}
+
+void check_usable(const LintContext& context, std::vector<Problem>& out) {
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    if (const auto problem = problem_of(context.level.flag_shapes[static_cast<std::size_t>(flag)]))
+      report(out, kBadShape, "the shape of flag " + std::to_string(flag) + " " + *problem, {}, -1, flag);
+  }
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    if (const auto problem = problem_of(context.level.tile_shapes[static_cast<std::size_t>(tile)]))
+      report(out, kBadShape, "the shape of " + tile_text(tile) + " " + *problem, {}, tile);
+  }
+}
+
+// Whether the middle of a pixel of the tile's own cell is inside of the ground; of a ball, inside of it.
+bool is_inside(const TileShape& shape, int x, int y) {
+  const double at = x + 0.5, down = y + 0.5;
+  if (shape.kind == TileShape::Kind::none) return std::hypot(at - 4, down - 4) < 4;
+  if (shape.heights.size() < 2) return true;
+  const double step = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(at / step), shape.heights.size() - 2);
+  const double part = at / step - static_cast<double>(i);
+  const double height = shape.heights[i] + (shape.heights[i + 1] - shape.heights[i]) * part;
+  return shape.side == TileShape::Side::floor ? kTileSize - down <= height : down <= height;
+}
+
+Edit draw_shape(const Level& level, std::uint8_t tile) {
+  const TileShape shape = shape_of_tile(level, tile);
+  Edit edit{"Draw " + tile_text(tile) + " as what it is", {}};
+  for (int pixel = 0; pixel < kTileSize * kTileSize; ++pixel) {
+    const std::uint8_t before = level.sheet(SheetId::tiles).images[tile][static_cast<std::size_t>(pixel)];
+    if (is_inside(shape, pixel % kTileSize, pixel / kTileSize))
+      edit.changes.push_back(
+          PixelChange{SheetId::tiles, tile, pixel, before, SlopeTilesOptions{}.ground_color});
+  }
+  return edit;
+}
+
+void fix_steepness(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  TileShape shape = shape_of_tile(level, tile);
+  const double steepest = level.tuning.exact.steepest;
+  const double width = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  double rise = 0;
+  for (std::size_t i = 1; i < shape.heights.size(); ++i)
+    rise = std::max(rise, std::abs(shape.heights[i] - shape.heights[i - 1]));
+  if (shape.kind == TileShape::Kind::slope) {
+    const bool rises = shape.heights[0] < shape.heights[1];
+    const double low = std::min(shape.heights[0], shape.heights[1]);
+    double& high = shape.heights[rises ? 1 : 0];
+    const std::string from = px_text(high);
+    high = low + width * steepest;
+    out.push_back(single_change("Lower the " + std::string(rises ? "right" : "left") + " end of " +
+                                    tile_text(tile) + "'s slope from " + from + " to " + px_text(high) +
+                                    " px, wherever the tile is",
+                                TileShapeChange{tile, level.tile_shapes[tile], shape}));
+  }
+  Tuning tuning = level.tuning;
+  tuning.exact.steepest = std::ceil(rise / width);
+  out.push_back(single_change("Let floors rise by " + px_text(tuning.exact.steepest) +
+                                  " px for each px, in the whole level (steepest floor, in Tuning)",
+                              TuningChange{level.tuning, tuning}));
+}
+
+void fix_picture(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  out.push_back(draw_shape(context.level, tile));
+  if (context.level.tile_flags(tile) != 0)
+    out.push_back(change_flags(context.level, tile, 0, "Clear all flags of " + tile_text(tile)));
+}
+
+void fix_bad_shape(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  if (problem.tile >= 0) {
+    const TileShape& before = level.tile_shapes[static_cast<std::size_t>(problem.tile)];
+    out.push_back(single_change("Remove the shape of " + tile_text(problem.tile),
+                                TileShapeChange{problem.tile, before, TileShape()}));
+  } else {
+    const TileShape& before = level.flag_shapes[static_cast<std::size_t>(problem.object)];
+    out.push_back(single_change("Remove the shape of flag " + std::to_string(problem.object),
+                                FlagShapeChange{problem.object, before, TileShape()}));
+  }
+}
+
+}  // namespace
+
+const RuleGroup& shape_rules() {
+  static constexpr const LintRule* kRules[] = {&kTooSteep, &kInvisible, &kLeavesMap, &kBadShape};
+  static constexpr RuleGroup kGroup{.rules = kRules,
+                                    .check_tile = check_shape_tile,
+                                    .check_area = check_edges,
+                                    .check_level = check_usable};
+  return kGroup;
+}
+
+}  // namespace talus

@@ -1,0 +1,231 @@
+// Slopes that lack a half, a flag or a picture, or that meet what they should not.
+#include "fix_parts.h"
+#include "level/level_text.h"
+#include "rule_group.h"
+#include "slope_fault.h"
+
+namespace talus {
+namespace {
+
+LintFix fix_missing_half, fix_missing_left, fix_overlap, fix_unflagged;
+
+constexpr LintRule kHalfMissing{.code = "slope-half-missing",
+                                .label = "slope without its right half",
+                                .severity = Severity::error,
+                                .fix = fix_missing_half};
+constexpr LintRule kLeftMissing{
+    .code = "slope-left-missing", .label = "slope without its left half", .fix = fix_missing_left};
+constexpr LintRule kOverlap{.code = "slope-overlap",
+                            .label = "slope and tile in one place",
+                            .severity = Severity::error,
+                            .fix = fix_overlap};
+constexpr LintRule kUnflagged{
+    .code = "slope-unflagged", .label = "slope without a flag", .fix = fix_unflagged};
+
+std::string tile_at_text(int tile, Cell cell) { return tile_text(tile) + " at " + cell_text(cell); }
+
+// The cells on the map that lack a tile to draw the rest of the shape in a cell, from left to right: none
+// where there is no shape, where flags make it a slope, or where its own tile is not drawn either.
+std::vector<Cell> undrawn_cells(const Level& level, const LintTiles& tiles, Cell cell) {
+  const std::uint8_t number = level.map.at(cell);
+  const LintTiles::Tile& tile = tiles[number];
+  std::vector<Cell> undrawn;
+  if (!tile.line || tile.blank || tiles.is_slope(number)) return undrawn;
+  for (const Cell by : tile.to_draw) {
+    const Cell at{cell.x + by.x, cell.y + by.y};
+    if (level.map.contains(at) && tiles.is_empty(level.map.at(at))) undrawn.push_back(at);
+  }
+  return undrawn;
+}
+
+void check_slope(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
+  const auto fault = slope_fault_at(context.level, context.tiles, cell);
+  if (!fault) return;
+  report(out, *fault->rule,
+         tile_at_text(tile, cell) + " is " +
+             role_with_article(context.tiles[static_cast<std::size_t>(tile)].role) + ", but " + fault->text,
+         cell, tile);
+}
+
+// The same of a shape of its own, in all its columns and rows.
+void check_drawn(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
+  const std::vector<Cell> undrawn = undrawn_cells(context.level, context.tiles, cell);
+  if (undrawn.empty()) return;
+  const std::size_t more = undrawn.size() - 1;
+  const bool sheet_ends = tile % kSheetColumns + undrawn.back().x - cell.x >= kSheetColumns;
+  report(out, kHalfMissing,
+         tile_at_text(tile, cell) + " has a shape that goes on over " + cell_text(undrawn.front()) +
+             (more == 0 ? "" : " and " + std::to_string(more) + (more == 1 ? " cell more" : " cells more")) +
+             ", where nothing shows it" +
+             (sheet_ends ? ": it is wider than what the sheet has at the tile's right" : ""),
+         cell, tile)
+      .severity = Severity::warning;  // nothing but the picture is wrong
+}
+
+// What is drawn as the right half of a slope needs the flagged tile at its left.
+void check_right_half(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
+  const auto& [level, tiles, has_balls] = context;
+  const int half_of = tiles[static_cast<std::size_t>(tile)].half_of;
+  const Cell left{cell.x - 1, cell.y};
+  if (half_of < 0 || (level.map.contains(left) && tiles.is_slope(level.map.at(left)))) return;
+  report(out, kLeftMissing,
+         tile_at_text(tile, cell) + " is drawn as the right half of " + tile_text(half_of) + ", " +
+             role_with_article(tiles[static_cast<std::size_t>(half_of)].role) +
+             ", but no slope is at its left: bodies fall through it",
+         cell, tile);
+}
+
+void check_slopes(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
+  for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
+    for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
+      const std::uint8_t tile = context.level.map.at(cell);
+      if (context.tiles.is_slope(tile))
+        check_slope(context, cell, tile, out);
+      else if (context.tiles[tile].line)
+        check_drawn(context, cell, tile, out);
+      check_right_half(context, cell, tile, out);
+    }
+  }
+}
+
+void check_flag(const LintContext& context, int tile, std::vector<Problem>& out) {
+  const int like = context.tiles[static_cast<std::size_t>(tile)].like;
+  if (like < 0) return;
+  report(out, kUnflagged,
+         tile_text(tile) + " is drawn like " + tile_text(like) + ", " +
+             role_with_article(context.tiles[static_cast<std::size_t>(like)].role) +
+             ", but nothing makes it one",
+         {}, tile);
+}
+
+void fix_right_half(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const LintTiles& tiles = context.tiles;
+  const Cell cell = *problem.cell;
+  for (int i = 1; i < tiles.slope_cells(); ++i) {
+    const Cell right{cell.x + i, cell.y};
+    if (!level.map.contains(right)) {
+      out.push_back(put_tile(level, cell, 0,
+                             "Take " + tile_text(problem.tile) + " away from " + cell_text(cell) +
+                                 ", where the map cuts it off"));
+      return;
+    }
+    if (!tiles.is_empty(level.map.at(right))) continue;
+    const auto half = beside(problem.tile, i);
+    if (!half || tiles[*half].blank || tiles[*half].solid || tiles.is_slope(*half)) return;
+    out.push_back(put_tile(level, right, *half,
+                           "Place " + tile_text(*half) + ", the slope's right half, at " + cell_text(right)));
+    return;
+  }
+}
+
+// The tiles that lie on the sheet around the shape's as its cells do on the map. None where one of them is
+// not drawn, or is something to the physics itself.
+void fix_undrawn_shape(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const LintTiles& tiles = context.tiles;
+  const Cell cell = *problem.cell;
+  Edit edit;
+  for (const Cell at : undrawn_cells(level, tiles, cell)) {
+    const int row = problem.tile / kSheetColumns + at.y - cell.y;
+    const auto right = beside(problem.tile, at.x - cell.x);
+    if (!right || row < 0 || row >= kSheetColumns) return;
+    const auto tile = static_cast<std::uint8_t>(*right + (at.y - cell.y) * kSheetColumns);
+    if (tiles[tile].blank || !tiles[tile].shapeless) return;
+    edit.changes.emplace_back(CellChange{at, level.map.at(at), tile});
+  }
+  const auto& first = std::get<CellChange>(edit.changes.front());
+  const bool is_one = edit.changes.size() == 1;
+  edit.label = "Place " + (is_one ? tile_text(first.after) : std::to_string(edit.changes.size()) + " tiles") +
+               ", the rest of " + tile_text(problem.tile) + "'s shape, at " + cell_text(first.cell) +
+               (is_one ? "" : " and on");
+  out.push_back(std::move(edit));
+}
+
+void fix_overlap(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const LintTiles& tiles = context.tiles;
+  for (int i = 1; i < tiles.slope_cells(); ++i) {
+    const Cell right{problem.cell->x + i, problem.cell->y};
+    if (!level.map.contains(right)) return;
+    const std::uint8_t tile = level.map.at(right);
+    if (!tiles[tile].solid && !tiles.is_slope(tile)) continue;
+    const auto half = beside(problem.tile, i);
+    if (tiles.is_slope(tile) && half == tile) {
+      const TileRole role = tiles[tile].role;
+      const int flag = role == TileRole::up_slope ? level.roles.up_slope : level.roles.down_slope;
+      const std::uint8_t flags = level.tile_flags(tile);
+      out.push_back(single_change(
+          "Clear the " + role_label(role) + " flag of " + tile_text(tile) + ", the slope's right half",
+          FlagsChange{SheetId::tiles, tile, flags, static_cast<std::uint8_t>(flags & ~(1 << flag))}));
+    } else if (half && !tiles[*half].blank && !tiles[*half].solid && !tiles.is_slope(*half)) {
+      out.push_back(put_tile(level, right, *half,
+                             "Put " + tile_text(*half) + ", the slope's right half, in the place of " +
+                                 tile_text(tile) + " at " + cell_text(right)));
+    }
+    return;
+  }
+}
+
+void fix_missing_left(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const LintTiles& tiles = context.tiles;
+  const Cell cell = *problem.cell, left{cell.x - 1, cell.y};
+  const int half_of = tiles[static_cast<std::size_t>(problem.tile)].half_of;
+  if (level.map.contains(left) && tiles.is_empty(level.map.at(left))) {
+    out.push_back(put_tile(level, left, static_cast<std::uint8_t>(half_of),
+                           "Place " + tile_text(half_of) + ", the slope's left half, at " + cell_text(left)));
+  }
+  out.push_back(
+      put_tile(level, cell, 0, "Take " + tile_text(problem.tile) + " away from " + cell_text(cell)));
+}
+
+void fix_unflagged(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const LintTiles& tiles = context.tiles;
+  const int like = tiles[static_cast<std::size_t>(problem.tile)].like;
+  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  const TileRole role = tiles[static_cast<std::size_t>(like)].role;
+  const int flag = role == TileRole::up_slope ? level.roles.up_slope : level.roles.down_slope;
+  const std::uint8_t flags = level.tile_flags(tile);
+  out.push_back(
+      single_change("Set flag " + std::to_string(flag) + ", " + role_label(role) + ", of " + tile_text(tile),
+                    FlagsChange{SheetId::tiles, tile, flags, static_cast<std::uint8_t>(flags | 1 << flag)}));
+}
+
+void fix_missing_half(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const bool is_flagged = context.tiles.is_slope(static_cast<std::size_t>(problem.tile));
+  (is_flagged ? fix_right_half : fix_undrawn_shape)(context, problem, out);
+}
+
+}  // namespace
+
+// The cells behind the first that a slope's box covers must show the rest of it.
+std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& tiles, Cell cell) {
+  if (!tiles.is_slope(level.map.at(cell))) return std::nullopt;
+  for (int i = 1; i < tiles.slope_cells(); ++i) {
+    const Cell right = {cell.x + i, cell.y};
+    const std::string where =
+        i == 1 ? "the tile to its right" : "the tile " + std::to_string(i) + " to its right";
+    if (!level.map.contains(right))
+      return SlopeFault{&kHalfMissing, "the map ends at its right: the rest of the slope is cut off"};
+    const std::uint8_t other = level.map.at(right);
+    if (tiles.is_empty(other))
+      return SlopeFault{&kHalfMissing, where + " is empty: half of the slope is not drawn"};
+    if (tiles[other].solid)
+      return SlopeFault{&kOverlap, where + " is solid: it stands inside the slope's box"};
+    if (tiles.is_slope(other)) {
+      return SlopeFault{&kOverlap,
+                        where + " has a slope's flag too: only the left tile of a slope may be flagged"};
+    }
+  }
+  return std::nullopt;
+}
+
+const RuleGroup& slope_rules() {
+  static constexpr const LintRule* kRules[] = {&kHalfMissing, &kLeftMissing, &kOverlap, &kUnflagged};
+  static constexpr RuleGroup kGroup{.rules = kRules, .check_tile = check_flag, .check_area = check_slopes};
+  return kGroup;
+}
+
+}  // namespace talus

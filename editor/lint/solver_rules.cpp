@@ -1,0 +1,76 @@
+// Ground that the level's solver does not know, or has too much of.
+#include <array>
+
+#include <talus/level/ground.h>
+#include "fix_parts.h"
+#include "rule_group.h"
+
+namespace talus {
+namespace {
+
+LintFix fix_solver;
+
+constexpr LintRule kCurvesNeedExact{
+    .code = "curves-need-exact", .label = "curves without their solver", .fix = fix_solver};
+constexpr LintRule kNotInArticle{.code = "ground-not-in-article",
+                                 .label = "ground that the article does not know"};
+constexpr LintRule kTooMuchGround{
+    .code = "too-much-ground", .label = "too much ground for its solver", .severity = Severity::error};
+
+// The article has full tiles and floors alone; the tiles of the map that it lets everything through.
+void check_article(const LintContext& context, std::vector<Problem>& out) {
+  const Level& level = context.level;
+  if (level.tuning.solver != SolverKind::article) return;
+  std::array<bool, kTileCount> used{};
+  for (const std::uint8_t tile : level.map.cells()) used[tile] = true;
+  std::string tiles;
+  int count = 0, first = -1;
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+    const bool has_role =
+        level.tile_shapes[static_cast<std::size_t>(tile)].kind == TileShape::Kind::none &&
+        role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) != TileRole::none;
+    const bool is_line = shape.kind == TileShape::Kind::slope || shape.kind == TileShape::Kind::profile;
+    const bool is_unknown = shape.one_way || shape.kind == TileShape::Kind::profile ||
+                            (is_line && shape.side == TileShape::Side::ceiling);
+    if (!used[static_cast<std::size_t>(tile)] || shape.kind == TileShape::Kind::none || has_role ||
+        !is_unknown)
+      continue;
+    if (count == 0) first = tile;
+    if (++count <= 3) tiles += (count > 1 ? ", " : "") + std::to_string(tile);
+  }
+  if (count == 0) return;
+  if (count > 3) tiles += " and " + std::to_string(count - 3) + " more";
+  report(out, kNotInArticle,
+         "bodies pass through tile" + std::string(count == 1 ? " " : "s ") + tiles +
+             ": the article's solver does not know one-way ground, ceilings and profiles; bump and exact do",
+         {}, first);
+}
+
+void check_solver(const LintContext& context, std::vector<Problem>& out) {
+  const Level& level = context.level;
+  if (!level.curves.empty() && level.tuning.solver != SolverKind::exact) {
+    report(out, kCurvesNeedExact,
+           "curves and segments stop only bodies of the exact solver, but the level's solver is " +
+               std::string(solver_name(level.tuning.solver)));
+  }
+  check_article(context, out);
+  if (const auto problem = ground_problem(level)) report(out, kTooMuchGround, "the level " + *problem);
+}
+
+void fix_solver(const LintContext& context, const Problem&, std::vector<Edit>& out) {
+  Tuning tuning = context.level.tuning;
+  tuning.solver = SolverKind::exact;
+  out.push_back(
+      single_change("Choose the exact solver for this level", TuningChange{context.level.tuning, tuning}));
+}
+
+}  // namespace
+
+const RuleGroup& solver_rules() {
+  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kTooMuchGround};
+  static constexpr RuleGroup kGroup{.rules = kRules, .check_level = check_solver};
+  return kGroup;
+}
+
+}  // namespace talus

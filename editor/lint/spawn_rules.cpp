@@ -1,0 +1,286 @@
+// Bodies that start inside the ground or off the map, or too fast; and levels without a body.
+#include <algorithm>
+#include <cmath>
+
+#include "collision/ground_queries.h"
+#include "edit/spawn_tools.h"
+#include "fix_parts.h"
+#include "level/level_text.h"
+#include "level/local_ground.h"
+#include "rule_group.h"
+
+namespace talus {
+namespace {
+
+LintFix fix_inside, fix_outside;
+
+constexpr LintRule kInSolid{
+    .code = "spawn-in-solid", .label = "body inside a tile", .severity = Severity::error, .fix = fix_inside};
+constexpr LintRule kInSlope{
+    .code = "spawn-in-slope", .label = "body inside a slope", .severity = Severity::error, .fix = fix_inside};
+constexpr LintRule kOutside{.code = "spawn-outside", .label = "body off the map", .fix = fix_outside};
+constexpr LintRule kTooFast{.code = "spawn-too-fast", .label = "body that is too fast"};
+constexpr LintRule kNoBalls{.code = "no-balls", .label = "nothing to move"};
+
+constexpr double kFastest = 4096;   // px/frame: what the solvers limit speeds to after a step
+constexpr Vec2 kBallSize = {8, 8};  // px, of a ball tile's ball
+constexpr int kMostUp = 16;         // cells
+constexpr int kMostAway = 16;       // cells
+
+// How deep a body of this size with this corner, px, lies below the floor that the article computes for a
+// slope flagged in the cell; 0 when it is above, or beside the slope's box.
+double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at) {
+  const double w = level.tuning.shared.slope_width, h = level.tuning.shared.slope_height;
+  const Vec2 slope = {static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize};
+  const bool overlaps = corner.x < slope.x + w && corner.x + size.x > slope.x && corner.y < slope.y + h &&
+                        corner.y + size.y > slope.y;
+  if (!overlaps) return 0;
+  const double along = std::clamp(corner.x + size.x / 2 - slope.x, 0.0, w) / w;
+  const double drop = level.role_at(at) == TileRole::up_slope ? h * (1 - along) : h * along;
+  return std::max(0.0, corner.y - (slope.y - h + drop));
+}
+
+class SpawnLinter {
+ public:
+  SpawnLinter(const LintContext& context, std::vector<Problem>& out)
+      : level_(context.level), tiles_(context.tiles), out_(out) {}
+
+  void check(int index) {
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    const Vec2 corner = spawn.position, size = spawn.size;
+    const std::string subject =
+        spawn_name(level_, index) + " at " + px_text(corner.x) + ", " + px_text(corner.y) + " px";
+    const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
+    const bool inside =
+        corner.x >= 0 && corner.y >= 0 && corner.x + size.x <= width && corner.y + size.y <= height;
+    // Farther away there are no tiles, and perhaps no int for the cell either.
+    const bool touches = corner.x > -size.x && corner.y > -size.y && corner.x < width && corner.y < height;
+    const std::optional<Cell> cell = nearest_cell(level_.map, corner);
+    if (!inside) report(out_, kOutside, subject + " is not wholly on the map", cell, -1, index);
+    const double speed = std::max(std::abs(spawn.velocity.x), std::abs(spawn.velocity.y));
+    if (speed > kFastest)
+      report(out_, kTooFast,
+             subject + " starts with " + px_text(speed) +
+                 " px/frame; after the first step speeds are cut to " + px_text(kFastest) + " px/frame",
+             cell, -1, index);
+    if (touches && !is_in_solid(index, subject, cell) && !is_in_slope(index, subject, cell))
+      check_shapes(index, subject, cell);
+  }
+
+ private:
+  // Calls visit(cell) for the cells of the map from the one at `first` px to the one before `end` px, until
+  // it returns true; whether it did.
+  template <class Visit>
+  bool any_cell(Vec2 first, Vec2 end, Visit visit) const {
+    const int x1 = std::min(level_.map.width(), static_cast<int>(std::ceil(end.x / kTileSize)));
+    const int y1 = std::min(level_.map.height(), static_cast<int>(std::ceil(end.y / kTileSize)));
+    for (int y = std::max(0, cell_of(first.y)); y < y1; ++y) {
+      for (int x = std::max(0, cell_of(first.x)); x < x1; ++x) {
+        if (visit(Cell{x, y})) return true;
+      }
+    }
+    return false;
+  }
+
+  // Reports the first solid tile that the body overlaps; false when there is none.
+  bool is_in_solid(int index, const std::string& subject, std::optional<Cell> cell) {
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    return any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
+      if (!tiles_[level_.map.at(at)].solid) return false;
+      report(out_, kInSolid, subject + " starts inside the solid tile at " + cell_text(at), cell, -1, index);
+      return true;
+    });
+  }
+
+  // The same of the first slope below whose floor, as the article computes it, it would start.
+  bool is_in_slope(int index, const std::string& subject, std::optional<Cell> cell) {
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    const Vec2 reach = {level_.tuning.shared.slope_width, level_.tuning.shared.slope_height};
+    return any_cell(spawn.position - reach, spawn.position + spawn.size, [&](Cell at) {
+      const std::uint8_t tile = level_.map.at(at);
+      if (!tiles_.is_slope(tile) || tiles_[tile].own_shape) return false;
+      const double depth = depth_in_slope(level_, spawn.position, spawn.size, at);
+      if (!(depth > 0)) return false;
+      report(out_, kInSlope,
+             subject + " starts " + px_text(depth) + " px inside the " + role_label(tiles_[tile].role) +
+                 " at " + cell_text(at),
+             cell, -1, index);
+      return true;
+    });
+  }
+
+  // The same of slopes and profiles that flags and roles do not tell, where the level's solver has them.
+  void check_shapes(int index, const std::string& subject, std::optional<Cell> cell) {
+    if (level_.tuning.solver != SolverKind::exact) return;
+    const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    const Vec2 reach = {kMaxShapeTiles * kTileSize, kMaxShapeTiles * kTileSize};
+    const Vec2 end = spawn.position + spawn.size;
+    const bool is_covered = any_cell(spawn.position - reach, end + reach, [&](Cell at) {
+      const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
+      if (!tile.line || (tiles_.is_slope(level_.map.at(at)) && !tile.own_shape)) return false;
+      return any_cell(spawn.position, end, [&](Cell c) {
+        return c.x >= at.x + tile.covered[0].x && c.x <= at.x + tile.covered[1].x &&
+               c.y >= at.y + tile.covered[0].y && c.y <= at.y + tile.covered[1].y;
+      });
+    });
+    if (!is_covered) return;
+    const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
+    const LocalGround ground = ground_around(level_, box, 0);
+    if (!overlaps_ground(ground.terrain, ground.to_local(box), spawn.used_foot())) return;
+    const auto out = way_out(ground.terrain, ground.to_local(box), spawn.used_foot());
+    report(out_, kInSlope,
+           subject + " starts " + (out ? px_text(std::abs(out->x) + std::abs(out->y)) + " px " : "") +
+               "inside the shape of a tile",
+           cell, -1, index);
+  }
+
+  const Level& level_;
+  const LintTiles& tiles_;
+  std::vector<Problem>& out_;
+};
+
+void check_spawns(const LintContext& context, std::vector<Problem>& out) {
+  SpawnLinter linter(context, out);
+  for (int i = 0; i < static_cast<int>(context.level.spawns.size()); ++i) linter.check(i);
+  if (context.has_balls || !context.level.spawns.empty()) return;
+  report(out, kNoBalls, "no ball is on the map and none is placed by hand, so nothing will move");
+}
+
+void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
+  const LintTiles& tiles = context.tiles;
+  const Vec2 corner = {static_cast<double>(cell.x) * kTileSize, static_cast<double>(cell.y) * kTileSize};
+  const int left = std::max(0, cell.x - tiles.slope_cells());
+  const int up = std::max(0, cell.y - tiles.slope_rows());
+  for (Cell at{left, up}; at.y <= cell.y; ++at.y) {
+    for (at.x = left; at.x <= cell.x; ++at.x) {
+      const std::uint8_t slope = context.level.map.at(at);
+      if (!tiles.is_slope(slope) || tiles[slope].own_shape) continue;
+      const double depth = depth_in_slope(context.level, corner, kBallSize, at);
+      if (!(depth > 0)) continue;
+      report(out, kInSlope,
+             "the ball at " + cell_text(cell) + " starts " + px_text(depth) + " px inside the " +
+                 role_label(tiles[slope].role) + " at " + cell_text(at),
+             cell, tile);
+      return;
+    }
+  }
+}
+
+void check_balls(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
+  for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
+    for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
+      const std::uint8_t tile = context.level.map.at(cell);
+      if (context.tiles[tile].role == TileRole::ball) check_ball(context, cell, tile, out);
+    }
+  }
+}
+
+std::string position_text(Vec2 at) { return px_text(at.x) + ", " + px_text(at.y) + " px"; }
+
+bool is_on_map(const Level& level, const Rect& box) {
+  return box.x >= 0 && box.y >= 0 && box.right() <= level.map.width() * kTileSize &&
+         box.bottom() <= level.map.height() * kTileSize;
+}
+
+// The nearest place free of the ground and on the map, of those at corners of cells.
+std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, const LocalGround& ground,
+                                        Foot foot) {
+  std::optional<Vec2> nearest;
+  double least = 0;
+  for (int y = -kMostAway; y <= kMostAway; ++y) {
+    for (int x = -kMostAway; x <= kMostAway; ++x) {
+      const Rect there{(std::floor(box.x / kTileSize) + x) * kTileSize,
+                       (std::floor(box.y / kTileSize) + y) * kTileSize, box.w, box.h};
+      const Vec2 way = there.position() - box.position();
+      const double squared = way.x * way.x + way.y * way.y;
+      if ((nearest && squared >= least) || !is_on_map(level, there)) continue;
+      if (overlaps_ground(ground.terrain, ground.to_local(there), foot)) continue;
+      nearest = there.position();
+      least = squared;
+    }
+  }
+  return nearest;
+}
+
+// The nearest place straight above in which the body stands, or hangs, free of the ground; else the shortest
+// way out of it that stays on the map; else the nearest free one.
+std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
+  const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
+  const LocalGround ground = ground_around(level, box, std::max(kMostUp, kMostAway) + 1);
+  const Foot foot = spawn.used_foot();
+  for (int i = 0; i <= kMostUp; ++i) {
+    Rect up = box;
+    up.y = (std::floor(box.bottom() / kTileSize) - i) * kTileSize - box.h;
+    const Rect local = ground.to_local(up);
+    if (up.y >= box.y || !is_on_map(level, up) || overlaps_ground(ground.terrain, local, foot)) continue;
+    if (const auto floor = floor_below(ground.terrain, local, box.y - up.y, foot))
+      up.y = floor->y - box.h + ground.corner.y;
+    return up.position();
+  }
+  if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) {
+    const Vec2 there = box.position() + *out;
+    if (is_on_map(level, {there.x, there.y, box.w, box.h})) return there;
+  }
+  return nearest_free_corner(level, box, ground, foot);
+}
+
+void move_spawn(const Level& level, int index, Vec2 to, std::vector<Edit>& out) {
+  Spawn spawn = level.spawns[static_cast<std::size_t>(index)];
+  if (spawn.position == to) return;
+  const double up = spawn.position.y - to.y;
+  const bool straight = spawn.position.x == to.x && up > 0;
+  spawn.position = to;
+  out.push_back(change_spawn(level, index, spawn,
+                             "Move " + spawn_name(level, index) +
+                                 (straight ? " up by " + px_text(up) + " px" : "") + " to " +
+                                 position_text(to)));
+}
+
+void fix_outside(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const int index = problem.object;
+  const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
+  const auto inside = [](double at, double size, int cells) {
+    return std::max(0.0, std::min(at, cells * kTileSize - size));
+  };
+  move_spawn(level, index,
+             {inside(spawn.position.x, spawn.size.x, level.map.width()),
+              inside(spawn.position.y, spawn.size.y, level.map.height())},
+             out);
+}
+
+// Moves a ball tile up to the next empty cell that is in no slope.
+void move_ball(const LintContext& context, Cell cell, std::vector<Edit>& out) {
+  const Level& level = context.level;
+  const LintTiles& tiles = context.tiles;
+  for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostUp; --up.y) {
+    if (!tiles.is_empty(level.map.at(up))) continue;
+    // Where it covers a slope's right half, that comes in its place.
+    const Cell left{cell.x - 1, cell.y};
+    const auto half = static_cast<std::uint8_t>(level.map.contains(left) ? level.map.at(left) + 1 : 0);
+    const bool is_half = half != 0 && tiles[half].half_of == half - 1;
+    Edit edit = put_tile(level, cell, is_half ? half : 0,
+                         "Move the ball of " + cell_text(cell) + " up to " + cell_text(up) +
+                             (is_half ? ", and put tile " + std::to_string(half) + " in its place" : ""));
+    edit.changes.push_back(CellChange{up, level.map.at(up), level.map.at(cell)});
+    out.push_back(std::move(edit));
+    return;
+  }
+}
+
+void fix_inside(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
+  if (problem.object < 0) return move_ball(context, *problem.cell, out);
+  const Spawn& spawn = context.level.spawns[static_cast<std::size_t>(problem.object)];
+  if (const auto place = free_place(context.level, spawn))
+    move_spawn(context.level, problem.object, *place, out);
+}
+
+}  // namespace
+
+const RuleGroup& spawn_rules() {
+  static constexpr const LintRule* kRules[] = {&kInSolid, &kInSlope, &kOutside, &kTooFast, &kNoBalls};
+  static constexpr RuleGroup kGroup{.rules = kRules, .check_area = check_balls, .check_level = check_spawns};
+  return kGroup;
+}
+
+}  // namespace talus
