@@ -91,7 +91,7 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
       return fail(context, options.file, "", "was cancelled");
     session.apply(action::StepFrame{});
   }
-  if (options.shot.overlays.has(OverlayId::reach)) {
+  if (options.shot.overlays.any(&Overlay::needs_reach)) {
     session.apply(action::FindReach{});
     if (session.message()) return fail(context, options.file, "", session.message()->text);
     while (session.reach().running()) session.advance(0);
@@ -122,7 +122,7 @@ void shoot_to_file(CommandContext& context, ShotCommandOptions& options) {
 
 std::vector<std::string> overlay_keys() {
   std::vector<std::string> keys;
-  for (const OverlayInfo& info : overlay_infos()) keys.emplace_back(info.key);
+  for (const Overlay* overlay : all_overlays()) keys.emplace_back(overlay->key);
   return keys;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "overlay_pen.h"
+
 namespace talus {
 namespace {
 
-constexpr OverlayId kId = OverlayId::answer;
+constexpr const Overlay* kId = &overlay::answer;
 constexpr int kCurveLines = 24;  // drawn for a curve of the floor
 constexpr double kPathStep = 8;  // px between the points of a way along the floor
 
@@ -101,4 +103,32 @@ void add_answer(const HardCase& hard, const Level& level, OverlayDrawing& drawin
   AnswerDrawer(hard, level, drawing).draw();
 }
 
+namespace {
+
+void draw_answer(const OverlaySource& source, OverlayPen& pen) {
+  if (source.hard_case != nullptr) add_answer(*source.hard_case, *source.level, pen.drawing());
+}
+
+}  // namespace
+
+namespace overlay {
+
+const Overlay answer{
+    .key = "answer",
+    .label = "right answer",
+    .help =
+        "For a hard case: where bodies start, where they should be, and the floor that they should stay on.",
+    .color = 0xa7f070,
+    .safe_color = 0x8cc850,
+    .digit = '8',
+    .layer = 2,
+    .draw = draw_answer,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.box({3, 1, 4, 4}, true);
+          pen.line({0, 6.5}, {8, 6.5});
+        },
+};
+
+}  // namespace overlay
 }  // namespace talus

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "visible.h"
+#include "overlay_pen.h"
 
 namespace talus {
 namespace {
 
-constexpr OverlayId kPath = OverlayId::swept_path;
+constexpr const Overlay* kPath = &overlay::swept_path;
 constexpr double kFaintest = 0.15;  // of the oldest part of a trail
 
 class PathDrawer {
@@ -71,7 +71,7 @@ void add_swept_paths(const OverlaySource& source, Rect visible, OverlayDrawing& 
   for (const BodyPath& path : source.record.paths) drawer.draw(path);
 }
 
-void add_trails(std::span<const Trail> trails, OverlayId color, Rect visible, OverlayDrawing& drawing) {
+void add_trails(std::span<const Trail> trails, const Overlay* color, Rect visible, OverlayDrawing& drawing) {
   for (const Trail& trail : trails) {
     for (std::size_t i = 1; i < trail.size(); ++i) {
       if (!meets(trail[i - 1], trail[i], visible)) continue;
@@ -82,4 +82,61 @@ void add_trails(std::span<const Trail> trails, OverlayId color, Rect visible, Ov
   }
 }
 
+namespace {
+
+void draw_swept_paths(const OverlaySource& source, OverlayPen& pen) {
+  add_swept_paths(source, pen.visible(), pen.drawing());
+}
+
+void draw_trails(const OverlaySource& source, OverlayPen& pen) {
+  if (!source.trails) return;
+  for (const ColoredTrails& some : source.trails())
+    add_trails(some.trails, some.color, pen.visible(), pen.drawing());
+}
+
+}  // namespace
+
+namespace overlay {
+
+const Overlay swept_path{
+    .key = "swept_path",
+    .label = "swept path",
+    .help = "The way of each body in the last step, with its box at every contact.",
+    .color = 0x8fd3ff,
+    .safe_color = 0x6ee4ff,
+    .digit = '3',
+    .shift = true,
+    .layer = -1,
+    .covers_much = true,
+    .draw = draw_swept_paths,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.box({0.5, 0.5, 3, 3});
+          pen.box({4.5, 4.5, 3, 3});
+          pen.line({2, 2}, {6, 6});
+        },
+};
+
+const Overlay trails{
+    .key = "trails",
+    .label = "trails",
+    .help =
+        "Where the chosen body's centre was in the last frames; without a chosen body, those of the "
+        "first four.",
+    .color = 0xffb7e0,
+    .safe_color = 0xffe48c,
+    .digit = '4',
+    .shift = true,
+    .layer = 1,
+    .is_faint = true,
+    .covers_much = true,
+    .draw = draw_trails,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({0, 6}, {3, 2}, false, 0.5);
+          pen.line({3, 2}, {8, 5});
+        },
+};
+
+}  // namespace overlay
 }  // namespace talus

@@ -8,10 +8,7 @@ namespace talus {
 // The way of each body from contact to contact, with its box at each, and the strip that it swept.
 void add_swept_paths(const OverlaySource& source, Rect visible, OverlayDrawing& drawing);
 
-// Where a body's centre was, frame by frame, px.
-using Trail = std::vector<Vec2>;
-
 // Lines from frame to frame, fainter the older. color: the overlay whose colour they have.
-void add_trails(std::span<const Trail> trails, OverlayId color, Rect visible, OverlayDrawing& drawing);
+void add_trails(std::span<const Trail> trails, const Overlay* color, Rect visible, OverlayDrawing& drawing);
 
 }  // namespace talus

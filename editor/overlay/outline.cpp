@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "collision/outline_compiler.h"
-#include "visible.h"
+#include "overlay_pen.h"
 
 namespace talus {
 namespace {
@@ -88,25 +88,36 @@ class VisiblePiece {
   double from_, to_, step_;
 };
 
-class OutlineDrawer {
- public:
-  OutlineDrawer(const Terrain& ground, OverlaySet overlays, const Rect& visible, OverlayDrawing& out)
-      : ground_(ground), overlays_(overlays), visible_(visible), out_(out) {}
+// fn(cell) for the cells of the ground that are visible.
+template <class Fn>
+void each_visible_cell(const Terrain& ground, const Rect& visible, Fn fn) {
+  const auto cell = [](double px, int count) {
+    return std::clamp(static_cast<int>(std::floor(px / kTileSide)), -1, count);
+  };
+  const int x0 = std::max(cell(visible.x, ground.width()), 0), x1 = cell(visible.right(), ground.width());
+  const int y0 = std::max(cell(visible.y, ground.height()), 0), y1 = cell(visible.bottom(), ground.height());
+  for (int y = y0; y <= std::min(y1, ground.height() - 1); ++y) {
+    for (int x = x0; x <= std::min(x1, ground.width() - 1); ++x) fn(Cell{x, y});
+  }
+}
 
-  void draw() {
-    const auto cell = [](double px, int count) {
-      return std::clamp(static_cast<int>(std::floor(px / kTileSide)), -1, count);
-    };
-    const int x0 = std::max(cell(visible_.x, ground_.width()), 0),
-              x1 = cell(visible_.right(), ground_.width());
-    const int y0 = std::max(cell(visible_.y, ground_.height()), 0);
-    const int y1 = cell(visible_.bottom(), ground_.height());
-    for (int y = y0; y <= std::min(y1, ground_.height() - 1); ++y) {
-      for (int x = x0; x <= std::min(x1, ground_.width() - 1); ++x) draw_cell({x, y});
-    }
+// Of pieces, which may be in several cells, those that were not met before.
+class NewPieces {
+ public:
+  bool has(const Piece<double>& piece) {
+    return met_.insert({piece.origin, piece.stretch, piece.facing, piece.x0, piece.y0, piece.x1, piece.y1})
+        .second;
   }
 
  private:
+  std::set<std::tuple<std::int32_t, std::uint32_t, Facing, double, double, double, double>> met_;
+};
+
+class OutlineDrawer {
+ public:
+  OutlineDrawer(const Terrain& ground, const Rect& visible, OverlayDrawing& out)
+      : ground_(ground), pen_(overlay::outline, visible, out) {}
+
   void draw_cell(Cell cell) {
     if (ground_.is_detailed(cell)) {
       for (const Piece<double>& piece : ground_.pieces_in(cell)) draw_piece(piece);
@@ -118,6 +129,7 @@ class OutlineDrawer {
     }
   }
 
+ private:
   // A side of a full tile, unless another one is beyond it.
   void draw_side(Cell cell, Cell towards, Facing facing) {
     if (ground_.is_solid({cell.x + towards.x, cell.y + towards.y})) return;
@@ -127,46 +139,43 @@ class OutlineDrawer {
     const bool is_wall = facing == Facing::left || facing == Facing::right;
     const Vec2 from{x + right, y + low};
     const Vec2 to = is_wall ? Vec2{from.x, y + kTileSide} : Vec2{x + kTileSide, from.y};
-    line(from, to);
-    normal((from + to) * 0.5, normal_of(facing));
+    pen_.line(from, to);
+    draw_normal((from + to) * 0.5, normal_of(facing));
   }
 
-  // A piece in several cells is drawn once.
   void draw_piece(const Piece<double>& piece) {
-    const auto key =
-        std::make_tuple(piece.origin, piece.stretch, piece.facing, piece.x0, piece.y0, piece.x1, piece.y1);
-    if (!drawn_.insert(key).second) return;
-    const VisiblePiece shown(piece, ground_.stretches(), visible_);
-    shown.each_line([this](Vec2 from, Vec2 to) { line(from, to); });
-    shown.each_normal([&](Vec2 at, Vec2 n) {
-      normal(at, n);
-      if (piece.one_way && overlays_.has(OverlayId::one_way))
-        add({OverlayId::one_way, at - n * kPassLength, at + n * kPassLength, true});
-    });
+    if (!new_pieces_.has(piece)) return;
+    const VisiblePiece shown(piece, ground_.stretches(), pen_.visible());
+    shown.each_line([this](Vec2 from, Vec2 to) { pen_.line(from, to); });
+    shown.each_normal([this](Vec2 at, Vec2 n) { draw_normal(at, n); });
   }
 
-  void line(Vec2 from, Vec2 to) {
-    if (overlays_.has(OverlayId::outline)) add({OverlayId::outline, from, to});
-  }
-  void normal(Vec2 at, Vec2 n) {
-    if (overlays_.has(OverlayId::outline))
-      add({.overlay = OverlayId::outline, .from = at, .to = at + n * kOutwardLength, .detail = true});
-  }
-  void add(const OverlayLine& l) {
-    if (meets(l.from, l.to, visible_)) out_.lines.push_back(l);
-  }
+  void draw_normal(Vec2 at, Vec2 n) { pen_.line(at, at + n * kOutwardLength, false, 1, true); }
 
   const Terrain& ground_;
-  const OverlaySet overlays_;
-  const Rect& visible_;
-  OverlayDrawing& out_;
-  std::set<std::tuple<std::int32_t, std::uint32_t, Facing, double, double, double, double>> drawn_;
+  OverlayPen pen_;
+  NewPieces new_pieces_;
 };
 
 }  // namespace
 
-void add_outline(const Terrain& ground, OverlaySet overlays, Rect visible, OverlayDrawing& drawing) {
-  OutlineDrawer(ground, overlays, visible, drawing).draw();
+void add_outline(const Terrain& ground, Rect visible, OverlayDrawing& drawing) {
+  OutlineDrawer drawer(ground, visible, drawing);
+  each_visible_cell(ground, visible, [&](Cell cell) { drawer.draw_cell(cell); });
+}
+
+void add_one_way_arrows(const Terrain& ground, Rect visible, OverlayDrawing& drawing) {
+  OverlayPen pen(overlay::one_way, visible, drawing);
+  NewPieces new_pieces;
+  each_visible_cell(ground, visible, [&](Cell cell) {
+    if (!ground.is_detailed(cell)) return;
+    for (const Piece<double>& piece : ground.pieces_in(cell)) {
+      if (!piece.one_way || !new_pieces.has(piece)) continue;
+      VisiblePiece(piece, ground.stretches(), visible).each_normal([&](Vec2 at, Vec2 n) {
+        pen.line(at - n * kPassLength, at + n * kPassLength, true);
+      });
+    }
+  });
 }
 
 std::vector<CurveLine> curve_lines(const Level& level, Rect visible) {
@@ -186,4 +195,60 @@ std::vector<CurveLine> curve_lines(const Level& level, Rect visible) {
   return lines;
 }
 
+namespace {
+
+void draw_outline(const OverlaySource& source, OverlayPen& pen) {
+  if (source.ground != nullptr) add_outline(*source.ground, pen.visible(), pen.drawing());
+}
+void draw_one_way(const OverlaySource& source, OverlayPen& pen) {
+  if (source.ground != nullptr) add_one_way_arrows(*source.ground, pen.visible(), pen.drawing());
+}
+
+}  // namespace
+
+namespace overlay {
+
+const Overlay outline{
+    .key = "outline",
+    .label = "outline",
+    .help =
+        "The outline of the ground as the exact solver sees it, with short normals where it stops bodies.",
+    .color = 0xb39dff,
+    .safe_color = 0xaaaaff,
+    .digit = '9',
+    .needs_ground = true,
+    .near_only = true,
+    .layer = -1,
+    .covers_much = true,
+    .draw = draw_outline,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({0, 6.5}, {8, 3.5});
+          pen.line({4, 5}, {3, 2});
+        },
+};
+
+const Overlay one_way{
+    .key = "one_way",
+    .label = "one-way sides",
+    .help =
+        "Arrows through one-way floors, ceilings and lines, in the direction in which "
+        "bodies may pass.",
+    .color = 0x66d9c0,
+    .safe_color = 0x288c8c,
+    .digit = '2',
+    .shift = true,
+    .needs_ground = true,
+    .near_only = true,
+    .layer = -1,
+    .covers_much = true,
+    .draw = draw_one_way,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({4, 7.5}, {4, 0.5}, true);
+          pen.line({0, 5}, {8, 5});
+        },
+};
+
+}  // namespace overlay
 }  // namespace talus

@@ -8,9 +8,11 @@
 
 namespace talus {
 
-// Adds what `overlays` has of the merged outline where it is visible (level px): the outline itself, with
-// short normals on the sides from which it stops bodies, and arrows through its one-way parts.
-void add_outline(const Terrain& ground, OverlaySet overlays, Rect visible, OverlayDrawing& drawing);
+// Adds the merged outline where it is visible (level px), with short normals on the sides from which it stops
+// bodies.
+void add_outline(const Terrain& ground, Rect visible, OverlayDrawing& drawing);
+// Adds arrows through its one-way parts.
+void add_one_way_arrows(const Terrain& ground, Rect visible, OverlayDrawing& drawing);
 
 struct CurveLine {
   Vec2 from, to;  // px

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "overlay_pen.h"
+
 namespace talus {
 namespace {
 
@@ -32,7 +34,7 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
   };
   // Runs that are below equal ones make their boxes higher.
   std::vector<Rect> open, here;
-  const auto close = [&](const Rect& box) { drawing.boxes.push_back({OverlayId::reach, box, !stale}); };
+  const auto close = [&](const Rect& box) { drawing.boxes.push_back({&overlay::reach, box, !stale}); };
   for (int y = y0; y < y1; y += step) {
     const double top = y * 1.0 * kTileSize, bottom = std::min(y + step, y1) * 1.0 * kTileSize;
     here.clear();
@@ -50,10 +52,41 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
     runs(
         y, [&](Cell c) { return reach.stood_at(c); },
         [&](double from, double to) {
-          drawing.lines.push_back({OverlayId::reach, {from, bottom}, {to, bottom}});
+          drawing.lines.push_back({&overlay::reach, {from, bottom}, {to, bottom}});
         });
   }
   std::for_each(open.begin(), open.end(), close);
 }
 
+namespace {
+
+void draw_reach(const OverlaySource& source, OverlayPen& pen) {
+  if (source.reach == nullptr) return;
+  const TileMap& map = source.level->map;
+  add_reach(*source.reach, source.reach_is_stale, map.width(), map.height(), pen.visible(), pen.drawing());
+}
+
+}  // namespace
+
+namespace overlay {
+
+const Overlay reach{
+    .key = "reach",
+    .label = "reach",
+    .help = "Cells that a player was found to get to from its start, and the floors that it stood on there.",
+    .color = 0x8bd450,
+    .safe_color = 0xc8ff00,
+    .digit = '7',
+    .shift = true,
+    .needs_reach = true,
+    .layer = 2,
+    .draw = draw_reach,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.box({0, 0, 8, 7}, true);
+          pen.line({0, 7}, {8, 7});
+        },
+};
+
+}  // namespace overlay
 }  // namespace talus

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "visible.h"
+#include "overlay_pen.h"
 
 namespace talus {
 namespace {
@@ -117,7 +117,7 @@ class Collector {
     const Vec2 from = e.upright ? Vec2{e.at, e.from} : Vec2{e.from, e.at};
     const Vec2 to = e.upright ? Vec2{e.at, e.to} : Vec2{e.to, e.at};
     if (meets(from, to, visible_))
-      out_.lines.push_back({.overlay = OverlayId::removed_edges, .from = from, .to = to, .strength = 0.6});
+      out_.lines.push_back({.overlay = &overlay::removed_edges, .from = from, .to = to, .strength = 0.6});
   }
 
   const Terrain& ground_;
@@ -133,4 +133,36 @@ void add_removed_edges(const Terrain& ground, Rect visible, OverlayDrawing& draw
   Collector(ground, visible, drawing).draw();
 }
 
+namespace {
+
+void draw_removed_edges(const OverlaySource& source, OverlayPen& pen) {
+  if (source.ground != nullptr) add_removed_edges(*source.ground, pen.visible(), pen.drawing());
+}
+
+}  // namespace
+
+namespace overlay {
+
+const Overlay removed_edges{
+    .key = "removed_edges",
+    .label = "removed edges",
+    .help = "Sides of tiles and slopes that the merged outline has left out, since others cover them.",
+    .color = 0x9aa5b1,
+    .safe_color = 0x6e8c6e,
+    .digit = '1',
+    .shift = true,
+    .needs_ground = true,
+    .near_only = true,
+    .layer = -2,
+    .is_faint = true,
+    .covers_much = true,
+    .draw = draw_removed_edges,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({4, 0}, {4, 8});
+          pen.line({0, 4}, {8, 4});
+        },
+};
+
+}  // namespace overlay
 }  // namespace talus

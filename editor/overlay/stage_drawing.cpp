@@ -16,7 +16,7 @@ class StageDrawer {
       : stage_(stage), body_(body), record_(record), out_(out) {}
 
   void draw() {
-    out_.boxes.push_back({OverlayId::swept_path, stage_.box});
+    out_.boxes.push_back({&overlay::swept_path, stage_.box});
     switch (stage_.kind) {
       case StageKind::wanted:
       case StageKind::went_on:
@@ -42,15 +42,15 @@ class StageDrawer {
     if (stage_.motion == Vec2{}) return;
     const Rect& b = stage_.box;
     const Rect there{b.x + stage_.motion.x, b.y + stage_.motion.y, b.w, b.h};
-    out_.lines.push_back({OverlayId::swept_path, b.center(), there.center(), true});
-    if (stage_.kind != StageKind::snapped) out_.boxes.push_back({OverlayId::swept_path, there});
+    out_.lines.push_back({&overlay::swept_path, b.center(), there.center(), true});
+    if (stage_.kind != StageKind::snapped) out_.boxes.push_back({&overlay::swept_path, there});
   }
 
   void draw_search() {
     add_visited({&stage_, 1}, out_);
     for (const CastCandidate& c : stage_.candidates) {
       const bool is_met = std::isfinite(c.t);
-      out_.lines.push_back({.overlay = c.is_first ? OverlayId::touch_points : OverlayId::outline,
+      out_.lines.push_back({.overlay = c.is_first ? &overlay::touch_points : &overlay::outline,
                             .from = c.from,
                             .to = c.to,
                             .strength = is_met ? 1.0 : 0.5});
@@ -62,16 +62,16 @@ class StageDrawer {
     draw_motion();
     const ContactRecord& contact = record_.contacts[static_cast<std::size_t>(stage_.contact)];
     const Rect there{contact.touch.x, contact.touch.y, stage_.box.w, stage_.box.h};
-    out_.boxes.push_back({OverlayId::touch_points, there});
+    out_.boxes.push_back({&overlay::touch_points, there});
     const Vec2 normal = contact.slope ? contact.slope->normal : contact.normal;
     if (normal != Vec2{})
       out_.lines.push_back(
-          {OverlayId::normals, there.center(), there.center() + normal * kStageNormalLength, true});
+          {&overlay::normals, there.center(), there.center() + normal * kStageNormalLength, true});
     label({there.right(), there.y}, time_label(contact.ti, contact.overlaps));
   }
 
   void label(Vec2 at, std::string text) {
-    out_.labels.push_back({OverlayId::touch_points, at, std::move(text), true, body_, stage_.box});
+    out_.labels.push_back({&overlay::touch_points, at, std::move(text), true, body_, stage_.box});
   }
 
   const Stage& stage_;
@@ -87,7 +87,7 @@ void add_visited(std::span<const Stage> stages, OverlayDrawing& drawing) {
   const auto add = [&](const Rect& box) {
     if (std::find(seen.begin(), seen.end(), box) != seen.end()) return;
     seen.push_back(box);
-    drawing.boxes.push_back({OverlayId::tested_tiles, box, true});
+    drawing.boxes.push_back({&overlay::tested_tiles, box, true});
   };
   for (const Stage& stage : stages) {
     for (const Cell cell : stage.cells)

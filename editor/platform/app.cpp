@@ -180,8 +180,8 @@ void App::take_settings(const Settings& settings) {
     session_->apply(action::SetWatch{i, {settings.watches[i], 0}});
   session_->apply(action::SetGrid{settings.grid});
   session_->apply(action::SetScreenBorders{settings.screen_borders});
-  for (const OverlayInfo& info : overlay_infos())
-    session_->apply(action::SetOverlay{info.id, settings.overlays.has(info.id)});
+  for (const Overlay* overlay : all_overlays())
+    session_->apply(action::SetOverlay{overlay, settings.overlays.has(*overlay)});
 }
 
 Settings App::current_settings() const {

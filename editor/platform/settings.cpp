@@ -37,18 +37,21 @@ Fields<Breakpoint> breakpoint_fields() {
 }
 
 // Those that are on, by their keys; unknown ones are left out.
-Field<Settings> overlays_field(const char* key, const json& standard) {
+Field<Settings> overlays_field(const char* key) {
+  json standard = json::array();
+  for (const Overlay* overlay : all_overlays())
+    if (overlay->is_default) standard.push_back(overlay->key);
   return {key, standard, [](const json& v) { return v.is_array(); },
           [](Settings& s, const json& list) {
             s.overlays = {};
             for (const json& v : list)
-              if (const auto id = v.is_string() ? find_overlay(v.get<std::string>()) : std::nullopt)
-                s.overlays.set(*id, true);
+              if (const Overlay* overlay = v.is_string() ? find_overlay(v.get<std::string>()) : nullptr)
+                s.overlays.set(*overlay, true);
           },
           [](const Settings& s) {
             json list = json::array();
-            for (const OverlayInfo& info : overlay_infos())
-              if (s.overlays.has(info.id)) list.push_back(info.key);
+            for (const Overlay* overlay : all_overlays())
+              if (s.overlays.has(*overlay)) list.push_back(overlay->key);
             return list;
           }};
 }
@@ -65,7 +68,7 @@ const Fields<Settings>& settings_fields() {
       toggle("screen_borders", &Settings::screen_borders, true),
       of_part(&Settings::pixels, toggle("pixel_neighbours", &PixelView::neighbours, false)),
       of_part(&Settings::pixels, toggle("pixels_enlarged", &PixelView::enlarged, false)),
-      overlays_field("overlays", {"normals", "velocity", "slope_delta", "floor_height"}),
+      overlays_field("overlays"),
       texts("recent_files", &Settings::recent_files, kMaxRecentFiles),
       texts("tabs", &Settings::tabs, kMaxTabs),
       toggle("debugger", &Settings::dock_open, false),

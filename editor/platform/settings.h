@@ -7,7 +7,7 @@
 
 #include <talus/formats/format.h>
 #include "debug/breakpoint.h"
-#include "overlay/overlay_id.h"
+#include "overlay/overlay_table.h"
 #include "panels/view.h"
 
 namespace talus {

@@ -34,7 +34,7 @@ bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   for (const std::string& condition : options.stops)
     session.apply(action::SetBreakpoint{{.condition = condition, .body = options.body}});
   if (options.runs_back) session.apply(action::RunToStop{SearchDirection::backwards});
-  if (options.overlays.has(OverlayId::reach)) session.apply(action::FindReach{});
+  if (options.overlays.any(&Overlay::needs_reach)) session.apply(action::FindReach{});
   if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
   view.tabs = options.panels;
   view.dock_open = !options.panels.empty();
@@ -99,8 +99,8 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   Session& session = (*app)->session();
   session.finish_reading();
   session.apply(action::Pause{});
-  for (const OverlayInfo& info : overlay_infos())
-    session.apply(action::SetOverlay{info.id, options.overlays.has(info.id)});
+  for (const Overlay* overlay : all_overlays())
+    session.apply(action::SetOverlay{overlay, options.overlays.has(*overlay)});
   if (!prepare(options, session, (*app)->ui().view)) return tl::unexpected(std::string("was cancelled"));
   do {
     for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();

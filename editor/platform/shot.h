@@ -6,7 +6,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "overlay/overlay_id.h"
+#include "overlay/overlay_table.h"
 #include "panels/window/frame_metrics.h"
 #include "session/session.h"
 

@@ -14,7 +14,7 @@
 #include "edit/undo_stack.h"
 #include "level/hard_case.h"
 #include "lint/lint.h"
-#include "overlay/overlay_id.h"
+#include "overlay/overlay_table.h"
 #include "session/checks/reach_finder.h"
 #include "session/choices/choices.h"
 #include "session/debugger/debugger.h"

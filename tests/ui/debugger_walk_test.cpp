@@ -92,7 +92,7 @@ TEST_F(UiDebuggerWalk, TheLegendFoldsAndIsRemembered) {
 }
 
 TEST_F(UiDebuggerWalk, ATightLegendHasOnlySwatches) {
-  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, true});
+  for (const Overlay* overlay : all_overlays()) session().apply(action::SetOverlay{overlay, true});
   frames(2);
   const ImVec2 legend = size_of("play/legend"), canvas = size_of("play/canvas");
   EXPECT_LT(legend.x * legend.y, 0.1f * canvas.x * canvas.y);
@@ -309,7 +309,7 @@ TEST_F(UiDebuggerWalk, TheViewFollowsTheChosenBody) {
 TEST_F(UiDebuggerWalk, AnotherFileHasNoComparisonAndNoOldStop) {
   drop(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
   frames(3);
-  EXPECT_TRUE(session().choices().overlays.has(OverlayId::answer));
+  EXPECT_TRUE(session().choices().overlays.has(overlay::answer));
   session().apply(action::SetBreakpoint{{.condition = "frame == 4"}});
   session().apply(action::RunToStop{SearchDirection::forwards});
   frames(20);
@@ -320,7 +320,7 @@ TEST_F(UiDebuggerWalk, AnotherFileHasNoComparisonAndNoOldStop) {
   frames(3);
   EXPECT_FALSE(is_compared(session()));
   EXPECT_FALSE(session().debugger().stop());
-  EXPECT_FALSE(session().choices().overlays.has(OverlayId::answer));
+  EXPECT_FALSE(session().choices().overlays.has(overlay::answer));
   ASSERT_EQ(stops().size(), 1u);
   EXPECT_FALSE(stops()[0].enabled) << "kept, and switched off: its bodies were the old level's";
 }

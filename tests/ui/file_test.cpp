@@ -218,14 +218,14 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   click("tabs/tuning");
   click("tabs/history");
   frames(2);
-  const bool boxes = session().choices().overlays.has(OverlayId::boxes);
+  const bool boxes = session().choices().overlays.has(overlay::boxes);
   save_test_level("second.talus.json");
   drop(path("second.talus.json"));
   stop();
   start(path("level.talus.json"), 0, 0);
   EXPECT_EQ(ImGui::GetIO().DisplaySize.x, 1280);
   EXPECT_FALSE(session().choices().grid);
-  EXPECT_EQ(session().choices().overlays.has(OverlayId::boxes), boxes);
+  EXPECT_EQ(session().choices().overlays.has(overlay::boxes), boxes);
   EXPECT_EQ(app().ui().view.canvas, CanvasMode::play);
   EXPECT_NEAR(centre("layout/left").x, moved, 1);
   EXPECT_NE(find("tuning/fall_speed"), nullptr) << "the chosen tab is shown again";
@@ -252,7 +252,7 @@ TEST_F(UiFile, HardCasesAreOpenedAsCopiesWithTheirAnswer) {
   EXPECT_EQ(session().hard_case()->number, 3);
   EXPECT_EQ(session().path(), "") << "what comes with the program is not written over";
   EXPECT_EQ(session().file_name(), "03-step-with-a-slope (copy)");
-  EXPECT_TRUE(session().choices().overlays.has(OverlayId::answer));
+  EXPECT_TRUE(session().choices().overlays.has(overlay::answer));
   frames(2);
   EXPECT_NE(find("inspector/answer"), nullptr) << "and says in words what it shows";
 }

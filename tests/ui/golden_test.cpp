@@ -31,10 +31,10 @@ class UiGoldenDebugger : public UiGolden {
 
 TEST_F(UiGoldenDebugger, OverlaysInThePlayView) {
   open_case();
-  for (const OverlayId id :
-       {OverlayId::boxes, OverlayId::normals, OverlayId::touch_points, OverlayId::velocity,
-        OverlayId::slope_delta, OverlayId::outline, OverlayId::trails})
-    session().apply(action::SetOverlay{id, true});
+  for (const Overlay* overlay :
+       {&overlay::boxes, &overlay::normals, &overlay::touch_points, &overlay::velocity, &overlay::slope_delta,
+        &overlay::outline, &overlay::trails})
+    session().apply(action::SetOverlay{overlay, true});
   frames(2);
   expect_widget("overlays", "play/canvas");
 }

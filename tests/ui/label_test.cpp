@@ -11,8 +11,8 @@ class UiLabels : public UiTest {
     UiTest::SetUp();
     start();
   }
-  static OverlayLabel label(OverlayId id, int body, Rect box, Vec2 at, const char* text) {
-    return {id, at, text, false, body, box};
+  static OverlayLabel label(const Overlay& overlay, int body, Rect box, Vec2 at, const char* text) {
+    return {&overlay, at, text, false, body, box};
   }
   CanvasView view(float zoom) { return {{0, 0}, {400, 300}, {0, 0}, zoom}; }
   ScreenBox on_screen(const Rect& r, float zoom) {
@@ -26,7 +26,7 @@ TEST_F(UiLabels, StayNearTheirBody) {
   const CanvasView canvas = view(4);
   for (double speed : {0.0, 2.0, 10.0, 40.0}) {
     const std::vector<OverlayLabel> labels = {
-        label(OverlayId::velocity, 1, body, {24 + speed * 4, 44 + speed}, "10.00, 0.18")};
+        label(overlay::velocity, 1, body, {24 + speed * 4, 44 + speed}, "10.00, 0.18")};
     for (const PlacedLabel& placed : LabelPlacer(canvas, 1, 1, {}).place(labels))
       EXPECT_LE(placed.box.distance(on_screen(body, 4)), kLabelReach) << speed;
   }
@@ -37,9 +37,9 @@ TEST_F(UiLabels, AreApartAndTheRarerComeFirst) {
   std::vector<OverlayLabel> labels;
   for (int i = 0; i < 6; ++i) {
     const Rect body{20.0 + 9 * i, 40, 8, 8};
-    labels.push_back(label(OverlayId::velocity, i + 1, body, {body.x + 20, 44}, "10.00, 0.18"));
+    labels.push_back(label(overlay::velocity, i + 1, body, {body.x + 20, 44}, "10.00, 0.18"));
   }
-  labels.push_back(label(OverlayId::slope_delta, 3, {38, 40, 8, 8}, {42, 36}, "delta 0.61"));
+  labels.push_back(label(overlay::slope_delta, 3, {38, 40, 8, 8}, {42, 36}, "delta 0.61"));
   const auto placed = LabelPlacer(canvas, 1, 0, {}).place(labels);
   ASSERT_GE(placed.size(), 2u);
   EXPECT_EQ(placed[0].label->text, "delta 0.61");
@@ -50,8 +50,8 @@ TEST_F(UiLabels, AreApartAndTheRarerComeFirst) {
 TEST_F(UiLabels, WithoutRoomAreLeftOutAndListedUnderTheMouse) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(4);
-  const std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {60, 44}, "5.00, 0.00"),
-                                            label(OverlayId::floor_height, 1, body, {52, 48}, "floor 48.00")};
+  const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {60, 44}, "5.00, 0.00"),
+                                            label(overlay::floor_height, 1, body, {52, 48}, "floor 48.00")};
   const std::vector<ScreenBox> everything = {{{0, 0}, {400, 300}}};
   EXPECT_TRUE(LabelPlacer(canvas, 1, 0, everything).place(labels).empty());
   EXPECT_TRUE(LabelPlacer(canvas, 1, 2, everything).place(labels).empty()) << "another body";
@@ -65,8 +65,8 @@ TEST_F(UiLabels, WithoutRoomAreLeftOutAndListedUnderTheMouse) {
 TEST_F(UiLabels, ThatAreListedCoverNoOther) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(4);
-  std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {60, 30}, "0.55, 0.00"),
-                                      label(OverlayId::touch_points, 1, body, {48, 40}, "t 0.00")};
+  std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {60, 30}, "0.55, 0.00"),
+                                      label(overlay::touch_points, 1, body, {48, 40}, "t 0.00")};
   for (OverlayLabel& each : labels) each.important = true;
   // Room for one label, beside the body's upper right corner.
   const std::vector<ScreenBox> taken = {
@@ -82,8 +82,8 @@ TEST_F(UiLabels, ThatAreListedCoverNoOther) {
 TEST_F(UiLabels, OfTheChosenBodyAreListedToo) {
   const Rect body{10, 8, 8, 8};
   const CanvasView canvas = view(16);
-  std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {20, 12}, "5.00, 0.00"),
-                                      label(OverlayId::slope_delta, 1, body, {14, 6}, "delta 0.61")};
+  std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {20, 12}, "5.00, 0.00"),
+                                      label(overlay::slope_delta, 1, body, {14, 6}, "delta 0.61")};
   const std::vector<ScreenBox> everything = {{{0, 0}, {400, 300}}};
   EXPECT_TRUE(LabelPlacer(canvas, 1, 0, everything).place(labels).empty());
   for (OverlayLabel& each : labels) each.important = true;
@@ -98,7 +98,7 @@ TEST_F(UiLabels, OfTheChosenBodyAreListedToo) {
 TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasThem) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(1);
-  const std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {60, 44}, "5.00, 0.00")};
+  const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {60, 44}, "5.00, 0.00")};
   EXPECT_TRUE(LabelPlacer(canvas, 1, 0, {}).place(labels).empty());
   EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
 }
@@ -106,7 +106,7 @@ TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasThem) {
 TEST_F(UiLabels, SlowArrowsHaveNoneUnlessPointedAt) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(4);
-  const std::vector<OverlayLabel> labels = {label(OverlayId::velocity, 1, body, {44, 43}, "0.00, -0.18")};
+  const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {44, 43}, "0.00, -0.18")};
   EXPECT_TRUE(LabelPlacer(canvas, 1, 0, {}).place(labels).empty());
   EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
 }

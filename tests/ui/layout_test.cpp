@@ -106,7 +106,7 @@ TEST_P(UiLayout, CurvesAndPlayersAreDrawnWithoutOverlays) {
   const std::string file = path("drawn.talus.json");
   ASSERT_TRUE(save_level(drawn, *format_for_file(file), file));
   start(file, GetParam().width, GetParam().height);
-  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, false});
+  for (const Overlay* overlay : all_overlays()) session().apply(action::SetOverlay{overlay, false});
   session().apply(action::SelectSpawn{0});
   frames(3);
   check_all("a chosen player");

@@ -142,13 +142,14 @@ TEST_F(UiPlay, ClickChoosesABodyAndBesideItNone) {
 }
 
 TEST_F(UiPlay, OverlaysAreSwitched) {
-  for (const OverlayInfo& info : overlay_infos()) {
-    const bool before = session().choices().overlays.has(info.id);
-    click("overlay/" + std::string(info.key));
-    EXPECT_NE(session().choices().overlays.has(info.id), before) << info.key;
-    const int number = static_cast<int>(info.id);
+  int number = 0;
+  for (const Overlay* overlay : all_overlays()) {
+    const bool before = session().choices().overlays.has(*overlay);
+    click("overlay/" + std::string(overlay->key));
+    EXPECT_NE(session().choices().overlays.has(*overlay), before) << overlay->key;
     key(number < 9 ? alt('1' + number) : alt_shift('1' + number - 9));
-    EXPECT_EQ(session().choices().overlays.has(info.id), before) << info.key;
+    EXPECT_EQ(session().choices().overlays.has(*overlay), before) << overlay->key;
+    ++number;
   }
 }
 

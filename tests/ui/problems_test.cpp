@@ -176,7 +176,7 @@ TEST_F(UiProblems, WhereThePlayerGetsTo) {
   key(kKeyF8);
   click("problems/fix" + row_of("spawn-in-solid"));
   key(kKeyF12);
-  EXPECT_TRUE(session().choices().overlays.has(OverlayId::reach));
+  EXPECT_TRUE(session().choices().overlays.has(overlay::reach));
   ASSERT_NE(session().reach().found(), nullptr);
   for (int i = 0; i < 2000 && session().reach().running(); ++i) frames();
   const ReachSearch& found = *session().reach().found();

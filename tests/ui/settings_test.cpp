@@ -300,7 +300,7 @@ TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
   for (int i = 0; i < 1000; ++i) crowd.map.set({(i % 100) * 2 + 1, (i / 100) * 8 + 2}, 2);
   ASSERT_TRUE(save_level(crowd, *find_format("native"), path("crowd.talus.json")));
   start(path("crowd.talus.json"), 1920, 1080);
-  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, true});
+  for (const Overlay* overlay : all_overlays()) session().apply(action::SetOverlay{overlay, true});
   key(ctrl('2'));
   for (int i = 0; i < 60; ++i) {
     session().apply(action::StepFrame{});

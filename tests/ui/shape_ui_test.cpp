@@ -297,9 +297,9 @@ TEST_F(UiShape, RightHalfOfARampShowsTheWholeAndLeadsToItsTile) {
 }
 
 TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
-  EXPECT_FALSE(session().choices().overlays.has(OverlayId::shapes));
+  EXPECT_FALSE(session().choices().overlays.has(overlay::shapes));
   click("overlay/shapes");
-  EXPECT_TRUE(session().choices().overlays.has(OverlayId::shapes));
+  EXPECT_TRUE(session().choices().overlays.has(overlay::shapes));
 }
 
 }  // namespace talus::shape_ui_test

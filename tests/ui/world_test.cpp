@@ -174,7 +174,7 @@ TEST_F(UiWorld, TheLongestMapIsOpenedAndSeenWhole) {
   EXPECT_FALSE(session().is_linting());
   for (int i = 0; i < 100'000 && session().compile_progress(); ++i) frames();
   ASSERT_FALSE(session().compile_progress());
-  for (const OverlayInfo& info : overlay_infos()) session().apply(action::SetOverlay{info.id, true});
+  for (const Overlay* overlay : all_overlays()) session().apply(action::SetOverlay{overlay, true});
   key(ctrl('3'));  // the map and the play view
   key(kKeyTab);
   frames(2);

@@ -15,12 +15,6 @@ using ::testing::UnorderedElementsAre;
 
 constexpr Rect kEverything{-1000, -1000, 4000, 4000};
 
-OverlaySet only(OverlayId id) {
-  OverlaySet set;
-  set.set(id, true);
-  return set;
-}
-
 using Ends = std::pair<std::pair<double, double>, std::pair<double, double>>;
 Ends ends(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
 
@@ -36,7 +30,7 @@ Level empty_level() {
 }
 
 // All lines must be the overlay's.
-std::vector<Ends> ends_of_lines(const OverlayDrawing& drawing, OverlayId overlay) {
+std::vector<Ends> ends_of_lines(const OverlayDrawing& drawing, const Overlay* overlay) {
   std::vector<Ends> lines;
   for (const OverlayLine& l : drawing.lines) {
     EXPECT_EQ(l.overlay, overlay);
@@ -47,15 +41,15 @@ std::vector<Ends> ends_of_lines(const OverlayDrawing& drawing, OverlayId overlay
 
 std::vector<Ends> outline(const Level& level, Rect visible = kEverything) {
   OverlayDrawing drawing;
-  add_outline(Terrain(ground_of(level)), only(OverlayId::outline), visible, drawing);
-  return ends_of_lines(drawing, OverlayId::outline);
+  add_outline(Terrain(ground_of(level)), visible, drawing);
+  return ends_of_lines(drawing, &overlay::outline);
 }
 
 TEST(Outline, NormalsAreDetails) {
   Level level = empty_level();
   level.map.set({2, 1}, 1);
   OverlayDrawing drawing;
-  add_outline(Terrain(ground_of(level)), only(OverlayId::outline), kEverything, drawing);
+  add_outline(Terrain(ground_of(level)), kEverything, drawing);
   ASSERT_EQ(drawing.lines.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(drawing.lines[i].detail, i % 2 == 1) << i;
 }
@@ -118,9 +112,9 @@ TEST(Outline, OneWaySidesHaveArrowsTheWayThatBodiesPass) {
   level.map.set({2, 1}, 3);
   level.map.set({4, 1}, 1);
   OverlayDrawing drawing;
-  add_outline(Terrain(ground_of(level)), only(OverlayId::one_way), kEverything, drawing);
+  add_one_way_arrows(Terrain(ground_of(level)), kEverything, drawing);
   ASSERT_EQ(drawing.lines.size(), 1u);
-  EXPECT_EQ(drawing.lines[0].overlay, OverlayId::one_way);
+  EXPECT_EQ(drawing.lines[0].overlay, &overlay::one_way);
   EXPECT_TRUE(drawing.lines[0].arrow);
   EXPECT_EQ(drawing.lines[0].from, (Vec2{20, 13}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{20, 3}));
@@ -129,7 +123,7 @@ TEST(Outline, OneWaySidesHaveArrowsTheWayThatBodiesPass) {
 std::vector<Ends> removed(const Level& level) {
   OverlayDrawing drawing;
   add_removed_edges(Terrain(ground_of(level)), kEverything, drawing);
-  return ends_of_lines(drawing, OverlayId::removed_edges);
+  return ends_of_lines(drawing, &overlay::removed_edges);
 }
 
 TEST(RemovedEdges, AreTheSidesThatTilesShare) {

@@ -15,9 +15,9 @@ namespace talus::overlay_test {
 
 constexpr Rect kEverything{-1000, -1000, 4000, 4000};
 
-OverlaySet only(OverlayId id) {
+OverlaySet only(const Overlay& overlay) {
   OverlaySet set;
-  set.set(id, true);
+  set.set(overlay, true);
   return set;
 }
 
@@ -82,32 +82,34 @@ double luminance(std::uint32_t rgb) {
          0.0722 * linear((rgb & 255) / 255.0);
 }
 
-TEST(OverlayInfos, AreInTheOrderOfTheirIdsAndFoundByKey) {
+TEST(Overlays, HaveColoursAndKeysOfTheirOwn) {
   std::set<std::uint32_t> colors;
-  for (int i = 0; i < kOverlayCount; ++i) {
-    const OverlayInfo& info = overlay_infos()[i];
-    EXPECT_EQ(static_cast<int>(info.id), i);
-    EXPECT_EQ(find_overlay(info.key), info.id);
-    colors.insert(info.color);
+  std::set<std::pair<bool, char>> keys;
+  for (const Overlay* overlay : all_overlays()) {
+    EXPECT_EQ(find_overlay(overlay->key), overlay);
+    EXPECT_NE(overlay->draw_swatch, nullptr) << overlay->key;
+    colors.insert(overlay->color);
+    keys.insert({overlay->shift, overlay->digit});
   }
-  EXPECT_EQ(colors.size(), std::size_t{kOverlayCount}) << "one colour each";
-  EXPECT_EQ(find_overlay("floor"), std::nullopt);
+  EXPECT_EQ(colors.size(), all_overlays().size()) << "one colour each";
+  EXPECT_EQ(keys.size(), all_overlays().size()) << "one key each";
+  EXPECT_EQ(find_overlay("floor"), nullptr);
 }
 
-TEST(OverlayInfos, AreLegibleOnTheDarkBackground) {
-  for (const OverlayInfo& info : overlay_infos()) {
-    const double contrast = (luminance(info.color) + 0.05) / (luminance(0x1a1c2c) + 0.05);
-    EXPECT_GT(contrast, 4) << info.key;
+TEST(Overlays, AreLegibleOnTheDarkBackground) {
+  for (const Overlay* overlay : all_overlays()) {
+    const double contrast = (luminance(overlay->color) + 0.05) / (luminance(0x1a1c2c) + 0.05);
+    EXPECT_GT(contrast, 4) << overlay->key;
   }
 }
 
 TEST(OverlaySet, HoldsWhatWasSet) {
   OverlaySet set;
   EXPECT_TRUE(set.empty());
-  set.set(OverlayId::velocity, true);
-  EXPECT_TRUE(set.has(OverlayId::velocity));
-  EXPECT_FALSE(set.has(OverlayId::boxes));
-  for (const OverlayInfo& info : overlay_infos()) EXPECT_TRUE(OverlaySet::all().has(info.id));
+  set.set(overlay::velocity, true);
+  EXPECT_TRUE(set.has(overlay::velocity));
+  EXPECT_FALSE(set.has(overlay::boxes));
+  for (const Overlay* overlay : all_overlays()) EXPECT_TRUE(OverlaySet::all().has(*overlay));
 }
 
 TEST(Overlays, NothingIsDrawnWhenNoneIsOn) {
@@ -120,7 +122,7 @@ TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
   Scene scene;
   scene.items = {item(TileRole::solid, {0, 96, 8, 8}), item(TileRole::up_slope, {16, 88, 16, 8}),
                  item(TileRole::ball, {40, 0, 8, 8})};
-  const auto drawing = drawn(scene, state_of({body(1, kBall)}), {}, only(OverlayId::boxes), 0);
+  const auto drawing = drawn(scene, state_of({body(1, kBall)}), {}, only(overlay::boxes), 0);
   ASSERT_EQ(drawing.boxes.size(), 3u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 96, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{16, 88, 16, 8}));
@@ -131,7 +133,7 @@ TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
 TEST(Overlays, LeavesOutWhatCannotBeSeen) {
   Scene scene;
   scene.items = {item(TileRole::solid, {0, 0, 8, 8}), item(TileRole::solid, {80, 0, 8, 8})};
-  const auto drawing = drawn(scene, {}, {}, only(OverlayId::boxes), 0, {4, 4, 40, 40});
+  const auto drawing = drawn(scene, {}, {}, only(overlay::boxes), 0, {4, 4, 40, 40});
   ASSERT_EQ(drawing.boxes.size(), 1u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 0, 8, 8}));
 }
@@ -142,7 +144,7 @@ TEST(Overlays, LeavesOutWhatCannotBeSeen) {
 TEST(Overlays, NormalStartsInTheMiddleOfTheSharedSide) {
   StepRecord record;
   record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};
-  const auto drawing = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::normals), 0);
+  const auto drawing = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(overlay::normals), 0);
   ASSERT_EQ(drawing.lines.size(), 1u);
   EXPECT_EQ(drawing.lines[0].from, (Vec2{6, 8}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{6, 0}));
@@ -161,7 +163,7 @@ TEST(Overlays, NormalOfEachSide) {
   for (const auto& c : cases) {
     StepRecord record;
     record.contacts = {contact({0, 0, 8, 8}, c.normal, c.touch)};
-    const auto drawing = drawn({}, state_of({body(1, {0, 0, 8, 8})}), record, only(OverlayId::normals), 0);
+    const auto drawing = drawn({}, state_of({body(1, {0, 0, 8, 8})}), record, only(overlay::normals), 0);
     ASSERT_EQ(drawing.lines.size(), 1u);
     EXPECT_EQ(drawing.lines[0].from, c.from);
     EXPECT_EQ(drawing.lines[0].to, c.to);
@@ -172,8 +174,8 @@ TEST(Overlays, AContactWithoutADirectionHasNoArrow) {
   StepRecord record;
   record.contacts = {contact({0, 0, 8, 8}, {0, 0}, {2, 2})};
   const State state = state_of({body(1, {2, 2, 8, 8})});
-  EXPECT_TRUE(drawn({}, state, record, only(OverlayId::normals), 0).lines.empty());
-  const auto drawing = drawn({}, state, record, only(OverlayId::touch_points), 0);
+  EXPECT_TRUE(drawn({}, state, record, only(overlay::normals), 0).lines.empty());
+  const auto drawing = drawn({}, state, record, only(overlay::touch_points), 0);
   ASSERT_EQ(drawing.marks.size(), 1u);
   EXPECT_EQ(drawing.marks[0].at, (Vec2{5, 5})) << "the middle of the overlap";
 }
@@ -181,7 +183,7 @@ TEST(Overlays, AContactWithoutADirectionHasNoArrow) {
 TEST(Overlays, TouchPointHasTheTimeOfImpact) {
   StepRecord record;
   record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};
-  const auto drawing = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::touch_points), 0);
+  const auto drawing = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(overlay::touch_points), 0);
   ASSERT_EQ(drawing.marks.size(), 1u);
   EXPECT_EQ(drawing.marks[0].at, (Vec2{6, 8}));
   ASSERT_EQ(drawing.labels.size(), 1u);
@@ -190,14 +192,14 @@ TEST(Overlays, TouchPointHasTheTimeOfImpact) {
   EXPECT_FALSE(drawing.labels[0].important);
   record.contacts[0].overlaps = true;
   record.contacts[0].ti = -16;  // no time, but the area
-  const auto inside = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(OverlayId::touch_points), 0);
+  const auto inside = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(overlay::touch_points), 0);
   ASSERT_EQ(inside.labels.size(), 1u);
   EXPECT_EQ(inside.labels[0].text, "inside");
 }
 
 TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
   const State state = state_of({body(1, {0, 0, 8, 8}, {1.5, -0.25}), body(2, {20, 0, 8, 8})});
-  const auto drawing = drawn({}, state, {}, only(OverlayId::velocity), 1);
+  const auto drawing = drawn({}, state, {}, only(overlay::velocity), 1);
   ASSERT_EQ(drawing.lines.size(), 1u) << "a body at rest has no arrow";
   EXPECT_EQ(drawing.lines[0].from, (Vec2{4, 4}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{10, 3}));
@@ -208,14 +210,14 @@ TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
 
 TEST(Overlays, OnlyTheChosenBodysLabelsAreImportant) {
   const State state = state_of({body(1, {0, 0, 8, 8}, {1, 0}), body(2, {20, 0, 8, 8}, {1, 0})});
-  const auto drawing = drawn({}, state, {}, only(OverlayId::velocity), 2);
+  const auto drawing = drawn({}, state, {}, only(overlay::velocity), 2);
   ASSERT_EQ(drawing.labels.size(), 2u);
   EXPECT_FALSE(drawing.labels[0].important);
   EXPECT_TRUE(drawing.labels[1].important);
 }
 
 TEST(Overlays, SlopeDeltaIsABarAndANumber) {
-  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::slope_delta), 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(overlay::slope_delta), 1);
   ASSERT_EQ(drawing.bars.size(), 1u);
   EXPECT_EQ(drawing.bars[0].box, (Rect{19, 80, 8, 2}));
   EXPECT_EQ(drawing.bars[0].fraction, 0.4375);
@@ -226,7 +228,7 @@ TEST(Overlays, SlopeDeltaIsABarAndANumber) {
 }
 
 TEST(Overlays, FloorHeightIsALineOnTheSlopesSurface) {
-  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::floor_height), 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(overlay::floor_height), 1);
   ASSERT_EQ(drawing.lines.size(), 2u);
   EXPECT_EQ(drawing.lines[0].from, (Vec2{16, 96})) << "an up-slope is low on the left";
   EXPECT_EQ(drawing.lines[0].to, (Vec2{32, 88}));
@@ -240,13 +242,13 @@ TEST(Overlays, FloorHeightIsALineOnTheSlopesSurface) {
 TEST(Overlays, ADownSlopesSurfaceIsHighOnTheLeft) {
   StepRecord record = on_slope();
   record.contacts[0].slope->slope.role = TileRole::down_slope;
-  const auto drawing = drawn({}, state_of({body(1, kBall)}), record, only(OverlayId::floor_height), 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), record, only(overlay::floor_height), 1);
   EXPECT_EQ(drawing.lines.at(0).from, (Vec2{16, 88}));
   EXPECT_EQ(drawing.lines.at(0).to, (Vec2{32, 96}));
 }
 
 TEST(Overlays, ASlopesOwnNormalStandsOnItsFloor) {
-  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(OverlayId::normals), 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), on_slope(), only(overlay::normals), 1);
   ASSERT_EQ(drawing.lines.size(), 2u) << "the box's and the slope's";
   EXPECT_EQ(drawing.lines[1].from, (Vec2{23, 92.4375}));
   EXPECT_DOUBLE_EQ(drawing.lines[1].to.x, 23 - 4.8);
@@ -257,7 +259,7 @@ TEST(Overlays, TheLastLookForAFloorCounts) {
   StepRecord record = on_slope();
   record.contacts.push_back(record.contacts[0]);
   record.contacts[1].slope->delta = 0.75;
-  const auto drawing = drawn({}, state_of({body(1, kBall)}), record, only(OverlayId::slope_delta), 1);
+  const auto drawing = drawn({}, state_of({body(1, kBall)}), record, only(overlay::slope_delta), 1);
   ASSERT_EQ(drawing.bars.size(), 1u);
   EXPECT_EQ(drawing.bars[0].fraction, 0.75);
 }
@@ -267,7 +269,7 @@ TEST(Overlays, TestedTilesAreTintedOnce) {
   const Obstacle other{TileRole::ball, {}, 2, {20, 80, 8, 8}};
   StepRecord record;
   record.tested = {{1, floor}, {1, other}, {2, floor}};
-  const auto drawing = drawn({}, {}, record, only(OverlayId::tested_tiles), 0);
+  const auto drawing = drawn({}, {}, record, only(overlay::tested_tiles), 0);
   ASSERT_EQ(drawing.boxes.size(), 2u);
   EXPECT_EQ(drawing.boxes[0].box, floor.box);
   EXPECT_EQ(drawing.boxes[1].box, other.box);
@@ -292,7 +294,7 @@ TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
   Body over_slope = body(1, {18, 70, 8, 8}), high = body(2, {50, 10, 8, 8});
   over_slope.foot = Foot::centre;
   const State state = state_of({over_slope, high});
-  const auto drawing = drawn(scene, state, {}, only(OverlayId::floor_height));
+  const auto drawing = drawn(scene, state, {}, only(overlay::floor_height));
   ASSERT_EQ(drawing.lines.size(), 2u) << "the floor of the other one is too far below to be of interest";
   EXPECT_EQ(drawing.lines[0].from, (Vec2{14, 93}));
   EXPECT_EQ(drawing.lines[0].to, (Vec2{30, 93}));
@@ -300,7 +302,7 @@ TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
   EXPECT_EQ(drawing.lines[1].to, (Vec2{22, 93}));
   ASSERT_EQ(drawing.labels.size(), 1u);
   EXPECT_EQ(drawing.labels[0].text, "floor 93.00");
-  const auto chosen = drawn(scene, state, {}, only(OverlayId::floor_height), 2);
+  const auto chosen = drawn(scene, state, {}, only(overlay::floor_height), 2);
   ASSERT_EQ(chosen.labels.size(), 2u);
   EXPECT_EQ(chosen.labels[1].text, "floor 88.00");
 }
@@ -316,7 +318,7 @@ TEST(Overlays, TheChosenBodyHasTheFloorUnderEachOfItsXs) {
   level.map.set({2, 11}, 2);
   const Scene scene = compile_scene(level);
   const State state = state_of({body(1, {12, 70, 8, 8})});
-  const auto drawing = drawn(scene, state, {}, only(OverlayId::floor_height), 1);
+  const auto drawing = drawn(scene, state, {}, only(overlay::floor_height), 1);
   std::map<double, double> floor;  // by x
   for (const OverlayLine& line : drawing.lines) {
     if (line.to == line.from + Vec2{0, 1.5}) floor[line.from.x] = line.from.y;
@@ -333,7 +335,7 @@ TEST(Overlays, PenetrationIsTheStripInTheGroundAndTheWayOut) {
   for (int x = 0; x < 10; ++x) level.map.set({x, 11}, 2);
   const Scene scene = compile_scene(level);
   const State state = state_of({body(1, {20, 82, 8, 8}), body(2, {40, 80, 8, 8})});
-  const auto drawing = drawn(scene, state, {}, only(OverlayId::penetration), 1);
+  const auto drawing = drawn(scene, state, {}, only(overlay::penetration), 1);
   ASSERT_EQ(drawing.boxes.size(), 1u) << "the other one stands on the ground";
   EXPECT_EQ(drawing.boxes[0].box, (Rect{20, 88, 8, 2}));
   ASSERT_EQ(drawing.lines.size(), 1u);
@@ -347,7 +349,7 @@ TEST(Overlays, SweptPathGoesFromContactToContact) {
   record.contacts = {contact({0, 20, 80, 8}, {0, -1}, {4, 12})};
   record.paths = {{.body = 1, .from = {0, 8, 8, 8}, .goal = {12, 20}, .to = {10, 12, 8, 8}}};
   record.contacts[0].handled = true;
-  const auto drawing = drawn({}, state_of({body(1, {10, 12, 8, 8})}), record, only(OverlayId::swept_path));
+  const auto drawing = drawn({}, state_of({body(1, {10, 12, 8, 8})}), record, only(overlay::swept_path));
   ASSERT_EQ(drawing.boxes.size(), 3u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 8, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{4, 12, 8, 8}));
@@ -363,7 +365,7 @@ TEST(Overlays, SweptPathGoesFromContactToContact) {
 TEST(Overlays, TrailsFadeWithAge) {
   const std::vector<Trail> trails = {{{0, 0}, {4, 0}, {8, 0}}};
   OverlayDrawing drawing;
-  add_trails(trails, OverlayId::trails, kEverything, drawing);
+  add_trails(trails, &overlay::trails, kEverything, drawing);
   ASSERT_EQ(drawing.lines.size(), 2u);
   EXPECT_LT(drawing.lines[0].strength, drawing.lines[1].strength);
   EXPECT_EQ(drawing.lines[1].strength, 1);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "folder_test.h"
-#include "overlay/overlay_id.h"
+#include "overlay/overlay_table.h"
 #include "panels/commands/key_conflicts.h"
 #include "platform/preferences_fields.h"
 #include "platform/settings.h"
@@ -87,7 +87,7 @@ TEST_F(SettingsFile, ComesBackAsItWasWritten) {
   settings.ui_scale = 1.5;
   settings.grid = settings.screen_borders = false;
   settings.pixels = {.neighbours = true, .enlarged = true};
-  settings.overlays.set(OverlayId::answer, true);
+  settings.overlays.set(overlay::answer, true);
   settings.recent_files = {"/a.tic", "/b.tic"};
   settings.tabs = {"plots"};
   settings.dock_open = settings.legend_folded = true;
@@ -105,8 +105,8 @@ TEST_F(SettingsFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(again.ui_scale, 1.5);
   EXPECT_FALSE(again.grid || again.screen_borders);
   EXPECT_EQ(again.pixels, settings.pixels);
-  for (const OverlayInfo& info : overlay_infos())
-    EXPECT_EQ(again.overlays.has(info.id), info.id == OverlayId::answer) << info.key;
+  for (const Overlay* overlay : all_overlays())
+    EXPECT_EQ(again.overlays.has(*overlay), overlay == &overlay::answer) << overlay->key;
   EXPECT_EQ(again.recent_files, settings.recent_files);
   EXPECT_EQ(again.tabs, settings.tabs);
   EXPECT_TRUE(again.dock_open && again.legend_folded);
@@ -188,11 +188,11 @@ Triple seen_lab(std::uint32_t rgb, const Matrix& eyes) {
 // The least difference of two overlays' colours in CIELAB, where 2.3 is just noticeable.
 double least_difference(OverlayPalette palette, const Matrix& eyes) {
   double least = 1e9;
-  for (const OverlayInfo& a : overlay_infos()) {
-    for (const OverlayInfo& b : overlay_infos()) {
-      if (a.id <= b.id) continue;
-      const Triple u = seen_lab(overlay_color(a.id, palette), eyes),
-                   v = seen_lab(overlay_color(b.id, palette), eyes);
+  for (const Overlay* a : all_overlays()) {
+    for (const Overlay* b : all_overlays()) {
+      if (a == b) continue;
+      const Triple u = seen_lab(overlay_color(*a, palette), eyes),
+                   v = seen_lab(overlay_color(*b, palette), eyes);
       least = std::min(least, std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]));
     }
   }

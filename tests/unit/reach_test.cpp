@@ -107,7 +107,7 @@ TEST(Reach, IsDrawnAsBoxesOfItsCells) {
 TEST(Reach, TheSessionSearchesAndPlaysTheWay) {
   Session session(walled_level(3));
   session.apply(action::FindReach{});
-  EXPECT_TRUE(session.choices().overlays.has(OverlayId::reach));
+  EXPECT_TRUE(session.choices().overlays.has(overlay::reach));
   EXPECT_TRUE(session.reach().running());
   for (int i = 0; i < 4000 && session.reach().running(); ++i) session.advance(0);
   ASSERT_TRUE(session.reach().found()->finished());

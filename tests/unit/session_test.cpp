@@ -104,7 +104,7 @@ TEST(Session, ChoicesAreSet) {
   Session session;
   const Stamp stamp{1, 2, {3, 4}};
   session.apply({act::SetStamp{stamp}, act::SetMapTool{MapTool::fill}, act::SetSpriteTool{SpriteTool::pick},
-                 act::SetColor{7, false}, act::SetColor{8, true}, act::SetOverlay{OverlayId::normals, true},
+                 act::SetColor{7, false}, act::SetColor{8, true}, act::SetOverlay{&overlay::normals, true},
                  act::SetFlagOverlay{pattern_of_flag(2)}, act::SetGrid{false}, act::SetScreenBorders{false}});
   const Choices& choices = session.choices();
   EXPECT_EQ(choices.stamp, stamp);
@@ -112,7 +112,7 @@ TEST(Session, ChoicesAreSet) {
   EXPECT_EQ(choices.sprite_tool, SpriteTool::pick);
   EXPECT_EQ(choices.color, 7);
   EXPECT_EQ(choices.secondary_color, 8);
-  EXPECT_TRUE(choices.overlays.has(OverlayId::normals));
+  EXPECT_TRUE(choices.overlays.has(overlay::normals));
   EXPECT_EQ(choices.flag_overlay, pattern_of_flag(2));
   EXPECT_FALSE(choices.grid);
   EXPECT_FALSE(choices.screen_borders);

@@ -5,10 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "overlay/answer.h"
-#include "overlay/motion.h"
 #include "overlay/outline.h"
-#include "overlay/reach_drawing.h"
 #include "overlay/stage_drawing.h"
 #include "overlay/visible.h"
 #include "overlay/visible_items.h"
@@ -293,37 +290,35 @@ std::vector<Trail> trails_of(const Session& session, const Branch& branch, std::
   return trails;
 }
 
-void add_all_trails(const Session& session, Rect visible, OverlayDrawing& drawing) {
+std::vector<ColoredTrails> all_trails(const Session& session) {
   const Timeline& timeline = session.timeline();
   const std::int64_t frame = timeline.frame(), first = std::max<std::int64_t>(frame - kTrailFrames, 0);
   const Branch* compared = timeline.compared();
   // The other side is drawn ahead, too, so that one sees where the two part.
   const std::int64_t last = compared != nullptr ? frame + kTrailFrames : frame;
-  const auto drawn_of = [&](const Branch& branch, OverlayId color) {
+  std::vector<ColoredTrails> all;
+  const auto add = [&](const Branch& branch, const Overlay& color) {
     const std::int64_t end = std::min(last, branch.run_frame());
-    if (first < end) add_trails(trails_of(session, branch, first, end), color, visible, drawing);
+    if (first < end) all.push_back({trails_of(session, branch, first, end), &color});
   };
-  if (compared != nullptr) drawn_of(*compared, OverlayId::tested_tiles);
-  drawn_of(timeline.current(), OverlayId::trails);
+  if (compared != nullptr) add(*compared, overlay::tested_tiles);
+  add(timeline.current(), overlay::trails);
+  return all;
 }
 
 // The ground of the level there, whatever the solver; null if no overlay needs it and the solver has none.
 // Large levels are not compiled only for the overlays, as each edit would take seconds.
 std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet overlays) {
   if (session.scene().ground || SceneCompiler::is_large(session.level())) return session.scene().ground;
-  for (const OverlayId id : {OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way,
-                             OverlayId::floor_height, OverlayId::penetration})
-    if (overlays.has(id)) return session.ground();
-  return nullptr;
+  return overlays.any(&Overlay::needs_ground) ? session.ground() : nullptr;
 }
 
 }  // namespace
 
 OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view) {
   if (is_far(view)) {  // only lines would be seen of the ground, millions of them
-    for (const OverlayId id :
-         {OverlayId::boxes, OverlayId::outline, OverlayId::removed_edges, OverlayId::one_way})
-      overlays.set(id, false);
+    for (const Overlay* overlay : all_overlays())
+      if (overlay->near_only) overlays.set(*overlay, false);
   }
   return overlays;
 }
@@ -344,13 +339,12 @@ std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const 
   return obstacles;
 }
 
-void add_level_overlays(const Session& session, OverlaySet overlays, Rect visible, OverlayDrawing& drawing) {
-  if (overlays.has(OverlayId::answer) && session.hard_case())
-    add_answer(*session.hard_case(), session.level(), drawing);
-  if (const ReachSearch* reach = session.reach().found(); reach != nullptr && overlays.has(OverlayId::reach))
-    add_reach(*reach, session.reach().is_stale(), session.level().map.width(), session.level().map.height(),
-              visible, drawing);
-  drawing.palette = session.choices().overlay_palette;
+OverlaySource with_level(OverlaySource source, const Session& session) {
+  source.level = &session.level();
+  source.hard_case = session.hard_case() ? &*session.hard_case() : nullptr;
+  source.reach = session.reach().found();
+  source.reach_is_stale = session.reach().is_stale();
+  return source;
 }
 
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
@@ -358,21 +352,20 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
   const bool has_stage = stage >= 0 && static_cast<std::size_t>(stage) < session.stages().size();
   overlays = drawable_overlays(overlays, view);
   if (overlays.empty() && !has_stage) return;
-  const Rect visible = view.visible();
   const std::shared_ptr<const Terrain> ground = ground_for(session, overlays);
-  OverlayDrawing drawing = make_overlays({.scene = session.scene(),
-                                          .state = session.state(),
-                                          .record = session.record(),
-                                          .ground = ground.get(),
-                                          .chosen_body = session.choices().body},
-                                         overlays, visible);
-  if (overlays.has(OverlayId::trails)) add_all_trails(session, visible, drawing);
-  if (overlays.has(OverlayId::tested_tiles) && session.record().tested.empty())
-    add_visited(session.stages(), drawing);
+  OverlayDrawing drawing = make_overlays(with_level({.scene = session.scene(),
+                                                     .state = session.state(),
+                                                     .record = session.record(),
+                                                     .ground = ground.get(),
+                                                     .chosen_body = session.choices().body,
+                                                     .trails = [&session] { return all_trails(session); },
+                                                     .stages = [&session] { return session.stages(); }},
+                                                    session),
+                                         overlays, view.visible());
+  drawing.palette = session.choices().overlay_palette;
   if (has_stage)
     add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
               drawing);
-  add_level_overlays(session, overlays, visible, drawing);
   paint_overlays(list, drawing, label_obstacles(session.scene(), session.state(), view, covered), view, scale,
                  pointed_at);
 }

@@ -47,8 +47,8 @@ OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view);
 // px of the level that labels avoid: the bodies, the ramps that they are on, and covered parts.
 std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const CanvasView& view,
                                   std::span<const ScreenBox> covered);
-// The overlays that only depend on the level, and the palette.
-void add_level_overlays(const Session& session, OverlaySet overlays, Rect visible, OverlayDrawing& drawing);
+// The source with what depends only on the level.
+OverlaySource with_level(OverlaySource source, const Session& session);
 inline constexpr std::int64_t kTrailFrames = 120;  // of a trail: two seconds
 inline constexpr std::size_t kMostTrails = 4;      // as many as the session keeps
 // The cells filled with the stamp, repeated from their top-left corner. `alpha`: 0 to 255.

@@ -360,8 +360,8 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   const Level& level = is_play() ? level_at_frame_.level(session) : session.level();
   const Choices& choices = session.choices();
   draw_ground(session, is_play() ? &level_at_frame_ : nullptr, 1, view, ui);
-  if (choices.overlays.has(OverlayId::shapes))
-    draw_shapes(list, level, view, overlay_color(OverlayId::shapes, choices.overlay_palette), ui);
+  if (choices.overlays.has(overlay::shapes))
+    draw_shapes(list, level, view, overlay_color(overlay::shapes, choices.overlay_palette), ui);
   if (choices.grid && !is_play()) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play()) draw_spawns(list, level, view, ui);

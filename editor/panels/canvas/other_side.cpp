@@ -4,18 +4,16 @@
 
 #include "canvas_layers.h"
 #include "debug/stages.h"
-#include "overlay/motion.h"
-#include "overlay/stage_drawing.h"
 #include "overlay_painter.h"
 #include "panels/debugger/compare_choice.h"
 
 namespace talus {
 namespace {
 
-void add_other_trails(const Session& session, int chosen, Rect visible, OverlayDrawing& drawing) {
+std::vector<ColoredTrails> other_trails(const Session& session, int chosen) {
   const std::int64_t frame = session.timeline().frame();
   const std::int64_t first = std::max<std::int64_t>(frame - kTrailFrames, 0);
-  if (first == frame) return;
+  if (first == frame) return {};
   std::vector<int> bodies{chosen};
   if (session.choices().body == 0) {
     bodies.clear();
@@ -28,7 +26,7 @@ void add_other_trails(const Session& session, int chosen, Rect visible, OverlayD
     for (const TrailPoint& point : session.other_trail(body, first, frame))
       trail.push_back(point.box.center());
   }
-  add_trails(trails, OverlayId::trails, visible, drawing);
+  return {{std::move(trails), &overlay::trails}};
 }
 
 }  // namespace
@@ -63,18 +61,17 @@ void draw_other_overlays(ImDrawList& list, const Session& session, const CanvasV
   const OverlaySet overlays = drawable_overlays(session.choices().overlays, view);
   const Frame* frame = overlays.empty() ? nullptr : session.other_frame();
   if (frame == nullptr) return;
-  const Rect visible = view.visible();
   const int chosen = chosen_on_other_side(session);
-  OverlayDrawing drawing = make_overlays({.scene = *frame->scene,
-                                          .state = frame->state,
-                                          .record = frame->record,
-                                          .ground = frame->ground.get(),
-                                          .chosen_body = chosen},
-                                         overlays, visible);
-  if (overlays.has(OverlayId::trails)) add_other_trails(session, chosen, visible, drawing);
-  if (overlays.has(OverlayId::tested_tiles) && frame->record.tested.empty())
-    add_visited(stages_of(*frame, chosen), drawing);
-  add_level_overlays(session, overlays, visible, drawing);
+  OverlayDrawing drawing = make_overlays(with_level({.scene = *frame->scene,
+                                                     .state = frame->state,
+                                                     .record = frame->record,
+                                                     .ground = frame->ground.get(),
+                                                     .chosen_body = chosen,
+                                                     .trails = [&] { return other_trails(session, chosen); },
+                                                     .stages = [&] { return stages_of(*frame, chosen); }},
+                                                    session),
+                                         overlays, view.visible());
+  drawing.palette = session.choices().overlay_palette;
   paint_overlays(list, drawing, label_obstacles(*frame->scene, frame->state, view, covered), view, scale, 0);
 }
 

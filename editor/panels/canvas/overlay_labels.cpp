@@ -130,12 +130,10 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
 int LabelPlacer::rank_of(const OverlayLabel& label) const {
   if (label.important || (label.body != 0 && label.body == pointed_at_)) return 0;
   if (view_.zoom < kLowZoom * scale_) return kRanks;
-  if (label.overlay == OverlayId::slope_delta) return 1;
-  if (label.overlay == OverlayId::floor_height) return 2;
   const Rect& b = label.body_box;
-  const bool too_slow = label.overlay == OverlayId::velocity && label.at.x >= b.x &&
-                        label.at.x <= b.right() && label.at.y >= b.y && label.at.y <= b.bottom();
-  return too_slow ? kRanks : 3;  // an arrow that does not leave its body says enough
+  const bool is_inside = label.overlay->labels_outside && label.at.x >= b.x && label.at.x <= b.right() &&
+                         label.at.y >= b.y && label.at.y <= b.bottom();
+  return is_inside ? kRanks : label.overlay->label_rank;
 }
 
 std::optional<PlacedLabel> LabelPlacer::find_room(const OverlayLabel& label) const {
@@ -153,7 +151,7 @@ std::optional<PlacedLabel> LabelPlacer::find_room(const OverlayLabel& label) con
                                       {middle_x, below},
                                       {right, middle_y},
                                       {left, middle_y}}};
-    if (label.overlay == OverlayId::slope_delta) std::swap(corners[0], corners[4]);  // above its bar
+    if (label.overlay->labels_above) std::swap(corners[0], corners[4]);
     for (ImVec2 corner : corners) {
       const ScreenBox box{corner, {corner.x + size.x, corner.y + size.y}};
       if (box.inside(canvas) && box.is_within(kLabelReach * scale_, body) && is_free(box))

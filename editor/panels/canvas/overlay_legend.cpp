@@ -14,26 +14,19 @@ constexpr float kLegendSwatch = 14, kLegendPad = 4, kLegendText = 6;  // px at s
 // Share of the canvas that names may take: more would hide the level.
 constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
 
-const OverlayInfo& legend_info(OverlayId id) { return overlay_infos()[static_cast<std::size_t>(id)]; }
-
-float name_width(OverlayId id) {
-  const std::string_view label = legend_info(id).label;
-  return size_of_text(label).x;
-}
-
 float name_line(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(2); }
 
-std::vector<OverlayId> shown_overlays(const Choices& choices, const Ui& ui) {
-  std::vector<OverlayId> shown;
+std::vector<const Overlay*> shown_overlays(const Choices& choices, const Ui& ui) {
+  std::vector<const Overlay*> shown;
   if (overlay_names_fit(ui)) return shown;
-  for (const OverlayInfo& info : overlay_infos())
-    if (choices.overlays.has(info.id)) shown.push_back(info.id);
+  for (const Overlay* overlay : all_overlays())
+    if (choices.overlays.has(*overlay)) shown.push_back(overlay);
   return shown;
 }
 
-float names_width(const std::vector<OverlayId>& shown, const Ui& ui) {
+float names_width(const std::vector<const Overlay*>& shown, const Ui& ui) {
   float text = 0;
-  for (const OverlayId id : shown) text = std::max(text, name_width(id));
+  for (const Overlay* overlay : shown) text = std::max(text, size_of_text(overlay->label).x);
   return text + ui.px(kLegendSwatch) + ui.px(kLegendText) + 2 * ui.px(kLegendPad);
 }
 
@@ -78,9 +71,9 @@ void OverlayLegend::draw(ImDrawList& list) const {
     const int n = static_cast<int>(i), row = has_names_ ? n : n % rows_, column = has_names_ ? 0 : n / rows_;
     const ImVec2 at{box_->min.x + pad + cell * static_cast<float>(column),
                     box_->min.y + pad + cell * static_cast<float>(row)};
-    paint_overlay_swatch(list, shown_[i], {at.x, at.y + (cell - swatch) / 2}, swatch,
+    paint_overlay_swatch(list, *shown_[i], {at.x, at.y + (cell - swatch) / 2}, swatch,
                          choices_.overlay_palette);
-    const std::string_view label = legend_info(shown_[i]).label;
+    const std::string_view label = shown_[i]->label;
     if (has_names_)
       add_text(list, {at.x + swatch + ui_.px(kLegendText), at.y}, theme::color(theme::kMuted), label);
   }
@@ -89,7 +82,7 @@ void OverlayLegend::draw(ImDrawList& list) const {
 std::string OverlayLegend::help() const {
   if (has_names_) return "The overlays that are shown. Click to fold their names away.";
   std::string names;
-  for (const OverlayId id : shown_) names.append(names.empty() ? "" : ", ").append(legend_info(id).label);
+  for (const Overlay* overlay : shown_) names.append(names.empty() ? "" : ", ").append(overlay->label);
   return "Shown: " + names + ". " + (is_tight_ ? "Their names have no room here." : "Click for the names.");
 }
 

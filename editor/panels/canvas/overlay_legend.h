@@ -32,7 +32,7 @@ class OverlayLegend {
 
   const Choices& choices_;
   const Ui& ui_;
-  std::vector<OverlayId> shown_;
+  std::vector<const Overlay*> shown_;
   std::optional<ScreenBox> box_;
   bool has_names_ = false;
   bool is_tight_ = false;  // whether names would have no room

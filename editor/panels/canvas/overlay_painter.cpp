@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "overlay/overlay_pen.h"
 #include "overlay_labels.h"
 #include "panels/ui/shown_text.h"
 #include "panels/ui/theme.h"
@@ -14,19 +15,12 @@
 namespace talus {
 namespace {
 
-// At scale 1; at a lower zoom normals are shorter, so that they do not hide balls.
-constexpr float kNormalsZoom = 4;
+// At scale 1; at a lower zoom some lines are shorter.
+constexpr float kShortZoom = 4;
 // At scale 1; at a lower zoom all is thinner, as bodies are hardly larger than marks.
 constexpr float kThinZoom = 2;
 constexpr float kPiece = 16;  // px at scale 1: lines are kept free of labels in pieces of this length
 constexpr int kMostPieces = 64;
-
-// Thin overlays without a rim, which do not hide what they are about.
-bool is_faint(OverlayId id) { return id == OverlayId::removed_edges || id == OverlayId::trails; }
-
-bool covers_much(OverlayId id) {
-  return is_faint(id) || id == OverlayId::outline || id == OverlayId::one_way || id == OverlayId::swept_path;
-}
 
 class Painter {
  public:
@@ -42,12 +36,12 @@ class Painter {
   void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
     for (const OverlayBox& box : drawing.boxes) paint_box(box);
     for (const OverlayLine& line : drawing.lines) {
-      if (!is_faint(line.overlay) && !is_left_out(line)) stroke(line, outline(), width_ + 2 * rim());
+      if (!line.overlay->is_faint && !is_left_out(line)) stroke(line, outline(), width_ + 2 * rim());
     }
     for (const OverlayLine& line : drawing.lines) {
       if (is_left_out(line)) continue;
       const int alpha = static_cast<int>(255 * std::clamp(line.strength, 0.0, 1.0));
-      stroke(line, color_of(line.overlay, alpha), is_faint(line.overlay) ? rim() : width_);
+      stroke(line, color_of(line.overlay, alpha), line.overlay->is_faint ? rim() : width_);
     }
     for (const OverlayBar& bar : drawing.bars) paint_bar(bar);
     for (const OverlayMark& mark : drawing.marks) paint_mark(mark);
@@ -57,8 +51,8 @@ class Painter {
   }
 
  private:
-  ImU32 color_of(OverlayId id, int alpha = 255) const {
-    return theme::color(overlay_color(id, palette_), alpha);
+  ImU32 color_of(const Overlay* overlay, int alpha = 255) const {
+    return theme::color(overlay_color(*overlay, palette_), alpha);
   }
   static ImU32 outline() { return theme::color(theme::kDark, 190); }
   bool is_left_out(const OverlayLine& line) const { return is_low_ && line.detail; }
@@ -113,7 +107,7 @@ class Painter {
   void keep_clear_of(const OverlayDrawing& drawing) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
     for (const OverlayLine& line : drawing.lines) {
-      if (!covers_much(line.overlay)) keep_clear_of(line);  // else no label would find room
+      if (!line.overlay->covers_much) keep_clear_of(line);  // else no label would find room
     }
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
@@ -145,8 +139,8 @@ class Painter {
   // Where a line is on the screen.
   std::pair<ImVec2, ImVec2> ends(const OverlayLine& line) const {
     const ImVec2 from = view_.to_screen(line.from), to = view_.to_screen(line.to);
-    if (line.overlay != OverlayId::normals) return {from, to};
-    const float part = std::min(1.0f, view_.zoom / (kNormalsZoom * scale_));
+    if (!line.overlay->is_short_from_far) return {from, to};
+    const float part = std::min(1.0f, view_.zoom / (kShortZoom * scale_));
     return {from, {from.x + (to.x - from.x) * part, from.y + (to.y - from.y) * part}};
   }
 
@@ -154,13 +148,13 @@ class Painter {
     LabelPlacer placer(view_, scale_, pointed_at_, taken_);
     for (const PlacedLabel& placed : placer.place(labels)) {
       const ScreenBox& box = placed.box;
-      const OverlayId id = placed.label->overlay;
+      const Overlay* overlay = placed.label->overlay;
       const ImVec2 pad = placer.padding();
       if (placed.point)
-        list_.AddLine(*placed.point, box.nearest(*placed.point), color_of(id, 120),
+        list_.AddLine(*placed.point, box.nearest(*placed.point), color_of(overlay, 120),
                       std::max(1.0f, std::round(scale_)));
       list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
-      add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(id),
+      add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(overlay),
                placed.label->text);
     }
   }
@@ -184,7 +178,8 @@ void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<c
   list.PopClipRect();
 }
 
-void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size, OverlayPalette palette) {
+void paint_overlay_swatch(ImDrawList& list, const Overlay& overlay, ImVec2 at, float size,
+                          OverlayPalette palette) {
   // The colours are made for dark ground.
   if (theme::is_light())
     list.AddRectFilled({at.x - 1, at.y - 1}, {at.x + size + 1, at.y + size + 1},
@@ -192,66 +187,8 @@ void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size,
   // The swatch is a canvas of 8 by 8 level pixels that holds one piece of the overlay.
   const CanvasView view{at, {at.x + size, at.y + size}, {at.x, at.y}, size / 8};
   OverlayDrawing sample;
-  switch (id) {
-    case OverlayId::boxes:
-      sample.boxes.push_back({id, {1, 1, 6, 6}});
-      break;
-    case OverlayId::normals:
-      sample.lines.push_back({id, {4, 7.5}, {4, 0.5}, true});
-      break;
-    case OverlayId::touch_points:
-      sample.marks.push_back({id, {4, 4}});
-      break;
-    case OverlayId::velocity:
-      sample.lines.push_back({id, {0.5, 6}, {7.5, 2}, true});
-      break;
-    case OverlayId::slope_delta:
-      sample.bars.push_back({id, {0.5, 2.5, 7, 3}, 0.5});
-      break;
-    case OverlayId::floor_height:
-      sample.lines.push_back({id, {0, 5}, {8, 5}});
-      break;
-    case OverlayId::tested_tiles:
-      sample.boxes.push_back({id, {0.5, 0.5, 7, 7}, true});
-      break;
-    case OverlayId::outline:
-      sample.lines.push_back({id, {0, 6.5}, {8, 3.5}});
-      sample.lines.push_back({id, {4, 5}, {3, 2}});
-      break;
-    case OverlayId::removed_edges:
-      sample.lines.push_back({id, {4, 0}, {4, 8}});
-      sample.lines.push_back({id, {0, 4}, {8, 4}});
-      break;
-    case OverlayId::one_way:
-      sample.lines.push_back({id, {4, 7.5}, {4, 0.5}, true});
-      sample.lines.push_back({id, {0, 5}, {8, 5}});
-      break;
-    case OverlayId::swept_path:
-      sample.boxes.push_back({id, {0.5, 0.5, 3, 3}});
-      sample.boxes.push_back({id, {4.5, 4.5, 3, 3}});
-      sample.lines.push_back({id, {2, 2}, {6, 6}});
-      break;
-    case OverlayId::trails:
-      sample.lines.push_back({.overlay = id, .from = {0, 6}, .to = {3, 2}, .strength = 0.5});
-      sample.lines.push_back({id, {3, 2}, {8, 5}});
-      break;
-    case OverlayId::penetration:
-      sample.boxes.push_back({id, {1, 4, 6, 4}, true});
-      sample.lines.push_back({id, {4, 6}, {4, 1}, true});
-      break;
-    case OverlayId::shapes:
-      sample.lines.push_back({id, {0, 7}, {5, 2}});
-      sample.lines.push_back({id, {5, 2}, {8, 2}});
-      break;
-    case OverlayId::reach:
-      sample.boxes.push_back({id, {0, 0, 8, 7}, true});
-      sample.lines.push_back({id, {0, 7}, {8, 7}});
-      break;
-    case OverlayId::answer:
-      sample.boxes.push_back({id, {3, 1, 4, 4}, true});
-      sample.lines.push_back({id, {0, 6.5}, {8, 6.5}});
-      break;
-  }
+  OverlayPen pen(overlay, {0, 0, 8, 8}, sample);
+  if (overlay.draw_swatch != nullptr) overlay.draw_swatch(pen);
   Painter(list, view, size / 16, 0, palette).paint(sample, {});
 }
 

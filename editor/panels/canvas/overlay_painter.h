@@ -16,6 +16,7 @@ void paint_overlays(ImDrawList& list, const OverlayDrawing& drawing, std::span<c
                     const CanvasView& view, float scale, int pointed_at);
 
 // The overlay's colour and shape in a square, for the legend.
-void paint_overlay_swatch(ImDrawList& list, OverlayId id, ImVec2 at, float size, OverlayPalette palette);
+void paint_overlay_swatch(ImDrawList& list, const Overlay& overlay, ImVec2 at, float size,
+                          OverlayPalette palette);
 
 }  // namespace talus

@@ -16,20 +16,21 @@ constexpr float kFirstGap = 8, kControls = 372;  // px at scale 1: width without
 
 float text_width(std::string_view text) { return size_of_text(text).x; }
 
-void draw_switch(const OverlayInfo& info, bool named, const Session& session, Actions& actions, Ui& ui) {
-  const std::string id = "overlay/" + std::string(info.key), label(info.label);
+void draw_switch(const Overlay& overlay, bool named, const Session& session, Actions& actions, Ui& ui) {
+  const std::string id = "overlay/" + std::string(overlay.key), label(overlay.label);
   const Command& command = find_command(id);
-  const bool on = session.choices().overlays.has(info.id);
+  const bool on = session.choices().overlays.has(overlay);
   const float height = ui.px(theme::kButton), swatch = ui.px(kSwatch), pad = ui.px(kPad);
   const float width = swatch + 2 * pad + (named ? text_width(label) + ui.px(kTextGap) : 0);
-  ui.same_line_if_fits(width, info.id == OverlayId::boxes ? ui.px(kFirstGap) : 0);
+  ui.same_line_if_fits(width, &overlay == all_overlays().front() ? ui.px(kFirstGap) : 0);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(on ? theme::kControlHot : theme::kPanel));
   if (button("", id, {width, height})) command.run(session, actions, ui);
   ImGui::PopStyleColor();
-  ui.item(id, named ? std::string(info.help) : label + ": " + std::string(info.help), keys_of(command, ui));
+  ui.item(id, named ? std::string(overlay.help) : label + ": " + std::string(overlay.help),
+          keys_of(command, ui));
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  paint_overlay_swatch(list, info.id, {at.x + pad, at.y + (height - swatch) / 2}, swatch,
+  paint_overlay_swatch(list, overlay, {at.x + pad, at.y + (height - swatch) / 2}, swatch,
                        session.choices().overlay_palette);
   if (named)
     add_text(list, {at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
@@ -43,14 +44,15 @@ void draw_switch(const OverlayInfo& info, bool named, const Session& session, Ac
 
 bool overlay_names_fit(const Ui& ui) {
   float width = ui.px(kControls + kBranchWidth + kProgressWidth);
-  for (const OverlayInfo& info : overlay_infos())
-    width += text_width(info.label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
+  for (const Overlay* overlay : all_overlays())
+    width +=
+        text_width(overlay->label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
   return width <= ImGui::GetIO().DisplaySize.x;
 }
 
 void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
   const bool named = overlay_names_fit(ui);
-  for (const OverlayInfo& info : overlay_infos()) draw_switch(info, named, session, actions, ui);
+  for (const Overlay* overlay : all_overlays()) draw_switch(*overlay, named, session, actions, ui);
 }
 
 }  // namespace talus

@@ -21,14 +21,14 @@ CommandTest shows_canvas(CanvasMode mode) {
   return [mode](S, const Ui& ui) { return ui.view.canvas == mode; };
 }
 
-CommandRun toggle_overlay(OverlayId id) {
-  return [id](S session, A actions, U) {
-    actions.push_back(action::SetOverlay{id, !session.choices().overlays.has(id)});
+CommandRun toggle_overlay(const Overlay& overlay) {
+  return [&overlay](S session, A actions, U) {
+    actions.push_back(action::SetOverlay{&overlay, !session.choices().overlays.has(overlay)});
   };
 }
 
-CommandTest has_overlay(OverlayId id) {
-  return [id](S session, const Ui&) { return session.choices().overlays.has(id); };
+CommandTest has_overlay(const Overlay& overlay) {
+  return [&overlay](S session, const Ui&) { return session.choices().overlays.has(overlay); };
 }
 
 void cycle_flag_overlay(S session, A actions, U) {
@@ -344,19 +344,18 @@ std::vector<Command> play_commands() {
   };
 }
 
-// Alt and the digits from 1, then Alt and Shift and the digits from 1, in the order of the overlays.
 std::vector<Command> overlay_commands() {
-  constexpr int kDigits = 9;
   std::vector<Command> all;
-  for (const OverlayInfo& info : overlay_infos()) {
-    const int number = static_cast<int>(all.size());
-    all.push_back({.id = "overlay/" + std::string(info.key),
-                   .label = std::string(info.label),
-                   .help = std::string(info.help),
-                   .key = number < kDigits ? alt('1' + number) : alt_shift('1' + number - kDigits),
+  for (const Overlay* overlay : all_overlays()) {
+    all.push_back({.id = "overlay/" + std::string(overlay->key),
+                   .label = std::string(overlay->label),
+                   .help = std::string(overlay->help),
+                   .key = overlay->digit == 0 ? KeyChord{}
+                          : overlay->shift    ? alt_shift(overlay->digit)
+                                              : alt(overlay->digit),
                    .menu = menus::kPlayOverlays,
-                   .run = toggle_overlay(info.id),
-                   .checked = has_overlay(info.id)});
+                   .run = toggle_overlay(*overlay),
+                   .checked = has_overlay(*overlay)});
   }
   return all;
 }

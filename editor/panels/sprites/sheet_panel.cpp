@@ -71,8 +71,8 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(ui.sheet(area.sheet), at, {at.x + side, at.y + side});
-  if (area.sheet == SheetId::tiles && session.choices().overlays.has(OverlayId::shapes)) {
-    const std::uint32_t color = overlay_color(OverlayId::shapes, session.choices().overlay_palette);
+  if (area.sheet == SheetId::tiles && session.choices().overlays.has(overlay::shapes)) {
+    const std::uint32_t color = overlay_color(overlay::shapes, session.choices().overlay_palette);
     draw_sheet_shapes(list, session.level(), at, cell, color, ui);
   }
   if (session.choices().grid) {

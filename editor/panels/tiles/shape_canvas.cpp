@@ -76,7 +76,7 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& acti
   const float fits_high = std::max((room.y - 2 * margin) / rows, kLeastZoom * ui.scale);
   const float fits = std::min((room.x - 2 * margin) / columns, fits_high);
   Frame frame{session, tiles, shape, {}, 1, ui.px(kReach)};
-  frame.color = overlay_color(OverlayId::shapes, session.choices().overlay_palette);
+  frame.color = overlay_color(overlay::shapes, session.choices().overlay_palette);
   frame.zoom = std::clamp(std::floor(fits), 1.0f, kMostZoom * ui.scale);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("shape canvas", {room.x, frame.height() + 2 * margin});

@@ -57,11 +57,11 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   command_text_button("view/safe_colours", session, actions, ui, {}, "settings/safe_colours");
   ImGui::SetCursorPosX(ui.px(kSettingNames));
   const float swatch = ui.px(14);
-  for (const OverlayInfo& info : overlay_infos()) {
-    paint_overlay_swatch(*ImGui::GetWindowDrawList(), info.id, ImGui::GetCursorScreenPos(), swatch,
+  for (const Overlay* overlay : all_overlays()) {
+    paint_overlay_swatch(*ImGui::GetWindowDrawList(), *overlay, ImGui::GetCursorScreenPos(), swatch,
                          session.choices().overlay_palette);
     ImGui::Dummy({swatch, swatch});
-    ui.tooltip(info.label);
+    ui.tooltip(overlay->label);
     ImGui::SameLine();
   }
   ImGui::NewLine();

@@ -30,7 +30,7 @@ void CheckHandler::carry_out(const action::FindReach&) {
   const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
   if (const auto problem = reach_.start(*run_.timeline().level_scene(), origin))
     return messages_.tell_error(*problem);
-  choices_.show_overlay(OverlayId::reach, true);
+  choices_.show_overlay(overlay::reach, true);
 }
 
 template <>

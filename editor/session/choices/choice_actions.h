@@ -10,7 +10,7 @@
 #include "edit/sprite_area.h"
 #include "edit/sprite_shapes.h"
 #include "edit/stamp.h"
-#include "overlay/overlay_id.h"
+#include "overlay/overlay_table.h"
 
 namespace talus {
 
@@ -77,7 +77,7 @@ struct SetColor {
   bool secondary = false;  // false: the left button's colour; true: the right button's
 };
 struct SetOverlay {
-  OverlayId overlay;
+  const Overlay* overlay;  // never null
   bool on = true;
 };
 struct SetFlagOverlay {

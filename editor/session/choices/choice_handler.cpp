@@ -76,7 +76,7 @@ void ChoiceHandler::carry_out(const action::SetColor& a) {
 
 template <>
 void ChoiceHandler::carry_out(const action::SetOverlay& a) {
-  show_overlay(a.overlay, a.on);
+  show_overlay(*a.overlay, a.on);
 }
 
 template <>
@@ -109,7 +109,7 @@ void ChoiceHandler::cut_selection() {
 }
 
 void ChoiceHandler::forget_level() {
-  show_overlay(OverlayId::answer, false);
+  show_overlay(overlay::answer, false);
   choices_.body = 0;
   choices_.selection.reset();
   choices_.pixels.drop();

@@ -15,7 +15,7 @@ class ChoiceHandler {
 
   // --- Results of other actions
   void choose_body(int id) { choices_.body = id; }  // 0: no body
-  void show_overlay(OverlayId overlay, bool on) { choices_.overlays.set(overlay, on); }
+  void show_overlay(const Overlay& overlay, bool on) { choices_.overlays.set(overlay, on); }
   void choose_sprite_tool(SpriteTool tool) { choices_.sprite_tool = tool; }
   // The selection that an edit has; cut it when the edit is done.
   void choose_cells(const std::optional<CellRect>& cells) { choices_.selection = cells; }

@@ -308,7 +308,7 @@ void RunHandler::load_level() {
 void RunHandler::read_hard_case() {
   hard_case_ = hard_case_of(open_.level).value_or(std::nullopt);
   simulation_.set_script(hard_case_ ? hard_case_->input : std::vector<CaseInput>());
-  if (hard_case_) choices_.show_overlay(OverlayId::answer, true);
+  if (hard_case_) choices_.show_overlay(overlay::answer, true);
 }
 
 void RunHandler::load(const Recording& recording, const EndScenes& scenes) {

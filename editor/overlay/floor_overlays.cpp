@@ -1,0 +1,119 @@
+// The floor below a body, and where on a slope it is.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "collision/ground_queries.h"
+#include "number_label.h"
+#include "overlay_pen.h"
+
+namespace talus {
+namespace {
+
+constexpr double kBarHeight = 2;    // px
+constexpr double kBarGap = 2;       // px between the bar and the body below it
+constexpr double kFloorMargin = 4;  // px by which the floor line sticks out on both sides of the body
+
+constexpr double kFloorReach = 64;  // px below a body at which a floor is looked for; of the chosen one, all
+constexpr double kFloorStep = 1;    // px between the places where a floor's height is shown
+constexpr int kMostFloorParts = 64;
+constexpr double kFloorTick = 1.5;  // px
+
+// The two ends of a slope's surface, left to right.
+std::pair<Vec2, Vec2> slope_surface(const Obstacle& slope) {
+  const Rect& b = slope.box;
+  if (slope.role == TileRole::up_slope) return {{b.x, b.bottom()}, {b.right(), b.y}};
+  return {{b.x, b.y}, {b.right(), b.bottom()}};
+}
+
+void draw_floor_profile(const Terrain& ground, const Rect& box, double reach, OverlayPen& pen) {
+  const int parts = std::clamp(static_cast<int>(std::ceil(box.w / kFloorStep)), 1, kMostFloorParts);
+  std::optional<Vec2> before;
+  for (int i = 0; i <= parts; ++i) {
+    const double x = box.x + box.w * i / parts;
+    const auto floor = floor_below(ground, {x, box.y, 0, box.h}, reach);
+    if (floor) pen.line({x, floor->y}, {x, floor->y + kFloorTick});
+    if (floor && before) pen.line(*before, {x, floor->y});
+    before = floor ? std::optional<Vec2>({x, floor->y}) : std::nullopt;
+  }
+}
+
+// The floor straight below, as the ground has it, and its height under every x of the chosen body.
+void draw_floor(const OverlaySource& source, const Body& body, OverlayPen& pen) {
+  const Rect& b = body.box;
+  if (source.ground == nullptr || !pen.sees(b)) return;
+  const bool is_chosen = body.id == source.chosen_body;
+  const double reach = is_chosen ? source.ground->height() * double{kTileSide} : kFloorReach;
+  const auto floor = floor_below(*source.ground, b, reach, body.foot);
+  if (!floor) return;
+  const double x = b.center().x;
+  const Vec2 end{b.right() + kFloorMargin, floor->y};
+  pen.line({b.x - kFloorMargin, floor->y}, end);
+  if (floor->y > b.bottom()) pen.line({x, b.bottom()}, {x, floor->y});
+  if (is_chosen) draw_floor_profile(*source.ground, b, reach, pen);
+  pen.label(end, "floor " + two_decimals(floor->y), body);
+}
+
+// The floor that the article and bump compute on a slope.
+void draw_computed_floor(const OverlaySource& source, const SlopeProbe& probe, const Body& body,
+                         OverlayPen& pen) {
+  if (source.scene.ground || source.scene.single_ground) return;
+  const Rect& b = body.box;
+  const auto [left, right] = slope_surface(probe.slope);
+  const Vec2 end{b.right() + kFloorMargin, probe.floor_y};
+  pen.line(left, right);
+  pen.line({b.x - kFloorMargin, probe.floor_y}, end);
+  pen.label(end, "floor " + two_decimals(probe.floor_y) + " -> " + no_decimals(probe.placed_y + b.h), body);
+}
+
+void draw_delta(const OverlaySource&, const SlopeProbe& probe, const Body& body, OverlayPen& pen) {
+  const Rect& b = body.box;
+  const Rect bar{b.x, b.y - kBarGap - kBarHeight, b.w, kBarHeight};
+  pen.bar(bar, probe.delta);
+  pen.label({b.center().x, bar.y}, "delta " + two_decimals(probe.delta), body);
+}
+
+}  // namespace
+
+namespace overlay {
+
+const Overlay slope_delta{
+    .key = "slope_delta",
+    .label = "slope delta",
+    .help = "How far along a slope a body's centre is, from 0 at the left end to 1 at the right.",
+    .color = 0xcc79a7,
+    .safe_color = 0x8c6ec8,
+    .digit = '5',
+    .is_default = true,
+    .label_rank = 1,
+    .labels_above = true,  // above its bar
+    .draw_probe = draw_delta,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.bar({0.5, 2.5, 7, 3}, 0.5);
+        },
+};
+
+const Overlay floor_height{
+    .key = "floor_height",
+    .label = "floor height",
+    .help =
+        "The floor straight below each body, as the exact solver's ground has it; of the others, the floor "
+        "computed on a slope, before and after rounding, and the slope's surface.",
+    .color = 0xd55e00,
+    .safe_color = 0xaa8c50,
+    .digit = '6',
+    .is_default = true,
+    .needs_ground = true,
+    .label_rank = 2,
+    .draw_body = draw_floor,
+    .draw_probe = draw_computed_floor,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({0, 5}, {8, 5});
+        },
+};
+
+}  // namespace overlay
+}  // namespace talus

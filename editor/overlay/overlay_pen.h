@@ -1,0 +1,47 @@
+// OverlayPen: what an overlay draws with, in its own colour, in level pixels.
+#pragma once
+
+#include <string>
+
+#include "overlay.h"
+#include "visible.h"
+
+namespace talus {
+
+// Leaves out what is not visible.
+class OverlayPen {
+ public:
+  // chosen_body: id; its labels come first.
+  OverlayPen(const Overlay& overlay, Rect visible, OverlayDrawing& out, int chosen_body = 0)
+      : overlay_(overlay), visible_(visible), out_(out), chosen_(chosen_body) {}
+
+  const Rect& visible() const { return visible_; }
+  OverlayDrawing& drawing() { return out_; }
+  bool sees(const Rect& box) const { return meet(box, visible_); }
+
+  // strength, detail: as in OverlayLine.
+  void line(Vec2 from, Vec2 to, bool arrow = false, double strength = 1, bool detail = false) {
+    if (meets(from, to, visible_)) out_.lines.push_back({&overlay_, from, to, arrow, strength, detail});
+  }
+  void box(const Rect& r, bool filled = false) {
+    if (sees(r)) out_.boxes.push_back({&overlay_, r, filled});
+  }
+  void mark(Vec2 at) {
+    if (sees({at.x, at.y, 0, 0})) out_.marks.push_back({&overlay_, at});
+  }
+  void bar(const Rect& r, double fraction) {  // 0 to 1
+    if (sees(r)) out_.bars.push_back({&overlay_, r, fraction});
+  }
+  void label(Vec2 at, std::string text, const Body& body) {
+    if (sees(body.box))
+      out_.labels.push_back({&overlay_, at, std::move(text), body.id == chosen_, body.id, body.box});
+  }
+
+ private:
+  const Overlay& overlay_;
+  const Rect visible_;
+  OverlayDrawing& out_;
+  const int chosen_;
+};
+
+}  // namespace talus

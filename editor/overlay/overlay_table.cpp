@@ -1,0 +1,33 @@
+// Looking overlays up.
+#include "overlay_table.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace talus {
+
+std::uint32_t overlay_color(const Overlay& overlay, OverlayPalette palette) {
+  return palette == OverlayPalette::standard ? overlay.color : overlay.safe_color;
+}
+
+const Overlay* find_overlay(std::string_view key) {
+  const auto all = all_overlays();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Overlay* overlay) { return overlay->key == key; });
+  return found == all.end() ? nullptr : *found;
+}
+
+bool OverlaySet::any(bool Overlay::*member) const {
+  const auto all = all_overlays();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Overlay* overlay) { return overlay->*member && has(*overlay); });
+}
+
+std::size_t OverlaySet::place_of(const Overlay& overlay) {
+  const auto all = all_overlays();
+  const auto found = std::find(all.begin(), all.end(), &overlay);
+  assert(found != all.end() && all.size() <= kMost);
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+}  // namespace talus
