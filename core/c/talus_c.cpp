@@ -154,7 +154,7 @@ int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
   const talus::State& state = game->state;
   const talus::Body& found = state.bodies[static_cast<std::size_t>(index)];
   *body = {.id = found.id,
-           .is_player = found.kind == talus::BodyKind::player ? 1 : 0,
+           .is_player = talus::traits_of(found.kind).takes_keys ? 1 : 0,
            .is_grounded = found.gait.grounded ? 1 : 0,
            .is_held = state.grabbed == found.id ? 1 : 0,
            .x = found.box.x,

@@ -197,7 +197,7 @@ std::string reasons(const Frame& frame, const BodyPath& path) {
   const Vec2 off = path.to.position() - path.goal;
   if (length(off) < kLeastShown) return met + ".";
   const Body* body = frame.state.find(path.body);
-  const bool walks = body->kind == BodyKind::player && body->gait.grounded;
+  const bool walks = traits_of(body->kind).rule == BodyRule::run && body->gait.grounded;
   if (walks) return met + ", and then it was moved by " + motion_text(off) + " px, onto its floor.";
   return met + ", and its speed changed on the way.";
 }

@@ -77,12 +77,12 @@ bool is_grounded(const Frame& frame, const Body& body) {
 
 double energy(const Frame& frame, const Body& body) {
   const Tuning& t = frame.scene->tuning;
-  const bool is_player = t.solver == SolverKind::exact && body.kind == BodyKind::player;
-  const bool is_constant = t.solver == SolverKind::exact && (is_player || t.exact.gravity > 0);
+  const bool runs = t.solver == SolverKind::exact && traits_of(body.kind).rule == BodyRule::run;
+  const bool is_constant = t.solver == SolverKind::exact && (runs || t.exact.gravity > 0);
   double gravity = t.shared.fall_blend * t.shared.fall_speed;
-  if (is_constant) gravity = is_player ? t.player.gravity : t.exact.gravity;
+  if (is_constant) gravity = runs ? t.player.gravity : t.exact.gravity;
   Vec2 v = body.velocity;
-  const double part = is_player ? 1 : 1 / t.exact.substeps;
+  const double part = runs ? 1 : 1 / t.exact.substeps;
   if (is_constant && !body.gait.grounded) v.y += gravity * part / 2;
   return dot(v, v) / 2 - gravity * body.box.center().y;
 }

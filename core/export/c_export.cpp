@@ -286,7 +286,7 @@ static const @_body @_bodies[^_BODIES + 1] = { /* the last one is empty */)");
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const PlainBody body = bodies_.at(i);
     const Spawn& s = body.start;
-    const std::vector<std::int64_t> numbers = {s.kind == BodyKind::player,
+    const std::vector<std::int64_t> numbers = {traits_of(s.kind).takes_keys,
                                                body.tile,
                                                s.used_foot() == Foot::centre,
                                                fixed(s.position.x),

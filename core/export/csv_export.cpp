@@ -151,7 +151,7 @@ std::string body_table(const Level& level) {
     const PlainBody body = bodies.at(i);
     const Spawn& spawn = body.start;
     table.number(body.id);
-    table.word(spawn.name).word(body_word(spawn.kind));
+    table.word(spawn.name).word(traits_of(spawn.kind).word);
     table.word(body.tile < 0 ? "" : std::to_string(body.tile));
     table.number(spawn.position.x).number(spawn.position.y);
     table.number(spawn.size.x).number(spawn.size.y).number(spawn.velocity.x).number(spawn.velocity.y);

@@ -32,9 +32,7 @@ enum LdtkUid : int {
   kCollisionUid,
   kTilesUid,
   kLevelUid,
-  kBallUid = 10,  // the fields of an entity have the numbers after its own
-  kPlayerUid = 30,
-  kNextUid = 50
+  kFirstBodyUid = 10  // of the first kind; the fields of an entity have the numbers after its own
 };
 
 // Unique in the project, and the same whenever a level is exported.
@@ -93,7 +91,15 @@ const char* field_type(const std::string& name, const OrderedJson& value) {
   return value.is_string() ? "String" : "Float";
 }
 
-OrderedJson entity_def(const LdtkSkeleton& skeleton, const char* identifier, int uid, const char* color) {
+// Of the entity of a kind.
+int uid_of(BodyKind kind) {
+  constexpr int kMostFields = 19;
+  return kFirstBodyUid + static_cast<int>(kind) * (kMostFields + 1);
+}
+
+OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind) {
+  int uid = uid_of(kind);
+  const std::string identifier(traits_of(kind).ldtk_identifier), color(traits_of(kind).ldtk_color);
   OrderedJson entity =
       skeleton.filled("entity_definition", {{"identifier", identifier}, {"uid", uid}, {"color", color}});
   const OrderedJson fields = body_fields({});
@@ -107,8 +113,6 @@ OrderedJson entity_def(const LdtkSkeleton& skeleton, const char* identifier, int
   }
   return entity;
 }
-
-constexpr const char *kBallColor = "#FFCD75", *kPlayerColor = "#EF7D57";
 
 int rounded_px(double px) { return static_cast<int>(std::lround(std::clamp(px, -1e9, 1e9))); }
 
@@ -130,16 +134,15 @@ OrderedJson field_instance(const std::string& name, const OrderedJson& value, in
 
 OrderedJson entity(const PlainBody& body) {
   const Spawn& start = body.start;
-  const bool is_player = start.kind == BodyKind::player;
   const int x = rounded_px(start.position.x), y = rounded_px(start.position.y);
-  int uid = is_player ? kPlayerUid : kBallUid;
+  int uid = uid_of(start.kind);
   const OrderedJson fields = body_fields(body);
-  OrderedJson instance = {{"__identifier", is_player ? "Player" : "Ball"},
+  OrderedJson instance = {{"__identifier", traits_of(start.kind).ldtk_identifier},
                           {"__grid", {cell_of(x), cell_of(y)}},
                           {"__pivot", {0, 0}},
                           {"__tags", OrderedJson::array()},
                           {"__tile", fields["tile"]},
-                          {"__smartColor", is_player ? kPlayerColor : kBallColor},
+                          {"__smartColor", traits_of(start.kind).ldtk_color},
                           {"__worldX", x},
                           {"__worldY", y},
                           {"iid", iid(99 + body.id)},
@@ -239,10 +242,11 @@ class LdtkProject {
 
   std::string text() const {
     const std::string background = color_text(level_.palette[0]);
-    OrderedJson project = skeleton_.filled("project", {{"iid", iid(1)},
-                                                       {"nextUid", kNextUid},
-                                                       {"defaultLevelBgColor", background},
-                                                       {"dummyWorldIid", iid(2)}});
+    OrderedJson project =
+        skeleton_.filled("project", {{"iid", iid(1)},
+                                     {"nextUid", uid_of(static_cast<BodyKind>(body_kinds().size()))},
+                                     {"defaultLevelBgColor", background},
+                                     {"dummyWorldIid", iid(2)}});
     OrderedJson& defs = project["defs"];
     defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid),
                       layer_def("Collision", "IntGrid", kCollisionUid),
@@ -256,8 +260,8 @@ class LdtkProject {
                         {"groupUid", 0}});
     }
     defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
-    defs["entities"] = {entity_def(skeleton_, "Ball", kBallUid, kBallColor),
-                        entity_def(skeleton_, "Player", kPlayerUid, kPlayerColor)};
+    for (std::size_t kind = 0; kind < body_kinds().size(); ++kind)
+      defs["entities"].push_back(entity_def(skeleton_, static_cast<BodyKind>(kind)));
     defs["tilesets"] = OrderedJson::array(
         {skeleton_.filled("tileset_definition", {{"uid", kTilesetUid},
                                                  {"relPath", sheet_},

@@ -130,7 +130,7 @@ void write_curve(LuaTable&& table, const Curve& curve) {
 }
 
 void write_spawn(LuaTable&& table, const Spawn& spawn) {
-  table.word("kind", body_word(spawn.kind));
+  table.word("kind", traits_of(spawn.kind).word);
   if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
   table.number("y", spawn.position.y);

@@ -43,14 +43,16 @@ PartNames used_parts(const Level& level) {
   const TerrainSource ground = ground_of(level);
   const auto any_cell = [&](auto is) { return std::any_of(ground.cells.begin(), ground.cells.end(), is); };
   const auto any_curve = [&](auto is) { return std::any_of(ground.curves.begin(), ground.curves.end(), is); };
-  const auto is_ball = [&](std::uint8_t tile) { return is_ball_tile(level, tile); };
-  const auto balls =
-      static_cast<std::size_t>(std::count_if(ground.cells.begin(), ground.cells.end(), is_ball));
-  const auto any_spawn = [&](BodyKind kind) {
-    return std::any_of(level.spawns.begin(), level.spawns.end(),
-                       [&](const Spawn& s) { return s.kind == kind; });
-  };
   PartNames used;
+  std::size_t bodies = level.spawns.size();
+  for (const Spawn& spawn : level.spawns) used.emplace(traits_of(spawn.kind).lua_part);
+  for (int tile = 0; tile < kTileCount; ++tile) {
+    const auto kind = body_kind_of_tile(level, static_cast<std::uint8_t>(tile));
+    if (!kind) continue;
+    const auto count = std::count(ground.cells.begin(), ground.cells.end(), tile);
+    if (count > 0) used.emplace(traits_of(*kind).lua_part);
+    bodies += static_cast<std::size_t>(count);
+  }
   const auto is_line = [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); };
   if (any_cell(is_line)) used.emplace("slopes");
   if (any_cell([&](std::uint8_t tile) { return is_line(tile) && ground.shapes[tile].one_way; }))
@@ -60,9 +62,7 @@ PartNames used_parts(const Level& level) {
         return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
       }))
     used.emplace("curves");
-  if (balls > 0 || any_spawn(BodyKind::ball)) used.emplace("balls");
-  if (any_spawn(BodyKind::player)) used.emplace("players");
-  if (level.tuning.shared.balls_block != 0 && balls + level.spawns.size() > 1) used.emplace("pairs");
+  if (level.tuning.shared.balls_block != 0 && bodies > 1) used.emplace("pairs");
   return used;
 }
 

@@ -182,8 +182,6 @@ std::string_view kind_word(TileShape::Kind kind) {
   return kWords[static_cast<std::size_t>(kind)];
 }
 
-std::string_view body_word(BodyKind kind) { return kind == BodyKind::player ? "player" : "ball"; }
-
 std::string_view foot_word(Foot foot) { return foot == Foot::centre ? "centre" : "box"; }
 
 std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress) {

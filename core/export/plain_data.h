@@ -54,9 +54,8 @@ class PlainBodies {
 // "2 curves", for Exported::dropped of exports that cannot hold curves; empty if the level has no curves.
 std::vector<std::string> dropped_curves(const Level& level);
 
-// The words of the exports: "solid", "slope", "profile" or "none"; "ball" or "player"; "box" or "centre".
+// The words of the exports: "solid", "slope", "profile" or "none"; "box" or "centre".
 std::string_view kind_word(TileShape::Kind kind);
-std::string_view body_word(BodyKind kind);
 std::string_view foot_word(Foot foot);
 
 // How far the points of a curve's line may be from the curve. A line between two of them stays as near.

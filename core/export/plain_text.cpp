@@ -203,7 +203,7 @@ OrderedJson plain_body_json(const PlainBody& body) {
   const Spawn& start = body.start;
   OrderedJson members = {{"id", body.id},
                          {"name", start.name},
-                         {"kind", body_word(start.kind)},
+                         {"kind", traits_of(start.kind).word},
                          {"x", number(start.position.x)},
                          {"y", number(start.position.y)},
                          {"w", number(start.size.x)},

@@ -169,12 +169,12 @@ void add_spawns(pugi::xml_node root, const std::vector<Spawn>& spawns) {
   auto group = add(root, "g", {{"id", "spawns"}, {"fill", "none"}, {"stroke-width", "0.75"}});
   for (const Spawn& spawn : spawns) {
     auto box = add(group, "rect",
-                   {{"class", std::string(body_word(spawn.kind))},
+                   {{"class", std::string(traits_of(spawn.kind).word)},
                     {"x", number_text_of(spawn.position.x)},
                     {"y", number_text_of(spawn.position.y)},
                     {"width", number_text_of(spawn.size.x)},
                     {"height", number_text_of(spawn.size.y)},
-                    {"stroke", spawn.kind == BodyKind::player ? "#ff4040" : "#ffffff"}});
+                    {"stroke", std::string(traits_of(spawn.kind).svg_color)}});
     if (!spawn.name.empty()) box.append_child("title").text() = xml_text(spawn.name).c_str();
   }
 }

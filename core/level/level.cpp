@@ -64,9 +64,13 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
   return shape;
 }
 
+std::optional<BodyKind> body_kind_of_tile(const Level& level, std::uint8_t tile) {
+  if (level.tile_shapes[tile].kind != TileShape::Kind::none) return std::nullopt;
+  return body_kind_of(role_of(level.tile_flags(tile), level.roles));
+}
+
 bool is_ball_tile(const Level& level, std::uint8_t tile) {
-  return level.tile_shapes[tile].kind == TileShape::Kind::none &&
-         role_of(level.tile_flags(tile), level.roles) == TileRole::ball;
+  return body_kind_of_tile(level, tile).has_value();
 }
 
 std::optional<std::string> problem_of(const Curve& curve, const TileMap& map) {

@@ -35,8 +35,8 @@ std::string spawn_name(const Level& level, int index) {
 }
 
 std::string kind_and_number(const Level& level, int index) {
-  const bool is_player = level.spawns[static_cast<std::size_t>(index)].kind == BodyKind::player;
-  return (is_player ? "player " : "ball ") + std::to_string(index + 1);
+  const BodyKind kind = level.spawns[static_cast<std::size_t>(index)].kind;
+  return std::string(traits_of(kind).word) + " " + std::to_string(index + 1);
 }
 
 }  // namespace talus

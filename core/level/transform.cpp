@@ -62,7 +62,7 @@ void turn_faces(Curve& curve) {
 
 bool is_physical(const Level& level, std::uint8_t tile) {
   return shape_of_tile(level, tile).kind != TileShape::Kind::none ||
-         role_of(level.tile_flags(tile), level.roles) == TileRole::ball;
+         body_kind_of(role_of(level.tile_flags(tile), level.roles)).has_value();
 }
 
 // A slope belongs to the cell at its left end, whichever way it is turned.

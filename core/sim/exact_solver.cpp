@@ -1,6 +1,7 @@
 #include "exact_solver.h"
 
 #include <cassert>
+#include <span>
 #include <vector>
 
 #include "../collision/ground_queries.h"
@@ -29,6 +30,7 @@ class ExactSolver final : public Solver {
       : scene_(std::move(scene)),
         ground_(*ground_of<Real>(*scene_)),
         numbers_(scene_->tuning),
+        kinds_(body_kinds()),
         pairs_(scene_->features.pairs),
         max_passes_(static_cast<int>(scene_->tuning.exact.max_passes)),
         substeps_(static_cast<int>(scene_->tuning.exact.substeps)),
@@ -68,10 +70,15 @@ class ExactSolver final : public Solver {
 
     if (body.id == state.grabbed) {
       drag(state, index, moving, input);
-    } else if (body.kind == BodyKind::player) {
-      run(state, index, moving, input);
     } else {
-      fall(state, index, moving);
+      switch (kinds_[static_cast<std::size_t>(body.kind)].rule) {
+        case BodyRule::fall:
+          fall(state, index, moving);
+          break;
+        case BodyRule::run:
+          run(state, index, moving, input);
+          break;
+      }
     }
 
     limit(moving);
@@ -280,7 +287,8 @@ class ExactSolver final : public Solver {
   const std::shared_ptr<const Scene> scene_;
   const BasicTerrain<Real>& ground_;
   const ExactNumbers<Real> numbers_;
-  const bool pairs_;  // whether bodies block one another
+  const std::span<const BodyTraits> kinds_;  // by BodyKind
+  const bool pairs_;                         // whether bodies block one another
   const int max_passes_, substeps_;
   const Real part_;    // length of a sub-step in steps
   CastBudget budget_;  // of the body that moves

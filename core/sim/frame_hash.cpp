@@ -18,12 +18,14 @@ std::uint64_t gait_bits(const Gait& gait) {
 
 std::uint64_t frame_hash(const State& state) {
   std::array<std::uint64_t, 5> lanes = {1, 2, 3, 4, 5};
+  const auto kinds = body_kinds();
   for (const Body& body : state.bodies) {
     mix(lanes[0], std::bit_cast<std::uint64_t>(body.box.x));
     mix(lanes[1], std::bit_cast<std::uint64_t>(body.box.y));
     mix(lanes[2], std::bit_cast<std::uint64_t>(body.velocity.x));
     mix(lanes[3], std::bit_cast<std::uint64_t>(body.velocity.y));
-    const std::uint64_t gait = body.kind == BodyKind::player ? gait_bits(body.gait) : 0;
+    const std::uint64_t gait =
+        kinds[static_cast<std::size_t>(body.kind)].takes_keys ? gait_bits(body.gait) : 0;
     mix(lanes[4], static_cast<std::uint64_t>(body.id) | gait << 32);
   }
   std::uint64_t hash = static_cast<std::uint64_t>(state.grabbed);

@@ -44,7 +44,7 @@ ReachSearch::ReachSearch(const Scene& scene, const Body& player, ReachOptions op
       height_(scene.ground ? scene.ground->height() : scene.single_ground->height()),
       fastest_x_(std::max({scene.tuning.player.run_speed, std::abs(player.velocity.x), 1.0})),
       fastest_y_(std::max({scene.tuning.player.jump_speed, scene.tuning.player.fall_limit, 1.0})) {
-  assert(player.kind == BodyKind::player && options.hold >= 1 && options.hold <= 60);
+  assert(traits_of(player.kind).takes_keys && options.hold >= 1 && options.hold <= 60);
   assert(options.grain >= 1 && options.grain <= 64 && options.most_states >= 1);
   state_.bodies = {player};
   nodes_.push_back({.position = player.box.position(), .velocity = player.velocity, .gait = player.gait});

@@ -15,10 +15,12 @@ struct TileBoxes {
     TileRole role = TileRole::solid;
     Rect box;
     std::optional<GroundLine> line = {};
+    BodyKind kind = BodyKind::ball;  // of a body
   };
   std::vector<Part> parts;
-  void add(TileRole role, const Rect& box, std::optional<GroundLine> line = {}) {
-    if (box.h > 0) parts.push_back({role, box, line});
+  void add(TileRole role, const Rect& box, std::optional<GroundLine> line = {},
+           BodyKind kind = BodyKind::ball) {
+    if (box.h > 0) parts.push_back({role, box, line, kind});
   }
 };
 
@@ -55,13 +57,17 @@ TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
                             ? TileRole::none
                             : role_of(level.tile_flags(tile), level.roles);
   const bool is_plain = !shape.one_way && shape.side == TileShape::Side::floor;
-  const bool is_turned = solver == SolverKind::bump && !is_plain && role != TileRole::ball;
+  const std::optional<BodyKind> body = body_kind_of(role);
+  const bool is_turned = solver == SolverKind::bump && !is_plain && !body;
   if (role == TileRole::none || (is_turned && !problem_of(shape))) return boxes_of(shape, solver);
   TileBoxes boxes;
   const SharedTuning& tuning = level.tuning.shared;
   const bool is_slope = role == TileRole::up_slope || role == TileRole::down_slope;
-  boxes.add(role, is_slope ? Rect{0, 0, tuning.slope_width, tuning.slope_height}
-                           : Rect{0, 0, kTileSize, kTileSize});
+  if (body)
+    boxes.add(TileRole::ball, {0, 0, kTileSize, kTileSize}, {}, *body);
+  else
+    boxes.add(role, is_slope ? Rect{0, 0, tuning.slope_width, tuning.slope_height}
+                             : Rect{0, 0, kTileSize, kTileSize});
   return boxes;
 }
 
@@ -78,6 +84,8 @@ SceneItem item_at(Cell cell, const TileBoxes::Part& part) {
   item.box.x += static_cast<double>(cell.x) * kTileSize;
   item.box.y += static_cast<double>(cell.y) * kTileSize;
   item.line = part.line;
+  item.kind = part.kind;
+  item.foot = traits_of(part.kind).foot;
   return item;
 }
 
@@ -85,13 +93,13 @@ SceneItem item_at(Cell cell, const TileBoxes::Part& part) {
 TileBoxes body_of(const TileBoxes& tile) {
   TileBoxes body;
   for (const TileBoxes::Part& part : tile.parts) {
-    if (part.role == TileRole::ball) body.add(part.role, part.box);
+    if (part.role == TileRole::ball) body.add(part.role, part.box, {}, part.kind);
   }
   return body;
 }
 
 void note_bodies(Scene& scene) {
-  const auto is_player = [](const SceneItem& item) { return item.kind == BodyKind::player; };
+  const auto is_player = [](const SceneItem& item) { return traits_of(item.kind).takes_keys; };
   const auto bodies = std::count_if(scene.items.begin(), scene.items.end(),
                                     [](const SceneItem& i) { return i.role == TileRole::ball; });
   scene.features.players = std::any_of(scene.items.begin(), scene.items.end(), is_player);

@@ -83,7 +83,7 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
   note_masks(level);
   note_likeness();
   for (const Spawn& spawn : level.spawns) {
-    if (spawn.kind != BodyKind::player) continue;
+    if (!traits_of(spawn.kind).takes_keys) continue;
     const Vec2 least = player_.value_or(spawn.size);
     player_ = Vec2{std::min(least.x, spawn.size.x), std::min(least.y, spawn.size.y)};
   }

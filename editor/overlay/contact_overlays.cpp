@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr double kNormalLength = 8;  // px
+constexpr double kTouchedLength = 8;  // px
 
 // The middle of what two intervals share; of the gap between them when they are apart.
 double shared_middle(double a_min, double a_max, double b_min, double b_max) {
@@ -30,12 +30,12 @@ void draw_contact_normal(const OverlaySource&, const ContactRecord& contact, con
                          OverlayPen& pen) {
   if (contact.normal == Vec2{}) return;
   const Vec2 point = touched_point(contact, body.box);
-  pen.line(point, point + contact.normal * kNormalLength, true);
+  pen.line(point, point + contact.normal * kTouchedLength, true);
 }
 
 void draw_floor_normal(const OverlaySource&, const SlopeProbe& probe, const Body& body, OverlayPen& pen) {
   const Vec2 floor{body.box.center().x, probe.floor_y};
-  pen.line(floor, floor + probe.normal * kNormalLength, true);
+  pen.line(floor, floor + probe.normal * kTouchedLength, true);
 }
 
 void draw_touch_point(const OverlaySource&, const ContactRecord& contact, const Body& body, OverlayPen& pen) {

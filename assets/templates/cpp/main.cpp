@@ -59,7 +59,7 @@ std::string view_of(const talus::Level& level, const talus::State& state) {
     const int row = talus::cell_of(body.box.y + body.box.h / 2) - corner.y;
     if (column < 0 || column >= kColumns || row < 0 || row >= kRows) continue;
     const auto at = static_cast<std::size_t>(row) * (kColumns + 1) + static_cast<std::size_t>(column);
-    view[at] = body.kind == talus::BodyKind::player ? '@' : 'o';
+    view[at] = talus::traits_of(body.kind).takes_keys ? '@' : 'o';
   }
   return view;
 }

@@ -14,8 +14,9 @@
 //                  units and ranges; and objects "exact" and "player" with the numbers of these groups,
 //                  each written only if a number in it differs from its default.
 //   "spawns"       bodies placed by hand: "name" (""); "x", "y" in px (0) and "vx", "vy" in px/frame (0),
-//                  each within 100 million; "kind", "ball" or "player" ("ball"); "size", [width, height],
-//                  each 1/256..1024 px ([8, 8]); "foot", "box" or "centre" (default: by kind).
+//                  each within 100 million; "kind", a word of level/body_kind_list.cpp
+//                  ("ball"); "size", [width, height], each 1/256..1024 px, and "foot", "box" or "centre"
+//                  (default: by kind).
 //   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "kind",
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
 //                  struct of that name in collision/shape.h, with points as [x, y]. All are needed except

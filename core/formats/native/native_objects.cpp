@@ -16,7 +16,6 @@ constexpr std::array<std::string_view, 2> kSides = {"floor", "ceiling"};
 constexpr std::array<std::string_view, 6> kForms = {"segment", "arc",  "parabola",  // as Curve::form
                                                     "cubic",   "sine", "polyline"};
 constexpr std::array<std::string_view, 3> kFaces = {"up", "down", "both"};
-constexpr std::array<std::string_view, 2> kBodyKinds = {"ball", "player"};
 constexpr std::array<std::string_view, 2> kFeet = {"box", "centre"};
 
 template <class Io>
@@ -97,6 +96,12 @@ FormatResult<Json> json_of(const LevelCurve& curve, const std::string& path, con
   return json;
 }
 
+std::vector<std::string_view> body_words() {
+  std::vector<std::string_view> words;
+  for (const BodyTraits& traits : body_kinds()) words.push_back(traits.word);
+  return words;
+}
+
 struct SpawnNumber {
   const char* key;
   Vec2 Spawn::*vector;
@@ -113,7 +118,8 @@ FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
   take.optional("name", spawn.name);
   for (const SpawnNumber& n : kSpawnNumbers)
     take.ranged(n.key, -kMaxSpawnNumber, kMaxSpawnNumber, "", spawn.*n.vector.*n.part);
-  take.choice("kind", kBodyKinds, spawn.kind);
+  take.choice("kind", body_words(), spawn.kind);
+  spawn.size = traits_of(spawn.kind).size;
   take.size("size", spawn.size);
   Foot foot = Foot::box;
   if (take.choice("foot", kFeet, foot)) spawn.foot = foot;
@@ -126,8 +132,8 @@ FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
   if (!json) return json;
   (*json)["name"] = spawn.name;
   for (const SpawnNumber& n : kSpawnNumbers) (*json)[n.key] = json_number(spawn.*n.vector.*n.part);
-  if (spawn.kind != BodyKind::ball) (*json)["kind"] = kBodyKinds[static_cast<std::size_t>(spawn.kind)];
-  if (spawn.size != Spawn().size) MemberPutter{*json}("size", spawn.size);
+  if (spawn.kind != Spawn().kind) (*json)["kind"] = traits_of(spawn.kind).word;
+  if (spawn.size != traits_of(spawn.kind).size) MemberPutter{*json}("size", spawn.size);
   if (spawn.foot) (*json)["foot"] = kFeet[static_cast<std::size_t>(*spawn.foot)];
   Json copy = *json;  // what a reader would refuse is not written
   if (const auto good = take_spawn(copy, path); !good) return tl::unexpected(good.error());

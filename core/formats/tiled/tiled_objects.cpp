@@ -158,7 +158,7 @@ TiledProperties tiled_properties(const TileShape& shape) {
 TiledObject tiled_object(const Spawn& spawn) {
   TiledObject object;
   object.name = spawn.name;
-  object.type = spawn.kind == BodyKind::player ? "player" : "ball";
+  object.type = traits_of(spawn.kind).word;
   object.position = spawn.position;
   object.size = spawn.size;
   add(object.properties, "vx", spawn.velocity.x);
@@ -168,13 +168,13 @@ TiledObject tiled_object(const Spawn& spawn) {
 }
 
 std::optional<Spawn> spawn_of(const TiledObject& object) {
-  const bool is_player = object.type == "player";
-  if (object.form != TiledObject::Form::box || (!is_player && object.type != "ball")) return {};
+  const std::optional<BodyKind> kind = find_body_kind(object.type);
+  if (object.form != TiledObject::Form::box || !kind) return {};
   Spawn spawn;
   spawn.name = object.name;
-  spawn.kind = is_player ? BodyKind::player : BodyKind::ball;
+  spawn.kind = *kind;
   spawn.position = object.position;
-  if (object.size != Vec2{0, 0}) spawn.size = object.size;
+  spawn.size = object.size != Vec2{0, 0} ? object.size : traits_of(*kind).size;
   const auto number = [&](std::string_view name, double& value) {
     if (const auto* real = find_property<double>(object.properties, name)) value = *real;
     if (const auto* whole = find_property<std::int64_t>(object.properties, name))

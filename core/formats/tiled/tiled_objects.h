@@ -22,7 +22,7 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape);
 TiledProperties tiled_properties(const TileShape& shape);
 
 TiledObject tiled_object(const Spawn& spawn);
-// For an object of the type "ball" or "player"; nothing for others. A point gets a box of 8x8 px.
+// For an object whose type is the word of a kind of body; nothing for others. A point gets the kind's size.
 std::optional<Spawn> spawn_of(const TiledObject& object);
 
 // A polyline from the first point of the curve on; nothing for a curve that cannot be used.

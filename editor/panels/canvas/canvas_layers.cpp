@@ -82,7 +82,7 @@ int image_of(const Level& level, const Body& body, int first_ball) {
 }
 
 // A box with a face, and its foot: the whole bottom side, or the middle of it.
-void draw_player(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
+void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
   const float w = to.x - from.x, h = to.y - from.y;
   const ImU32 dark = theme::color(theme::kDark, alpha);
   list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
@@ -99,7 +99,7 @@ void draw_body(ImDrawList& list, const Level& level, const Body& body, int first
                const Ui& ui, int alpha) {
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
   const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
-  if (body.kind == BodyKind::player) return draw_player(list, from, to, body.foot, alpha);
+  if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, alpha);
   const int tile = image_of(level, body, first_ball);
   if (tile >= 0) {
     const SheetUv uv = uv_of(tile);

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
@@ -12,14 +14,14 @@
 namespace talus {
 namespace {
 
-// A list with two entries. Returns the index of the new choice, or nothing.
-std::optional<int> draw_choice(std::string_view name, std::array<std::string_view, 2> labels, bool second,
-                               std::string_view help, Ui& ui) {
-  std::optional<int> chosen;
-  if (!ui.begin_combo(name, std::string(labels[second]), ui.px(76), help)) return chosen;
-  for (int i = 0; i < 2; ++i) {
-    const std::string label(labels[static_cast<std::size_t>(i)]);
-    if (selectable(label, {}, second == (i == 1))) chosen = i;
+// A list. Returns the index of the new choice, or nothing.
+std::optional<std::size_t> draw_choice(std::string_view name, std::span<const std::string_view> labels,
+                                       std::size_t now, std::string_view help, Ui& ui) {
+  std::optional<std::size_t> chosen;
+  if (!ui.begin_combo(name, std::string(labels[now]), ui.px(76), help)) return chosen;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::string label(labels[i]);
+    if (selectable(label, {}, i == now)) chosen = i;
     ui.item(std::string(name) + "_" + label);
   }
   ImGui::EndCombo();
@@ -48,20 +50,25 @@ void SpawnInspector::draw(const Session& session, int index, Actions& actions, U
   draw_kind(session, index, actions, ui);
   draw_name(session, index, actions, ui);
   draw_start(session, index, actions, ui);
-  if (spawn_of(session, index).kind == BodyKind::player && session.level().tuning.solver != SolverKind::exact)
+  if (traits_of(spawn_of(session, index).kind).takes_keys &&
+      session.level().tuning.solver != SolverKind::exact)
     ui.hint("Players run only with the exact solver: see Tuning.");
 }
 
 void SpawnInspector::draw_kind(const Session& session, int index, Actions& actions, Ui& ui) {
   Spawn spawn = spawn_of(session, index);
-  const auto kind = draw_choice("inspector/kind", {"ball", "player"}, spawn.kind == BodyKind::player,
-                                "A ball falls and bounces; a player runs and jumps by the keys, with the "
-                                "exact solver.",
-                                ui);
+  std::vector<std::string_view> words;
+  std::string help;
+  for (const BodyTraits& traits : body_kinds()) {
+    words.push_back(traits.word);
+    help.append(help.empty() ? "" : " ").append(traits.help);
+  }
+  const auto kind = draw_choice("inspector/kind", words, static_cast<std::size_t>(spawn.kind), help, ui);
   ImGui::SameLine();
+  static constexpr std::array<std::string_view, 2> kFeet = {"box", "centre"};
   ui.heading("foot");
   ImGui::SameLine();
-  const auto foot = draw_choice("inspector/foot", {"box", "centre"}, spawn.used_foot() == Foot::centre,
+  const auto foot = draw_choice("inspector/foot", kFeet, spawn.used_foot() == Foot::centre ? 1 : 0,
                                 "What stands on slopes: the whole bottom side of the box, or its centre, "
                                 "which sinks the box into them.",
                                 ui);
@@ -74,8 +81,8 @@ void SpawnInspector::draw_kind(const Session& session, int index, Actions& actio
   if (ui.text_button("inspector/remove", "Remove", false, "Removes the body from the level."))
     actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});
   if (kind) {
-    spawn.kind = *kind == 1 ? BodyKind::player : BodyKind::ball;
-    change(session, index, spawn, "Make a body a " + std::string(*kind == 1 ? "player" : "ball"), 0, actions);
+    spawn.kind = static_cast<BodyKind>(*kind);
+    change(session, index, spawn, "Make a body a " + std::string(words[*kind]), 0, actions);
   } else if (foot) {
     spawn.foot = *foot == 1 ? Foot::centre : Foot::box;
     change(session, index, spawn, "Change a body's foot", 0, actions);

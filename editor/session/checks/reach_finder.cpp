@@ -11,7 +11,7 @@ std::optional<std::string> ReachFinder::start(const Scene& scene, std::optional<
   const State state = initial_state(scene);
   const Body* player = nullptr;
   for (const Body& body : state.bodies) {
-    if (body.kind == BodyKind::player && (player == nullptr || body.origin == origin)) player = &body;
+    if (traits_of(body.kind).takes_keys && (player == nullptr || body.origin == origin)) player = &body;
   }
   if (player == nullptr)
     return "No player to follow: place a body with the body tool, and make it a player in the inspector.";

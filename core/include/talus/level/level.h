@@ -9,6 +9,7 @@
 
 #include <talus/collision/shape.h>
 #include <talus/level/auto_tiles.h>
+#include <talus/level/body_kind.h>
 #include <talus/level/brushes.h>
 #include <talus/level/exports.h>
 #include <talus/level/flag_fields.h>
@@ -19,9 +20,6 @@
 
 namespace talus {
 
-// A ball falls and bounces; a player runs and jumps as the input says.
-enum class BodyKind : std::uint8_t { ball, player };
-
 inline constexpr double kMinBodySize = 1.0 / 256;  // px, in width and in height
 inline constexpr double kMaxBodySize = 1024;       // px, the same
 
@@ -31,11 +29,11 @@ struct Spawn {
   Vec2 position;                   // px, top-left corner of the box
   Vec2 velocity;                   // px/frame
   std::string extra;               // JSON object of keys that this version does not know, or empty
-  BodyKind kind = BodyKind::ball;  // a player runs and jumps as the input says
+  BodyKind kind = BodyKind::ball;  // what moves it, its looks, its default foot
   Vec2 size = {8, 8};              // px, each kMinBodySize..kMaxBodySize
-  std::optional<Foot> foot = {};   // what stands on slopes; none: a ball's whole box, a player's centre
+  std::optional<Foot> foot = {};   // what stands on slopes; none: as the kind has it
   // What stands on slopes: its own, or that of its kind.
-  Foot used_foot() const { return foot.value_or(kind == BodyKind::player ? Foot::centre : Foot::box); }
+  Foot used_foot() const { return foot.value_or(traits_of(kind).foot); }
   friend bool operator==(const Spawn&, const Spawn&) = default;
 };
 
@@ -99,7 +97,10 @@ TileShape shape_of_tile(const Level& level, std::uint8_t tile);
 // `ceiling` flags change what came out.
 TileShape shape_of_flags(const Level& level, std::uint8_t flags);
 
-// Whether the tile stands on the map for a body: its flags make it a ball, and it has no shape of its own.
+// The kind of body that the tile stands on the map for: that of its flags, if it has no shape of its own;
+// none: it is ground, or nothing.
+std::optional<BodyKind> body_kind_of_tile(const Level& level, std::uint8_t tile);
+// Whether it stands for a body.
 bool is_ball_tile(const Level& level, std::uint8_t tile);
 
 inline constexpr double kCurveEndSlack = 1.0 / 256;  // px, that an end of a curve may be off the map

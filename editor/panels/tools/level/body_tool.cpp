@@ -19,6 +19,7 @@ constexpr double kRestDistance = 10;  // px of the screen, from a resting body u
 Spawn next_spawn(const Session& session, Vec2 at) {
   Spawn spawn;
   spawn.kind = BodyKind::player;
+  spawn.size = traits_of(spawn.kind).size;
   if (const int like = chosen_spawn(session); like >= 0) {
     const Spawn& chosen = session.level().spawns[static_cast<std::size_t>(like)];
     spawn.kind = chosen.kind;

@@ -1,0 +1,55 @@
+// The kinds of bodies, one row each: everything that files, exports, solvers and the editor ask of a kind.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <talus/collision/shape.h>
+#include <talus/level/flag_roles.h>
+
+namespace talus {
+
+// The order is that of the rows in core/level/body_kind_list.cpp.
+enum class BodyKind : std::uint8_t { ball, player };
+
+// What moves a body in a step of the exact solver (core/sim/exact_solver.cpp). The others move all kinds
+// alike.
+enum class BodyRule : std::uint8_t {
+  fall,  // gravity pulls it, and it bounces
+  run    // it runs, jumps and stands as the keys say; it has a Gait
+};
+
+// How the canvas draws a body.
+enum class BodyLook : std::uint8_t {
+  tile,   // as its tile, or as the first tile that is such a body; a disc where there is none
+  figure  // as a box with a face, and the foot that it stands on
+};
+
+// What there is to say of a kind.
+struct BodyTraits {
+  std::string_view word;             // in files, in exports, on screen: "ball"; no two kinds share one
+  std::string_view help;             // one sentence: "A ball falls and bounces."
+  BodyRule rule = BodyRule::fall;    // what moves it
+  bool takes_keys = false;           // whether it does what the keys say; its Gait is part of hashes then
+  Vec2 size = {8, 8};                // px, kMinBodySize..kMaxBodySize: of a body for which no size is given
+  Foot foot = Foot::box;             // what stands on slopes, if nothing is given
+  TileRole role = TileRole::none;    // tiles with this role are such bodies; none: no tiles are
+  BodyLook look = BodyLook::tile;    // how it is drawn
+  std::string_view lua_part;         // the part of the Lua runtime that has its rule: "balls"
+  std::string_view ldtk_identifier;  // of its entity in LDtk: "Ball"
+  std::string_view ldtk_color;       // "#RRGGBB"
+  std::string_view svg_color;        // of its outline in an SVG, "#rrggbb"
+};
+
+// All kinds, by BodyKind.
+std::span<const BodyTraits> body_kinds();
+// The row of a kind, which must have one (asserted).
+const BodyTraits& traits_of(BodyKind kind);
+// The kind with this word; nothing if no kind has it.
+std::optional<BodyKind> find_body_kind(std::string_view word);
+// The kind whose tiles have this role; nothing for roles of the ground.
+std::optional<BodyKind> body_kind_of(TileRole role);
+
+}  // namespace talus

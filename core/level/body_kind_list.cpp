@@ -1,0 +1,29 @@
+// The rows of the body kinds.
+#include <talus/level/body_kind.h>
+
+namespace talus {
+
+std::span<const BodyTraits> body_kinds() {
+  static constexpr BodyTraits kKinds[] = {
+      {.word = "ball",
+       .help = "A ball falls and bounces.",
+       .role = TileRole::ball,
+       .lua_part = "balls",
+       .ldtk_identifier = "Ball",
+       .ldtk_color = "#FFCD75",
+       .svg_color = "#ffffff"},
+      {.word = "player",
+       .help = "A player runs and jumps by the keys, with the exact solver.",
+       .rule = BodyRule::run,
+       .takes_keys = true,
+       .foot = Foot::centre,
+       .look = BodyLook::figure,
+       .lua_part = "players",
+       .ldtk_identifier = "Player",
+       .ldtk_color = "#EF7D57",
+       .svg_color = "#ff4040"},
+  };
+  return kKinds;
+}
+
+}  // namespace talus
