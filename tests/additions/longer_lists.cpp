@@ -1,0 +1,57 @@
+// The lists of overlays, of rules and of body kinds, with one row more each. Linked in the place of the
+// program's own, which are compiled here by another name.
+#include <vector>
+
+#include <talus/level/body_kind.h>
+#include "lint/rule_group.h"
+#include "overlay/overlay_table.h"
+
+#define all_overlays own_overlays
+#define rule_groups own_rule_groups
+#define body_kinds own_body_kinds
+#include "level/body_kind_list.cpp"
+#include "lint/rule_list.cpp"
+#include "overlay/overlay_list.cpp"
+#undef all_overlays
+#undef rule_groups
+#undef body_kinds
+
+namespace talus {
+namespace overlay {
+extern const Overlay centres;
+}
+const RuleGroup& name_rules();
+
+namespace {
+
+template <class Row>
+std::vector<Row> longer(std::span<const Row> rows, const Row& row) {
+  std::vector<Row> all(rows.begin(), rows.end());
+  all.push_back(row);
+  return all;
+}
+
+}  // namespace
+
+std::span<const Overlay* const> all_overlays() {
+  static const auto kAll = longer<const Overlay*>(own_overlays(), &overlay::centres);
+  return kAll;
+}
+
+std::span<const RuleGroup* const> rule_groups() {
+  static const auto kAll = longer<const RuleGroup*>(own_rule_groups(), &name_rules());
+  return kAll;
+}
+
+std::span<const BodyTraits> body_kinds() {
+  static const auto kAll = longer<BodyTraits>(own_body_kinds(), {.word = "crate",
+                                                                 .help = "A crate falls.",
+                                                                 .size = {16, 12},
+                                                                 .lua_part = "balls",
+                                                                 .ldtk_identifier = "Crate",
+                                                                 .ldtk_color = "#A0703C",
+                                                                 .svg_color = "#a0703c"});
+  return kAll;
+}
+
+}  // namespace talus
