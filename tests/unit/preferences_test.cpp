@@ -120,7 +120,7 @@ TEST(SettingsText, WhatIsMissingOrWrongGetsItsDefault) {
   const Settings defaults = default_settings();
   EXPECT_EQ(defaults.width, 0);
   EXPECT_EQ(defaults.canvas, CanvasMode::both);
-  EXPECT_TRUE(defaults.grid && defaults.screen_borders && defaults.overlays.has(OverlayId::normals));
+  EXPECT_TRUE(defaults.grid && defaults.screen_borders && defaults.overlays.has(overlay::normals));
   const Settings wrong =
       settings_of_text(R"({"width": 100, "height": "tall", "layout": {"left": 0.99, "dock": 0.4},
       "canvas": "all", "ui_scale": 9, "grid": 1, "overlays": 5, "tabs": {}, "recent_files": ["a", 7, "b"],
@@ -133,8 +133,8 @@ TEST(SettingsText, WhatIsMissingOrWrongGetsItsDefault) {
   EXPECT_EQ(wrong.canvas, CanvasMode::both);
   EXPECT_EQ(wrong.ui_scale, 0);
   EXPECT_TRUE(wrong.grid);
-  for (const OverlayInfo& info : overlay_infos())
-    EXPECT_EQ(wrong.overlays.has(info.id), defaults.overlays.has(info.id)) << info.key;
+  for (const Overlay* overlay : all_overlays())
+    EXPECT_EQ(wrong.overlays.has(*overlay), defaults.overlays.has(*overlay)) << overlay->key;
   EXPECT_TRUE(wrong.tabs.empty());
   EXPECT_EQ(wrong.recent_files, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(wrong.breakpoints, std::vector<Breakpoint>{{.condition = "x > 1"}});
