@@ -160,7 +160,7 @@ std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
   if (frame.state.grabbed == path.body) text += ", held by the mouse,";
   text += " wanted to go " + motion_text(wanted) + " px";
   return length(wanted - got) < kLeastShown ? text + " and did."
-                                           : text + " and went " + motion_text(got) + " px.";
+                                            : text + " and went " + motion_text(got) + " px.";
 }
 
 // Whether a contact that the solver left alone took some of the way all the same. World slides a body along

@@ -238,7 +238,8 @@ TEST_F(UiDebuggerKeys, ACaseTellsThatItsOwnInputPlays) {
   start(TALUS_SOURCE_DIR "/assets/hard_cases/13-downhill.talus.json");
   EXPECT_EQ(case_note(session()), "The hard case holds Right; your keys count as well");
   session().apply(action::HoldKeys{.left = true, .right = false, .jump = false});
-  EXPECT_EQ(case_note(session()), "The hard case holds Right and you hold the opposite key: the two cancel out");
+  EXPECT_EQ(case_note(session()),
+            "The hard case holds Right and you hold the opposite key: the two cancel out");
 }
 
 TEST_F(UiDebuggerKeys, AfterEnterAFieldOfPlotsKeepsTheKeys) {

@@ -270,7 +270,8 @@ TEST_F(UiEdit, AColourIsTypedAsHexadecimalDigits) {
     type_hex(wrong, KeyChord{kKeyEnter});
     EXPECT_EQ(level().palette[12], (Rgb{0xff, 0, 0xff})) << wrong;
     ASSERT_TRUE(session().message()) << wrong;
-    EXPECT_NE(session().message()->text.find("is not a colour"), std::string::npos) << session().message()->text;
+    EXPECT_NE(session().message()->text.find("is not a colour"), std::string::npos)
+        << session().message()->text;
     session().apply(action::DismissMessage{});
   }
   click("palette/hex");
