@@ -140,7 +140,7 @@ TEST(LevelLimits, AnObjectOfManyKeysIsRefusedWhileItIsRead) {
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += ",\"k" + std::to_string(i) + "\":0";
   expect_native_error(R"({"talus":1)" + keys + "}", "line 1",
-                      "the JSON has an object with more than 65536 keys");
+                      "the JSON has an object with more than 66048 keys");
 }
 
 // Printed a value a line, each behind a hundred blanks, it would take fifty times as much.

@@ -58,6 +58,7 @@ class Reader {
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
     if (error_) return tl::unexpected(*error_);
+    if (document.size() > kMaxUnknownKeys) return tl::unexpected(FormatError{"", too_many_unknown()});
     if (!document.empty()) level_.extra = document.dump();
     if (auto problem = problem_of_amounts(level_))
       return tl::unexpected(FormatError{"", *std::move(problem)});
@@ -92,6 +93,7 @@ class Reader {
     take(object, key, [&](Json& value) {
       if (!value.is_object()) return fail_key(path, "must be an object");
       read(value);
+      if (value.size() > kMaxUnknownKeys) return fail_key(path, too_many_unknown());
       if (!value.empty()) object[key] = std::move(value);
     });
   }
@@ -469,6 +471,9 @@ FormatResult<Json> native_document(const Level& level) {
   for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
   put_map(level.map, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
+  if (depth_of(document) > kMaxJsonDepth)
+    return tl::unexpected(FormatError{
+        "", "has unknown keys that are nested deeper than " + std::to_string(kMaxJsonDepth) + " levels"});
   return parsed;
 }
 

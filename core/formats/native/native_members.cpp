@@ -34,6 +34,10 @@ std::string length_text(std::size_t most) {
   return "must be a string of up to " + std::to_string(most) + " bytes";
 }
 
+std::string too_many_unknown() {
+  return "has more than " + std::to_string(kMaxUnknownKeys) + " keys that this Talus does not know";
+}
+
 FormatResult<Json> parse_extra(const std::string& extra) {
   if (extra.empty()) return Json::object();
   auto json = parse_json(extra);

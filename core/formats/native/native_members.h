@@ -24,6 +24,9 @@ std::string choice_text(ChoiceNames names);
 // "must be a string of up to 1000 bytes".
 std::string length_text(std::size_t most);
 
+// "has more than 65536 keys that this Talus does not know".
+std::string too_many_unknown();
+
 // Unknown keys as a level keeps them. The result is an object in any case.
 FormatResult<Json> parse_extra(const std::string& extra);
 
@@ -78,6 +81,7 @@ class MemberTaker {
   template <class Value>
   FormatResult<Value> result(Value value, std::optional<std::string> problem = {}) {
     if (problem) fail("", *std::move(problem));
+    if (json_.size() > kMaxUnknownKeys) fail("", too_many_unknown());
     if (error_) return tl::unexpected(*error_);
     return value;
   }

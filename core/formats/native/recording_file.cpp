@@ -22,12 +22,22 @@ constexpr std::size_t kHashesInText = 8;
 // limit for the list entries that the patches of all edits may move; patches of Talus move none
 constexpr std::size_t kMostMovedEntries = 20'000'000;
 
+// What a patch adds stands in five objects and lists: the recording, its edits, an edit, a patch, an
+// operation.
+constexpr int kMostDeep = kMaxJsonDepth + 5;
+
 // Thrown and caught in this file only: ends the reading of nested values at the first error.
 struct Wrong {
   FormatError error;
 };
 [[noreturn]] void fail(const std::string& key, const std::string& message) {
   throw Wrong{{"key " + key, message}};
+}
+
+std::string too_deep() { return "is nested deeper than " + std::to_string(kMaxJsonDepth) + " levels"; }
+
+double share_of(std::size_t done, std::size_t all) {
+  return static_cast<double>(done) / static_cast<double>(all);
 }
 
 std::string entry_path(const char* list, std::size_t i) {
@@ -103,6 +113,7 @@ class RecordingReader {
     read_marks(list_in(document, "marks"));
     read_input(list_in(document, "input"));
     if (!document.contains("level")) fail("level", "is missing");
+    if (depth_of(document["level"]) > kMaxJsonDepth) fail("level", too_deep());
     recording_.level = level_in(document["level"], "level");
     const Json& edits = list_in(document, "edits");
     if (edits.size() > kMaxRecordedEdits) throw Wrong{too_many_edits()};
@@ -184,7 +195,8 @@ class RecordingReader {
       if (frame < last) fail(path + ".frame", "goes backwards");
       last = frame;
       if (!edits[i].contains("patch")) fail(path + ".patch", "is missing");
-      apply_patch(edits[i]["patch"], path + ".patch", level);
+      const double before_it = share_of(i, edits.size()), after_it = share_of(i + 1, edits.size());
+      apply_patch(edits[i]["patch"], path + ".patch", level, progress_.part(before_it, after_it));
       const Level edited = level_in(level, path);
       auto after = std::make_shared<const LevelVersion>(version_of(edited, before.get()));
       if (auto problem = amounts.add(*before, *after, edited)) throw Wrong{*std::move(problem)};
@@ -194,21 +206,30 @@ class RecordingReader {
   }
 
   // "copy" is not allowed: with it a short patch could make a level that fills the memory.
-  void apply_patch(const Json& patch, const std::string& path, Json& level) {
+  void apply_patch(const Json& patch, const std::string& path, Json& level, const Progress& progress) {
     if (!patch.is_array()) fail(path, "must be a list");
     for (std::size_t i = 0; i < patch.size(); ++i) {
-      const Json operation = patch[i].is_object() ? patch[i].value("op", Json()) : Json();
-      if (operation != "add" && operation != "remove" && operation != "replace")
-        fail(path + "[" + std::to_string(i) + "]", R"(must have an "op": "add", "remove" or "replace")");
-    }
-    try {
-      for (const Json& operation : patch) {
-        count_moves(operation, path, level);
-        level.patch_inplace(Json::array({operation}));
+      if (!progress.at(i, patch.size())) throw Wrong{was_cancelled().value()};
+      const Json kind = patch[i].is_object() ? patch[i].value("op", Json()) : Json();
+      if (kind != "add" && kind != "remove" && kind != "replace")
+        fail(entry_path(path.c_str(), i), R"(must have an "op": "add", "remove" or "replace")");
+      try {
+        if (levels_after(patch[i]) > kMaxJsonDepth)
+          fail(entry_path(path.c_str(), i), "makes a level that " + too_deep());
+        count_moves(patch[i], path, level);
+        level.patch_inplace(Json::array({patch[i]}));
+      } catch (const Json::exception&) {
+        fail(path, "does not fit the level before it");
       }
-    } catch (const Json::exception&) {
-      fail(path, "does not fit the level before it");
     }
+  }
+
+  // How deep the level is, at least, where the operation puts its value: each name in the path is one further
+  // in. Copying a deeper one would overflow the stack.
+  static std::ptrdiff_t levels_after(const Json& operation) {
+    if (operation["op"] == "remove") return 0;
+    const std::string& path = operation.at("path").get_ref<const std::string&>();
+    return std::count(path.begin(), path.end(), '/') + depth_of(operation.at("value"));
   }
 
   // Adding an entry to a list, or removing one, moves all entries behind it. Json::exception: the place does
@@ -339,7 +360,7 @@ bool is_recording(std::string_view bytes, const FormatContext& context) {
 
 FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress) {
   constexpr double kParsed = 0.2;  // share of the time, if the level was edited
-  auto document = parse_json(bytes, progress.part(0, kParsed));
+  auto document = parse_json(bytes, progress.part(0, kParsed), 1, kMostDeep);
   if (!document) return tl::unexpected(document.error());
   try {
     return RecordingReader(progress.part(kParsed, 1)).read(*std::move(document));

@@ -59,7 +59,10 @@ class StrictBuilder {
  public:
   enum class Problem { none, invalid, too_large, too_deep, too_many_keys, twice };
 
+  explicit StrictBuilder(int most_deep) : most_deep_(most_deep) {}
+
   Problem problem() const { return problem_; }
+  int most_deep() const { return most_deep_; }
   // bytes that the parser had read at the error; 0: there was no error
   std::size_t bytes() const { return bytes_; }
   Json take() { return std::move(root_); }
@@ -133,7 +136,7 @@ class StrictBuilder {
   }
 
   bool open(Json::value_t kind) {
-    if (open_.size() >= kMaxJsonDepth) return stop(Problem::too_deep);
+    if (std::ssize(open_) >= most_deep_) return stop(Problem::too_deep);
     open_.push_back(&put(Json(kind)));
     return true;
   }
@@ -143,6 +146,7 @@ class StrictBuilder {
     return true;
   }
 
+  int most_deep_;
   Json root_;
   std::vector<Json*> open_;  // objects and lists that have not ended, from the outermost
   Json* member_ = nullptr;   // the value of the last key of the innermost object
@@ -174,9 +178,10 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
     case Problem::twice:
       return {at_key, "is twice in one object"};
     case Problem::too_deep:
-      return {place, "the JSON is nested deeper than 64 levels here"};
+      return {place,
+              "the JSON is nested deeper than " + std::to_string(builder.most_deep()) + " levels here"};
     case Problem::too_many_keys:
-      return {place, "the JSON has an object with more than 65536 keys"};
+      return {place, "the JSON has an object with more than " + std::to_string(kMaxJsonKeys) + " keys"};
     case Problem::none:
     case Problem::invalid:
       break;
@@ -300,14 +305,15 @@ class Printer {
 
 }  // namespace
 
-FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line) {
+FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line,
+                              int most_deep) {
   if (const std::size_t excess = value_too_many(text); excess != text.npos)
     return tl::unexpected(
         FormatError{line_of(text, excess, first_line),
                     "the JSON has more than " + std::to_string(kMaxJsonValues) + " values"});
   Reading reading{text, progress};
   const ReadingIterator begin(reading, text.data()), end(reading, text.data() + text.size());
-  StrictBuilder builder;
+  StrictBuilder builder(most_deep);
   const std::size_t zero = text.find('\0');  // the parser would take NUL for the end
   std::size_t bytes = 0;
   try {
@@ -319,6 +325,13 @@ FormatResult<Json> parse_json(std::string_view text, const Progress& progress, s
   }
   const std::size_t offset = std::min(std::max<std::size_t>(bytes, 1) - 1, text.size());
   return tl::unexpected(error_of(builder, text, offset, first_line));
+}
+
+int depth_of(const Json& value) {
+  if (!value.is_structured()) return 0;
+  int deepest = 0;
+  for (const Json& member : value) deepest = std::max(deepest, depth_of(member));
+  return 1 + deepest;
 }
 
 bool is_whole(const Json& value, std::int64_t min, std::int64_t max) {

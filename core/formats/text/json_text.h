@@ -13,7 +13,9 @@ namespace talus {
 using Json = nlohmann::json;
 
 inline constexpr int kMaxJsonDepth = 64;  // levels of Talus have 5; printing recurses once for each
-inline constexpr std::size_t kMaxJsonKeys = 65'536;  // of one object; those of a level have up to 256
+inline constexpr std::size_t kMaxJsonKeys = 66'048;  // of one object
+// Of them, those that Talus does not know. It adds its own when it writes a level, up to 256 to one object.
+inline constexpr std::size_t kMaxUnknownKeys = 65'536;
 // A text project that is all line breaks has 4.2 million lines.
 inline constexpr int kMaxJsonValues = 5'000'000;
 
@@ -21,9 +23,13 @@ inline constexpr int kMaxJsonValues = 5'000'000;
 // more values or keys, than the limits above; a key that is in one object twice; a number that no double
 // holds; anything but blanks after the end. The error's place is the line, with the column or the key if
 // there is one. progress: receives how much of the text is parsed, and may stop the work, which is an error.
-// first_line: the number of the text's first line in its file.
+// first_line: the number of the text's first line in its file. most_deep: levels that may nest, for a file
+// that holds what may itself have kMaxJsonDepth.
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {},
-                              std::int64_t first_line = 1);
+                              std::int64_t first_line = 1, int most_deep = kMaxJsonDepth);
+
+// How many objects and lists nest in the value, with itself: 0 for a number, 2 for [[]].
+int depth_of(const Json& value);
 
 // Whether the value is an integer from min to max. nlohmann's own operators would take integers from 2^63 on
 // for negative ones.
