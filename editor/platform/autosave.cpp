@@ -98,8 +98,11 @@ tl::expected<SavedWork, std::string> read_parts(const std::string& file, const j
       return damaged("a recording is missing");
     auto recording =
         read_guarded([&] { return read_recording(rest.substr(0, size.get<std::size_t>()), progress); });
-    if (!recording) return damaged("its recording " + to_text(recording.error()));
-    work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
+    if (progress.stopped()) return tl::unexpected<std::string>("was not read to its end");
+    if (recording)
+      work.recordings.push_back(std::make_shared<const Recording>(std::move(*recording)));
+    else
+      work.unread_recordings.push_back(to_text(recording.error()));
     rest.remove_prefix(size.get<std::size_t>());
   }
   FormatContext context{kNativeExtension};
@@ -120,11 +123,14 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
   const Format& native = *find_format("native");
   const auto written = native.write(*work.level, {kNativeExtension});
   if (!written) return tl::unexpected("the level " + written.error().message);
-  std::string recordings;
+  std::string recordings, problem;
   std::vector<std::size_t> sizes;
   for (const auto& each : work.recordings) {
     const auto recording = write_recording(*each);
-    if (!recording) return tl::unexpected("the recording " + recording.error().message);
+    if (!recording) {
+      problem = "a recording " + recording.error().message + "; all else is saved";
+      continue;
+    }
     sizes.push_back(recording->size());
     recordings += *recording;
   }
@@ -134,6 +140,7 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
       about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + recordings + written->bytes;
   if (const auto saved = write_file_atomic(work.file, text); !saved)
     return tl::unexpected("the file " + saved.error().message);
+  if (!problem.empty()) return tl::unexpected(std::move(problem));
   return {};
 }
 
@@ -289,6 +296,17 @@ std::uintmax_t Autosave::bytes_in(const std::string& folder) {
       bytes += entry.file_size(unknown);
   }
   return bytes;
+}
+
+tl::expected<std::string, std::string> Autosave::set_aside(const SavedWork& work) {
+  std::string kept = work.file;
+  std::error_code unknown;
+  for (int n = 1; kept == work.file || fs::exists(fs::symlink_status(kept, unknown)); ++n)
+    kept = work.file + ".kept" + std::to_string(n);
+  if (::rename(work.file.c_str(), kept.c_str()) != 0)
+    return tl::unexpected(work.file + " cannot be renamed: " + std::generic_category().message(errno) + ".");
+  ::unlink(lock_file(work.file).c_str());
+  return kept;
 }
 
 tl::expected<void, std::string> Autosave::discard(const SavedWork& work) {

@@ -23,12 +23,17 @@ struct SavedWork {
   std::shared_ptr<const Level> level;  // null: the file cannot be read, and `problem` says why
   // Runs with marks or inputs of the user's, never null; the one that was worked on last comes last.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
+  // Why recordings with it could not be read, a text each: "key frames: is missing". They are in `file`
+  // alone.
+  std::vector<std::string> unread_recordings = {};
   std::string problem = {};  // "is damaged: of its level line 3: ..."; empty: it was read
 };
 
-// The error says what could not be written, and why: "the file cannot be written: No space left on device".
+// The error says what could not be written, and why: "the file cannot be written: No space left on device". A
+// recording that no reader would accept is an error, too, but all else is written.
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);
-// Reads a file of any size. The error is as `problem`. progress: may stop the reading, which is an error.
+// Reads a file of any size. A recording that cannot be read takes nothing else with it. The error is as
+// `problem`. progress: may stop the reading, which is an error.
 tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, const Progress& progress = {});
 
 class Autosave {
@@ -69,6 +74,9 @@ class Autosave {
   // Removes an entry of left_behind(), after this process took it over or the user discarded it. The error is
   // one sentence.
   static tl::expected<void, std::string> discard(const SavedWork& work);
+  // The same where something of it could not be read: the file stays under another name, which is returned,
+  // and is offered no more.
+  static tl::expected<std::string, std::string> set_aside(const SavedWork& work);
 
  private:
   std::string folder_, file_;  // file_: that of this process

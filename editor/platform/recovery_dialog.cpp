@@ -21,6 +21,8 @@ std::string local_time(std::int64_t seconds) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts)};
 }
 
+}  // namespace
+
 std::vector<std::string> about_work(const SavedWork& work) {
   if (work.level == nullptr)
     return {"It cannot be recovered, and stays as it is until you discard it:",
@@ -33,10 +35,11 @@ std::vector<std::string> about_work(const SavedWork& work) {
                     " frames that you worked on.");
   else if (runs > 1)
     about.push_back("With " + std::to_string(runs) + " recordings that you worked on.");
+  if (const std::size_t unread = work.unread_recordings.size(); unread > 0)
+    about.push_back(shown_line((unread == 1 ? "A recording" : std::to_string(unread) + " recordings") +
+                               " with it cannot be read: " + work.unread_recordings.front() + "."));
   return about;
 }
-
-}  // namespace
 
 std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const SavedWork> works, bool reading,
                                                            bool unsaved, Ui& ui) {

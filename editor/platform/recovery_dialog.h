@@ -3,11 +3,16 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "autosave.h"
 #include "panels/ui/ui.h"
 
 namespace talus {
+
+// What the dialog says about a work below its name, a text a line.
+std::vector<std::string> about_work(const SavedWork& work);
 
 class RecoveryDialog {
  public:

@@ -17,6 +17,16 @@ constexpr double kPollInterval = 0.05;      // s, while it is read
 // Number of looks at the file after which it looks again for what was left behind.
 constexpr int kSecondOffer = 3;
 
+// Sets the file aside, and tells where it is.
+std::string message_of_unread(const SavedWork& work) {
+  const auto kept = Autosave::set_aside(work);
+  if (!kept) return kept.error();
+  const std::size_t count = work.unread_recordings.size();
+  return "Recovered without " + (count == 1 ? "a recording" : std::to_string(count) + " recordings") +
+         ", which cannot be read: " + work.unread_recordings.front() + ". What was saved is kept as " +
+         *kept + ".";
+}
+
 }  // namespace
 
 void WorkGuard::start(View& view) {
@@ -123,6 +133,8 @@ void WorkGuard::finish_recovery(Session& session, View& view) {
     session.apply(action::ShowMessage{
         "Recovered, but not saved automatically again: " + saved.error() + ". " + work.file + " stays.",
         true});
+  else if (!work.unread_recordings.empty())
+    session.apply(action::ShowMessage{message_of_unread(work), true});
   else if (const auto gone = Autosave::discard(work); !gone)
     session.apply(action::ShowMessage{gone.error(), true});
 }
