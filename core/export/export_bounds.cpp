@@ -14,19 +14,19 @@ namespace fs = std::filesystem;
 // Contains no place at all: for a level without a file, and for links in a circle.
 constexpr const char* kNowhere = "/dev/null";
 
-ExportBounds bounds_at(const FormatResult<std::string>& folder, bool holds_named_file) {
-  return {folder.value_or(kNowhere), holds_named_file};
+ExportBounds bounds_at(const FormatResult<std::string>& folder, bool is_typed) {
+  return {folder.value_or(kNowhere), !is_typed, is_typed};
 }
 
 }  // namespace
 
 ExportBounds bounds_of_level(const std::string& level_file) {
   if (level_file.empty()) return {kNowhere, true};
-  return bounds_at(real_folder_of(level_file), true);
+  return bounds_at(real_folder_of(level_file), false);
 }
 
 ExportBounds bounds_of_output(const std::string& output, bool is_folder) {
-  return bounds_at(is_folder ? real_path(output) : real_folder_of(output), false);
+  return bounds_at(is_folder ? real_path(output) : real_folder_of(output), true);
 }
 
 tl::expected<std::string, PlaceProblem> place_within(const ExportBounds& bounds, const std::string& path,

@@ -14,6 +14,9 @@ struct ExportBounds {
   // regular files. Empty: there are no bounds.
   std::string folder = {};
   bool holds_named_file = true;  // false: the named file, which the user has typed, may be elsewhere
+  // Whether the named file may be a pipe or a device, into which is written: it was typed as a command's
+  // output.
+  bool takes_pipe = false;
   friend bool operator==(const ExportBounds&, const ExportBounds&) = default;
 };
 
@@ -25,8 +28,8 @@ inline bool holds(const ExportBounds& bounds, bool is_named) {
 // The bounds for the paths of a level's presets: the folder of the level's file. For an empty path nothing is
 // within the bounds.
 ExportBounds bounds_of_level(const std::string& level_file);
-// The bounds for an output that the user has typed: it may be anywhere; what belongs to it is beside it or in
-// it.
+// The bounds for an output that the user has typed on a command line: it may be anywhere, also a pipe; what
+// belongs to it is beside it or in it.
 ExportBounds bounds_of_output(const std::string& output, bool is_folder);
 
 // Why a path may not be written.

@@ -232,6 +232,15 @@ std::vector<std::string> paths_of(const Exporter& exporter, const Exported& expo
   return paths;
 }
 
+namespace {
+
+InPlace in_place(const ExportBounds& bounds, bool is_named) {
+  if (holds(bounds, is_named)) return InPlace::refuse_links;
+  return is_named && bounds.takes_pipe ? InPlace::write : InPlace::follow_links;
+}
+
+}  // namespace
+
 FormatResult<void> write_exported(const Exporter& exporter, const Exported& exported,
                                   const std::string& output, const WriteProgress& progress,
                                   const ExportBounds& bounds) {
@@ -253,8 +262,7 @@ FormatResult<void> write_exported(const Exporter& exporter, const Exported& expo
     if (failure)
       return tl::unexpected(
           FormatError{"", "the folder " + folder.string() + " cannot be created: " + failure.message()});
-    const auto link = holds(bounds, file.name.empty()) ? LinkInPlace::refuse : LinkInPlace::follow;
-    auto written = StagedFile::write(paths[i], file.bytes, link);
+    auto written = StagedFile::write(paths[i], file.bytes, in_place(bounds, file.name.empty()));
     if (!written) return tl::unexpected(FormatError{file.name, written.error().message});
     staged.push_back(*std::move(written));
     bytes += file.bytes.size();

@@ -112,7 +112,8 @@ bool finds_foreign_files(CommandContext& context, const ExportOrder& order, cons
 
 ExportBounds bounds_of(const ExportOrder& order) {
   const Exporter* exporter = find_exporter(order.exporter);
-  if (order.rules.allow_outside || exporter == nullptr) return {};
+  if (exporter == nullptr) return {};
+  if (order.rules.allow_outside) return {.folder = {}, .takes_pipe = !order.is_of_level};
   return order.is_of_level ? bounds_of_level(order.input)
                            : bounds_of_output(order.output, exporter->is_folder());
 }

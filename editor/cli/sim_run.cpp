@@ -100,18 +100,12 @@ TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
     fail(context, options.trace, "", problem);
     return;
   }
-  auto begun = StagedFile::begin(options.trace);
-  if (!begun) {
-    good_ = false;
-    fail(context, options.trace, "", begun.error().message);
-  } else if (!begun->is_in_place()) {
+  auto begun = StagedFile::begin(options.trace, InPlace::write);
+  good_ = begun.has_value();
+  if (good_)
     file_.emplace(*std::move(begun));
-  } else {
-    device_.open(options.trace, std::ios::binary);
-    good_ = device_.is_open();
-    out_ = &device_;
-    if (!good_) fail(context, options.trace, "", "cannot be written");
-  }
+  else
+    fail(context, options.trace, "", begun.error().message);
 }
 
 void TraceFile::write(const State& state, const StepRecord* record) {
@@ -130,15 +124,10 @@ bool TraceFile::fails(const FormatResult<void>& done) {
 }
 
 bool TraceFile::finish() {
-  if (!good_) return false;
-  if (file_) {
-    if (fails(file_->add(part_)) || fails(file_->flush()) || fails(file_->put())) return false;
-    if (file_->doubt().empty()) return true;
-    fail(context_, options_.trace, "", file_->doubt());
-    return false;
-  }
-  if (!device_.is_open() || device_.flush()) return true;
-  fail(context_, options_.trace, "", "cannot be written");
+  if (!good_ || !file_) return good_;
+  if (fails(file_->add(part_)) || fails(file_->flush()) || fails(file_->put())) return false;
+  if (file_->doubt().empty()) return true;
+  fail(context_, options_.trace, "", file_->doubt());
   return false;
 }
 

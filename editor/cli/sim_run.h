@@ -1,7 +1,6 @@
 // What `talus sim` needs to run a level or a recording.
 #pragma once
 
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -22,7 +21,7 @@ struct SimOptions {
   PhysicsOptions physics;
 };
 
-// Where the trace goes: a file, standard output or nowhere. A failure to write makes the command fail.
+// Where the trace goes: a file, a pipe, standard output or nowhere. A failure to write makes the command fail.
 // finish() puts a file in its place, whole; without it an older file stays.
 class TraceFile {
  public:
@@ -39,9 +38,8 @@ class TraceFile {
   bool fails(const FormatResult<void>& done);
 
   std::optional<StagedFile> file_;
-  std::string part_;      // of the file's text; written when it is long
-  std::ofstream device_;  // or a pipe
-  std::ostream* out_ = nullptr;
+  std::string part_;             // of the file's text, to be written when it is long
+  std::ostream* out_ = nullptr;  // standard output
   bool good_ = true;
 };
 

@@ -69,10 +69,10 @@ tl::expected<Picture, std::string> draw_picture() {
   return picture;
 }
 
-tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path) {
+tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path, InPlace in_place) {
   const std::string bytes = encode_png(picture.width, picture.height, 4, picture.rgba.data());
   if (bytes.empty()) return tl::unexpected(std::string("cannot encode the PNG"));
-  if (const auto written = write_file_atomic(path, bytes); !written)
+  if (const auto written = write_file_atomic(path, bytes, in_place); !written)
     return tl::unexpected(written.error().message);
   return {};
 }

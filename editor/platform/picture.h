@@ -6,6 +6,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "formats/files/atomic_file.h"
+
 namespace talus {
 
 struct Picture {
@@ -17,6 +19,7 @@ struct Picture {
 // size that the graphics driver cannot draw is an error.
 tl::expected<Picture, std::string> draw_picture();
 
-tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path);
+tl::expected<void, std::string> write_png(const Picture& picture, const std::string& path,
+                                          InPlace in_place = InPlace::follow_links);
 
 }  // namespace talus

@@ -81,7 +81,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   ImGui::Render();
   const auto picture = draw_picture();
   if (!picture) return tl::unexpected(picture.error());
-  return write_png(*picture, png_path);
+  return write_png(*picture, png_path, InPlace::write);
 }
 
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,

@@ -46,9 +46,11 @@ TEST_F(AtomicFileTest, UnreadableThingsAreErrors) {
 TEST_F(AtomicFileTest, WhatIsNoFileIsRefusedAtOnce) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
   EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe; only regular files can be read");
-  EXPECT_EQ(write_file_atomic(path("pipe"), "x").error().message, "is a pipe or a device that nobody reads");
+  EXPECT_EQ(write_file_atomic(path("pipe"), "x").error().message, "is a pipe, but must be a regular file");
+  EXPECT_EQ(write_file_atomic(path("pipe"), "x", InPlace::write).error().message,
+            "is a pipe or a device that nobody reads");
   const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
-  EXPECT_TRUE(write_file_atomic(path("pipe"), "x"));
+  EXPECT_TRUE(write_file_atomic(path("pipe"), "x", InPlace::write));
   EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe; only regular files can be read")
       << "with a byte in it";
   ::close(reader);
@@ -106,17 +108,54 @@ TEST_F(AtomicFileTest, LinksAreFollowed) {
 TEST_F(AtomicFileTest, LinksCanBeRefused) {
   put("outside", "old");
   fs::create_symlink("outside", path("link"));
-  const auto refused = StagedFile::write(path("link"), "new", LinkInPlace::refuse);
+  const auto refused = StagedFile::write(path("link"), "new", InPlace::refuse_links);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "cannot be written: Too many levels of symbolic links");
-  EXPECT_TRUE(StagedFile::write(path("plain"), "new", LinkInPlace::refuse)->put());
+  EXPECT_TRUE(StagedFile::write(path("plain"), "new", InPlace::refuse_links)->put());
   EXPECT_EQ(bytes_of("outside") + bytes_of("plain"), "oldnew");
-  // One that comes still later is replaced, and not followed.
-  auto staged = StagedFile::write(path("late"), "new", LinkInPlace::refuse);
-  fs::create_symlink("outside", path("late"));
+}
+
+// What comes into the place between the look and the writing is neither written nor replaced.
+TEST_F(AtomicFileTest, OnlyAFileIsReplacedWhateverComesIntoItsPlaceMeanwhile) {
+  put("outside", "old");
+  for (const InPlace in_place : {InPlace::refuse_links, InPlace::follow_links, InPlace::write}) {
+    auto late_pipe = StagedFile::write(path("pipe"), "new", in_place);
+    auto late_link = StagedFile::write(path("link"), "new", in_place);
+    auto late_folder = StagedFile::write(path("folder"), "new", in_place);
+    auto late_file = StagedFile::write(path("file"), "new", in_place);
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
+    const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    fs::create_symlink("outside", path("link"));
+    fs::create_directory(path("folder"));
+    put("file", "newer");
+    EXPECT_EQ(late_pipe->put().error().message, "is a pipe, but must be a regular file");
+    char byte = 0;
+    EXPECT_LE(::read(reader, &byte, 1), 0) << "nothing was written into it";
+    ::close(reader);
+    EXPECT_EQ(late_link->put().error().message, "cannot be written: Too many levels of symbolic links");
+    EXPECT_EQ(bytes_of("outside"), "old");
+    EXPECT_EQ(late_folder->put().error().message, "cannot be written: Is a directory");
+    EXPECT_TRUE(late_file->put());
+    EXPECT_EQ(bytes_of("file"), "new");
+    EXPECT_TRUE(fs::is_fifo(path("pipe")) && fs::is_symlink(path("link")) &&
+                fs::is_directory(path("folder")));
+    for (const char* name : {"pipe", "link", "folder", "file"}) fs::remove(path(name));
+  }
+}
+
+// The pipe is opened once: what takes its name later is another file.
+TEST_F(AtomicFileTest, WhatTakesThePlaceOfAPipeIsNotWritten) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  auto staged = StagedFile::write(path("pipe"), "x", InPlace::write);
+  ASSERT_TRUE(staged);
+  fs::remove(path("pipe"));
+  put("pipe", "precious");
   EXPECT_TRUE(staged->put());
-  EXPECT_FALSE(fs::is_symlink(path("late")));
-  EXPECT_EQ(bytes_of("outside") + bytes_of("late"), "oldnew");
+  EXPECT_EQ(bytes_of("pipe"), "precious");
+  char byte = 0;
+  EXPECT_EQ(::read(reader, &byte, 1), 1);
+  ::close(reader);
 }
 
 TEST_F(AtomicFileTest, TheStartOfAFileIsReadAlone) {
@@ -140,13 +179,14 @@ TEST_F(AtomicFileTest, ReadingCanBeCancelled) {
   EXPECT_TRUE(read_file(path("a"), kMaxFileBytes, Progress([](double) { return true; })));
 }
 
-TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenTo) {
+TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenToWhereTheyAreMeant) {
   EXPECT_EQ(write_file_atomic(folder_.string(), "x").error().message, "cannot be written: Is a directory");
   EXPECT_EQ(write_file_atomic(path("none/x"), "x").error().message,
             "cannot be written: No such file or directory");
-  ASSERT_TRUE(write_file_atomic("/dev/null", "x"));
+  EXPECT_EQ(write_file_atomic("/dev/null", "x").error().message, "is a device, but must be a regular file");
+  ASSERT_TRUE(write_file_atomic("/dev/null", "x", InPlace::write));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_EQ(write_file_atomic("/dev/full", "x").error().message,
+  EXPECT_EQ(write_file_atomic("/dev/full", "x", InPlace::write).error().message,
             "cannot be written: No space left on device");
 }
 
@@ -183,7 +223,8 @@ TEST_F(AtomicFileTest, WhatIsWrittenInPartsIsPutWhole) {
   EXPECT_TRUE(staged->put());
   EXPECT_EQ(bytes_of("x"), "one two");
   EXPECT_EQ(files(), 1);
-  EXPECT_TRUE(StagedFile::begin("/dev/null")->is_in_place());
+  EXPECT_EQ(StagedFile::begin("/dev/full", InPlace::write)->add("x").error().message,
+            "cannot be written: No space left on device");
 }
 
 TEST_F(AtomicFileTest, OtherThingsUnderATemporarysNameStay) {

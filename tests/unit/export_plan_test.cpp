@@ -1,5 +1,8 @@
 // Presets of exports: how a level keeps them, where their paths lead, what would be written, and writing it.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -151,6 +154,32 @@ TEST_F(ExportPlans, AreWrittenAsAWhole) {
   EXPECT_EQ(written.error().place, "b");
   EXPECT_EQ(bytes_of("a"), "old a");
   EXPECT_EQ(names(), (std::vector<std::string>{"a", "b"})) << "no temporary is left";
+}
+
+// A pipe whose reader never reads would make the writing wait for ever.
+TEST_F(ExportPlans, AreNeverWrittenIntoAPipeThatComesMeanwhile) {
+  const Exported content{.files = {{"a", std::string(200'000, 'a')}, {"b", "b"}}, .dropped = {}};
+  for (const ExportBounds& bounds : {ExportBounds(), ExportBounds{folder_.string(), true}}) {
+    for (const char* const late : {"a", "b"}) {
+      int reader = -1;
+      const auto put_pipe = [&](std::size_t files, std::size_t) {
+        if (files != 1) return true;  // the first is written beside its place, the second is not begun
+        EXPECT_EQ(::mkfifo(path(late).c_str(), 0666), 0);
+        reader = ::open(path(late).c_str(), O_RDONLY | O_NONBLOCK);
+        return true;
+      };
+      const auto written = write_exported(folder_target(), content, folder_.string(), put_pipe, bounds);
+      ASSERT_FALSE(written);
+      EXPECT_EQ(to_string(written.error(), "x"),
+                std::string("x:") + late + ": error: is a pipe, but must be a regular file");
+      char byte = 0;
+      EXPECT_LE(::read(reader, &byte, 1), 0);
+      ::close(reader);
+      fs::remove(path("a"));
+      fs::remove(path("b"));
+      EXPECT_EQ(names(), std::vector<std::string>()) << "no temporary is left";
+    }
+  }
 }
 
 TEST_F(ExportPlans, AreCancelledAsAWhole) {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -25,10 +24,6 @@ tl::unexpected<FormatError> failure(const char* what, int error_number) {
       FormatError{"", std::string(what) + ": " + std::generic_category().message(error_number)});
 }
 
-tl::unexpected<FormatError> too_large_file(std::size_t most) {
-  return tl::unexpected(FormatError{"", "is larger than " + std::to_string(most >> 20) + " MiB"});
-}
-
 // Null: the path is a regular file.
 const char* kind_of_no_file(mode_t mode) {
   if (S_ISREG(mode)) return nullptr;
@@ -37,6 +32,19 @@ const char* kind_of_no_file(mode_t mode) {
 
 tl::unexpected<FormatError> no_file(const std::string& kind) {
   return tl::unexpected(FormatError{"", "is a " + kind + "; only regular files can be read"});
+}
+
+// Whether a rename would put a file into an empty place or over a regular file. Returns whether one is there.
+FormatResult<bool> look_at_place(const fs::path& target, struct stat& found) {
+  if (::lstat(target.c_str(), &found) != 0) {
+    if (errno != ENOENT) return failure("cannot be written", errno);  // the path is forbidden
+    return false;
+  }
+  if (S_ISLNK(found.st_mode)) return failure("cannot be written", ELOOP);
+  if (S_ISDIR(found.st_mode)) return failure("cannot be written", EISDIR);
+  if (const char* const kind = kind_of_no_file(found.st_mode))
+    return tl::unexpected(FormatError{"", "is a " + std::string(kind) + ", but must be a regular file"});
+  return true;
 }
 
 class File {
@@ -95,17 +103,25 @@ int create_temporary(const fs::path& target, std::string& name) {
   return -1;
 }
 
-FormatResult<void> write_in_place(const fs::path& target, std::string_view bytes) {
+bool is_device_or_pipe(const struct stat& status) {
+  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+// Opens a device or a pipe, and makes sure that it still is one: what took its place is not written.
+FormatResult<File> open_in_place(const std::string& path) {
   // Opening a pipe that nobody reads would wait without end.
-  File file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW));
+  File file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (!file.is_open() && errno == ENXIO)
     return tl::unexpected(FormatError{"", "is a pipe or a device that nobody reads"});
   if (!file.is_open()) return failure("cannot be opened for writing", errno);
+  struct stat status = {};
+  if (::fstat(file.get(), &status) != 0) return failure("cannot be written", errno);
+  if (!is_device_or_pipe(status))
+    return tl::unexpected(FormatError{"", "was a pipe or a device, and is another file now"});
   const int flags = ::fcntl(file.get(), F_GETFL);
   if (flags < 0 || ::fcntl(file.get(), F_SETFL, flags & ~O_NONBLOCK) != 0)
     return failure("cannot be written", errno);
-  if (!write_all(file.get(), bytes) || !file.close()) return failure("cannot be written", errno);
-  return {};
+  return file;
 }
 
 // Checks what the path is before it is opened, as opening a device may have an effect; and again afterwards,
@@ -147,17 +163,21 @@ int sync_directory(const fs::path& target) {
 
 }  // namespace
 
+FormatError too_large_file(std::size_t most) {
+  return {"", "is larger than " + std::to_string(most >> 20) + " MiB"};
+}
+
 FormatResult<std::string> read_file(const std::string& path, std::size_t most, const Progress& progress) {
   std::size_t size = 0;
   const auto file = open_for_reading(path, size);
   if (!file) return tl::unexpected(file.error());
-  if (size > most) return too_large_file(most);
+  if (size > most) return tl::unexpected(too_large_file(most));
   std::string bytes;
   constexpr std::size_t kStep = 1 << 20;
   while (progress.at(bytes.size(), std::max(size, bytes.size() + 1))) {
     const auto count = read_more(file->get(), kStep, bytes);
     if (!count) return tl::unexpected(count.error());
-    if (bytes.size() > most) return too_large_file(most);
+    if (bytes.size() > most) return tl::unexpected(too_large_file(most));
     if (*count == 0) return bytes;
   }
   return was_cancelled();
@@ -176,8 +196,8 @@ FormatResult<std::string> read_start_of_file(const std::string& path, std::size_
   return bytes;
 }
 
-FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes) {
-  auto staged = StagedFile::write(path, bytes);
+FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes, InPlace in_place) {
+  auto staged = StagedFile::write(path, bytes, in_place);
   if (!staged) return tl::unexpected(staged.error());
   auto put = staged->put();
   if (put && !staged->doubt().empty()) return tl::unexpected(FormatError{"", staged->doubt()});
@@ -185,8 +205,8 @@ FormatResult<void> write_file_atomic(const std::string& path, std::string_view b
 }
 
 FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes,
-                                           LinkInPlace link) {
-  auto staged = begin(path, link);
+                                           InPlace in_place) {
+  auto staged = begin(path, in_place);
   if (!staged) return staged;
   staged->bytes_ = bytes;
   if (staged->is_in_place()) return staged;
@@ -196,41 +216,50 @@ FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_
   return staged;
 }
 
-FormatResult<StagedFile> StagedFile::begin(const std::string& path, LinkInPlace link) {
-  const auto place = link == LinkInPlace::follow ? real_path(path) : FormatResult<std::string>(path);
+FormatResult<StagedFile> StagedFile::begin(const std::string& path, InPlace in_place) {
+  struct stat old = {};
+  if (in_place == InPlace::write && ::stat(path.c_str(), &old) == 0 && is_device_or_pipe(old)) {
+    auto device = open_in_place(path);
+    if (!device) return tl::unexpected(device.error());
+    return StagedFile(path, "", device->release());
+  }
+  const auto place = in_place == InPlace::refuse_links ? FormatResult<std::string>(path) : real_path(path);
   if (!place) return tl::unexpected(place.error());
   const fs::path target = *place;
-  struct stat old = {};
-  const bool exists = ::lstat(target.c_str(), &old) == 0;
-  if (!exists && errno != ENOENT) return failure("cannot be written", errno);  // the path is forbidden
-  if (exists && S_ISLNK(old.st_mode)) return failure("cannot be written", ELOOP);
-  if (exists && S_ISDIR(old.st_mode)) return failure("cannot be written", EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return StagedFile(target.string(), "", -1);
+  const auto exists = look_at_place(target, old);
+  if (!exists) return tl::unexpected(exists.error());
   // rename() would replace a write-protected file, as only the directory's permissions count.
-  if (exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
+  if (*exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
 
   std::string temporary;
   File file(create_temporary(target, temporary));
   if (!file.is_open()) return failure("cannot be written", errno);
   StagedFile staged(target.string(), std::move(temporary), file.release());
-  if (exists && ::fchmod(staged.descriptor_, old.st_mode & 07777) != 0)
+  if (*exists && ::fchmod(staged.descriptor_, old.st_mode & 07777) != 0)
     return failure("cannot be written", errno);
   return staged;
 }
 
 FormatResult<void> StagedFile::add(std::string_view bytes) {
-  assert(!is_in_place());
   if (!write_all(descriptor_, bytes)) return failure("cannot be written", errno);
   return {};
 }
 
 FormatResult<void> StagedFile::flush() {
+  if (is_in_place()) return {};
   if (::fsync(descriptor_) != 0) return failure("cannot be written", errno);
   return {};
 }
 
 FormatResult<void> StagedFile::put() {
-  if (temporary_.empty()) return write_in_place(target_, bytes_);
+  if (is_in_place()) {
+    const bool is_written = write_all(descriptor_, bytes_);
+    if (!is_written || ::close(std::exchange(descriptor_, -1)) != 0)
+      return failure("cannot be written", errno);
+    return {};
+  }
+  struct stat found = {};
+  if (const auto is_good = look_at_place(target_, found); !is_good) return tl::unexpected(is_good.error());
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failure("cannot be written", errno);
   temporary_.clear();
   let_go();
@@ -247,7 +276,7 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
       bytes_(other.bytes_),
       doubt_(std::move(other.doubt_)) {}
 
-// fsync has brought the bytes to the disk, so closing cannot fail.
+// fsync has brought the bytes of a file to the disk, so closing cannot fail.
 void StagedFile::let_go() {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
 }

@@ -12,6 +12,9 @@ namespace talus {
 
 inline constexpr std::string_view kTemporaryEnding = ".tmp";  // of files that are being written
 
+// The error of a file with more bytes than `most`.
+FormatError too_large_file(std::size_t most);
+
 // Returns the file's bytes. Unreadable files, and files of more bytes than `most`, are errors; so are
 // directories, devices, pipes and sockets, at once, as reading them could wait for ever. progress: may stop
 // the reading, which is an error, too.
@@ -20,18 +23,20 @@ FormatResult<std::string> read_file(const std::string& path, std::size_t most = 
 // Returns the first `count` bytes, or all of a smaller file; errors as above.
 FormatResult<std::string> read_start_of_file(const std::string& path, std::size_t count);
 
+// What to do with something in a file's place that is no regular file. A directory is always an error.
+enum class InPlace {
+  refuse_links,  // as below, and a link is an error: it was not there when the place was looked at
+  follow_links,  // write the file that a link leads to; a pipe or a device is an error. The usual choice
+  write          // write into a pipe or a device, too, which may wait for ever: the user has named it
+};
+
 // Replaces the file at once: whoever reads the path, even after a kill or a power loss at any moment, finds
 // either the old file or the whole new one. Symbolic links are followed, and the old file's permissions stay.
-// A device or pipe is written in place. After an error the old file is untouched and no temporary file
-// remains, unless the error is StagedFile::doubt(). Only a killed process can leave its temporary file,
-// ".NAME.N.tmp" with N from 0, beside the file; the next process that writes the file removes it.
-FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes);
-
-// What to do with a symbolic link in a file's place.
-enum class LinkInPlace {
-  follow,  // write the file that it leads to
-  refuse   // return an error: the link was not there when the place was looked at
-};
+// After an error the old file is untouched and no temporary file remains, unless the error is
+// StagedFile::doubt(). Only a killed process can leave its temporary file, ".NAME.N.tmp" with N from 0,
+// beside the file; the next process that writes the file removes it.
+FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes,
+                                     InPlace in_place = InPlace::follow_links);
 
 // StagedFile: the same in two steps, for files that belong together. First all are written, then all are put
 // in their places.
@@ -39,18 +44,17 @@ class StagedFile {
  public:
   // Writes the temporary file. bytes: must live until put(), which writes devices and pipes.
   static FormatResult<StagedFile> write(const std::string& path, std::string_view bytes,
-                                        LinkInPlace link = LinkInPlace::follow);
-  // The same in parts, for large content: begin, add as often as needed, flush. Not for devices and pipes
-  // (asserted by add()), see is_in_place().
-  static FormatResult<StagedFile> begin(const std::string& path, LinkInPlace link = LinkInPlace::follow);
+                                        InPlace in_place = InPlace::follow_links);
+  // The same in parts, for large content: begin, add as often as needed, flush. A device or a pipe gets each
+  // part at once.
+  static FormatResult<StagedFile> begin(const std::string& path, InPlace in_place = InPlace::follow_links);
   FormatResult<void> add(std::string_view bytes);
   FormatResult<void> flush();  // to the disk; call it before put()
-  // Whether the target is a device or a pipe, which has no temporary file.
-  bool is_in_place() const { return descriptor_ < 0; }
   StagedFile(StagedFile&& other) noexcept;
   StagedFile& operator=(StagedFile&&) = delete;
-  ~StagedFile();             // without put(), the old file stays and the temporary one is removed
-  FormatResult<void> put();  // call it once
+  ~StagedFile();  // without put(), the old file stays and the temporary one is removed
+  // Call it once. What came into the place since begin() and is no regular file is an error, and stays.
+  FormatResult<void> put();
   // A sentence on a doubt after put(): a power failure may undo the writing, as the folder could not be
   // brought to the disk. Empty: there is no doubt.
   const std::string& doubt() const { return doubt_; }
@@ -59,10 +63,11 @@ class StagedFile {
   StagedFile(std::string target, std::string temporary, int descriptor)
       : target_(std::move(target)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
   void let_go();
+  bool is_in_place() const { return temporary_.empty(); }  // until put()
 
   std::string target_;
-  std::string temporary_;   // empty: the target is written in place, or was put
-  int descriptor_;          // of the temporary file, which is locked until put(); -1: there is none
+  std::string temporary_;   // empty: the target is a device or a pipe, or was put
+  int descriptor_;          // of the temporary file, which is locked until put(), or of the target; -1: none
   std::string_view bytes_;  // what put() writes in place
   std::string doubt_;
 };
