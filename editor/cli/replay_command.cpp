@@ -14,9 +14,9 @@ void replay(CommandContext& context, const std::string& file) {
   const auto bytes = read_file(file);
   if (!bytes) return fail(context, file, bytes.error().place, bytes.error().message);
   context.doing = "replaying " + file;
-  const auto answers = read_guarded([&] { return replay_scenario(*bytes); });
-  if (!answers) return fail(context, file, answers.error().place, answers.error().message);
-  for (const std::string& line : *answers) context.out << line << '\n';
+  const auto write = [&](std::string_view line) { return static_cast<bool>(context.out << line << '\n'); };
+  const auto replayed = read_guarded([&] { return replay_scenario(*bytes, write); });
+  if (!replayed) fail(context, file, replayed.error().place, replayed.error().message);
 }
 
 }  // namespace

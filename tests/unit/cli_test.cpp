@@ -141,6 +141,10 @@ TEST_F(CliReplay, PrintsOneLineForEachOperation) {
   EXPECT_EQ(nlohmann::json::parse(line)["ok"], true);
   std::getline(lines, line);
   EXPECT_EQ(nlohmann::json::parse(line)["rect"], nlohmann::json::parse("[0,0,2,2]"));
+  const CliAnswer half = cli_answer(
+      {"replay", put("half.json", R"({"ops":[{"op":"add","item":1,"rect":[0,0,2,2]},{"op":"fly"}]})")});
+  EXPECT_EQ(half.status, kExitBad);
+  EXPECT_EQ(half.out, "{\"ok\":true}\n") << "each line is printed as it is made";
 }
 
 TEST_F(CliConvert, ACartComesBackByWayOfTheNativeFormat) {

@@ -9,9 +9,14 @@ namespace talus::scenario_test {
 using testing::ElementsAre;
 
 std::vector<std::string> replay(const std::string& ops) {
-  const auto answers = replay_scenario("{\"cell_size\":8,\"ops\":[" + ops + "]}");
-  if (!answers) return {answers.error().place + ": " + answers.error().message};
-  return *answers;
+  std::vector<std::string> answers;
+  const auto replayed =
+      replay_scenario("{\"cell_size\":8,\"ops\":[" + ops + "]}", [&](std::string_view line) {
+        answers.emplace_back(line);
+        return true;
+      });
+  if (!replayed) answers.push_back(replayed.error().place + ": " + replayed.error().message);
+  return answers;
 }
 
 const std::string kBall = R"({"op":"add","item":1,"rect":[0,0,8,8]},)";
@@ -72,10 +77,20 @@ TEST(Replay, TakesAGoalThatIsMissing) {
                   R"("ti":0.6666666666666666,"move":[0,3],"normal":[0,-1],"touch":[0,2],"slide":[0,2]}]})"));
 }
 
+// All answers together could be larger than the memory.
+TEST(Replay, GivesEachAnswerAtOnceUntilNoMoreAreWanted) {
+  EXPECT_THAT(replay(kBall + "5"), ElementsAre(kOk, "op 2: An operation must be an object."));
+  int given = 0;
+  const auto replayed =
+      replay_scenario(R"({"ops":[)" + kBall + kWall + "5]}", [&](std::string_view) { return ++given < 2; });
+  EXPECT_TRUE(replayed) << "what follows is not looked at";
+  EXPECT_EQ(given, 2);
+}
+
 TEST(Replay, TellsWhereAScenarioIsMalformed) {
   const auto error = [](std::string_view text) {
-    const auto answers = replay_scenario(text);
-    return answers ? "none" : answers.error().place + ": " + answers.error().message;
+    const auto replayed = replay_scenario(text, [](std::string_view) { return true; });
+    return replayed ? "none" : replayed.error().place + ": " + replayed.error().message;
   };
   EXPECT_EQ(error("{\"ops\":["), "line 1, column 9: this is not valid JSON");
   EXPECT_EQ(error("[]"), ": A scenario must be an object.");

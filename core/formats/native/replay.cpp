@@ -334,7 +334,7 @@ class Replay {
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_view json) {
+FormatResult<void> replay_scenario(std::string_view json, const TakeAnswer& take) {
   std::string place;
   try {
     const FormatResult<Json> parsed = parse_json(json);
@@ -346,13 +346,11 @@ tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_
     Replay replay(cell_size.get<double>());
     const Json& ops = field(scenario, "ops");
     if (!ops.is_array()) throw Malformed{"\"ops\" must be an array."};
-    std::vector<std::string> answers;
-    answers.reserve(ops.size());
-    for (const Json& op : ops) {
-      place = "op " + std::to_string(answers.size() + 1);
-      answers.push_back(replay.answer(op));
+    for (std::size_t i = 0; i < ops.size(); ++i) {
+      place = "op " + std::to_string(i + 1);
+      if (!take(replay.answer(ops[i]))) break;
     }
-    return answers;
+    return {};
   } catch (const Malformed& malformed) {
     return tl::unexpected(FormatError{place, malformed.message});
   } catch (const WorldError& error) {

@@ -13,17 +13,18 @@
 // as a size of zero, is answered by {"error":".."} in bump's words and changes nothing.
 #pragma once
 
-#include <string>
+#include <functional>
 #include <string_view>
-#include <tl/expected.hpp>
-#include <vector>
 
 #include <talus/formats/format.h>
 
 namespace talus {
 
-// Returns one answer for each operation, without a line break. The error's place is the byte of malformed
-// JSON, or the number of the operation, from 1: "op 12".
-tl::expected<std::vector<std::string>, FormatError> replay_scenario(std::string_view json);
+// Gets the answer to an operation, without a line break. False: no more are wanted, which is no error.
+using TakeAnswer = std::function<bool(std::string_view line)>;
+
+// Gives each answer when it is made: all of them could fill the memory. The error's place is the line of
+// malformed JSON, or the number of the operation, from 1: "op 12"; the answers before it were given.
+FormatResult<void> replay_scenario(std::string_view json, const TakeAnswer& take);
 
 }  // namespace talus
