@@ -10,6 +10,7 @@
 #include <talus/level/ground.h>
 #include <talus/sim/solver.h>
 #include "../collision/ground_queries.h"
+#include "../formats/files/atomic_file.h"
 #include "../formats/last_catch.h"
 #include "../formats/native/hard_case_file.h"
 #include "../sim/case_input.h"
@@ -73,6 +74,14 @@ talus_game* opened(const char* name, char* error, std::size_t error_size, Load l
   return nullptr;
 }
 
+// Of a query, px.
+constexpr double kFarthest = 1e12;
+
+bool are_near(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](double number) { return std::abs(number) <= kFarthest; });  // false for no number
+}
+
 bool are_finite(std::initializer_list<double> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
 }
@@ -114,7 +123,8 @@ talus_game* talus_read(const void* bytes, size_t size, const char* name, char* e
     return nullptr;
   }
   const char* shown = name == nullptr ? "level" : name;
-  return opened(shown, error, error_size, [&] {
+  return opened(shown, error, error_size, [&]() -> FormatResult<LoadedLevel> {
+    if (size > kMaxFileBytes) return tl::unexpected(too_large_file(kMaxFileBytes));
     const std::string_view content =
         size == 0 ? std::string_view() : std::string_view(static_cast<const char*>(bytes), size);
     return read_level(content, {name == nullptr ? "" : context_for_file(name).extension});
@@ -170,8 +180,8 @@ uint64_t talus_hash(const talus_game* game) { return game == nullptr ? 0 : talus
 
 int talus_floor(talus_game* game, double x, double y, double w, double h, double reach, double* floor_y) {
   using namespace talus;
-  const bool usable = are_finite({x, y, w, h, reach}) && w > 0 && h > 0 && w <= kMaxBodySize &&
-                      h <= kMaxBodySize && reach >= 0;
+  const bool usable =
+      are_near({x, y, w, h, reach}) && w > 0 && h > 0 && w <= kMaxBodySize && h <= kMaxBodySize && reach >= 0;
   if (game == nullptr || !usable) return 0;
   return guarded(0, [&] {
     const auto floor = floor_below(queried_ground(*game), {x, y, w, h}, reach);

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include <talus/c/talus.h>
 #include <talus/collision/world.h>
+#include <talus/level/limits.h>
 #include "collision/cast_rounding.h"
 #include "collision/cast_trace.h"
 #include "collision/ground_queries.h"
@@ -166,6 +168,11 @@ TEST(AnyNumber, IsAnsweredByTheInterfaceForC) {
   }
   EXPECT_EQ(talus_floor(game, 4, 0, 4, 4, 2e10, &y), 1);  // as in cast.cpp: far below all ints of cells
   EXPECT_EQ(y, 16);
+  EXPECT_EQ(talus_floor(game, 4, 0, 4, 4, 1e12, &y), 1);
+  for (const double far : {1.1e12, -1.1e12}) {
+    EXPECT_EQ(talus_floor(game, 4, 0, 4, 4, far, &y), 0) << "as talus.h promises";
+    EXPECT_EQ(talus_floor(game, 4, far, 4, 4, 1e12, &y), 0);
+  }
   talus_body body;
   ASSERT_EQ(talus_body_at(game, 0, &body), 1);
   EXPECT_TRUE(std::isfinite(body.x) && std::isfinite(body.y) && std::isfinite(body.vx) &&
@@ -179,6 +186,9 @@ TEST(AnyNumber, OfNoBytesTheInterfaceForCMakesAnError) {
   EXPECT_STREQ(error, "error: the bytes are null");
   EXPECT_EQ(talus_read(nullptr, 0, "a.talus.json", error, sizeof error), nullptr);
   EXPECT_TRUE(std::string_view(error).starts_with("a.talus.json:")) << error;
+  const std::string large = R"({"talus": 1})" + std::string(kMaxFileBytes, ' ');
+  EXPECT_EQ(talus_read(large.data(), large.size(), "a.talus.json", error, sizeof error), nullptr);
+  EXPECT_STREQ(error, "a.talus.json: error: is larger than 64 MiB") << "as a file is";
   EXPECT_EQ(talus_open(nullptr, error, sizeof error), nullptr);
   EXPECT_STREQ(error, "error: the path is null");
 }
