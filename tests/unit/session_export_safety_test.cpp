@@ -379,6 +379,76 @@ TEST_F(ForeignPresets, OfALevelThatIsALinkStayWhereTheLinkLies) {
   EXPECT_FALSE(exists("store/a.lua"));
 }
 
+class ExportPermissionsFile : public FolderTest {
+ protected:
+  ExportPermissions opened(const std::string& level_file) const {
+    ExportPermissions permissions(path("allowed"));
+    permissions.open(level_file);
+    return permissions;
+  }
+  static ExportPreset preset(const std::string& name, const std::string& extra = "") {
+    return {.name = name, .exporter = "lua", .path = name + ".lua", .extra = extra};
+  }
+  // Of 60 KB in the store.
+  static ExportPreset long_preset(const std::string& name) {
+    return preset(name, R"({"x":")" + std::string(60'000, 'x') + "\"}");
+  }
+};
+
+TEST_F(ExportPermissionsFile, KeepsAllowedPresetsOfFoldersOfAnyName) {
+  for (const std::string name : {"d\xff", "line\nbreak", "\"quoted\""}) {
+    fs::create_directories(path(name));
+    const std::string file = path(name + "/cave.talus.json");
+    const std::vector<ExportPreset> presets = {preset("a")};
+    EXPECT_TRUE(opened(file).allow(presets));
+    EXPECT_TRUE(opened(file).allows(presets[0])) << name;
+    EXPECT_FALSE(opened(path("other/cave.talus.json")).allows(presets[0]));
+  }
+}
+
+TEST_F(ExportPermissionsFile, ForgetsTheOldestBeforeItGrowsTooLarge) {
+  const std::string file = path("level");
+  const std::size_t count = ExportPermissions::kMostKept / 60'000 + 10;
+  {
+    std::ofstream store(path("allowed"));
+    for (std::size_t i = 0; i < count; ++i)
+      store << R"({"allowed":true,"file":")" << path("other")
+            << R"(","preset":{"name":"n","path":"p","to":"lua","x":")" << std::string(60'000, 'x')
+            << "\"}}\n";
+  }
+  const std::vector<ExportPreset> first = {long_preset("a")}, second = {preset("b")};
+  EXPECT_TRUE(opened(file).allow(first));
+  EXPECT_TRUE(opened(file).allow(second));
+  EXPECT_LE(fs::file_size(path("allowed")), ExportPermissions::kMostKept);
+  EXPECT_GT(fs::file_size(path("allowed")), ExportPermissions::kMostKept / 2);
+  EXPECT_TRUE(opened(file).allows(first[0]) && opened(file).allows(second[0])) << "the newest";
+  const std::string kept = bytes_of("allowed");
+  EXPECT_TRUE(opened(file).allow(first)) << "nothing has changed";
+  EXPECT_EQ(bytes_of("allowed"), kept);
+}
+
+// Earlier versions did not bound it.
+TEST_F(ExportPermissionsFile, IsReadEvenWhereItIsLargerThanAnyLevel) {
+  fs::resize_file(put("allowed", "{}\n"), kMaxFileBytes + 1);
+  const std::vector<ExportPreset> presets = {preset("a")};
+  ASSERT_TRUE(opened(path("level")).allow(presets));
+  EXPECT_TRUE(opened(path("level")).allows(presets[0]));
+  EXPECT_LE(fs::file_size(path("allowed")), ExportPermissions::kMostKept);
+}
+
+TEST_F(ExportPermissionsFile, SaysOnceWhatItCannotKeep) {
+  const std::vector<ExportPreset> long_one = {
+      preset("b", R"({"x":")" + std::string(ExportPermissions::kMostBytes, 'x') + "\"}")};
+  ExportPermissions permissions = opened(path("level"));
+  const auto told = permissions.allow(long_one);
+  ASSERT_FALSE(told);
+  EXPECT_EQ(told.error(),
+            "Cannot save which exports are allowed, so Talus will ask about them again: the preset b is "
+            "longer than 64 KB.");
+  EXPECT_TRUE(permissions.allow(long_one));
+  EXPECT_FALSE(permissions.allow(std::vector<ExportPreset>{preset("c\xff")}));
+}
+
 TEST(ExportPermissionsStore, DamagedLinesAreLeftOutAndOthersKept) {
   const std::string folder = ::testing::TempDir() + "talus permissions";
   fs::create_directories(folder);

@@ -373,6 +373,38 @@ TEST(ExportRecords, OfSeveralProgramsAreJoined) {
   fs::remove_all(fs::path(file).parent_path());
 }
 
+TEST(ExportRecords, KeepPathsWhateverIsInThem) {
+  const std::string file = ::testing::TempDir() + "talus-paths-" + std::to_string(::getpid()) + "/exports";
+  const std::array<std::string, 4> paths = {"/a\n5 /b", "/\xff/\r\n", "/=", "/ "};
+  ExportRecord record(file);
+  for (const std::string& path : paths) record.note(path, 7);
+  EXPECT_TRUE(record.save());
+  const ExportRecord again(file);
+  for (const std::string& path : paths) EXPECT_TRUE(again.has(path, 7)) << path;
+  EXPECT_FALSE(again.knows("/b"));
+  std::ofstream(file) << "5 /old\nx\n7 =!\n7 =L2IKYw==\n";  // as earlier versions wrote it, and damaged ones
+  EXPECT_TRUE(ExportRecord(file).has("/old", 5));
+  EXPECT_TRUE(ExportRecord(file).has("/b\nc", 7));
+  fs::remove_all(fs::path(file).parent_path());
+}
+
+TEST(ExportRecords, NeverGrowBeyondWhatCanBeRead) {
+  const std::string folder = ::testing::TempDir() + "talus-large-" + std::to_string(::getpid());
+  const std::string file = folder + "/exports";
+  fs::create_directories(folder);
+  const std::string long_name(60'000, 'x');
+  std::ofstream old(file);
+  for (int i = 0; i < 700; ++i) old << "5 /" << i << long_name << '\n';  // 42 MB
+  old.close();
+  ExportRecord record(file);
+  record.note("/new", 7);
+  EXPECT_TRUE(record.save());
+  EXPECT_LE(fs::file_size(file), ExportRecord::kMostBytes);
+  EXPECT_GT(fs::file_size(file), ExportRecord::kMostBytes / 2);
+  EXPECT_TRUE(ExportRecord(file).has("/new", 7));
+  fs::remove_all(folder);
+}
+
 TEST(ExportRecords, WithoutAFileLastAsLongAsTheyAre) {
   ExportRecord record;
   record.note("/a", 1);

@@ -1,5 +1,6 @@
-// One line for each preset, in JSON: {"file": "/home/me/cave.talus.json", "preset": {...}, "place":
-// "/home/me/game"}.
+// One line for each preset, in JSON, the newest at the end: {"file": "/home/me/cave.talus.json", "preset":
+// {...}, "allowed": true, "place": "/home/me/game"}. A path that is not UTF-8 is "file_base64" or
+// "place_base64".
 #include "export_permissions.h"
 
 #include <algorithm>
@@ -13,12 +14,15 @@
 #include "formats/files/held_file.h"
 #include "formats/files/real_path.h"
 #include "formats/native/native_exports.h"
+#include "formats/text/base64.h"
 #include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRead = std::size_t{1} << 30;  // bytes; earlier versions had no bound
 
 struct KeptPermission {
   std::string file;
@@ -27,47 +31,81 @@ struct KeptPermission {
   std::string place = {};
 };
 
+struct StoreLine {
+  std::string text;
+  std::optional<KeptPermission> own = {};  // nothing: it is of another file than the wanted one, or damaged
+};
+
+const std::string kBase64 = "_base64";
+
+void put_path(Json& line, const std::string& key, const std::string& path) {
+  if (is_utf8(path))
+    line[key] = path;
+  else
+    line[key + kBase64] = encode_base64(path);
+}
+
+// Empty: there is none.
+std::string path_in(const Json& line, const std::string& key) {
+  const Json path = line.value(key, Json()), encoded = line.value(key + kBase64, Json());
+  if (path.is_string()) return path.get<std::string>();
+  return encoded.is_string() ? decode_base64(encoded.get_ref<const std::string&>()).value_or("") : "";
+}
+
 std::optional<KeptPermission> permission_of(const std::string& line) {
   const auto json = parse_json(line);
   if (!json || !json->is_object()) return std::nullopt;
   Json presets = Json::array({json->value("preset", Json())});
   const auto read = take_exports(presets);
-  const Json file = json->value("file", Json()), place = json->value("place", Json());
-  if (!read || !file.is_string()) return std::nullopt;
-  return KeptPermission{file.get<std::string>(), read->front(), json->value("allowed", Json()) == Json(true),
-                        place.is_string() ? place.get<std::string>() : ""};
+  if (!read) return std::nullopt;
+  return KeptPermission{path_in(*json, "file"), read->front(), json->value("allowed", Json()) == Json(true),
+                        path_in(*json, "place")};
 }
 
-// Empty: it is not stored.
-std::string line_of(const KeptPermission& kept) {
+// The error says why it cannot be kept.
+tl::expected<std::string, std::string> line_of(const KeptPermission& kept) {
   const auto preset = json_of(std::vector<ExportPreset>{kept.preset});
-  if (!preset || !is_utf8(kept.file) || !is_utf8(kept.place)) return "";
-  Json line = {{"file", kept.file}, {"preset", preset->front()}, {"allowed", kept.is_allowed}};
-  if (!kept.place.empty()) line["place"] = kept.place;
-  std::string text = line.dump();
-  return text.size() > ExportPermissions::kMostBytes ? "" : text;
-}
-
-std::string text_of(const std::vector<KeptPermission>& all) {
-  std::string text;
-  for (const KeptPermission& kept : all) {
-    if (const std::string line = line_of(kept); !line.empty()) text += line + "\n";
+  if (!preset) return tl::unexpected(preset.error().message);
+  Json line = {{"preset", preset->front()}, {"allowed", kept.is_allowed}};
+  put_path(line, "file", kept.file);
+  if (!kept.place.empty()) put_path(line, "place", kept.place);
+  try {
+    std::string text = line.dump();
+    if (text.size() <= ExportPermissions::kMostBytes) return text;
+    return tl::unexpected("is longer than " + std::to_string(ExportPermissions::kMostBytes >> 10) + " KB");
+  } catch (const Json::exception&) {
+    return tl::unexpected<std::string>("is not valid UTF-8");
   }
-  return text;
 }
 
-// Nothing: the file exists but cannot be read.
-std::optional<std::vector<KeptPermission>> read_store(const std::string& store) {
-  std::vector<KeptPermission> all;
+// All lines; only those of the file are parsed, as there may be many. Nothing: the store is there, and cannot
+// be read.
+std::optional<std::vector<StoreLine>> read_store(const std::string& store, const std::string& file) {
+  std::vector<StoreLine> all;
   std::error_code error;
   if (store.empty() || (!fs::exists(store, error) && !error)) return all;
-  const auto text = read_file(store);
+  const auto text = read_file(store, kMostRead);
   if (!text) return std::nullopt;
+  const std::string name = Json(is_utf8(file) ? file : encode_base64(file)).dump();
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);) {
-    if (auto kept = permission_of(line)) all.push_back(*std::move(kept));
+    all.push_back({std::move(line)});
+    if (all.back().text.find(name) == std::string::npos) continue;
+    auto kept = permission_of(all.back().text);
+    if (kept && kept->file == file) all.back().own = *std::move(kept);
   }
   return all;
+}
+
+// The oldest lines go until the others fit.
+std::string text_of(const std::vector<StoreLine>& all) {
+  std::size_t bytes = 0;
+  auto first = all.end();
+  while (first != all.begin() && (bytes += (first - 1)->text.size() + 1) <= ExportPermissions::kMostKept)
+    --first;
+  std::string text;
+  for (; first != all.end(); ++first) text.append(first->text).append("\n");
+  return text;
 }
 
 }  // namespace
@@ -77,10 +115,10 @@ void ExportPermissions::open(const std::string& level_file) {
   key_ = level_file.empty() ? "" : real_path(level_file).value_or("");
   entries_.clear();
   if (key_.empty()) return;
-  auto all = read_store(store_);
-  for (KeptPermission& kept : all ? *all : std::vector<KeptPermission>()) {
-    if (kept.file == key_)
-      entries_.push_back({std::move(kept.preset), kept.is_allowed, std::move(kept.place)});
+  auto all = read_store(store_, key_);
+  for (StoreLine& line : all ? *all : std::vector<StoreLine>()) {
+    if (line.own)
+      entries_.push_back({std::move(line.own->preset), line.own->is_allowed, std::move(line.own->place)});
   }
 }
 
@@ -151,34 +189,38 @@ std::string ExportPermissions::place_of(const ExportPreset& preset) const {
   return output ? real_path(*output).value_or("") : "";
 }
 
-tl::expected<void, std::string> ExportPermissions::remember(std::span<const ExportPreset> presets) const {
+tl::expected<void, std::string> ExportPermissions::remember(std::span<const ExportPreset> presets) {
   if (store_.empty() || key_.empty() || presets.empty()) return {};
   const auto failure = [&](const std::string& why) {
-    return tl::unexpected("Cannot save which exports are allowed, so Talus will ask about them again: " +
-                          store_ + " " + why + ".");
+    return tl::unexpected(
+        "Cannot save which exports are allowed, so Talus will ask about them again: " + why + ".");
   };
   std::error_code ignored;
   fs::create_directories(fs::path(store_).parent_path(), ignored);
   const FileLock lock(store_);
-  auto read = read_store(store_);
-  if (!read) return failure("cannot be read");
-  std::vector<KeptPermission>& all = *read;
-  const std::string before = text_of(all);
+  auto read = read_store(store_, key_);
+  if (!read) return failure(store_ + " cannot be read");
+  std::vector<StoreLine>& all = *read;
+  std::string problem;
+  bool is_changed = false;
   for (const ExportPreset& preset : presets) {
-    const Entry* known = find(preset);
-    if (known == nullptr) continue;
-    auto kept = std::find_if(all.begin(), all.end(),
-                             [&](const KeptPermission& k) { return k.file == key_ && k.preset == preset; });
-    if (kept == all.end()) kept = all.insert(kept, {key_, preset});
-    kept->is_allowed = known->is_allowed;
-    kept->place = known->place;
+    if (find(preset) == nullptr) continue;
+    Entry& known = entry(preset);
+    KeptPermission kept{key_, preset, known.is_allowed, known.place};
+    auto line = line_of(kept);
+    if (!line && !std::exchange(known.is_told, true))
+      problem = "the preset " + preset.name + " " + line.error();
+    if (!line || std::any_of(all.begin(), all.end(), [&](const StoreLine& l) { return l.text == *line; }))
+      continue;
+    std::erase_if(all, [&](const StoreLine& l) { return l.own && l.own->preset == preset; });
+    all.push_back({*std::move(line), std::move(kept)});
+    is_changed = true;
   }
-  if (all.size() > kMostKept)
-    std::erase_if(all, [&](const KeptPermission& kept) { return !fs::exists(kept.file, ignored); });
-  const std::string after = text_of(all);
-  if (after == before) return {};
-  if (const auto written = write_file_atomic(store_, after); !written)
-    return failure(written.error().message);
+  if (is_changed) {
+    if (const auto written = write_file_atomic(store_, text_of(all)); !written)
+      return failure(store_ + " " + written.error().message);
+  }
+  if (!problem.empty()) return failure(problem);
   return {};
 }
 

@@ -21,10 +21,10 @@ inline constexpr const char* kPermissionsFile = "allowed_exports";  // in the st
 
 class ExportPermissions {
  public:
-  static constexpr std::size_t kMostKept = 10'000;  // with more, those of missing files are forgotten
+  static constexpr std::size_t kMostKept = 16
+                                           << 20;  // bytes in the store; with more, the oldest are forgotten
   static constexpr std::size_t kMostBytes = 64
-                                            // Limit for a preset's text; a longer one is asked about again.
-                                            << 10;
+                                            << 10;  // of a preset's text; a longer one is asked about again
 
   // store: where they are kept between starts; empty: nowhere. A store that cannot be read counts as empty.
   explicit ExportPermissions(std::string store = {}) : store_(std::move(store)) {}
@@ -32,7 +32,8 @@ class ExportPermissions {
   // Another level was opened, with this file; empty: it has none. Forgets the permissions of the one before.
   void open(const std::string& level_file);
   // The level was saved there, with these presets: stores which of them are allowed. The error is one
-  // sentence on why that failed; the next start then asks again.
+  // sentence on why that failed; the next start then asks again. A preset that cannot be stored is an error
+  // once.
   tl::expected<void, std::string> save(const std::string& level_file, std::span<const ExportPreset> presets);
   // The user has changed the presets: new ones are allowed.
   void note_edit(std::span<const ExportPreset> before, std::span<const ExportPreset> after);
@@ -54,11 +55,12 @@ class ExportPermissions {
     // level has a file.
     std::string place = {};
     bool is_chosen = false;  // in this session, so that it goes with the level to other files
+    bool is_told = false;    // that it cannot be kept
   };
   const Entry* find(const ExportPreset& preset) const;
   Entry& entry(const ExportPreset& preset);
   std::string place_of(const ExportPreset& preset) const;
-  tl::expected<void, std::string> remember(std::span<const ExportPreset> presets) const;
+  tl::expected<void, std::string> remember(std::span<const ExportPreset> presets);
 
   std::string store_;
   std::string level_file_, key_;  // key_: name of the file in the store; empty: it has none

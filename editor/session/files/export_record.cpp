@@ -1,4 +1,6 @@
-// One line for each file: its content as 16 hexadecimal digits, a blank, its path.
+// One line for each file: its content as 16 hexadecimal digits, a blank, its path. A path with a line break
+// is
+// "=" and Base64; other paths begin with "/".
 #include "export_record.h"
 
 #include <charconv>
@@ -8,6 +10,7 @@
 
 #include "formats/files/atomic_file.h"
 #include "formats/files/held_file.h"
+#include "formats/text/base64.h"
 
 namespace talus {
 namespace {
@@ -20,6 +23,21 @@ std::string whole_record_path(const std::string& path) {
   std::error_code error;
   const fs::path whole = fs::absolute(path, error);
   return (error ? fs::path(path) : whole).lexically_normal().string();
+}
+
+constexpr char kEncoded = '=';
+
+std::string record_line(const std::string& path, std::uint64_t content) {
+  std::ostringstream line;
+  line << std::hex << content << ' ';
+  const bool is_plain = path.find('\n') == std::string::npos && !path.starts_with(kEncoded);
+  line << (is_plain ? path : kEncoded + encode_base64(path)) << '\n';
+  return line.str();
+}
+
+// Empty: it is damaged.
+std::string path_of_text(const std::string& text) {
+  return text.starts_with(kEncoded) ? decode_base64(text.substr(1)).value_or("") : text;
 }
 
 }  // namespace
@@ -38,7 +56,8 @@ bool ExportRecord::refresh() {
     std::uint64_t content = 0;
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), content, kHex);
     const auto at = static_cast<std::size_t>(end - line.data());
-    if (error == std::errc() && at + 1 < line.size()) contents_[line.substr(at + 1)] = content;
+    if (error != std::errc() || at + 1 >= line.size()) continue;
+    if (const std::string path = path_of_text(line.substr(at + 1)); !path.empty()) contents_[path] = content;
   }
   for (const auto& [path, content] : noted_) contents_[path] = content;
   return true;
@@ -70,13 +89,15 @@ tl::expected<void, std::string> ExportRecord::save() {
   if (!refresh()) return failure("cannot be read");
   if (contents_.size() > kMostFiles)
     std::erase_if(contents_, [&](const auto& entry) { return !fs::exists(entry.first, ignored); });
-  std::ostringstream text;
-  for (const auto& [path, content] : contents_) {
-    // A path with a line break would be read as another one.
-    if (path.find('\n') == std::string::npos) text << std::hex << content << ' ' << path << '\n';
+  std::string text;
+  for (const bool is_new : {true, false}) {
+    for (const auto& [path, content] : contents_) {
+      if (noted_.contains(path) != is_new) continue;
+      const std::string line = record_line(path, content);
+      if (is_new || text.size() + line.size() <= kMostBytes) text += line;
+    }
   }
-  if (const auto written = write_file_atomic(file_, text.str()); !written)
-    return failure(written.error().message);
+  if (const auto written = write_file_atomic(file_, text); !written) return failure(written.error().message);
   noted_.clear();
   return {};
 }
