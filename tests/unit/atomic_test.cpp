@@ -116,7 +116,7 @@ TEST_F(AtomicFileTest, LinksCanBeRefused) {
 }
 
 // What comes into the place between the look and the writing is neither written nor replaced.
-TEST_F(AtomicFileTest, OnlyAFileIsReplacedWhateverComesIntoItsPlaceMeanwhile) {
+TEST_F(AtomicFileTest, OnlyAFileIsReplacedWhateverComesMeanwhile) {
   put("outside", "old");
   for (const InPlace in_place : {InPlace::refuse_links, InPlace::follow_links, InPlace::write}) {
     auto late_pipe = StagedFile::write(path("pipe"), "new", in_place);
@@ -179,7 +179,7 @@ TEST_F(AtomicFileTest, ReadingCanBeCancelled) {
   EXPECT_TRUE(read_file(path("a"), kMaxFileBytes, Progress([](double) { return true; })));
 }
 
-TEST_F(AtomicFileTest, DirectoriesAreNotReplacedAndDevicesAreWrittenToWhereTheyAreMeant) {
+TEST_F(AtomicFileTest, DirectoriesStayAndDevicesAreWrittenIfMeant) {
   EXPECT_EQ(write_file_atomic(folder_.string(), "x").error().message, "cannot be written: Is a directory");
   EXPECT_EQ(write_file_atomic(path("none/x"), "x").error().message,
             "cannot be written: No such file or directory");
