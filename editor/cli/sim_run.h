@@ -21,8 +21,8 @@ struct SimOptions {
   PhysicsOptions physics;
 };
 
-// Where the trace goes: a file, a pipe, standard output or nowhere. A failure to write makes the command fail.
-// finish() puts a file in its place, whole; without it an older file stays.
+// Where the trace goes: a file, a pipe, standard output or nowhere. A failure to write makes the command
+// fail. finish() puts a file in its place, whole; without it an older file stays.
 class TraceFile {
  public:
   TraceFile(CommandContext& context, const SimOptions& options);
