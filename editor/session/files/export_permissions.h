@@ -21,10 +21,9 @@ inline constexpr const char* kPermissionsFile = "allowed_exports";  // in the st
 
 class ExportPermissions {
  public:
-  static constexpr std::size_t kMostKept = 16
-                                           << 20;  // bytes in the store; with more, the oldest are forgotten
-  static constexpr std::size_t kMostBytes = 64
-                                            << 10;  // of a preset's text; a longer one is asked about again
+  // Limits, bytes: of the store, which then forgets the oldest; and of a preset's text, which is then asked
+  // about again.
+  static constexpr std::size_t kMostKept = 4 << 20, kMostBytes = 64 << 10;
 
   // store: where they are kept between starts; empty: nowhere. A store that cannot be read counts as empty.
   explicit ExportPermissions(std::string store = {}) : store_(std::move(store)) {}

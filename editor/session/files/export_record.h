@@ -14,7 +14,7 @@ class ExportRecord {
  public:
   static constexpr std::size_t kMostFiles = 10'000;  // with more, missing files are forgotten
   static constexpr std::size_t kMostBytes =
-      32 << 20;  // of the record; with more, some older files are forgotten
+      8 << 20;  // of the file; with more, some older entries are forgotten
 
   // file: where it is kept between starts; empty: nowhere. A file that cannot be read counts as empty.
   explicit ExportRecord(std::string file = {});
