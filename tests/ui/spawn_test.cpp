@@ -87,7 +87,7 @@ TEST_F(UiSpawn, StartIsTypedAsNumbers) {
     set((std::string("inspector/start_") + part).c_str(), number);
     ASSERT_TRUE(session().message()) << number;
     EXPECT_EQ(session().message()->text,
-              "Not changed: " + std::string(part) + " is a number from -16777216 to 16777216.");
+              "Not changed: " + std::string(part) + " must be a number from -16777216 to 16777216.");
   }
   EXPECT_EQ(spawn().position, (Vec2{33.5, 56}));
   EXPECT_EQ(spawn().velocity, (Vec2{0, -1.25}));
