@@ -8,11 +8,11 @@
 #include "../collision/outline_compiler.h"
 #include "../formats/text/append_number.h"
 #include "../formats/text/base64.h"
+#include "../formats/text/xml_text.h"
 #include "export_targets.h"
 #include "ground_polygons.h"
 #include "map_png.h"
 #include "plain_data.h"
-#include "xml_text.h"
 
 namespace talus {
 namespace {

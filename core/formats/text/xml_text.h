@@ -11,4 +11,7 @@ namespace talus {
 // left to the writer.
 std::string xml_text(std::string_view text);
 
+// Whether xml_text() leaves the text as it is.
+bool is_xml_text(std::string_view text);
+
 }  // namespace talus

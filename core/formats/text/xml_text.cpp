@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "../formats/text/utf8_text.h"
+#include "utf8_text.h"
 
 namespace talus {
 namespace {
@@ -28,6 +28,21 @@ std::string xml_text(std::string_view text) {
     text.remove_prefix(std::max<std::size_t>(bytes, 1));
   }
   return clean;
+}
+
+bool is_xml_text(std::string_view text) {
+  while (!text.empty()) {
+    const auto byte = static_cast<unsigned char>(text[0]);
+    if (byte >= 32 && byte < 128) {  // nearly all of it, and cheap to tell
+      text.remove_prefix(1);
+      continue;
+    }
+    const auto [code, bytes] = first_code_point(text);
+    if (bytes == 0 || is_forbidden(code)) return false;
+    if (code < 32 && code != '\t' && code != '\n' && code != '\r') return false;
+    text.remove_prefix(bytes);
+  }
+  return true;
 }
 
 }  // namespace talus
