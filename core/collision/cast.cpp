@@ -18,6 +18,11 @@ namespace {
 
 constexpr int kMostColumns = 62;  // cells of a row looked at in one go: a word minus both neighbours
 
+// What is charged for a slice of a long way, with the few cells that an ordinary box leads with. Of a large
+// box, this many rows of cells count 1.
+constexpr std::int64_t kSliceWork = 4;
+constexpr int kRowsPerWork = 4;
+
 // A gap that closes more slowly than by this share of the motion needs twice the precision.
 constexpr int kSlowShare = 16;
 
@@ -73,7 +78,7 @@ class Caster {
       const Real end = from + (to - from) * (Real(i + 1) / Real(slices));
       slice(from + (to - from) * (Real(i) / Real(slices)), end);
       if (best_.t <= end) return;
-      ++work_;
+      work_ += kSliceWork;
       if (budget_ != nullptr && work_ > budget_->left && i + 1 < slices) return give_up(end);
     }
   }
@@ -235,6 +240,7 @@ class Caster {
   void cells_in(Words words, int column, CellSpan rows, Wanted wanted) {
     const bool up = dy_ > 0, right = dx_ > 0;
     const Facing floor = up ? Facing::up : Facing::down, side = right ? Facing::left : Facing::right;
+    work_ += std::max(rows.last - rows.first, 0) / kRowsPerWork;
     for (int row = rows.first; row <= rows.last; ++row) {
       const auto here = words.row(row);
       const std::uint64_t cells = wanted(row);
@@ -268,6 +274,7 @@ class Caster {
     const std::uint64_t above = words.row(row - 1).solid(), below = words.row(row + 1).solid();
     for (; open != 0; open &= open - 1) {
       const int i = std::countr_zero(open);
+      ++work_;
       origin_ = row * terrain_.width() + column + i;
       log_.begin({column + i, row}, facing, 1);
       wall(facing, Real(column + i + (facing == Facing::left ? 0 : 1)) * kTileSide, top, top + kTileSide,
@@ -282,6 +289,7 @@ class Caster {
     while (open != 0) {
       const int first = std::countr_zero(open);
       const int length = std::countr_one(open >> first);
+      ++work_;
       open &= ~(((std::uint64_t{1} << length) - 1) << first);
       Real x0 = Real(column + first) * kTileSide, x1 = Real(column + first + length) * kTileSide;
       const bool open0 = (here.solid() >> (first - 1) & 1) == 0;

@@ -25,10 +25,12 @@ void CellGrid::insert(CellEntry entry, const CellRange& range) {
   }
 }
 
-void CellGrid::remove(ItemId item, const CellRange& range) {
+std::int64_t CellGrid::remove(ItemId item, const CellRange& range) {
+  std::int64_t count = 0;
   for (std::int32_t y = range.top; y <= range.bottom; ++y) {
     for (std::int32_t x = range.left; x <= range.right; ++x) {
       List& entries = list(x, y);
+      count += static_cast<std::int64_t>(entries.size());
       const auto at = std::find_if(entries.begin(), entries.end(),
                                    [item](const CellEntry& entry) { return entry.index == item.index; });
       assert(at != entries.end());
@@ -36,6 +38,7 @@ void CellGrid::remove(ItemId item, const CellRange& range) {
       entries.pop_back();
     }
   }
+  return count;
 }
 
 CellGrid::List& CellGrid::list(std::int32_t x, std::int32_t y) {

@@ -64,7 +64,8 @@ class CellGrid {
   }
 
   void insert(CellEntry entry, const CellRange& range);
-  void remove(ItemId item, const CellRange& range);
+  // Returns how many items there were in these cells, one in several cells counting in each.
+  std::int64_t remove(ItemId item, const CellRange& range);
 
   std::size_t cell_count() const noexcept { return used_; }
   // The longest list that there ever was.

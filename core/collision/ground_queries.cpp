@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "box_on_piece.h"
 #include "cast_rounding.h"
@@ -46,15 +48,19 @@ bool is_box(const BasicRect<Real>& box) {
 // px; nothing of a terrain is further away
 double within_reach(double reach) { return std::min(reach, kMaxCastReach / 2); }
 
-// skip_detailed: leaves out the tiles that slopes lead to.
+// Rows and cells, of which so many are looked at in the time of one unit of work.
+constexpr std::int64_t kCellsPerWork = 2;
+
+// skip_detailed: leaves out the tiles that slopes lead to. looks: counts the rows that are looked at.
 template <class Real>
 bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
-                   bool skip_detailed) {
+                   bool skip_detailed, std::int64_t& looks) {
   const CellBlock block = cells_met(ground, box, -slack).on(ground);
   for (int column = block.left; column <= block.right; column += 64) {
     const int count = std::min(block.right - column + 1, 64);
     typename BasicTerrain<Real>::Window window(ground, column, count);
     for (int row = block.top; row <= block.bottom; ++row) {
+      ++looks;
       const auto here = window.row(row);
       const std::uint64_t tiles = here.solid() & ~(skip_detailed ? here.detailed() : 0);
       if ((tiles & (~std::uint64_t{0} >> (64 - count))) != 0) return true;
@@ -132,6 +138,31 @@ void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
   if (!solid(c.x + 1, c.y)) put(Facing::right, x1, y0, x1, y1);
 }
 
+// overlaps_ground(), which counts the rows and cells that it looks at.
+template <class Real>
+bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot,
+                      std::int64_t& looks) {
+  if (!is_box(box)) return false;
+  const Real slack = slack_of(box);
+  const bool centre = foot == Foot::centre;
+  if (overlaps_tile(ground, box, slack, centre, looks)) return true;
+  if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false, looks)) return true;
+  if (!ground.has_pieces()) return false;
+  // The body of a slope may lie some cells away from its own cell.
+  const CellBlock met = cells_met(ground, box, slack);
+  const TileOutlines& outlines = ground.outlines();
+  const auto [first, last] = outlines.sources_of({Cell{met.left, met.top}, Cell{met.right, met.bottom}});
+  const CellBlock block = CellBlock{first.x, first.y, last.x, last.y}.on(ground);
+  for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
+    for (c.x = block.left; c.x <= block.right; ++c.x) {
+      ++looks;
+      const TileOutline& shape = outlines[ground.tile_at(c)];
+      if (shape.line && !shape.one_way && overlaps_shape(shape, c, box, foot, slack)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach, Foot foot) {
@@ -156,38 +187,30 @@ std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Ve
 
 template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot) {
-  if (!is_box(box)) return false;
-  const Real slack = slack_of(box);
-  const bool centre = foot == Foot::centre;
-  if (overlaps_tile(ground, box, slack, centre)) return true;
-  if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false)) return true;
-  if (!ground.has_pieces()) return false;
-  // The body of a slope may lie some cells away from its own cell.
-  const CellBlock met = cells_met(ground, box, slack);
-  const TileOutlines& outlines = ground.outlines();
-  const auto [first, last] = outlines.sources_of({Cell{met.left, met.top}, Cell{met.right, met.bottom}});
-  const CellBlock block = CellBlock{first.x, first.y, last.x, last.y}.on(ground);
-  for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
-    for (c.x = block.left; c.x <= block.right; ++c.x) {
-      const TileOutline& shape = outlines[ground.tile_at(c)];
-      if (shape.line && !shape.one_way && overlaps_shape(shape, c, box, foot, slack)) return true;
-    }
-  }
-  return false;
+  std::int64_t looks = 0;
+  return overlaps_counted(ground, box, foot, looks);
 }
 
 template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
-                                       Foot foot) {
-  if (!overlaps_ground(ground, box, foot)) return std::nullopt;
+                                       Foot foot, CastBudget* budget) {
+  const std::int64_t most = budget != nullptr ? budget->left : std::numeric_limits<std::int64_t>::max();
+  std::int64_t looks = 0;
+  const auto answer = [&](std::optional<BasicVec2<Real>> way) {
+    if (budget != nullptr) budget->left -= looks / kCellsPerWork;
+    return way;
+  };
+  if (!overlaps_counted(ground, box, foot, looks)) return answer(std::nullopt);
   const Real slack = slack_of(box);
   std::vector<Exit<Real>> exits;
   const auto consider = [&](const Piece<Real>& piece) {
+    ++looks;
     if (const auto exit = exit_past(ground, piece, box, foot, slack)) exits.push_back(*exit);
   };
   const CellBlock block = cells_met(ground, box, slack).on(ground);
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
+      ++looks;
       if (ground.is_detailed(c)) {
         for (const Piece<Real>& piece : ground.pieces_in(c)) consider(piece);
       } else if (ground.is_solid(c)) {
@@ -205,16 +228,18 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
               exits.end());
   if (exits.size() > kMostExits) exits.resize(kMostExits);
   for (const Exit<Real>& exit : exits) {
+    if (looks / kCellsPerWork > most) break;
     const BasicRect<Real> there{box.x + exit.motion.x, box.y + exit.motion.y, box.w, box.h};
-    if (!overlaps_ground(ground, there, foot)) return exit.motion;
+    if (!overlaps_counted(ground, there, foot, looks)) return answer(exit.motion);
   }
-  return std::nullopt;
+  return answer(std::nullopt);
 }
 
 template bool overlaps_ground(const BasicTerrain<double>&, const BasicRect<double>&, Foot);
 template bool overlaps_ground(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
-template std::optional<BasicVec2<double>> way_out(const BasicTerrain<double>&, const BasicRect<double>&,
-                                                  Foot);
-template std::optional<BasicVec2<float>> way_out(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
+template std::optional<BasicVec2<double>> way_out(const BasicTerrain<double>&, const BasicRect<double>&, Foot,
+                                                  CastBudget*);
+template std::optional<BasicVec2<float>> way_out(const BasicTerrain<float>&, const BasicRect<float>&, Foot,
+                                                 CastBudget*);
 
 }  // namespace talus

@@ -34,9 +34,10 @@ template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot = Foot::box);
 
 // The shortest straight way out of the ground: along x or y, and past one piece of the outline. Returns
-// nothing if the box is not in the ground, or if none of the shortest 1024 ways frees it.
+// nothing if the box is not in the ground, or if none of the shortest 1024 ways frees it. budget: what it
+// looks at is taken from it; where it is used up, nothing is returned. Null: none.
 template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
-                                       Foot foot = Foot::box);
+                                       Foot foot = Foot::box, CastBudget* budget = nullptr);
 
 }  // namespace talus

@@ -119,7 +119,11 @@ class World::Checker {
   // Whether a leg may look for contacts. If not, the check gives up.
   bool may_look(Vec2 from, Vec2 goal) {
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
-    tests_ += impl_.charge_of(impl_.cells_of(swept_bounds(sweep)), hits_.size() >= kFreeLegs);
+    const CellRange range = impl_.cells_of(swept_bounds(sweep));
+    const std::int64_t left = impl_.most_tests - tests_;
+    tests_ += impl_.charge_of(range, hits_.size() >= kFreeLegs, left);
+    // To reckon what many cells hold takes a look at each.
+    if (range.count() > Impl::kFewCells) impl_.looks += std::min(range.count(), left);
     if (tests_ > impl_.most_tests) impl_.gave_up = true;
     return !impl_.gave_up;
   }
@@ -166,10 +170,23 @@ class World::Checker {
         first_contact = contact;
       }
     };
+    const Rect bounds = swept_bounds(sweep);
+    const CellRange range = impl_.cells_of(bounds);
+    const bool is_near = near_cells_.covers(range) && bounds.x >= near_area_.x && bounds.y >= near_area_.y &&
+                         bounds.right() <= near_area_.right() && bounds.bottom() <= near_area_.bottom();
+    const std::int64_t looks = impl_.looks;
+    if (!is_near) look_around(bounds, range);
     if constexpr (Choice::kIsTable) {
-      for_near_contacts(sweep, take);
+      if (!is_near) gather(bounds, range);
+      for_near_contacts(sweep, range, take);
     } else {
       impl_.for_contacts(sweep, self_, reaction(), take);
+    }
+    // Both count alike.
+    if (is_near) {
+      impl_.looks = looks + near_looks_;
+    } else {
+      near_looks_ = impl_.looks - looks;
     }
     if (first == Impl::kNoSlot) return false;
     append(impl_.collision(sweep, item_, first, first_response, first_contact));
@@ -180,12 +197,7 @@ class World::Checker {
   // candidates are kept. A kept candidate counts only if this leg's own cells hold it, as a new look-up would
   // find.
   template <class Found>
-  void for_near_contacts(const Sweep& sweep, Found found) {
-    const Rect bounds = swept_bounds(sweep);
-    const CellRange range = impl_.cells_of(bounds);
-    const bool is_near = near_cells_.covers(range) && bounds.x >= near_area_.x && bounds.y >= near_area_.y &&
-                         bounds.right() <= near_area_.right() && bounds.bottom() <= near_area_.bottom();
-    if (!is_near) gather(bounds, range);
+  void for_near_contacts(const Sweep& sweep, const CellRange& range, Found found) {
     for (const Impl::Near& near : *near_) {
       const Sides difference = minkowski_difference(sweep.box, near.rect);
       if (misses(difference, sweep.d)) continue;
@@ -198,12 +210,20 @@ class World::Checker {
     }
   }
 
-  // Keeps what a leg within `bounds` and its cells can hit. The margins are far larger than what rounding
-  // adds to a leg, or bump's tolerance to a contact.
-  void gather(const Rect& bounds, const CellRange& range) {
-    const double gain = 1e-4 + 1e-9 * (std::abs(bounds.x) + std::abs(bounds.y) + bounds.w + bounds.h);
+  // The margins are far larger than what rounding adds to a leg, or bump's tolerance to a contact.
+  static double margin_of(const Rect& bounds) {
+    return 1e-4 + 1e-9 * (std::abs(bounds.x) + std::abs(bounds.y) + bounds.w + bounds.h);
+  }
+
+  void look_around(const Rect& bounds, const CellRange& range) {
+    const double gain = margin_of(bounds);
     near_area_ = {bounds.x - gain, bounds.y - gain, bounds.w + 2 * gain, bounds.h + 2 * gain};
     near_cells_ = range;
+  }
+
+  // Keeps what a leg within near_area_ and near_cells_, of `bounds` and its cells, can hit.
+  void gather(const Rect& bounds, const CellRange& range) {
+    const double gain = margin_of(bounds);
     near_->clear();
     const Sides reach{bounds.x - 2 * gain, bounds.y - 2 * gain, bounds.right() + 2 * gain,
                       bounds.bottom() + 2 * gain};
@@ -284,6 +304,7 @@ class World::Checker {
   ScratchPool<Impl::Near>::Lease near_;  // what can be hit within near_area_ and near_cells_
   Rect near_area_;
   CellRange near_cells_;
+  std::int64_t near_looks_ = 0;  // that the look into them took
   std::size_t first_visit_;
   std::int64_t tests_ = 0;  // work charged so far
   // one bit for each met item, by its index modulo 64: spares most looks at the item

@@ -12,6 +12,9 @@ namespace {
 // After this many steps the block of cells around a segment replaces its way through the grid.
 constexpr std::int64_t kMaxSegmentSteps = std::int64_t{1} << 20;
 
+// Items of a cell that are passed in the time of one look, when one of them leaves it.
+constexpr std::int64_t kEntriesPerLook = 8;
+
 // The number as Lua prints it.
 std::string number_text(double v) {
   char text[32];
@@ -104,7 +107,7 @@ void World::Impl::place(std::uint32_t slot, const Rect& rect) {
                      " cells of the grid: its cells are too small for them.");
   }
   if (!(cells == item.cells)) {
-    grid.remove(id_of(slot), item.cells);
+    looks += grid.remove(id_of(slot), item.cells) / kEntriesPerLook + cells.count();
     grid.insert(CellEntry::of(id_of(slot), item.group), cells);
     item.cells = cells;
     covered = covered_then;
@@ -187,7 +190,7 @@ void World::update(ItemId item, Vec2 position) {
 }
 
 void World::project(ItemId item, Rect rect, Vec2 goal, Filter filter, std::vector<Collision>& hits) const {
-  const Impl& w = *impl_;
+  Impl& w = *impl_;
   w.check_rect(rect);
   hits.clear();
   const Sweep sweep(rect, goal);
@@ -210,7 +213,7 @@ void World::query_segment(Vec2 from, Vec2 to, std::vector<SegmentHit>& out) cons
 }
 
 void World::query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) const {
-  const Impl& w = *impl_;
+  Impl& w = *impl_;
   w.check_rect(rect);
   out.clear();
   w.for_candidates(w.cells_of(rect), Impl::kNoSlot, [&](std::span<const CellEntry> candidates) {
@@ -222,7 +225,7 @@ void World::query_rect(Rect rect, ItemFilter filter, std::vector<ItemId>& out) c
 }
 
 void World::query_point(Vec2 point, ItemFilter filter, std::vector<ItemId>& out) const {
-  const Impl& w = *impl_;
+  Impl& w = *impl_;
   out.clear();
   const double x = point.x / w.cell_size;
   const double y = point.y / w.cell_size;
@@ -336,6 +339,7 @@ void World::query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<Seg
 
 void World::set_most_tests(std::int64_t count) { impl_->most_tests = std::max<std::int64_t>(count, 1); }
 bool World::gave_up() const noexcept { return impl_->gave_up; }
+std::int64_t World::looks() const noexcept { return impl_->looks; }
 
 bool World::has(ItemId item) const noexcept { return impl_->has(item); }
 Rect World::rect(ItemId item) const { return impl_->rects[impl_->checked_slot(item)]; }

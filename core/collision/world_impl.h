@@ -85,7 +85,8 @@ struct World::Impl {
   std::vector<NamedResponse> responses;
 
   std::int64_t most_tests = World::kMostTests;
-  bool gave_up = false;  // whether the last check gave up
+  bool gave_up = false;    // whether the last check gave up
+  std::int64_t looks = 0;  // see World::looks()
 
   std::uint32_t depth = 0;  // of nested checks
   std::vector<Visit> visits;
@@ -116,14 +117,14 @@ struct World::Impl {
   // of at most kBatch.
   static constexpr std::size_t kBatch = 64;
   template <class Callback>
-  void for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const;
+  void for_candidates(const CellRange& range, std::uint32_t except, Callback visit);
 
   // The work charged for a look at a range of cells. Unless `all` is wanted, the usual is free: a few cells
   // with a few items each. It depends on the items alone, not on how they came to be where they are.
-  std::int64_t charge_of(const CellRange& range, bool all) const {
+  std::int64_t charge_of(const CellRange& range, bool all, std::int64_t most) const {
     if (is_long(range)) return static_cast<std::int64_t>(items.size());
     const std::int64_t cells = all || range.count() > kFewCells ? range.count() : 0;
-    if (!all && grid.longest_list() <= kFewInCell) return cells;
+    if (cells > most || (!all && grid.longest_list() <= kFewInCell)) return cells;
     std::int64_t entries = 0;
     for (std::int32_t y = range.top; y <= range.bottom; ++y) {
       for (std::int32_t x = range.left; x <= range.right; ++x) {
@@ -138,7 +139,7 @@ struct World::Impl {
   // Calls found(slot, response, contact) for every contact of the sweep with an item other than `self` that
   // reaction(entry) does not ignore; in no particular order.
   template <class Reaction, class Found>
-  void for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const;
+  void for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found);
 
   // The order of contacts: time, then distance from the mover's start, then age.
   struct Rank {
@@ -168,7 +169,7 @@ struct World::Impl {
 // Candidates are picked without branches: each one is written, and then counted or not. Which ones count is
 // as good as random, and a mispredicted branch costs as much as several candidates.
 template <class Callback>
-void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, Callback visit) const {
+void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, Callback visit) {
   std::array<CellEntry, kBatch> batch;
   std::size_t count = 0;
   const std::uint32_t except_index = except + 1;
@@ -180,14 +181,17 @@ void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, C
     return std::size_t{0};
   };
   if (is_long(range)) {
+    looks += static_cast<std::int64_t>(items.size());
     for (std::uint32_t slot = 0; slot < items.size(); ++slot) {
       count = take(count, CellEntry::of(id_of(slot), items[slot].group), items[slot].cells.meets(range));
     }
   } else {
+    looks += range.count();
     for (std::int32_t y = range.top; y <= range.bottom; ++y) {
       for (std::int32_t x = range.left; x <= range.right; ++x) {
         const CellGrid::List* list = grid.find(x, y);
         if (!list) continue;
+        looks += static_cast<std::int64_t>(list->size());
         // An item of several cells counts in the first one that it shares with the range.
         const std::uint32_t needed =
             (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
@@ -199,7 +203,7 @@ void World::Impl::for_candidates(const CellRange& range, std::uint32_t except, C
 }
 
 template <class Reaction, class Found>
-void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) const {
+void World::Impl::for_contacts(const Sweep& sweep, std::uint32_t self, Reaction reaction, Found found) {
   for_candidates(cells_of(swept_bounds(sweep)), self, [&](std::span<const CellEntry> candidates) {
     struct Tested {
       std::uint32_t slot;

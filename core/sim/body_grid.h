@@ -20,42 +20,27 @@ class BodyGrid {
     for (std::size_t i = 0; i < bodies.size(); ++i) place(static_cast<std::uint32_t>(i), bodies[i].box);
   }
 
-  void place(std::uint32_t index, const Rect& box) {
+  // Returns the work that it took: cells, and what had to be passed in them.
+  std::int64_t place(std::uint32_t index, const Rect& box) {
     if (index >= placed_.size()) placed_.resize(index + 1);
     const CellRange range = cells_of(box);
     CellRange& old = placed_[index];
-    if (range == old) return;
-    if (!old.empty()) grid_.remove(ItemId{index, 1}, old);
-    grid_.insert(CellEntry::of(ItemId{index, 1}, 0), range);
+    if (range == old) return 0;
+    const std::int64_t work = leave(index, old) + enter(index, range);
     old = range;
+    return work;
   }
 
-  // Finds the bodies in the cells that the box meets, in order, each once. Returns false, and no bodies, if
-  // there are more than `most`; a body counts once for each of its cells.
-  bool near(const Rect& box, std::int64_t most, std::vector<std::uint32_t>& found) const {
+  // Finds the bodies in the cells that the box meets, in order, each once. Every cell and body that it looks
+  // at is taken from `left`. Returns false, and no bodies, if there is not enough left.
+  bool near(const Rect& box, std::int64_t& left, std::vector<std::uint32_t>& found) const {
     found.clear();
     const CellRange range = cells_of(box);
-    // A long way may sweep more cells than there are bodies.
-    if (range.count() > static_cast<std::int64_t>(64 + 4 * placed_.size())) {
-      for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-        if (placed_[i].meets(range)) found.push_back(i);
-      }
-      if (static_cast<std::int64_t>(found.size()) <= most) return true;
+    const bool enough = look(range, left, found);
+    if (!enough || left < 0) {
+      left = 0;
       found.clear();
       return false;
-    }
-    std::int64_t count = 0;
-    for (std::int32_t y = range.top; y <= range.bottom; ++y) {
-      for (std::int32_t x = range.left; x <= range.right; ++x) {
-        const CellGrid::List* list = grid_.find(x, y);
-        if (list == nullptr) continue;
-        count += static_cast<std::int64_t>(list->size());
-        if (count > most) {
-          found.clear();
-          return false;
-        }
-        for (const CellEntry& entry : *list) found.push_back(entry.index);
-      }
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -64,10 +49,66 @@ class BodyGrid {
 
  private:
   static constexpr double kSide = 16;  // px, of a cell: twice the article's ball
+  // Of one body in the grid. Larger ones are in a list, as thousands of them would fill millions of cells.
+  static constexpr std::int64_t kMostCells = 64;
+  // Bodies whose places are compared, or that are passed in a list, in the time of one unit of work.
+  static constexpr std::int64_t kPlacesPerWork = 8;
+
+  static std::int64_t work_of_places(std::size_t count) {
+    return static_cast<std::int64_t>(count) / kPlacesPerWork;
+  }
+
+  std::int64_t enter(std::uint32_t index, const CellRange& range) {
+    if (range.count() <= kMostCells) {
+      grid_.insert(CellEntry::of(ItemId{index, 1}, 0), range);
+      return range.count();
+    }
+    large_.push_back(index);
+    return 1;
+  }
+
+  std::int64_t leave(std::uint32_t index, const CellRange& range) {
+    if (range.empty()) return 0;
+    if (range.count() <= kMostCells) return grid_.remove(ItemId{index, 1}, range) / kPlacesPerWork;
+    const std::size_t passed = large_.size();
+    large_.erase(std::find(large_.begin(), large_.end(), index));
+    return work_of_places(passed);
+  }
+
+  // False: it ended before it had found all.
+  bool look(const CellRange& range, std::int64_t& left, std::vector<std::uint32_t>& found) const {
+    // A long way may sweep more cells than there are bodies.
+    if (range.count() > static_cast<std::int64_t>(64 + 4 * placed_.size())) {
+      left -= work_of_places(placed_.size());
+      if (left < 0) return false;
+      for (std::uint32_t i = 0; i < placed_.size(); ++i) {
+        if (placed_[i].meets(range)) found.push_back(i);
+      }
+      left -= static_cast<std::int64_t>(found.size());
+      return true;
+    }
+    left -= range.count() + work_of_places(large_.size());
+    if (left < 0) return false;
+    for (const std::uint32_t i : large_) {
+      if (placed_[i].meets(range)) found.push_back(i);
+    }
+    left -= static_cast<std::int64_t>(found.size());
+    for (std::int32_t y = range.top; y <= range.bottom; ++y) {
+      for (std::int32_t x = range.left; x <= range.right; ++x) {
+        const CellGrid::List* list = grid_.find(x, y);
+        if (list == nullptr) continue;
+        left -= static_cast<std::int64_t>(list->size());
+        if (left < 0) return false;
+        for (const CellEntry& entry : *list) found.push_back(entry.index);
+      }
+    }
+    return true;
+  }
 
   void clear() {
     grid_ = CellGrid();
     placed_.clear();
+    large_.clear();
   }
   static CellRange cells_of(const Rect& box) {
     const auto cell = [](double at) { return static_cast<std::int32_t>(std::floor(at / kSide)); };
@@ -75,7 +116,8 @@ class BodyGrid {
   }
 
   CellGrid grid_;
-  std::vector<CellRange> placed_;  // by index
+  std::vector<CellRange> placed_;     // by index
+  std::vector<std::uint32_t> large_;  // indices of those in no cell, in no order
 };
 
 }  // namespace talus

@@ -60,19 +60,25 @@ class RestMemo {
   const Contact<Real>* find(const Cast<Real>& fall) const {
     return known_ && foot_ == fall.foot && box_ == fall.box ? &contact_ : nullptr;
   }
-  void keep(const Cast<Real>& fall, const Contact<Real>& contact) {
+  // False: the box did not touch the ground, and nothing is kept.
+  bool keep(const Cast<Real>& fall, const Contact<Real>& contact) {
     known_ = contact.t == 0;
-    if (!known_) return;
+    if (!known_) return false;
     box_ = fall.box;
     foot_ = fall.foot;
     contact_ = contact;
+    return true;
   }
+  // What finding the answer takes of a budget, whether it is known or not: that of a fall of two cells.
+  std::int64_t work() const { return work_; }
+  void set_work(std::int64_t work) { work_ = work; }
 
  private:
   bool known_ = false;
   Foot foot_ = Foot::box;
   BasicRect<Real> box_;
   Contact<Real> contact_;
+  std::int64_t work_ = 0;
 };
 
 template <class Real>
@@ -110,6 +116,7 @@ class Mover {
         result.cut_short = true;
         break;
       }
+      if (budget_ != nullptr) --budget_->left;
       const Contact<Real>& contact = first_contact({body.box, motion, body.foot}, followed);
       if (!contact && budget_ != nullptr && budget_->seen < 1) {
         advance(body, motion * static_cast<Real>(budget_->seen));
@@ -156,10 +163,21 @@ class Mover {
   const Contact<Real>& first_contact(const Cast<Real>& cast, const Piece<Real>* followed) {
     const bool may_rest = rest_ != nullptr && followed == nullptr && RestMemo<Real>::is_fall(cast);
     if (may_rest) {
-      if (const Contact<Real>* known = rest_->find(cast)) return *known;
+      if (const Contact<Real>* known = rest_->find(cast)) {
+        if (budget_ != nullptr) budget_->left -= rest_->work();
+        return *known;
+      }
     }
+    const std::int64_t left = budget_ != nullptr ? budget_->left : 0;
     contact_ = cast_box(terrain_, cast, others_, followed, budget_);
-    if (may_rest) rest_->keep(cast, contact_);
+    if (may_rest && rest_->keep(cast, contact_) && budget_ != nullptr) {
+      CastBudget whole;
+      const std::int64_t most = whole.left;
+      const Cast<Real> fall{cast.box, {0, 2 * kTileSide}, cast.foot};
+      cast_box(terrain_, fall, others_, followed, &whole);
+      rest_->set_work(most - whole.left);
+      budget_->left = left - rest_->work();
+    }
     return contact_;
   }
 

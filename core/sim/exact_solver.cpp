@@ -45,7 +45,9 @@ class ExactSolver final : public Solver {
       rests_.resize(state.bodies.size());
     }
     take_mouse(state, input, [&] { return body_at(state, input.mouse); });
+    step_budget_ = StepBudget(state.bodies.size());
     for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
+    if (record_ != nullptr) record_->work = step_budget_.spent();
     ++state.frame;
   }
 
@@ -64,7 +66,8 @@ class ExactSolver final : public Solver {
     Moving<Real> moving{narrow(body.box), narrow(body.velocity), body.foot};
     if (record_ != nullptr)
       record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
-    budget_ = {max_work_per_body(state.bodies.size())};
+    const std::int64_t part = step_budget_.part();
+    budget_ = {part};
     if (!body.is_clear) leave_ground(moving);
     order_ = 0;
 
@@ -86,7 +89,9 @@ class ExactSolver final : public Solver {
     body.box = widen(moving.box);
     body.velocity = widen(moving.velocity);
     body.is_clear = true;
-    if (pairs_ && !(before == body.box)) grid_.place(static_cast<std::uint32_t>(index), body.box);
+    step_budget_.spend(part - budget_.left);
+    if (pairs_ && !(before == body.box))
+      step_budget_.spend(grid_.place(static_cast<std::uint32_t>(index), body.box));
     if (record_ != nullptr) record_->paths.back().to = body.box;
   }
 
@@ -149,7 +154,10 @@ class ExactSolver final : public Solver {
 
   // The level ground straight below, within `reach`.
   Contact<Real> floor_under(const State& state, std::size_t index, const Moving<Real>& moving, Real reach) {
-    if (!gather(state, index, moving, {0, reach})) return {};
+    if (budget_.left <= 0 || !gather(state, index, moving, {0, reach})) {
+      note_cut_short();
+      return {};
+    }
     Contact<Real> floor =
         cast_box<Real>(ground_, {moving.box, {0, reach}, moving.foot}, others_, nullptr, &budget_);
     if (floor && !is_level(floor, numbers_.steepest)) floor.t = std::numeric_limits<Real>::infinity();
@@ -183,10 +191,7 @@ class ExactSolver final : public Solver {
     const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
     const Rect box = widen(moving.box);
     const Rect around{box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length};
-    if (!grid_.near(around, budget_.left, near_)) {
-      budget_.left = 0;
-      return false;
-    }
+    if (!grid_.near(around, budget_.left, near_)) return false;
     others_.clear();
     other_bodies_.clear();
     for (const std::uint32_t i : near_) {
@@ -201,7 +206,8 @@ class ExactSolver final : public Solver {
   void leave_ground(Moving<Real>& moving) {
     const double columns = moving.box.w / kTileSide + 2, rows = moving.box.h / kTileSide + 2;
     if (columns * rows > static_cast<double>(budget_.left)) return note_cut_short();
-    const auto out = way_out(ground_, moving.box, moving.foot);
+    const auto out = way_out(ground_, moving.box, moving.foot, &budget_);
+    if (budget_.left <= 0) note_cut_short();
     if (!out) return;
     moving.box.x += out->x;
     moving.box.y += out->y;
@@ -290,8 +296,9 @@ class ExactSolver final : public Solver {
   const std::span<const BodyTraits> kinds_;  // by BodyKind
   const bool pairs_;                         // whether bodies block one another
   const int max_passes_, substeps_;
-  const Real part_;    // length of a sub-step in steps
-  CastBudget budget_;  // of the body that moves
+  const Real part_;  // length of a sub-step in steps
+  StepBudget step_budget_;
+  CastBudget budget_;  // of the body that moves: its part of the step's
   BodyGrid grid_;
   std::vector<std::uint32_t> near_;        // indices of bodies
   std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves

@@ -6,6 +6,7 @@ void StepRecord::clear() {
   paths.clear();
   contacts.clear();
   tested.clear();
+  work = 0;
 }
 
 }  // namespace talus

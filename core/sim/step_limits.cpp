@@ -4,9 +4,13 @@
 
 namespace talus {
 
-std::int64_t max_work_per_body(std::size_t bodies) {
-  const auto share = kMostStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
-  return std::clamp(share, kLeastBodyWork, kMostBodyWork);
+StepBudget::StepBudget(std::size_t bodies) {
+  const auto equal = kMostStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
+  most_of_body_ = std::clamp(2 * equal, kLeastBodyWork, kMostBodyWork);
+}
+
+std::int64_t StepBudget::part() const {
+  return std::clamp<std::int64_t>(kMostStepWork - spent_, 0, most_of_body_);
 }
 
 Vec2 within_limits(Vec2 from, Vec2 goal) {

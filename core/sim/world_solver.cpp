@@ -5,10 +5,15 @@
 #include "../collision/sweep.h"
 #include "lerp.h"
 #include "mouse.h"
-#include "step_limits.h"
 
 namespace talus {
 namespace {
+
+// Cells and boxes of the world that are looked at in the time of one unit of work.
+constexpr std::int64_t kLooksPerWork = 2;
+
+// Boxes that a record keeps as tested; those of more bodies than anybody looks at would fill the memory.
+constexpr std::size_t kMostTested = 2'097'152;
 
 Slope slope_of(const SceneItem& item) {
   if (!item.line) return {item.box, slope_direction(item.role)};
@@ -93,13 +98,13 @@ void WorldSolver::synchronise(const State& state) {
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     if (placed_[i].box != state.bodies[i].box) place(placed_[i], state.bodies[i].box);
   }
+  budget_ = StepBudget(state.bodies.size());
 }
 
 void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
   record_ = record;
   if (record_ != nullptr) record_->clear();
   synchronise(state);
-  world_.set_most_tests(max_work_per_body(state.bodies.size()));
   take_mouse(state, input, [&] { return body_at(state, input.mouse); });
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     Body& body = state.bodies[i];
@@ -111,6 +116,7 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
     }
     if (record_ != nullptr) record_->paths.back().to = body.box;
   }
+  if (record_ != nullptr) record_->work = budget_.spent();
   ++state.frame;
 }
 
@@ -145,8 +151,9 @@ void WorldSolver::move(Body& body, Placed& placed, Vec2 wanted) {
     const bool limited = goal != wanted;
     record_->paths.push_back({.body = body.id, .from = body.box, .goal = goal, .to = {}, .limited = limited});
   }
-  const Vec2 at = run(placed, goal);
-  if (record_ != nullptr) record_->paths.back().cut_short = world_.gave_up();
+  const auto way = run(placed, goal);
+  if (record_ != nullptr) record_->paths.back().cut_short = !way.has_value();
+  const Vec2 at = way.value_or(body.box.position());
   body.box.x = at.x;
   body.box.y = at.y;
   place(placed, body.box);
@@ -154,20 +161,39 @@ void WorldSolver::move(Body& body, Placed& placed, Vec2 wanted) {
 }
 
 // The table and the function give the same answers; the function also records what is tested.
-Vec2 WorldSolver::run(const Placed& placed, Vec2 goal) {
+std::optional<Vec2> WorldSolver::run(const Placed& placed, Vec2 goal) {
   if (record_ == nullptr) return check(placed, goal, moving_, hits_);
-  const auto noting = [&](ItemId, ItemId other) {
-    note_test(placed.id, other);
-    return moving_[entries_[other.index].group];
-  };
-  return placed.item ? world_.check(placed.item, goal, noting, hits_)
-                     : world_.check(placed.box, goal, noting, hits_);
+  return within_budget(hits_, [&] {
+    const auto noting = [&](ItemId, ItemId other) {
+      note_test(placed.id, other);
+      return moving_[entries_[other.index].group];
+    };
+    return placed.item ? world_.check(placed.item, goal, noting, hits_)
+                       : world_.check(placed.box, goal, noting, hits_);
+  });
 }
 
-Vec2 WorldSolver::check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
-                        std::vector<Collision>& hits) const {
-  return placed.item ? world_.check(placed.item, goal, responses, hits)
-                     : world_.check(placed.box, goal, responses, hits);
+std::optional<Vec2> WorldSolver::check(const Placed& placed, Vec2 goal,
+                                       const World::GroupResponses& responses, std::vector<Collision>& hits) {
+  return within_budget(hits, [&] {
+    return placed.item ? world_.check(placed.item, goal, responses, hits)
+                       : world_.check(placed.box, goal, responses, hits);
+  });
+}
+
+// What look() returns, which may look at no more than is left; nothing, and no hits: that is too little.
+std::optional<Vec2> WorldSolver::within_budget(std::vector<Collision>& hits, FunctionRef<Vec2()> look) {
+  const std::int64_t part = budget_.part();
+  if (part == 0) {
+    hits.clear();
+    return std::nullopt;
+  }
+  const std::int64_t looks = world_.looks();
+  world_.set_most_tests(part);
+  const Vec2 at = look();
+  budget_.spend(1 + (world_.looks() - looks) / kLooksPerWork);
+  if (world_.gave_up()) return std::nullopt;
+  return at;
 }
 
 void WorldSolver::place(Placed& placed, const Rect& box) {
@@ -184,7 +210,7 @@ Obstacle WorldSolver::obstacle(ItemId item) const {
 // A body's way is tested again after each response; its candidates are recorded once.
 void WorldSolver::note_test(int body, ItemId other) {
   std::uint64_t& mark = tested_marks_[other.index];
-  if (mark == test_mark_) return;
+  if (mark == test_mark_ || record_->tested.size() == kMostTested) return;
   mark = test_mark_;
   record_->tested.push_back({body, obstacle(other)});
 }

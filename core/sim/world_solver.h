@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <talus/collision/world.h>
 #include <talus/sim/solver.h>
 #include "slope.h"
+#include "step_limits.h"
 
 namespace talus {
 
@@ -42,13 +44,15 @@ class WorldSolver : public Solver {
   virtual void fall(Body& body, Placed& placed) = 0;
   virtual void drag(Body& body, Placed& placed, const Input& input) = 0;
 
-  // The world is only a cache of the state. Differences are brought up to date, so a step depends only on its
-  // arguments.
+  // The world is only a cache of the state: whatever differs is brought up to date, so that a step depends on
+  // nothing but its arguments. The budget is a step's again.
   void synchronise(const State& state);
-  void pull(Body& body) const;                         // lets gravity and drag change the velocity
-  void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_ and the record
-  Vec2 check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
-             std::vector<Collision>& hits) const;
+  void pull(Body& body) const;                         // gravity and drag change the velocity
+  void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_, and the record
+  // Where a look for contacts ends, which the step's budget is charged for. Nothing, and no hits: it is used
+  // up.
+  std::optional<Vec2> check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
+                            std::vector<Collision>& hits);
   void place(Placed& placed, const Rect& box);
   void limit_velocity(Body& body);
   ContactRecord* contact_of_hit(std::size_t i);  // null if nobody records
@@ -64,7 +68,8 @@ class WorldSolver : public Solver {
   void rebuild(const State& state);
   ItemId add(const Rect& box, const Entry& entry);
   int body_at(const State& state, Vec2 point);
-  Vec2 run(const Placed& placed, Vec2 goal);
+  std::optional<Vec2> run(const Placed& placed, Vec2 goal);
+  std::optional<Vec2> within_budget(std::vector<Collision>& hits, FunctionRef<Vec2()> look);
   Obstacle obstacle(ItemId item) const;
   void note_test(int body, ItemId other);
   void note_contacts(int body);
@@ -72,6 +77,7 @@ class WorldSolver : public Solver {
   std::shared_ptr<const Scene> scene_;
   double cell_size_;  // px
   World world_;
+  StepBudget budget_;  // of the step under way
   World::ResponseFunction slope_response_;
   World::GroupResponses moving_;  // how a moving body reacts to each group
   std::vector<Entry> entries_;    // by ItemId::index

@@ -7,6 +7,8 @@
 #include "debug/explain.h"
 #include "debug/metrics.h"
 #include "level_picture.h"
+#include "sim/body_grid.h"
+#include "sim/step_limits.h"
 
 namespace talus::step_work_test {
 
@@ -112,6 +114,108 @@ TEST(StepWork, LargeBodiesInsideOfTheGroundAreStepped) {
   Steps many(level);
   many.step();
   EXPECT_TRUE(many.cut_short(1));
+}
+
+// What all bodies look at together, one after the other, is counted; the last one may go beyond by what it
+// looks at in one go.
+void expect_bounded(const char* what, Level level) {
+  for (const SolverKind solver : kSolvers) {
+    level.tuning.solver = solver;
+    Steps run(level);
+    for (int i = 0; i < 2; ++i) {
+      run.step();
+      EXPECT_GT(run.record.work, 0) << what << ", " << solver_name(solver);
+      EXPECT_LE(run.record.work, kMostStepWork + kMostBodyWork) << what << ", " << solver_name(solver);
+    }
+    expect_same_without_record(level, run);
+  }
+}
+
+Level many(int bodies, double side, double speed) {
+  Level level = level_of({"#.........", "..........", "##########"});
+  level.map = TileMap(120, 60);
+  for (int i = 0; i < 120; ++i) level.map.set({i, 59 - i % 7}, 1);
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
+  for (int i = 0; i < bodies; ++i) {
+    Spawn spawn =
+        ball({i * 7 % 900 + 0.5, i * 11 % 300 + 0.25}, {i % 2 == 0 ? speed : -speed, speed / (i % 5 + 1)});
+    if (side > 0) spawn.size = {side, side};
+    level.spawns.push_back(spawn);
+  }
+  return level;
+}
+
+TEST(StepWork, OfManyFastBallsThatBlockIsBounded) {
+  const Level level = many(9000, 0, 4096);
+  expect_bounded("fast balls", level);
+  Level exact = level;
+  exact.tuning.solver = SolverKind::exact;
+  Steps run(exact);
+  run.step();
+  EXPECT_TRUE(run.cut_short(1)) << "its way is past more bodies than it may look at";
+  EXPECT_EQ(run.state.bodies[0].box, (Rect{0.5, 0.25, 8, 8}));
+}
+
+TEST(StepWork, OfManyHugeFastBodiesIsBounded) {
+  for (const double blocks : {0, 1}) {
+    Level level = many(1500, 1024, 1e6);
+    level.tuning.shared.balls_block = blocks;
+    expect_bounded("huge bodies", level);
+  }
+}
+
+TEST(StepWork, OfAHeapAndOfTwoFastBallsIsBounded) {
+  Level heap = many(1, 0, 0);
+  heap.spawns.resize(5000, heap.spawns.front());
+  expect_bounded("a heap", heap);
+  Level two = many(2, 0, 1e6);
+  two.tuning.shared.cell_size = 1;
+  expect_bounded("two fast balls", two);
+}
+
+TEST(StepWork, OfPartsOfAStepIsBounded) {
+  Level level = many(3000, 200, 60);
+  level.tuning.shared.balls_block = 0;
+  level.tuning.exact.substeps = 64;
+  level.tuning.exact.max_passes = 16;
+  expect_bounded("parts", level);
+}
+
+// A box that is known to rest counts as one that is not: a solver may step states in any order.
+TEST(StepWork, DoesNotDependOnTheStepsBefore) {
+  Level level = many(300, 0, 0);
+  level.tuning.solver = SolverKind::exact;
+  level.tuning.shared.balls_block = 0;
+  Steps run(level);
+  for (int i = 0; i < 40; ++i) run.step();
+  const State state = run.state;
+  run.step();
+  State again = state;
+  StepRecord record;
+  make_solver(run.scene)->step(again, {}, &record);
+  EXPECT_EQ(record.work, run.record.work);
+}
+
+TEST(StepWork, EveryLookAtOtherBodiesIsCharged) {
+  BodyGrid grid;
+  std::vector<Body> bodies(1000);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    bodies[i].box = {100.0 * static_cast<double>(i), 0, i % 2 == 0 ? 8.0 : 1024.0, 8};
+  grid.synchronise(bodies);
+  std::vector<std::uint32_t> found;
+  std::int64_t left = 1000;
+  EXPECT_TRUE(grid.near({0, 0, 8, 8}, left, found)) << "a few cells";
+  EXPECT_EQ(found, (std::vector<std::uint32_t>{0}));
+  EXPECT_LT(left, 1000 - 500 / 8) << "and a list of all large ones";
+  left = 1000;
+  EXPECT_FALSE(grid.near({-1e5, -1e5, 2e5, 2e5}, left, found)) << "all bodies are on this way";
+  EXPECT_EQ(left, 0);
+  EXPECT_TRUE(found.empty());
+  left = 100'000;
+  EXPECT_TRUE(grid.near({-1e5, -1e5, 2e6, 2e6}, left, found));
+  EXPECT_EQ(found.size(), 1000u);
+  EXPECT_LE(left, 100'000 - 1000);
+  EXPECT_GT(grid.place(0, {5000, 0, 8, 8}), 0);
 }
 
 TEST(StepWork, IsTold) {

@@ -36,8 +36,8 @@ struct Cast {
 inline constexpr double kMaxCastSize = 1 << 26;             // px, of a box in x and in y
 inline constexpr double kMaxCastReach = double(1LL << 40);  // px, sum of all coordinates and sizes
 
-// Limits what a cast may look at, for callers that cannot wait long. Each slice of a long way counts 1, and
-// so do each piece of the outline and each other box.
+// Limits what a cast may look at, for callers that cannot wait long. Each slice of a long way counts 4, and
+// each piece of the outline, side of a tile and other box 1.
 struct CastBudget {
   std::int64_t left =
       std::numeric_limits<std::int64_t>::max();  // what may still be looked at; casts lower it

@@ -171,6 +171,10 @@ class World {
   static constexpr std::int64_t kMostTests = 1 << 26;
   void set_most_tests(std::int64_t count);  // for each check from now on; below 1 counts as 1
   bool gave_up() const noexcept;  // whether the last check() or move() gave up, also one by a response
+  // Cells and boxes that everything together has looked at since the world was made, roughly. What a call
+  // adds depends on the items alone, not on how they came to be where they are, nor on how a response is
+  // chosen.
+  std::int64_t looks() const noexcept;
 
   bool has(ItemId item) const noexcept;        // false for a stale or null handle
   Rect rect(ItemId item) const;                // px
