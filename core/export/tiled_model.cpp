@@ -25,7 +25,7 @@ TiledTileset tileset_of(const ExportRequest& request) {
     const TiledProperties words = tiled_properties(shape);
     tile.properties.insert(tile.properties.end(), words.begin(), words.end());
     tile.objects = tiled_objects(shape);
-    if (!tile.properties.empty()) tileset.tiles.push_back(std::move(tile));
+    if (!tile.properties.empty()) tileset.tiles->push_back(std::move(tile));
   }
   return tileset;
 }

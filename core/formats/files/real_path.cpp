@@ -1,6 +1,8 @@
 // Goes part by part, as the system does, but also past the first part that does not exist.
 #include "real_path.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -51,6 +53,12 @@ bool is_within(const std::string& place, const std::string& folder) {
   const fs::path inner(place), outer(folder);
   const auto [end, unused] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
   return end == outer.end();
+}
+
+std::optional<FileNumber> file_number(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return FileNumber{status.st_dev, status.st_ino};
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {

@@ -1,7 +1,10 @@
 // Where a path leads when all symbolic links in it are followed.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <talus/formats/format.h>
 
@@ -19,6 +22,10 @@ std::string last_name(const std::string& path);
 
 // Whether a place is the folder or inside of it. Both must come from real_path().
 bool is_within(const std::string& place, const std::string& folder);
+
+// What all names of one existing file have in common, also links to it. Nothing: there is no file.
+using FileNumber = std::pair<std::uint64_t, std::uint64_t>;
+std::optional<FileNumber> file_number(const std::string& path);
 
 // Whether both lead to the same existing file, also by links or other names of it.
 bool is_same_file(const std::string& a, const std::string& b);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "../files/atomic_file.h"
+#include "../files/real_path.h"
 #include "../last_catch.h"
 #include "../text/utf8_text.h"
 #include "tiled_json.h"
@@ -31,8 +32,8 @@ tl::unexpected<FormatError> error_in(const std::string& file, const FormatError&
   return tl::unexpected(error_within("file " + file, error));
 }
 
-// `name` as the file has it. Absolute paths would lead to other places on other machines.
-FormatResult<std::string> read_in(const std::string& folder, const std::string& name) {
+// Where a file is that has this name in the map. Absolute paths would lead to other places on other machines.
+FormatResult<std::string> place_in(const std::string& folder, const std::string& name) {
   std::error_code failure;
   const fs::path path(name);
   const bool is_drive = name.size() > 1 && name[1] == ':';
@@ -41,9 +42,7 @@ FormatResult<std::string> read_in(const std::string& folder, const std::string& 
   const fs::path file = fs::path(folder) / path;
   if (fs::exists(file, failure) && !fs::is_regular_file(file, failure))
     return error_in(name, {"", "is not a file"});
-  auto bytes = read_file(file.string());
-  if (!bytes) return error_in(name, bytes.error());
-  return bytes;
+  return file.string();
 }
 
 std::string with_slashes(std::string path) {
@@ -83,19 +82,22 @@ class TiledFiles {
 
  private:
   FormatResult<void> read_tileset(TiledTileset& tileset);
-  FormatResult<std::string> read_beside(const std::string& name);
-  FormatResult<TiledPicture> read_picture(const std::string& name);
+  FormatResult<TiledTileset> tileset_in(const std::string& source, const std::string& place);
+  FormatResult<std::string> read_beside(const std::string& name, const std::string& place);
+  FormatResult<TiledPicture> read_picture(const std::string& name, const std::string& place);
 
   const FormatContext& context_;
   TiledDrops& drops_;
   std::size_t bytes_ = 0;  // bytes read from files beside the map so far
+  // A map may name one file by many names, each time another.
+  std::map<FileNumber, TiledTileset> tilesets_;
 };
 
 // The limit is for all files together: a thousand tilesets could name one large file each.
-FormatResult<std::string> TiledFiles::read_beside(const std::string& name) {
-  auto bytes = read_in(context_.folder, name);
-  if (!bytes) return bytes;
-  if (context_.linked != nullptr) context_.linked->push_back((fs::path(context_.folder) / name).string());
+FormatResult<std::string> TiledFiles::read_beside(const std::string& name, const std::string& place) {
+  auto bytes = read_file(place);
+  if (!bytes) return error_in(name, bytes.error());
+  if (context_.linked != nullptr) context_.linked->push_back(place);
   bytes_ += bytes->size();
   if (bytes_ > kMaxFileBytes) {
     return error_in(name, {"", "is too large: all files that a map names may have up to " +
@@ -136,13 +138,13 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   const std::string source = with_slashes(tileset.source);
   if (context_.folder.empty())
     return error_in(source, {"", "is a tileset in a file beside the map, but the map has no file"});
-  const auto bytes = read_beside(source);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
-  if (!json) return error_in(source, json.error());
-  auto read = read_tiled_tileset(*json, drops_);
-  if (!read) return error_in(source, read.error());
-  if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
+  const auto place = place_in(context_.folder, source);
+  if (!place) return tl::unexpected(place.error());
+  const auto number = file_number(*place);
+  const auto known = number ? tilesets_.find(*number) : tilesets_.end();
+  auto read = known != tilesets_.end() ? known->second : tileset_in(source, *place);
+  if (!read) return tl::unexpected(read.error());
+  if (number) tilesets_.try_emplace(*number, *read);
   read->first_gid = tileset.first_gid;
   if (!read->image.empty())  // relative to the tileset's folder
     read->image = (fs::path(source).parent_path() / with_slashes(read->image)).string();
@@ -150,9 +152,20 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   return {};
 }
 
+FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, const std::string& place) {
+  const auto bytes = read_beside(source, place);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
+  if (!json) return error_in(source, json.error());
+  auto read = read_tiled_tileset(*json, drops_);
+  if (!read) return error_in(source, read.error());
+  if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
+  return read;
+}
+
 FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
   TiledPictures pictures;
-  std::map<std::string, std::shared_ptr<const TiledPicture>> by_name;
+  std::map<FileNumber, std::shared_ptr<const TiledPicture>> by_file;
   std::size_t pixels = 0;
   for (const TiledTileset& tileset : map.tilesets) {
     pictures.emplace_back();
@@ -161,9 +174,12 @@ FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
       continue;
     }
     const std::string name = with_slashes(tileset.image);
-    std::shared_ptr<const TiledPicture>& shared = by_name[name];
+    const auto place = place_in(context_.folder, name);
+    if (!place) return tl::unexpected(place.error());
+    // Where there is none, reading it says so.
+    std::shared_ptr<const TiledPicture>& shared = by_file[file_number(*place).value_or(FileNumber())];
     if (shared == nullptr) {
-      auto picture = read_picture(name);
+      auto picture = read_picture(name, *place);
       if (!picture) return tl::unexpected(picture.error());
       pixels += picture->rgba.bytes.size() / 4;
       if (pixels > kMaxTiledPixels) {
@@ -177,8 +193,8 @@ FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
   return pictures;
 }
 
-FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name) {
-  const auto bytes = read_beside(name);
+FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name, const std::string& place) {
+  const auto bytes = read_beside(name, place);
   if (!bytes) return tl::unexpected(bytes.error());
   auto rgba = read_rgba(*bytes);
   if (!rgba) return error_in(name, rgba.error());

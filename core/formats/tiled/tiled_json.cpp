@@ -337,7 +337,7 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
     if (entry.find("image") && tileset.image.empty())
       fail(entry, "image",
            "is a tile with a picture of its own, but a level needs one picture for all tiles");
-    tileset.tiles.push_back(tile(entry));
+    tileset.tiles->push_back(tile(entry));
   });
   drop_others(node, of, {"firstgid",   "name",           "type",    "version",         "tiledversion",
                          "tilewidth",  "tileheight",     "image",   "imagewidth",      "imageheight",

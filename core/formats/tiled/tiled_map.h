@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -85,7 +86,8 @@ struct TiledTileset {
   int columns = 0, tile_count = 0;
   int spacing = 0, margin = 0;  // px, between and around the tiles in the picture
   int image_width = 0, image_height = 0;
-  std::vector<TiledTile> tiles;  // tiles that have properties or shapes
+  // Those that have properties or shapes. Tilesets of one file share them.
+  std::shared_ptr<std::vector<TiledTile>> tiles = std::make_shared<std::vector<TiledTile>>();
 };
 
 struct TiledLayer {

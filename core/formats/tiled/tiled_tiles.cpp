@@ -281,9 +281,9 @@ TiledObject turned(const TiledObject& object, std::uint32_t turn) {
 }
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id) {
-  const auto found = std::find_if(tileset.tiles.begin(), tileset.tiles.end(),
+  const auto found = std::find_if(tileset.tiles->begin(), tileset.tiles->end(),
                                   [&](const TiledTile& tile) { return tile.id == id; });
-  return found == tileset.tiles.end() ? nullptr : &*found;
+  return found == tileset.tiles->end() ? nullptr : &*found;
 }
 
 }  // namespace talus
