@@ -6,9 +6,12 @@
 #include "../formats/native/native.h"
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/append_number.h"
+#include "../formats/text/json_text.h"
+#include "../formats/text/xml_text.h"
+#include "../formats/tiled/tiled_cells.h"
+#include "../formats/tiled/tiled_xml.h"
 #include "export_targets.h"
 #include "tiled_model.h"
-#include "xml_text.h"
 
 namespace talus {
 namespace {
@@ -143,7 +146,7 @@ class TiledXmlWriter {
     put(image, "source", set.image);
     put(image, "width", set.image_width);
     put(image, "height", set.image_height);
-    for (const TiledTile& one : set.tiles) {
+    for (const TiledTile& one : *set.tiles) {
       pugi::xml_node tile = node.append_child("tile");
       put(tile, "id", one.id);
       properties(tile, one.properties);
@@ -170,6 +173,12 @@ class TiledXmlWriter {
     put(node, "width", map.width);
     put(node, "height", map.height);
     pugi::xml_node data = node.append_child("data");
+    if (layer.cells.size() > kMostListedCells) {
+      put(data, "encoding", "base64");
+      put(data, "compression", "zlib");
+      data.append_child(pugi::node_pcdata).set_value(encode_tiled_cells(layer.cells).c_str());
+      return;
+    }
     put(data, "encoding", "csv");
     std::string csv = "\n";
     for (std::size_t i = 0; i < layer.cells.size(); ++i) {
@@ -215,7 +224,9 @@ FormatResult<Exported> export_tmj(const ExportRequest& request) {
   const auto map = whole_map_of(request);
   if (!map) return tl::unexpected(map.error());
   if (!request.progress.at(kModelShare)) return Exported();
-  return files_of(request, tiled_json_text(*map));
+  std::string text = tiled_json_text(*map);
+  if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  return files_of(request, std::move(text));
 }
 
 FormatResult<Exported> export_tmx(const ExportRequest& request) {
@@ -224,6 +235,7 @@ FormatResult<Exported> export_tmx(const ExportRequest& request) {
   if (!request.progress.at(kModelShare)) return Exported();
   TiledXmlWriter writer;
   std::string text = writer.write(*map);
+  if (auto problem = problem_of_tiled_xml(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
   return files_of(request, std::move(text), writer.dropped());
 }
 

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "../formats/text/append_number.h"
+#include "../formats/tiled/tiled_cells.h"
 #include "lua_text.h"
 #include "tiled_model.h"
 
@@ -212,7 +213,7 @@ class TiledTextWriter {
       properties({});
     }
     text_.open("tiles", true);
-    for (const TiledTile& one : set.tiles) tile(one);
+    for (const TiledTile& one : *set.tiles) tile(one);
     text_.close();
     text_.close();
   }
@@ -257,7 +258,7 @@ class TiledTextWriter {
       text_.put("width", map.width);
       text_.put("height", map.height);
       if (text_.is_lua()) text_.put("encoding", "lua");
-      text_.put_rows("data", layer.cells, map.width);
+      cells(layer.cells, map.width);
     } else {
       text_.put("draworder", "index");
       int id = next_object_ - 1;
@@ -265,6 +266,13 @@ class TiledTextWriter {
       next_object_ = id + 1;
     }
     text_.close();
+  }
+
+  void cells(const std::vector<std::uint32_t>& cells, int width) {
+    if (text_.is_lua() || cells.size() <= kMostListedCells) return text_.put_rows("data", cells, width);
+    text_.put("encoding", "base64");
+    text_.put("compression", "zlib");
+    text_.put("data", encode_tiled_cells(cells));
   }
 
   void objects(const std::vector<TiledObject>& objects, int& id) {

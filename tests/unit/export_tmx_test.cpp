@@ -87,6 +87,40 @@ TEST(ExportTmx, SaysInHowManyTextsItReplacesCharacters) {
   EXPECT_TRUE(tiled_export_of(level, "tmx", "cave.tmx").dropped.empty());
 }
 
+// Names that are the same in XML, or that XML does not have, must not become flags of their own.
+TEST(ExportTmx, FlagsAndNamesThatXmlDoesNotHaveComeBack) {
+  Level level = small_level();
+  level.flag_names[0] = "s\x01";
+  level.flag_names[1] = "s\x02";
+  level.flag_names[2] = "\xef\xbf\xbeup";
+  level.flag_names[3] = "s ";
+  for (const std::uint8_t tile : {1, 2})
+    level.sheet(SheetId::tiles).flags[tile] = tile == 1 ? 0b0101 : 0b1010;
+  level.curves.push_back({"\x1b", {Segment{{1, 2}, {9, 8}}, Curve::Faces::up}, ""});
+  for (const std::string to : {"tmx", "tmj"}) {
+    const auto again = read_level(tiled_export_of(level, to, "cave." + to).files[0].bytes, {to});
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->flag_names, level.flag_names) << to;
+    EXPECT_EQ(again->sheet(SheetId::tiles).flags, level.sheet(SheetId::tiles).flags) << to;
+    EXPECT_EQ(again->spawns, level.spawns) << to;
+    EXPECT_EQ(again->curves, level.curves) << to;
+  }
+}
+
+TEST(ExportTmx, LargeMapsArePackedAndComeBack) {
+  Level level;
+  level.map = TileMap(2048, 1024);
+  for (std::size_t i = 0; i < level.map.cells().size(); ++i)
+    level.map.cells()[i] = static_cast<std::uint8_t>(i % 7 * (i % 3));
+  for (const std::string to : {"tmx", "tmj"}) {
+    const std::string text = tiled_export_of(level, to, "cave." + to).files[0].bytes;
+    EXPECT_LT(text.size(), 1'000'000u) << to;
+    const auto again = read_level(text, {to});
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->map, level.map) << to;
+  }
+}
+
 TEST(ExportTmx, SaysTheSameAsTheJson) {
   Level level = level_for_tiled();
   const std::string json = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;

@@ -337,9 +337,9 @@ TEST(ImportTiled, NamesOfXmlDoNotMeetInJson) {
   EXPECT_THAT(dropped("name=\"l\"", "name=\"&#xD800;\""),
               ElementsAre("map:line 1: error: refers to a character that does not exist"));
   EXPECT_THAT(dropped("</tileset>",
-                      "</tileset>\n<layer name=\"a&#10;::error::&#27;[31m\"><data "
+                      "</tileset>\n<layer name=\"a&#10;::error::[31m\"><data "
                       "encoding=\"csv\">2</data></layer>"),
-              ElementsAre(R"(map: error: has the tile layers "a\n::error::\x1b[31m", "l", but a level has )"
+              ElementsAre(R"(map: error: has the tile layers "a\n::error::[31m", "l", but a level has )"
                           "only one: choose one by `talus import --layer NAME`"));
 }
 
@@ -420,6 +420,26 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
             (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 4}}));
   EXPECT_EQ(loaded->level.tile_shapes[4], (TileShape{.kind = Kind::profile, .heights = {8, 0, 0}}))
       << "as steep as it is";
+}
+
+TEST(ImportTiled, XmlHasOneElementAndCharactersOfXml) {
+  const std::string map =
+      "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">\n"
+      "<layer name=\"l\"><data encoding=\"csv\">0</data></layer></map>";
+  EXPECT_EQ(error_of("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<!-- a -->" + map + "\n<!-- b -->\n", "tmx"), "");
+  const std::string more = "map:line 3: error: there is more than one element in the XML";
+  EXPECT_EQ(error_of(map + "\ntext", "tmx"), more);
+  EXPECT_EQ(error_of(map + "\n<map/>", "tmx"), more);
+  EXPECT_EQ(error_of(map + "\n<![CDATA[a]]>", "tmx"), more);
+  EXPECT_EQ(error_of("<!-- a -->", "tmx"), "map:line 1: error: this is not valid XML");
+  const auto with = [&](std::string_view name) {
+    std::string text = map;
+    return text.replace(text.find("name=\"l\"") + 6, 1, name);
+  };
+  EXPECT_EQ(error_of(with("&#9;&#10;&#13;\xc3\xa4"), "tmx"), "");
+  for (const char* name : {"&#27;", "&#x1b;", "\x1b", "&#xFFFE;", "\xef\xbf\xbf", "&#xD800;"})
+    EXPECT_EQ(error_of(with(name), "tmx"), "map:line 2: error: refers to a character that does not exist")
+        << name;
 }
 
 TEST(ImportTiled, SaysWhatIsNeitherXmlNorJson) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "edit/undo_stack.h"
@@ -15,6 +16,7 @@
 #include "native_text.h"
 #include "png_bytes.h"
 #include "session/session.h"
+#include "tiled_files.h"
 
 namespace talus::limits_test {
 
@@ -86,9 +88,34 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
     const auto again = read_native(written->bytes, {});
     ASSERT_TRUE(again) << to_string(again.error(), "level");
     EXPECT_TRUE(*again == level);
+    for (const std::string to : {"tmx", "tmj"}) {
+      const std::string text = tiled_export_of(level, to, "cave." + to).files[0].bytes;
+      const auto map = read_level(text, {to});
+      ASSERT_TRUE(map) << to_string(map.error(), to);
+      EXPECT_EQ(map->spawns, level.spawns);
+    }
   }
   EXPECT_GT(saved, 0u);
   EXPECT_GT(refused, 0u);
+}
+
+// Each character of such a name takes 6 or 7 bytes in the map, and there is one name more.
+TEST(LevelLimits, MapsThatCannotBeReadAreNotExported) {
+  Level level = with_spawns(20);
+  const ReadAsset no_asset;
+  const auto refusal = [&](const std::string& to) {
+    const auto exported = find_exporter(to)->write({level, "cave." + to, no_asset});
+    return exported ? "" : exported.error().message;
+  };
+  const std::size_t part = kMaxNameBytes / level.spawns.size();
+  for (Spawn& spawn : level.spawns) spawn.name.assign(part, '=');
+  EXPECT_EQ(refusal("tmx"), "has too many elements") << "as the reader counts them";
+  EXPECT_EQ(refusal("tmj"), "");
+  for (Spawn& spawn : level.spawns) spawn.name.assign(part, '\\');
+  for (const std::string to : {"tmx", "tmj"}) {
+    ASSERT_EQ(refusal(to), "");
+    EXPECT_TRUE(read_level(tiled_export_of(level, to, "cave." + to).files[0].bytes, {to}));
+  }
 }
 
 // Each of twenty such sines took 700 MB of ground.
@@ -360,6 +387,29 @@ class TiledFilesLimits : public FolderTest {
 TEST_F(TiledFilesLimits, TilesetsOfOnePictureShareIt) {
   put("a.png", png_of(1024, 2, std::vector<std::string>(1024, std::string(3 * 1024, '\x40'))));
   EXPECT_EQ(error_of_map(500, [](int) { return "a.png"; }), "");
+}
+
+TEST_F(TiledFilesLimits, FilesOfManyNamesAreReadOnce) {
+  put("a.png", png_of(1024, 2, std::vector<std::string>(1024, std::string(3 * 1024, '\x40'))));
+  std::filesystem::create_symlink("a.png", path("link.png"));
+  std::filesystem::create_hard_link(path("a.png"), path("hard.png"));
+  const auto spelled = [](int i, const std::string& name) {
+    std::string spelling;
+    for (int k = 0; k < i; ++k) spelling += "./";
+    return spelling + name;
+  };
+  EXPECT_EQ(error_of_map(100, [&](int i) { return spelled(i, "a.png"); }), "");
+  EXPECT_EQ(error_of_map(40, [&](int i) { return spelled(i, i % 2 == 0 ? "link.png" : "hard.png"); }), "");
+
+  put("s.tsj", R"({"type":"tileset","name":")" + std::string(2'000'000, 'n') +
+                   R"(","tilewidth":8,"tileheight":8,"tilecount":256,"columns":16})");
+  std::string list;
+  for (int i = 0; i < 40; ++i)
+    list += std::string(i == 0 ? "" : ",") + "{\"firstgid\":" + std::to_string(1 + 256 * i) +
+            R"(,"source":")" + spelled(i, "s.tsj") + "\"}";
+  put("map.tmj", tiled_map(1, list, R"({"type":"tilelayer","data":[1]})"));
+  const auto read = load_level(path("map.tmj"));
+  EXPECT_TRUE(read) << to_string(read.error(), "map");
 }
 
 TEST_F(TiledFilesLimits, PicturesAreCountedTogether) {

@@ -31,4 +31,15 @@ tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std:
   return content;
 }
 
+std::string pack_zlib(std::string_view content) {
+  uLongf length = compressBound(static_cast<uLong>(content.size()));
+  std::string packed(length, '\0');
+  // Lacking memory is the only reason to fail.
+  if (compress(reinterpret_cast<Bytef*>(packed.data()), &length,
+               reinterpret_cast<const Bytef*>(content.data()), static_cast<uLong>(content.size())) != Z_OK)
+    throw std::bad_alloc();
+  packed.resize(length);
+  return packed;
+}
+
 }  // namespace talus

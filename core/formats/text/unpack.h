@@ -1,4 +1,5 @@
-// Unpacks zlib streams of carts, pictures and maps, up to a size that the caller sets.
+// Unpacks zlib streams of carts, pictures and maps, up to a size that the caller sets, and packs those of
+// maps.
 #pragma once
 
 #include <cstddef>
@@ -17,5 +18,8 @@ struct UnpackError {
 // Returns the content of one zlib or gzip stream; bytes after its end are ignored. A stream that unpacks to
 // more than `limit` bytes, or is damaged or cut off, is an error.
 tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit);
+
+// Returns a zlib stream of the content.
+std::string pack_zlib(std::string_view content);
 
 }  // namespace talus

@@ -83,6 +83,15 @@ CellsResult decode_tiled_cells(std::string_view data, std::string_view encoding,
   return cells;
 }
 
+std::string encode_tiled_cells(std::span<const std::uint32_t> cells) {
+  std::string bytes;
+  bytes.reserve(4 * cells.size());
+  for (const std::uint32_t cell : cells) {
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(cell >> shift & 0xff);
+  }
+  return encode_base64(pack_zlib(bytes));
+}
+
 std::string tiled_count_problem(std::size_t cells, std::size_t count) {
   return "has " + std::to_string(cells) + " cells, but needs " + std::to_string(count);
 }

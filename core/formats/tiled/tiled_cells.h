@@ -1,7 +1,9 @@
 // The cells of a Tiled layer, which are text in several encodings.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -15,6 +17,12 @@ tl::expected<std::vector<std::uint32_t>, std::string> decode_tiled_cells(std::st
                                                                          std::string_view encoding,
                                                                          std::string_view compression,
                                                                          std::size_t count);
+
+// Cells that maps are written with as a list of numbers, which people can read; more are packed.
+inline constexpr std::size_t kMostListedCells = std::size_t{1} << 20;
+
+// The cells as "base64", compressed by "zlib".
+std::string encode_tiled_cells(std::span<const std::uint32_t> cells);
 
 // Why there are not `count` cells, in the words above.
 std::string tiled_count_problem(std::size_t cells, std::size_t count);

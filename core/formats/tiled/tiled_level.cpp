@@ -15,6 +15,7 @@
 #include "../native/native_objects.h"
 #include "../pictures/png_sheet.h"
 #include "../text/append_number.h"
+#include "../text/xml_text.h"
 #include "tiled_objects.h"
 #include "tiled_shapes.h"
 
@@ -90,6 +91,11 @@ class TiledLevelMaker {
   std::map<std::string, int> flags_;                                    // by the name of their bools
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
 };
+
+// Whether an object has the name that Talus wrote, which in XML may lack characters of the true one.
+bool is_name_of(const std::string& written, const std::string& name) {
+  return written == name || xml_text(written) == name;
+}
 
 std::string named(std::string_view what, const std::string& name) {
   return std::string(what) + (name.empty() ? "" : " \"" + name + "\"");
@@ -245,7 +251,10 @@ bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
 // or else of a flag that nothing is known about.
 void TiledLevelMaker::name_flags() {
   const auto names = tiled_flag_names(level_);
-  for (int flag = 0; flag < kFlagCount; ++flag) flags_[names[static_cast<std::size_t>(flag)]] = flag;
+  for (int flag = 0; flag < kFlagCount; ++flag) {
+    const std::string& name = names[static_cast<std::size_t>(flag)];
+    flags_[name] = flags_[xml_text(name)] = flag;
+  }
   using Tiles = std::bitset<kTileCount>;
   std::map<std::string, Tiles> wanted;
   std::array<Tiles, kFlagCount> by_number;
@@ -430,8 +439,9 @@ const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObj
   const auto near = near_in_x(std::span(spawns_by_x_), object.position.x);
   const auto same = std::find_if(near.begin(), near.end(), [&](const Spawn* base) {
     if (std::abs(base->position.y - y) > 2 * tiled_slack(y)) return false;
-    return base->name == spawn.name && base->kind == spawn.kind && base->velocity == spawn.velocity &&
-           base->used_foot() == spawn.used_foot() && is_same_outline(tiled_object(*base), object);
+    return is_name_of(base->name, spawn.name) && base->kind == spawn.kind &&
+           base->velocity == spawn.velocity && base->used_foot() == spawn.used_foot() &&
+           is_same_outline(tiled_object(*base), object);
   });
   return same == near.end() ? nullptr : *same;
 }
@@ -441,7 +451,7 @@ void TiledLevelMaker::take_curve(const TiledObject& object) {
   if (curves.empty()) return drops_.add(named("the curve", object.name));
   const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x);
   const auto same = std::find_if(near.begin(), near.end(), [&](const auto& old) {
-    return old.first->name == object.name && old.first->curve.faces == curves.front().curve.faces &&
+    return is_name_of(old.first->name, object.name) && old.first->curve.faces == curves.front().curve.faces &&
            is_same_outline(old.second, object);
   });
   if (same != near.end()) return add_curve(*same->first);

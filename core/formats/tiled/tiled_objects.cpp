@@ -7,6 +7,7 @@
 
 #include "../../collision/outline_compiler.h"
 #include "../text/append_number.h"
+#include "../text/xml_text.h"
 
 namespace talus {
 namespace {
@@ -111,7 +112,7 @@ std::array<std::string, kFlagCount> tiled_flag_names(const Level& level) {
     for (const FlagRoleInfo& role : flag_role_infos()) {
       if (name.empty() && level.roles.*role.flag == flag) name = role.key;
     }
-    if (name.empty() || !taken.insert(name).second) name = "flag" + std::to_string(flag);
+    if (name.empty() || !taken.insert(xml_text(name)).second) name = "flag" + std::to_string(flag);
   }
   return names;
 }

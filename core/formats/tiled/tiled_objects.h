@@ -10,7 +10,8 @@ namespace talus {
 inline constexpr double kTiledTolerance = 0.125;  // px, from a curve to its polyline
 
 // By flag, the name of the bool that its tiles have: the flag's own name; without one that of its role
-// ("up_slope"); else "flag5". A name that another flag or property has is replaced by "flag5", too.
+// ("up_slope"); else "flag5". A name that another flag or property has is replaced by "flag5", too, and so is
+// one that would be another's in XML (xml_text).
 std::array<std::string, kFlagCount> tiled_flag_names(const Level& level);
 
 // Returns the outline of a shape on its tile; nothing for kind none, or for a shape that cannot be used.

@@ -10,7 +10,9 @@
 #include <pugixml.hpp>
 #include <utility>
 
+#include <talus/level/limits.h>
 #include "../text/utf8_text.h"
+#include "../text/xml_text.h"
 #include "tiled_json.h"
 
 namespace talus {
@@ -40,14 +42,15 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string_vie
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Finds text that is no longer UTF-8 after references such as "&#xD800;" became characters.
+// Finds text with characters that XML does not have, which references such as "&#xD800;" may bring.
 class BadText : public pugi::xml_tree_walker {
  public:
   pugi::xml_node where;  // null: everything is fine
 
   bool for_each(pugi::xml_node& node) override {
-    bool good = is_utf8(node.value());
-    for (const pugi::xml_attribute attribute : node.attributes()) good = good && is_utf8(attribute.value());
+    bool good = is_xml_text(node.value());
+    for (const pugi::xml_attribute attribute : node.attributes())
+      good = good && is_xml_text(attribute.value());
     if (!good) where = node;
     return good;
   }
@@ -107,10 +110,16 @@ class TiledXml {
 
   FormatResult<Json> read() {
     pugi::xml_document document;
-    const auto parsed =
-        document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    const auto parsed = document.load_buffer(text_.data(), text_.size(),
+                                             pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
     if (!parsed)
       return error_at_line(text_, static_cast<std::size_t>(parsed.offset), "this is not valid XML");
+    if (!document.document_element()) return error_at_line(text_, text_.size() - 1, "this is not valid XML");
+    for (const pugi::xml_node node : document.children()) {
+      if (node != document.document_element())
+        return error_at_line(text_, static_cast<std::size_t>(node.offset_debug()),
+                             "there is more than one element in the XML");
+    }
     BadText bad;
     document.traverse(bad);
     if (bad.where) fail(bad.where, "refers to a character that does not exist");
@@ -286,15 +295,21 @@ class TiledXml {
 
 }  // namespace
 
-FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress) {
+std::optional<std::string> problem_of_tiled_xml(std::string_view text) {
+  if (text.size() > kMaxFileBytes)
+    return "takes " + std::to_string(text.size() >> 20) + " MiB as a file, but Talus reads only up to " +
+           std::to_string(kMaxFileBytes >> 20);
   const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
-  if (static_cast<std::size_t>(parts) > kMaxXmlParts)
-    return tl::unexpected(FormatError{"", "has too many elements"});
+  if (static_cast<std::size_t>(parts) > kMaxXmlParts) return "has too many elements";
   if (const std::size_t objects = count_objects(text); objects > kMaxTiledObjects) {
-    return tl::unexpected(FormatError{"", "has " + std::to_string(objects) +
-                                              " objects, but a map may have at most " +
-                                              std::to_string(kMaxTiledObjects)});
+    return "has " + std::to_string(objects) + " objects, but a map may have at most " +
+           std::to_string(kMaxTiledObjects);
   }
+  return std::nullopt;
+}
+
+FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress) {
+  if (auto problem = problem_of_tiled_xml(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
   if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is not UTF-8 text"});
   try {
     return TiledXml(text, progress).read();

@@ -1,6 +1,10 @@
 // Converts Tiled's XML, TMX and TSX, to JSON with the same meaning, so that one reader serves both.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "../text/json_text.h"
 
 namespace talus {
@@ -8,5 +12,8 @@ namespace talus {
 // Every object has the line of its element (kTiledLineKey). Errors have their place by line. progress:
 // receives how much of the text is converted, and may stop the work, which is an error.
 FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress = {});
+
+// What a text has more of than tiled_json_of_xml reads: "has too many elements". Nothing: all is well.
+std::optional<std::string> problem_of_tiled_xml(std::string_view text);
 
 }  // namespace talus
