@@ -63,6 +63,7 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   apply_physics(options.physics, level->tuning);
   if (const auto problem = ground_problem(*level))
     return fail(context, options.file, "", "the level " + *problem);
+  warn_of_ignored_ground(context, options.file, *level);
   if (options.verify) return verify(context, options, *level);
   std::optional<std::vector<RecordedInput>> inputs = load_input(context, options.input);
   if (!inputs) return;

@@ -7,6 +7,7 @@
 #include "debug/branch_frames.h"
 #include "formats/files/atomic_file.h"
 #include "formats/native/recording_file.h"
+#include "lint/lint.h"
 #include "output_file.h"
 #include "progress_line.h"
 #include "sim/timeline.h"
@@ -30,6 +31,7 @@ std::optional<Recording> load_recording_or_fail(CommandContext& context, const S
   }
   context.doing = "working on " + options.file;
   apply_physics(options.physics, recording->level.tuning);
+  warn_of_ignored_ground(context, options.file, recording->level);
   for (RecordedEdit& edit : recording->edits) {
     LevelVersion version = *edit.version;
     apply_physics(options.physics, version.tuning);
@@ -87,6 +89,11 @@ void verify(CommandContext& context, const SimOptions& options, Timeline& timeli
 }
 
 }  // namespace
+
+void warn_of_ignored_ground(CommandContext& context, const std::string& file, const Level& level) {
+  for (const Problem& problem : ignored_ground(level))
+    say(context.err, file + ": warning: " + problem.message);
+}
 
 TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
     : context_(context), options_(options) {

@@ -43,6 +43,9 @@ class TraceFile {
   bool good_ = true;
 };
 
+// Says once what of the ground the level's solver does not know.
+void warn_of_ignored_ground(CommandContext& context, const std::string& file, const Level& level);
+
 bool is_recording_file(const std::string& path);
 // Plays a recording with its own input and edits; to verify it, until the first frame that differs from the
 // recording.

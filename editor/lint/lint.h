@@ -59,4 +59,7 @@ inline constexpr std::size_t kMaxProblems = 1000;
 // The problems, by row, then column, then rule; those without a cell first.
 std::vector<Problem> lint(const Level& level, const LintOptions& options = {});
 
+// Those of them that are about ground that the level's solver does not know, so that bodies pass through it.
+std::vector<Problem> ignored_ground(const Level& level);
+
 }  // namespace talus

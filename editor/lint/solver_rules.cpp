@@ -1,5 +1,6 @@
 // Ground that the level's solver does not know, or has too much of.
 #include <array>
+#include <utility>
 
 #include <talus/level/ground.h>
 #include "fix_parts.h"
@@ -18,8 +19,7 @@ constexpr LintRule kTooMuchGround{
     .code = "too-much-ground", .label = "too much ground for its solver", .severity = Severity::error};
 
 // The article has full tiles and floors alone; the tiles of the map that it lets everything through.
-void check_article(const LintContext& context, std::vector<Problem>& out) {
-  const Level& level = context.level;
+void check_article(const Level& level, std::vector<Problem>& out) {
   if (level.tuning.solver != SolverKind::article) return;
   std::array<bool, kTileCount> used{};
   for (const std::uint8_t tile : level.map.cells()) used[tile] = true;
@@ -47,15 +47,17 @@ void check_article(const LintContext& context, std::vector<Problem>& out) {
          {}, first);
 }
 
+void check_solver_of_curves(const Level& level, std::vector<Problem>& out) {
+  if (level.curves.empty() || level.tuning.solver == SolverKind::exact) return;
+  report(out, kCurvesNeedExact,
+         "curves and segments stop only bodies of the exact solver, but the level's solver is " +
+             std::string(solver_name(level.tuning.solver)));
+}
+
 void check_solver(const LintContext& context, std::vector<Problem>& out) {
-  const Level& level = context.level;
-  if (!level.curves.empty() && level.tuning.solver != SolverKind::exact) {
-    report(out, kCurvesNeedExact,
-           "curves and segments stop only bodies of the exact solver, but the level's solver is " +
-               std::string(solver_name(level.tuning.solver)));
-  }
-  check_article(context, out);
-  if (const auto problem = ground_problem(level)) report(out, kTooMuchGround, "the level " + *problem);
+  for (Problem& problem : ignored_ground(context.level)) out.push_back(std::move(problem));
+  if (const auto problem = ground_problem(context.level))
+    report(out, kTooMuchGround, "the level " + *problem);
 }
 
 void fix_solver(const LintContext& context, const Problem&, std::vector<Edit>& out) {
@@ -66,6 +68,13 @@ void fix_solver(const LintContext& context, const Problem&, std::vector<Edit>& o
 }
 
 }  // namespace
+
+std::vector<Problem> ignored_ground(const Level& level) {
+  std::vector<Problem> problems;
+  check_solver_of_curves(level, problems);
+  check_article(level, problems);
+  return problems;
+}
 
 const RuleGroup& solver_rules() {
   static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kTooMuchGround};

@@ -11,6 +11,7 @@
 
 #include "cli_answer.h"
 #include "folder_test.h"
+#include "native_text.h"
 
 namespace talus::cli_test {
 
@@ -114,6 +115,24 @@ TEST_F(CliSim, ANumberOfTheTuningCanBeSet) {
   EXPECT_EQ(cli_answer({"sim", kOne, "--frames", "1", "--set", "exact.substeps=2"}).status, kExitGood);
   EXPECT_THAT(cli_answer({"sim", kOne, "--frames", "1", "--set", "exact.substeps=1.5"}).err,
               HasSubstr("exact.substeps must be a whole number from 1 to 64"));
+}
+
+TEST_F(CliSim, SaysOnceWhatTheSolverDoesNotKnow) {
+  Level level;
+  level.curves = {{"", {Segment{{1, 2}, {9, 8}}, Curve::Faces::up}, ""}};
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid, .one_way = true};
+  level.map.set({0, 0}, 1);
+  const std::string file = put("level.talus.json", native_of_level(level));
+  const auto warnings = [&](const std::string& solver) {
+    return cli_answer({"sim", file, "--frames", "2", "--solver", solver}).err;
+  };
+  EXPECT_EQ(warnings("exact"), "");
+  const std::string curves =
+      file +
+      ": warning: curves and segments stop only bodies of the exact solver, but the level's solver is ";
+  EXPECT_EQ(warnings("bump"), curves + "bump\n");
+  EXPECT_THAT(warnings("article"),
+              StartsWith(curves + "article\n" + file + ": warning: bodies pass through tile 1"));
 }
 
 TEST_F(CliSim, BadInputIsNamedByItsLine) {
