@@ -223,7 +223,21 @@ TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
   EXPECT_EQ(found_by("killed"), "file/recover") << "of its help";
   EXPECT_EQ(found_by("undo"), "edit/undo") << "labels come first";
   EXPECT_EQ(found_by("flag"), "flags/find") << "and of those whole words, not Flip Left And riGht";
+  EXPECT_EQ(found_by("level width"), "map/resize");
   EXPECT_EQ(found_by("no such thing anywhere"), "");
+}
+
+TEST(CommandSearch, ListsWhatCanBeRunFirst) {
+  const auto all = [](const Command&) { return true; };
+  EXPECT_EQ(matching_commands("", all).size(), commands().size());
+  const auto found = matching_commands("undo", all);
+  ASSERT_GT(found.size(), 1u);
+  EXPECT_EQ(found.front()->id, "edit/undo");
+  const auto now =
+      matching_commands("undo", [](const Command& command) { return command.id != "edit/undo"; });
+  ASSERT_EQ(now.size(), found.size());
+  EXPECT_EQ(now.back()->id, "edit/undo") << "there is nothing to undo";
+  EXPECT_EQ(now.front(), found[1]);
 }
 
 }  // namespace talus::command_coverage_test

@@ -2,39 +2,12 @@
 #include "command_palette_panel.h"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include "command_search.h"
 #include "panels/ui/dialog.h"
 
 namespace talus {
-namespace {
-
-struct PaletteMatch {
-  const Command* command;
-  int score;
-  bool enabled;
-};
-
-// Every command that fits, the best first, and those that can be run before others that fit in the same way;
-// without letters in the order of the table.
-std::vector<PaletteMatch> palette_matches(std::string_view typed, const Session& session, const Ui& ui) {
-  std::vector<PaletteMatch> found;
-  for (const Command& command : commands()) {
-    if (const auto score = command_score(command, typed))
-      found.push_back({&command, typed.empty() ? 0 : *score, command.is_enabled(session, ui)});
-  }
-  // What fits in another way does not come before what fits well, so that Enter runs nothing unexpected.
-  std::stable_sort(found.begin(), found.end(), [](const PaletteMatch& a, const PaletteMatch& b) {
-    const int rank_a = rank_of_score(a.score), rank_b = rank_of_score(b.score);
-    return std::tuple(-rank_a, !a.enabled, -a.score) < std::tuple(-rank_b, !b.enabled, -b.score);
-  });
-  return found;
-}
-
-}  // namespace
-
 void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!begin_dialog("Find a command", ui.view.command_palette_open, {ui.px(460), ui.px(360)}, ui)) return;
   if (ImGui::IsWindowAppearing()) {
@@ -51,19 +24,20 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
 }
 
 void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
-  const std::vector<PaletteMatch> found = palette_matches(typed_, session, ui);
+  const std::vector<const Command*> found =
+      matching_commands(typed_, [&](const Command& command) { return command.is_enabled(session, ui); });
   const int last = static_cast<int>(found.size()) - 1, before = chosen_;
   if (key_pressed(ImGuiKey_DownArrow)) ++chosen_;
   if (key_pressed(ImGuiKey_UpArrow)) --chosen_;
   chosen_ = std::clamp(chosen_, 0, std::max(last, 0));
   const bool moved = chosen_ != before;  // else the wheel may scroll where it likes
   const Command* run =
-      key_pressed(ImGuiKey_Enter) && last >= 0 ? found[static_cast<std::size_t>(chosen_)].command : nullptr;
+      key_pressed(ImGuiKey_Enter) && last >= 0 ? found[static_cast<std::size_t>(chosen_)] : nullptr;
   if (found.empty())
     ui.hint("No command has these letters in its name, in this order, or such a word in its help.");
   ImGui::BeginChild("list");
   for (int i = 0; i <= last; ++i) {
-    const Command& command = *found[static_cast<std::size_t>(i)].command;
+    const Command& command = *found[static_cast<std::size_t>(i)];
     const bool enabled = command.is_enabled(session, ui);
     ImGui::BeginDisabled(!enabled);
     if (selectable(command.label, command.id, i == chosen_)) run = &command;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <tuple>
 
 #include "panels/ui/fuzzy_match.h"
 
@@ -39,10 +40,6 @@ bool has_words(std::string_view shown_text, std::string_view typed_text) {
 
 }  // namespace
 
-int rank_of_score(int score) {
-  return score >= kLabelWordScore ? 2 : score > kWordScore ? 1 : score > kHelpScore ? 0 : -1;
-}
-
 std::optional<int> command_score(const Command& command, std::string_view typed) {
   if (const auto score = fuzzy_score(command.label, typed))
     return *score + (has_words(command.label, typed) ? kLabelWordScore : 0);
@@ -52,6 +49,26 @@ std::optional<int> command_score(const Command& command, std::string_view typed)
   if (typed.size() >= kLeastLetters && has_words(named + " " + std::string(command.help), typed))
     return kHelpScore;
   return std::nullopt;
+}
+
+std::vector<const Command*> matching_commands(std::string_view typed,
+                                              FunctionRef<bool(const Command&)> is_enabled) {
+  struct Match {
+    const Command* command;
+    int score;
+    bool enabled;
+  };
+  std::vector<Match> found;
+  for (const Command& command : commands()) {
+    if (const auto score = command_score(command, typed))
+      found.push_back({&command, typed.empty() ? 0 : *score, is_enabled(command)});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Match& a, const Match& b) {
+    return std::tuple(!a.enabled, -a.score) < std::tuple(!b.enabled, -b.score);
+  });
+  std::vector<const Command*> commands;
+  for (const Match& match : found) commands.push_back(match.command);
+  return commands;
 }
 
 }  // namespace talus

@@ -3,6 +3,11 @@
 
 #include <optional>
 
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <talus/collision/function_ref.h>
 #include "commands.h"
 
 namespace talus {
@@ -12,7 +17,9 @@ namespace talus {
 // words, or, as the worst, of its help. The larger the better. Nothing when it does not fit.
 std::optional<int> command_score(const Command& command, std::string_view typed);
 
-// In which of these ways a command fits, by its score; the larger the better.
-int rank_of_score(int score);
+// Every command that fits: those that are enabled first, and of both the best first. Without letters all of
+// them, in the order of the table.
+std::vector<const Command*> matching_commands(std::string_view typed,
+                                              FunctionRef<bool(const Command&)> is_enabled);
 
 }  // namespace talus

@@ -344,7 +344,7 @@ std::vector<Command> whole_map_commands() {
        .key = ctrl('e'),
        .menu = menus::kMapSearch,
        .run = [](S, A, U ui) { ui.view.resize_open = true; },
-       .words = "resize map dimensions width height crop extend shift larger smaller"},
+       .words = "resize map level dimensions width height crop extend shift larger smaller"},
   };
 }
 
