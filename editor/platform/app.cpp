@@ -35,9 +35,6 @@ constexpr double kNoteTime = 4;            // s; for short messages of success
 // Dear ImGui draws a closed dialog once more, and gives the next frame's clicks to what was drawn before it.
 // In an opened dialog the text field gets the focus one frame later.
 constexpr int kDialogOpeningFrames = 2;
-// Frames until a field that should get the keys is drawn and has them, as its panel may have to be shown
-// first.
-constexpr int kFieldFocusFrames = 5;
 
 // s. A long message says what a file holds that a level does not; the user should be able to read it to its
 // end.
@@ -163,15 +160,15 @@ void App::open_first_level() {
 }
 
 void App::take_settings(const Settings& settings) {
-  ui_.view.layout = settings.layout;
-  ui_.view.canvas = settings.canvas;
-  ui_.view.ui_scale = settings.ui_scale;
-  ui_.view.pixels = settings.pixels;
-  ui_.view.recent_files = settings.recent_files;
-  ui_.view.hard_cases = hard_case_paths();
-  ui_.view.tabs = settings.tabs;
-  ui_.view.dock_open = settings.dock_open;
-  ui_.view.debugger.legend_folded = settings.legend_folded;
+  ui_.view.window.layout = settings.layout;
+  ui_.view.canvas.mode = settings.canvas;
+  ui_.view.window.ui_scale = settings.ui_scale;
+  ui_.view.sprites.pixels = settings.pixels;
+  ui_.view.files.recent_files = settings.recent_files;
+  ui_.view.files.hard_cases = hard_case_paths();
+  ui_.view.window.tabs = settings.tabs;
+  ui_.view.window.dock_open = settings.dock_open;
+  ui_.view.canvas.legend_folded = settings.legend_folded;
   ui_.view.preferences = noted_preferences_ = settings.preferences;
   session_->apply(action::SetOverlayPalette{settings.overlay_palette});
   for (const Breakpoint& breakpoint : settings.breakpoints)
@@ -189,17 +186,17 @@ Settings App::current_settings() const {
   const ImVec2 size = window_->size();
   settings.width = static_cast<int>(size.x);
   settings.height = static_cast<int>(size.y);
-  settings.layout = ui_.view.layout;
-  settings.canvas = ui_.view.canvas;
-  settings.ui_scale = ui_.view.ui_scale;
-  settings.pixels = ui_.view.pixels;
+  settings.layout = ui_.view.window.layout;
+  settings.canvas = ui_.view.canvas.mode;
+  settings.ui_scale = ui_.view.window.ui_scale;
+  settings.pixels = ui_.view.sprites.pixels;
   settings.grid = session_->choices().grid;
   settings.screen_borders = session_->choices().screen_borders;
   settings.overlays = session_->choices().overlays;
-  settings.recent_files = ui_.view.recent_files;
-  settings.tabs = ui_.view.tabs;
-  settings.dock_open = ui_.view.dock_open;
-  settings.legend_folded = ui_.view.debugger.legend_folded;
+  settings.recent_files = ui_.view.files.recent_files;
+  settings.tabs = ui_.view.window.tabs;
+  settings.dock_open = ui_.view.window.dock_open;
+  settings.legend_folded = ui_.view.canvas.legend_folded;
   settings.preferences = ui_.view.preferences;
   settings.overlay_palette = session_->choices().overlay_palette;
   settings.breakpoints = session_->debugger().stops().breakpoints();
@@ -278,8 +275,8 @@ void App::frame() {
   last_time_ = ui_.time = now;
   dismiss_old_note();
   follow_work();
-  const float wanted =
-      ui_.view.ui_scale > 0 ? static_cast<float>(ui_.view.ui_scale) : automatic_scale(window_->size().y);
+  const float wanted = ui_.view.window.ui_scale > 0 ? static_cast<float>(ui_.view.window.ui_scale)
+                                                    : automatic_scale(window_->size().y);
   ui_.scale = std::min(wanted, largest_scale(window_->size()));
   window_->set_style({ui_.scale, ui_.view.preferences.font_size, ui_.view.preferences.theme});
   textures_->update(session_->level(), session_->revision(), ui_);
@@ -288,13 +285,13 @@ void App::frame() {
     textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
   Actions actions;
   const double start = processor_time();
-  window_->begin_frame(events_, ui_.view.cursor.begin_frame(), keys_navigate_controls());
+  window_->begin_frame(events_, ui_.view.canvas.cursor.begin_frame(), keys_navigate_controls());
   draw(actions);
   window_->end_frame();
   const double made = processor_time();
   window_->draw();
-  ui_.view.program.dialog_key = {};
-  ui_.view.program.metrics.note(cost_of_frame(made - start, processor_time() - made));
+  ui_.view.window.dialog_key = {};
+  ui_.view.window.metrics.note(cost_of_frame(made - start, processor_time() - made));
   window_->present();
   ++drawn_frames_;
   session_->apply(actions);
@@ -316,16 +313,16 @@ void App::draw(Actions& actions) {
 // When a dialog opens or closes, the next presses are meant for what comes. They wait until that is drawn and
 // has the focus.
 void App::hold_keys_while_dialogs_change() {
-  const std::array<bool, 11> wanted = {ui_.view.dialog != FileDialog::none,
+  const std::array<bool, 11> wanted = {ui_.view.files.dialog != FileDialog::none,
                                        session_->wants_save_as(),
                                        session_->wants_save_recording(),
                                        session_->question().has_value(),
-                                       ui_.view.command_palette_open,
-                                       ui_.view.program.keys_open,
-                                       ui_.view.program.recovery_open,
+                                       ui_.view.commands.palette_open,
+                                       ui_.view.commands.keys_open,
+                                       ui_.view.window.recovery_open,
                                        session_->png_import().has_value(),
                                        session_->level_import().has_value(),
-                                       ui_.view.resize_open,
+                                       ui_.view.level.resize_open,
                                        shows_reading(*session_)};
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kDialogOpeningFrames;
@@ -336,13 +333,11 @@ void App::hold_keys_while_dialogs_change() {
 
 // If the field does not come, nobody gets the keys.
 void App::hold_keys_until_field_focused() {
-  const std::string wanted = ui_.view.wants_text + ui_.view.wants_keys;
-  if (wanted != std::exchange(wanted_field_, wanted) && !wanted.empty()) {
-    frames_to_hold_ = frames_of_wanted_field_ = kFieldFocusFrames;
-  } else if (!wanted.empty() && --frames_of_wanted_field_ <= 0) {
-    ui_.view.wants_text.clear();
-    ui_.view.wants_keys.clear();
-  }
+  Requests& requests = ui_.view.requests;
+  const std::string wanted = requests.waiting_for_keys();
+  if (wanted != std::exchange(wanted_field_, wanted) && !wanted.empty())
+    frames_to_hold_ = Requests::kMostFramesForKeys;
+  requests.end_frame();
 }
 
 void App::handle_events() {
@@ -360,8 +355,8 @@ void App::handle_events() {
     } else if (event.type == SDL_KEYDOWN) {
       handle_key(event.key, actions);
     } else if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN) {
-      ui_.view.cursor.hide();  // the hand is back at the mouse
-      ui_.view.keys_in_panel = false;
+      ui_.view.canvas.cursor.hide();  // the hand is back at the mouse
+      ui_.view.window.keys_in_panel = false;
     } else if (event.type == SDL_DROPFILE && event.drop.file != nullptr) {
       actions.push_back(action::OpenFile{event.drop.file});
       SDL_free(event.drop.file);
@@ -375,7 +370,7 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   const KeyChord chord = chord_of(key.keysym);
   if (!chord || capture_key(chord, key.repeat != 0)) return;
   if (key.keysym.sym == SDLK_ESCAPE && close_window(actions)) return;
-  if (key.repeat == 0 && ImGui::GetTopMostPopupModal() != nullptr) ui_.view.program.dialog_key = chord;
+  if (key.repeat == 0 && ImGui::GetTopMostPopupModal() != nullptr) ui_.view.window.dialog_key = chord;
   if (keys_are_taken(chord) || steer(chord, actions)) return;
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
 }
@@ -384,26 +379,27 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
 // last; else the mark on the map. Returns true if the key does only that, and no selection is lost.
 bool App::close_window(Actions& actions) {
   if (ImGui::GetIO().WantTextInput || is_popup_open()) return false;
-  if (std::exchange(ui_.view.keys_in_panel, false)) return true;
+  if (std::exchange(ui_.view.window.keys_in_panel, false)) return true;
   if (session_->message() && session_->message()->is_error) {
     actions.push_back(action::DismissMessage{});
     return true;
   }
-  for (bool* open : {&ui_.view.help_open, &ui_.view.program.settings_open, &ui_.view.program.metrics_open,
-                     &ui_.view.exports.open, &ui_.view.find_tiles_open, &ui_.view.debugger.picks_cell}) {
+  for (bool* open :
+       {&ui_.view.window.help_open, &ui_.view.window.settings_open, &ui_.view.window.metrics_open,
+        &ui_.view.files.exports.open, &ui_.view.level.find_tiles_open, &ui_.view.debugger.picks_cell}) {
     if (std::exchange(*open, false)) return false;
   }
-  return std::exchange(ui_.view.marked_cell, std::nullopt).has_value();
+  return std::exchange(ui_.view.canvas.marked_cell, std::nullopt).has_value();
 }
 
 // Lists, menus, dialogs, floating windows, and a panel that was given the keys.
 bool App::keys_navigate_controls() const {
-  return is_popup_open() || ui_.view.keys_in_panel || floating_window_has_focus();
+  return is_popup_open() || ui_.view.window.keys_in_panel || floating_window_has_focus();
 }
 
 // A key for a command goes to the dialog that asks for it; but Escape closes the dialog.
 bool App::capture_key(KeyChord chord, bool repeated) {
-  auto& capture = ui_.view.program.key_capture;
+  auto& capture = ui_.view.commands.key_capture;
   if (!capture || capture->pressed) return false;
   if (repeated) return true;
   if (chord.key != kKeyEscape) capture->pressed = chord;
@@ -413,15 +409,16 @@ bool App::capture_key(KeyChord chord, bool repeated) {
 void App::open_wanted_program() {
   const ProgramCommands& commands = ui_.view.preferences.programs;
   game_start_.follow(*session_, commands, copies_);
-  const auto wanted = std::exchange(ui_.view.program.wanted_program, std::nullopt);
-  if (!wanted || (*wanted == ProgramId::love && game_start_.begin(*session_, commands))) return;
-  open_in_program(*session_, *wanted, commands, copies_);
+  const auto wanted = ui_.view.requests.take<request::OpenProgram>();
+  if (!wanted || (wanted->program == ProgramId::love && game_start_.begin(*session_, commands))) return;
+  open_in_program(*session_, wanted->program, commands, copies_);
 }
 
 // Holds a key of the players. Returns true if it belongs only to them: in a pause beside the map it is held
 // for the next step, and also runs its command.
 bool App::steer(KeyChord chord, Actions& actions) {
-  const bool theirs = ui_.view.focus == Focus::map && !ui_.view.cursor.on() && has_players(*session_);
+  const bool theirs =
+      ui_.view.window.focus == Focus::map && !ui_.view.canvas.cursor.on() && has_players(*session_);
   if (!theirs || !play_keys_.press(chord, ui_.view.preferences.keys)) return false;
   actions.push_back(play_keys_.held());
   return keys_steer(*session_, ui_.view);
@@ -431,11 +428,11 @@ bool App::steer(KeyChord chord, Actions& actions) {
 // are released.
 void App::release(const SDL_Event& event, Actions& actions) {
   if (event.type == SDL_KEYUP) {
-    ui_.view.cursor.release(chord_of(event.key.keysym).key);
+    ui_.view.canvas.cursor.release(chord_of(event.key.keysym).key);
     if (play_keys_.release(chord_of(event.key.keysym).key)) actions.push_back(play_keys_.held());
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
     play_keys_.release_all();
-    ui_.view.cursor.lift();
+    ui_.view.canvas.cursor.lift();
     actions.push_back(play_keys_.held());
   }
 }
@@ -460,7 +457,7 @@ void App::draw_file_dialog(Actions& actions) {
   const auto answer = browser_.draw(request, ui_);
   if (!answer) return;
   if (answer->cancelled) {
-    ui_.view.dialog = FileDialog::none;
+    ui_.view.files.dialog = FileDialog::none;
     if (session_->wants_save_as() || session_->wants_save_recording())
       actions.push_back(action::CancelSaveAs{});
     return;
@@ -477,7 +474,7 @@ void App::note_dialog_result() {
     browser_.show_error(session_->message()->text);
     session_->apply(action::DismissMessage{});
   } else {
-    ui_.view.dialog = FileDialog::none;
+    ui_.view.files.dialog = FileDialog::none;
   }
 }
 
@@ -488,12 +485,8 @@ void App::note_changes() {
   // Only another level has a new revision and no history.
   if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&
       session_->history().edits().empty()) {
-    ++ui_.view.level_number;
     copies_.forget();
-    ui_.view.marked_cell.reset();
-    const DebuggerView before = std::exchange(ui_.view.debugger, {});  // what was about the old level
-    ui_.view.debugger.legend_folded = before.legend_folded;
-    ui_.view.debugger.follow_body = before.follow_body;
+    ui_.view.forget_level();
   }
   if (ui_.view.preferences != noted_preferences_) {
     noted_preferences_ = ui_.view.preferences;
@@ -502,7 +495,7 @@ void App::note_changes() {
   if (session_->path() == noted_path_) return;
   noted_path_ = session_->path();
   if (noted_path_.empty()) return;
-  auto& recent = ui_.view.recent_files;
+  auto& recent = ui_.view.files.recent_files;
   const std::string path = absolute_path(noted_path_);
   std::erase(recent, path);
   recent.insert(recent.begin(), path);

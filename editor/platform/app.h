@@ -101,7 +101,6 @@ class App {
   bool dialog_answered_ = false;
   std::array<bool, 11> wanted_dialogs_{};  // one for each dialog, at the last look
   std::string wanted_field_;               // the field that should get the keys, at the last look
-  int frames_of_wanted_field_ = 0;         // number of frames in which it may still come
   int frames_to_hold_ = 0;                 // number of frames in which presses wait
   std::string note_;                       // the message whose time is measured
   double note_since_ = 0;                  // s

@@ -47,8 +47,8 @@ FileRequest save_picture(const Session& session, FileDialog dialog, const std::s
 // Returns nothing if there is no preset, or its target is not known.
 std::optional<FileRequest> name_export(const Session& session, const View& view) {
   const auto& exports = session.level().exports;
-  if (view.exports.preset >= exports.size()) return std::nullopt;
-  const ExportPreset& preset = exports[view.exports.preset];
+  if (view.files.exports.preset >= exports.size()) return std::nullopt;
+  const ExportPreset& preset = exports[view.files.exports.preset];
   const Exporter* exporter = find_exporter(preset.exporter);
   if (exporter == nullptr) return std::nullopt;
   FileRequest request{FileDialog::export_path,
@@ -63,7 +63,9 @@ std::optional<FileRequest> name_export(const Session& session, const View& view)
 
 FileRequest open_level(const Session& session, const View& view) {
   const bool has_path = !session.path().empty();
-  const std::string near = has_path ? session.path() : view.recent_files.empty() ? "" : view.recent_files[0];
+  const std::string near = has_path                          ? session.path()
+                           : view.files.recent_files.empty() ? ""
+                                                             : view.files.recent_files[0];
   std::vector<std::string> endings = level_endings(false);
   endings.emplace_back(kRecordingExtension);
   return {FileDialog::open, Purpose::opens, "Open a level, cart or recording", near, endings, ""};
@@ -83,7 +85,7 @@ std::optional<FileRequest> wanted_file(const Session& session, const View& view)
   const std::string recording = "." + std::string(kRecordingExtension);
   const FileDialog dialog = session.wants_save_as()          ? FileDialog::save_as
                             : session.wants_save_recording() ? FileDialog::save_recording
-                                                             : view.dialog;
+                                                             : view.files.dialog;
   switch (dialog) {
     case FileDialog::none:
       return std::nullopt;
@@ -127,7 +129,7 @@ Action answer_to(FileDialog dialog, const std::string& path, const Session& sess
     case FileDialog::export_palette:
       return action::ExportPng{PngPart::palette, path};
     case FileDialog::export_path:
-      return action::SetExportPath{view.exports.preset, path_for(path, session.path())};
+      return action::SetExportPath{view.files.exports.preset, path_for(path, session.path())};
     default:
       return action::OpenFile{path};
   }

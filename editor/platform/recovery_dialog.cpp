@@ -43,7 +43,7 @@ std::vector<std::string> about_work(const SavedWork& work) {
 
 std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const SavedWork> works, bool reading,
                                                            bool unsaved, Ui& ui) {
-  bool& open = ui.view.program.recovery_open;
+  bool& open = ui.view.window.recovery_open;
   if (!begin_dialog("Recover unsaved work", open, {ui.px(640), 0}, ui)) return std::nullopt;
   const auto readable =
       std::find_if(works.begin(), works.end(), [](const SavedWork& work) { return work.level != nullptr; });

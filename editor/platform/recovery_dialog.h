@@ -21,7 +21,7 @@ class RecoveryDialog {
     std::size_t index = 0;  // of the entry
     Choice choice = Choice::recover;
   };
-  // Draws the dialog while ui.view.program.recovery_open. `reading`: the offered work is still being read.
+  // Draws the dialog while ui.view.window.recovery_open. `reading`: the offered work is still being read.
   // `unsaved`: the open level has unsaved changes, or a run that the user has worked on, so nothing may
   // replace it.
   std::optional<Answer> draw(std::span<const SavedWork> works, bool reading, bool unsaved, Ui& ui);

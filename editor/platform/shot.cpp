@@ -36,22 +36,22 @@ bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (options.runs_back) session.apply(action::RunToStop{SearchDirection::backwards});
   if (options.overlays.any(&Overlay::needs_reach)) session.apply(action::FindReach{});
   if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
-  view.tabs = options.panels;
-  view.dock_open = !options.panels.empty();
-  if (view.dock_open) view.canvas = CanvasMode::play;
-  view.split_compared = options.two_views;
-  view.stage = options.stage;
+  view.window.tabs = options.panels;
+  view.window.dock_open = !options.panels.empty();
+  if (view.window.dock_open) view.canvas.mode = CanvasMode::play;
+  view.canvas.split_compared = options.two_views;
+  view.debugger.stage = options.stage;
   return true;
 }
 
 // One step in each frame, as in play, so that every overlay changes.
 WindowCost measure(App& app) {
-  app.ui().view.program.metrics.clear();
+  app.ui().view.window.metrics.clear();
   for (std::size_t i = 0; i < FrameMetrics::kFrames; ++i) {
     app.session().apply(action::StepFrame{});
     app.frame();
   }
-  return {app.ui().view.program.metrics, app.session().step_times().series()->points().back().last};
+  return {app.ui().view.window.metrics, app.session().step_times().series()->points().back().last};
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void WorkGuard::look_for_works() {
 
 void WorkGuard::offer(View& view) {
   if (reader_.is_busy() || !std::exchange(wants_offer_, false)) return;
-  view.program.recovery_open = was_open_ = !works_.empty();
+  view.window.recovery_open = was_open_ = !works_.empty();
 }
 
 // A message says when a problem begins and ends; between them the status bar shows it.
@@ -59,7 +59,7 @@ bool WorkGuard::save_by_itself(Session& session, View& view, double now) {
     session.apply(action::ShowMessage{told_, true});
   }
   const std::string problem = autosave_.problem().value_or("");
-  const bool changed = std::exchange(view.program.autosave_problem, problem) != problem;
+  const bool changed = std::exchange(view.window.autosave_problem, problem) != problem;
   if (changed && problem.empty() && session.message() && session.message()->text == told_)
     session.apply(session.modified()
                       ? Action(action::ShowMessage{"Unsaved work is saved automatically again.", false})
@@ -77,7 +77,7 @@ bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
   next_look_ = now + kFileInterval;
   if (busy) return changed;
   // A process that was killed just before this one started may not have ended yet.
-  const bool was_open = view.program.recovery_open;
+  const bool was_open = view.window.recovery_open;
   if (++looks_ == kSecondOffer && !was_open && works_.empty() && !reader_.is_busy()) start(view);
   const auto shown = [&] {
     return std::tuple(session.revision(), session.modified(),
@@ -85,7 +85,7 @@ bool WorkGuard::follow(Session& session, View& view, double now, bool busy) {
   };
   const auto before = shown();
   session.apply(action::CheckFile{});
-  return changed || before != shown() || view.program.recovery_open != was_open;
+  return changed || before != shown() || view.window.recovery_open != was_open;
 }
 
 double WorkGuard::due() const {
@@ -94,7 +94,7 @@ double WorkGuard::due() const {
 }
 
 void WorkGuard::draw(Session& session, Ui& ui) {
-  const bool open = ui.view.program.recovery_open;
+  const bool open = ui.view.window.recovery_open;
   if (open && !was_open_) {
     wants_offer_ = false;
     look_for_works();
@@ -109,7 +109,7 @@ void WorkGuard::draw(Session& session, Ui& ui) {
     if (const auto gone = Autosave::discard(works_[answer->index]); !gone)
       session.apply(action::ShowMessage{gone.error(), true});
     drop(answer->index);
-    if (works_.empty()) ui.view.program.recovery_open = false;
+    if (works_.empty()) ui.view.window.recovery_open = false;
   }
 }
 
@@ -117,7 +117,7 @@ void WorkGuard::recover(std::size_t index, Session& session, View& view) {
   recovering_ = works_[index];
   recoveries_ = session.recoveries();
   drop(index);
-  view.program.recovery_open = false;
+  view.window.recovery_open = false;
   session.apply(action::RecoverLevel{recovering_->level, recovering_->path, recovering_->name,
                                      recovering_->recordings});
   if (!session.reading()) finish_recovery(session, view);
@@ -128,7 +128,7 @@ void WorkGuard::finish_recovery(Session& session, View& view) {
   const SavedWork work = *std::exchange(recovering_, std::nullopt);
   if (session.recoveries() == recoveries_) return;
   const auto saved = autosave_.save_now(session);
-  view.program.autosave_problem = autosave_.problem().value_or("");
+  view.window.autosave_problem = autosave_.problem().value_or("");
   if (!saved)
     session.apply(action::ShowMessage{
         "Recovered, but not saved automatically again: " + saved.error() + ". " + work.file + " stays.",

@@ -12,7 +12,7 @@ class UiCursor : public UiTest {
     UiTest::SetUp();
     start();
   }
-  KeyCursor& cursor() { return app().ui().view.cursor; }
+  KeyCursor& cursor() { return app().ui().view.canvas.cursor; }
   void press_key(KeyChord chord) {
     key(chord);
     frames(2);
@@ -31,7 +31,7 @@ class UiCursor : public UiTest {
     ASSERT_EQ(hovered(), to);
   }
   std::optional<Cell> hovered() {
-    const Hover& hover = app().ui().view.hover;
+    const Hover& hover = app().ui().view.canvas.hover;
     return hover.sprite ? hover.sprite : hover.cell;
   }
   void choose_tile(int tile) {
@@ -56,7 +56,7 @@ TEST_F(UiCursor, EnterShowsItAndEscapeEndsIt) {
   press_key(shift(kKeyLeft));
   EXPECT_EQ(hovered(), (Cell{at.x - 7, at.y}));
   press_key(ctrl_shift(kKeyDown));
-  EXPECT_EQ(app().ui().view.hover.pixel->y, at.y * 8 + 5);
+  EXPECT_EQ(app().ui().view.canvas.hover.pixel->y, at.y * 8 + 5);
   press_key(kKeyEscape);
   EXPECT_FALSE(cursor().on());
   EXPECT_FALSE(hovered());
@@ -110,7 +110,7 @@ TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
   press_key(kKeyEnter);
   EXPECT_TRUE(cursor().pen_down());
   go_to({6, 4});
-  EXPECT_EQ(app().ui().view.hover.dragged, (Cell{4, 3})) << "for the status bar";
+  EXPECT_EQ(app().ui().view.canvas.hover.dragged, (Cell{4, 3})) << "for the status bar";
   EXPECT_EQ(tile_at({3, 2}), 0);
   press_key(kKeyEnter);
   for (int y = 2; y <= 4; ++y)
@@ -292,7 +292,7 @@ TEST_F(UiCursor, GoesWithTheKeysToThePixelsAndFromCanvasToCanvas) {
     for (int i = 0; i < 6 && !cursor().is_on(canvas); ++i) press_key(ctrl(kKeyTab));
     EXPECT_TRUE(cursor().is_on(canvas)) << canvas;
   }
-  EXPECT_TRUE(app().ui().view.hover.tile) << "on the sheet";
+  EXPECT_TRUE(app().ui().view.canvas.hover.tile) << "on the sheet";
   EXPECT_EQ(session().history().edits().size(), 1u);
 }
 

@@ -21,7 +21,7 @@ class UiCurve : public UiTest {
   const Curve& curve(std::size_t i) { return level().curves.at(i).curve; }
   Vec2 place_of_handle(int i) {
     move(centre("map/curve_handle" + std::to_string(i)));
-    return app().ui().view.hover.pixel.value_or(Vec2{});
+    return app().ui().view.canvas.hover.pixel.value_or(Vec2{});
   }
   void drag_handle(int i, Vec2 to) {
     drag(centre("map/curve_handle" + std::to_string(i)), on_canvas("map", to));

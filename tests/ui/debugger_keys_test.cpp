@@ -64,7 +64,7 @@ TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
   play(12);
   key(kKeyF6);
   frames(2);
-  EXPECT_TRUE(app().ui().view.dock_open);
+  EXPECT_TRUE(app().ui().view.window.dock_open);
   ASSERT_NE(find("input_roll/jump"), nullptr);
   key(kKeyDown);
   key(kKeyDown);  // jump
@@ -84,7 +84,7 @@ TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
   EXPECT_FALSE(timeline().current().input(6).jump);
   EXPECT_TRUE(timeline().current().input(7).jump);
   key(kKeyF3);
-  EXPECT_EQ(app().ui().view.focus, Focus::map);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::map);
   key(kKeyLeft);
   EXPECT_EQ(frame(), 6) << "the map has the keys again";
 }

@@ -20,7 +20,7 @@ class UiDebugger : public DebuggerTest {
     return {track->min.x + inset + share * width, (track->min.y + track->max.y) / 2 + 3};
   }
   void open_tab(const std::string& id) {
-    if (!app().ui().view.dock_open) key(kKeyF4);
+    if (!app().ui().view.window.dock_open) key(kKeyF4);
     frames(2);
     click("tabs/" + id);
     frames(2);
@@ -186,7 +186,7 @@ TEST_F(UiDebugger, BreakpointsAndWatchesAreRememberedBetweenStarts) {
   key(kKeyF4);
   stop();
   start();
-  EXPECT_TRUE(app().ui().view.dock_open);
+  EXPECT_TRUE(app().ui().view.window.dock_open);
   ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u);
   const Breakpoint& kept = session().debugger().stops().breakpoints()[0];
   EXPECT_EQ(kept.condition, "vy > 1");
@@ -291,12 +291,12 @@ TEST_F(UiDebugger, StagesAreWalkedThroughByKey) {
   EXPECT_EQ(stages.back().kind, StageKind::arrived);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     key(kKeyF11);
-    EXPECT_EQ(app().ui().view.stage, static_cast<int>(i));
+    EXPECT_EQ(app().ui().view.debugger.stage, static_cast<int>(i));
   }
   key(shift(kKeyF11));
-  EXPECT_EQ(app().ui().view.stage, static_cast<int>(stages.size()) - 2);
+  EXPECT_EQ(app().ui().view.debugger.stage, static_cast<int>(stages.size()) - 2);
   click("why/stage0");
-  EXPECT_EQ(app().ui().view.stage, 0);
+  EXPECT_EQ(app().ui().view.debugger.stage, 0);
 }
 
 }  // namespace talus::debugger_test

@@ -12,7 +12,7 @@ class UiDebuggerWalk : public DebuggerTest {
  protected:
   static constexpr KeyChord kEnter{SDLK_RETURN};
   void open_tab(const std::string& id) {
-    app().ui().view.dock_open = true;
+    app().ui().view.window.dock_open = true;
     frames(3);
     click("tabs/" + id);
     frames(3);

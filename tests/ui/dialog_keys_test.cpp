@@ -214,7 +214,7 @@ TEST_F(UiDialogKeys, KeysAreChangedByKeys) {
   press_key(ctrl(kKeyDelete));
   EXPECT_EQ(keys_of_undo(), (CommandKeys{ctrl('z'), KeyChord{}}));
   press_key(kEscapeKey);
-  EXPECT_FALSE(view().program.keys_open);
+  EXPECT_FALSE(view().commands.keys_open);
 }
 
 TEST_F(UiDialogKeys, ArrowsChooseTheCommandWhoseKeyChanges) {
@@ -252,7 +252,7 @@ TEST_F(UiDialogKeys, SettingsGoByKeys) {
   }
   EXPECT_EQ(view().preferences.theme, ThemeKind::light);
   press_key(kEscapeKey);
-  EXPECT_FALSE(view().program.settings_open);
+  EXPECT_FALSE(view().window.settings_open);
 }
 
 TEST_F(UiDialogKeys, ThePaletteSwitchesAFlag) {
@@ -324,20 +324,21 @@ TEST_F(UiDialogKeys, TheEnterThatOpensAListFromAMenuChoosesNothingInIt) {
   run_from_palette("menu help");
   press_key({kKeyDown});
   press_key({kKeyEnter});
-  EXPECT_TRUE(view().command_palette_open) << "the second one finds commands";
+  EXPECT_TRUE(view().commands.palette_open) << "the second one finds commands";
   press_key(kEscapeKey);
-  EXPECT_FALSE(view().command_palette_open);
+  EXPECT_FALSE(view().commands.palette_open);
 }
 
 TEST_F(UiDialogKeys, TabsComeByNameAndGoByKeys) {
   for (const char* tab : {"history", "brushes", "problems", "shape", "inspector", "tuning"}) {
     run_from_palette(std::string("tab ") + tab);
-    EXPECT_NE(std::find(view().tabs.begin(), view().tabs.end(), tab), view().tabs.end()) << tab;
+    EXPECT_NE(std::find(view().window.tabs.begin(), view().window.tabs.end(), tab), view().window.tabs.end())
+        << tab;
     press_key(kEscapeKey);
   }
   click(on_sheet(9));
   run_from_palette("tab flags");
-  EXPECT_TRUE(view().keys_in_panel);
+  EXPECT_TRUE(view().window.keys_in_panel);
   EXPECT_NE(focused(), "") << "it is shown where the keys are";
   press_key({kKeyDown});
   press_key({kKeyLeft});
@@ -347,7 +348,7 @@ TEST_F(UiDialogKeys, TabsComeByNameAndGoByKeys) {
   press_key({kKeyEnter});
   EXPECT_EQ(level().tile_flags(9), 3);
   press_key(kEscapeKey);
-  EXPECT_FALSE(view().keys_in_panel);
+  EXPECT_FALSE(view().window.keys_in_panel);
 }
 
 TEST_F(UiDialogKeys, MenusComeByNameAndGoByArrows) {

@@ -355,7 +355,7 @@ TEST_F(UiEdit, ProblemIsShownOnTheMap) {
   while (row < problems.size() && problems[row].cell != Cell{20, 4}) ++row;
   ASSERT_LT(row, problems.size());
   click("problems/row" + std::to_string(row));
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 4}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{20, 4}));
 }
 
 TEST_F(UiEdit, FlagGetsAShapeWithHeights) {

@@ -122,7 +122,7 @@ TEST_F(UiExport, EditsOfPresetsAreUndone) {
   click("export/duplicate");
   settle();
   ASSERT_EQ(level().exports.size(), 2u);
-  EXPECT_EQ(app().ui().view.exports.preset, 1u) << "the new one is chosen";
+  EXPECT_EQ(app().ui().view.files.exports.preset, 1u) << "the new one is chosen";
   EXPECT_EQ(preset(1).name, preset(0).name + " 2");
   click("export/on_save");
   settle();

@@ -226,11 +226,11 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   EXPECT_EQ(ImGui::GetIO().DisplaySize.x, 1280);
   EXPECT_FALSE(session().choices().grid);
   EXPECT_EQ(session().choices().overlays.has(overlay::boxes), boxes);
-  EXPECT_EQ(app().ui().view.canvas, CanvasMode::play);
+  EXPECT_EQ(app().ui().view.canvas.mode, CanvasMode::play);
   EXPECT_NEAR(centre("layout/left").x, moved, 1);
   EXPECT_NE(find("tuning/fall_speed"), nullptr) << "the chosen tab is shown again";
-  EXPECT_EQ(app().ui().view.tabs, (std::vector<std::string>{"flags", "tuning", "history"}));
-  EXPECT_EQ(app().ui().view.recent_files,
+  EXPECT_EQ(app().ui().view.window.tabs, (std::vector<std::string>{"flags", "tuning", "history"}));
+  EXPECT_EQ(app().ui().view.files.recent_files,
             (std::vector<std::string>{path("level.talus.json"), path("second.talus.json")}));
   click("menu/File");
   frames(2);
@@ -277,7 +277,7 @@ TEST_F(UiFile, DamagedSettingsAreIgnoredWithAMessage) {
   start(path("level.talus.json"));
   ASSERT_TRUE(session().message());
   EXPECT_NE(session().message()->text.find("settings"), std::string::npos);
-  EXPECT_EQ(app().ui().view.layout, Layout{});
+  EXPECT_EQ(app().ui().view.window.layout, Layout{});
   EXPECT_EQ(tile_at({5, 10}), 2) << "the level is open all the same";
 }
 

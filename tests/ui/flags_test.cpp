@@ -213,21 +213,21 @@ TEST_F(UiFlags, TheListGoesFromCellToCell) {
   EXPECT_EQ(find("flag_search/tile1"), nullptr);
   click("flag_search/next");
   frames(2);
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{5, 10}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{5, 10}));
   click("flag_search/flag");
   frames(2);
   click("flag_search/flag0");
   frames(2);
   key(ctrl('g'));
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{0, 16}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{0, 16}));
   key(ctrl('g'));
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{1, 16}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{1, 16}));
   key(ctrl_shift('g'));
   key(ctrl_shift('g'));
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{29, 16})) << "around the end";
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{29, 16})) << "around the end";
   click("flag_search/tile1");
   EXPECT_EQ(session().choices().area.tile_at(0, 0), 1);
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{0, 16}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{0, 16}));
 }
 
 }  // namespace talus::flags_test

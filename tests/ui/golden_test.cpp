@@ -16,7 +16,7 @@ class UiGoldenDebugger : public UiGolden {
     for (int i = 0; i < 33; ++i) session().apply(action::StepFrame{});
   }
   void open_tab(const std::string& id) {
-    if (!app().ui().view.dock_open) key(kKeyF4);
+    if (!app().ui().view.window.dock_open) key(kKeyF4);
     frames(2);
     click("tabs/" + id);
   }

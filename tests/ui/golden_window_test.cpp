@@ -70,7 +70,7 @@ TEST_F(UiGoldenWindow, WorldViewAndMinimap) {
 }
 
 TEST_F(UiGoldenWindow, ProblemsPanel) {
-  app().ui().view.wants_tab = "problems";
+  app().ui().view.requests.ask(request::ShowTab("problems"));
   settle();
   const Widget* row = find("problems/row0");
   ASSERT_NE(row, nullptr);

@@ -117,9 +117,9 @@ ImVec2 UiTest::centre(std::string_view name) {
 ImVec2 UiTest::on_canvas(const std::string& canvas, Vec2 at) {
   const ImVec2 from = centre(canvas + "/canvas"), to{from.x + 32, from.y};
   move(from);
-  const auto first = app_->ui().view.hover.pixel;
+  const auto first = app_->ui().view.canvas.hover.pixel;
   move(to);
-  const auto second = app_->ui().view.hover.pixel;
+  const auto second = app_->ui().view.canvas.hover.pixel;
   if (!first || !second) {
     ADD_FAILURE() << "the mouse is not over " << canvas;
     return {0, 0};

@@ -70,7 +70,7 @@ TEST_P(UiLayout, EveryWidgetIsWholeAndApartInEveryLayout) {
   start(save_test_level("level.talus.json"), GetParam().width, GetParam().height);
   session().apply(action::SelectBody{1});
   for (CanvasMode mode : {CanvasMode::map, CanvasMode::play, CanvasMode::both}) {
-    app().ui().view.canvas = mode;
+    app().ui().view.canvas.mode = mode;
     frames(3);
     check_all("canvas " + std::to_string(static_cast<int>(mode)));
   }
@@ -79,7 +79,7 @@ TEST_P(UiLayout, EveryWidgetIsWholeAndApartInEveryLayout) {
   click("tabs/color");
   frames(3);
   check_all("other tabs");
-  app().ui().view.pixels = {true, true};
+  app().ui().view.sprites.pixels = {true, true};
   frames(3);
   check_all("enlarged pixels");
 }
@@ -165,15 +165,15 @@ TEST_F(UiKeys, EachReachesItsCommand) {
       // What SDL would send for the key comes back as the same chord, and leads to this command alone.
       EXPECT_EQ(chord_of(keysym_of(chord)), chord) << command.id;
       Ui& ui = app().ui();
-      ui.view.focus = command.scope == Scope::sprites ? Focus::sprites
-                      : command.scope == Scope::input ? Focus::input
-                                                      : Focus::map;
+      ui.view.window.focus = command.scope == Scope::sprites ? Focus::sprites
+                             : command.scope == Scope::input ? Focus::input
+                                                             : Focus::map;
       Session probe(test_level());
       Ui view;
-      view.problems = &probe.problems();  // as every frame has them
-      view.view.focus = ui.view.focus;
-      if (command.scope == Scope::cursor) view.view.cursor.go_to({"map"});
-      view.view.hover.cell = Cell{5, 10};
+      view.level.problems = &probe.problems();  // as every frame has them
+      view.view.window.focus = ui.view.window.focus;
+      if (command.scope == Scope::cursor) view.view.canvas.cursor.go_to({"map"});
+      view.view.canvas.hover.cell = Cell{5, 10};
       probe.apply(action::EditLevel{erase_cells(probe.level(), {5, 10, 1, 1})});
       probe.apply(action::EditLevel{erase_cells(probe.level(), {0, 16, 1, 1})});
       probe.apply(action::Undo{});

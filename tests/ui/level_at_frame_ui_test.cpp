@@ -31,7 +31,7 @@ class UiLevelAtFrame : public DebuggerTest {
 };
 
 TEST_F(UiLevelAtFrame, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
-  app().ui().view.canvas = CanvasMode::both;
+  app().ui().view.canvas.mode = CanvasMode::both;
   const Cell cell{20, 8};
   const Rgb solid = level().palette[13];
   play(10);
@@ -47,7 +47,7 @@ TEST_F(UiLevelAtFrame, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
 }
 
 TEST_F(UiLevelAtFrame, FromAfarToo) {
-  app().ui().view.canvas = CanvasMode::play;
+  app().ui().view.canvas.mode = CanvasMode::play;
   frames(2);
   play(10);
   paint({8, 2}, 16, 12);
@@ -63,7 +63,7 @@ TEST_F(UiLevelAtFrame, FromAfarToo) {
 }
 
 TEST_F(UiLevelAtFrame, TheOtherSideShowsTheLevelOfItsOwnBranch) {
-  app().ui().view.canvas = CanvasMode::play;
+  app().ui().view.canvas.mode = CanvasMode::play;
   const Cell cell{12, 8};
   const Rgb solid = level().palette[13];
   play(10);
@@ -71,7 +71,7 @@ TEST_F(UiLevelAtFrame, TheOtherSideShowsTheLevelOfItsOwnBranch) {
   paint(cell);
   frames(5);
   ASSERT_NE(timeline().compared(), nullptr);
-  app().ui().view.split_compared = true;
+  app().ui().view.canvas.split_compared = true;
   frames(3);
   ASSERT_NE(find("play/other_side"), nullptr);
   const ImVec2 here = middle_of("play", cell);

@@ -104,7 +104,7 @@ class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tupl
   }
 
   void look_at_tabs() {
-    app().ui().view.dock_open = true;
+    app().ui().view.window.dock_open = true;
     frames(2);
     for (const char* tab : {"tabs/inspector", "tabs/why", "tabs/shape", "tabs/tuning", "tabs/brushes",
                             "tabs/problems", "tabs/history", "tabs/flag_search", "tabs/input_roll",
@@ -123,7 +123,7 @@ TEST_P(UiLongText, EveryPanelShowsIt) {
   session().apply(action::SetFlagOverlay{level().flag_fields[0].pattern(1)});
   look_at_tabs();
   for (const CanvasMode mode : {CanvasMode::map, CanvasMode::play, CanvasMode::both}) {
-    app().ui().view.canvas = mode;
+    app().ui().view.canvas.mode = mode;
     look("canvas");
   }
   session().apply(action::SelectSpawn{0});
@@ -149,10 +149,10 @@ TEST_P(UiLongText, EveryPanelShowsIt) {
     look(menu);
     key(SDLK_ESCAPE);
   }
-  app().ui().view.exports.open = true;
+  app().ui().view.files.exports.open = true;
   look("exports");
   look_at_help_of("export/preset0");
-  app().ui().view.exports.open = false;
+  app().ui().view.files.exports.open = false;
   for (const char* widget : {"flags/lamp0", "menu/title", "timeline/track"}) look_at_help_of(widget);
   // A level with such names may be one that cannot be saved by itself.
   const bool is_saved = find("status/file") != nullptr;
@@ -268,8 +268,8 @@ TEST_F(UiLongList, TheFilesOfAFolder) {
   for (int i = 0; i < kEntries / 4; ++i)
     std::ofstream(path("many/" + std::string(180, 'W') + std::to_string(1000000 + i) + ".tic"));
   std::ofstream(path("many/\xff\xfe\x01\x1b[2J.tic"));
-  app().ui().view.recent_files = {path("many/x.tic")};
-  app().ui().view.dialog = FileDialog::open;
+  app().ui().view.files.recent_files = {path("many/x.tic")};
+  app().ui().view.files.dialog = FileDialog::open;
   frames(3);
   push_typing(path("many"));
   key(SDLK_RETURN);

@@ -80,7 +80,7 @@ TEST_F(UiMap, LineIsDrawnWhenTheButtonIsLetGo) {
   press();
   move(on_map({6, 4}));
   EXPECT_EQ(entries(), 0u) << "only a preview";
-  EXPECT_EQ(app().ui().view.hover.dragged, (Cell{5, 3}));
+  EXPECT_EQ(app().ui().view.canvas.hover.dragged, (Cell{5, 3}));
   release();
   EXPECT_EQ(drawn({2, 2, 5, 3}), (Rows{"1....", ".11..", "...11"}));
   EXPECT_EQ(entries(), 1u);
@@ -349,9 +349,9 @@ TEST_F(UiMap, MirrorTurnsSlopesAround) {
 TEST_F(UiMap, StatusBarTellsTileFlagsAndPlace) {
   stamp(1, 1, {4, 5});
   move(on_map({4, 5}));
-  EXPECT_EQ(app().ui().view.hover.cell, (Cell{4, 5}));
+  EXPECT_EQ(app().ui().view.canvas.hover.cell, (Cell{4, 5}));
   EXPECT_NE(find("status/mouse"), nullptr);
-  const auto told = [&] { return hover_text(session(), app().ui().view.hover); };
+  const auto told = [&] { return hover_text(session(), app().ui().view.canvas.hover); };
   EXPECT_EQ(told().substr(0, told().find("px")), "(4, 5)  tile 1 flags 0   ");
   move(on_canvas("map", {36, 44}));
   EXPECT_EQ(told(), "(4, 5)  tile 1 flags 0   px 36.00, 44.00");
@@ -393,14 +393,14 @@ TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
   click(resize);
   frames(2);
   EXPECT_EQ(level().map.width(), 30) << "where the button was, the same click again loses nothing";
-  EXPECT_TRUE(app().ui().view.resize_open);
+  EXPECT_TRUE(app().ui().view.level.resize_open);
   click(resize);
   frames(2);
   click("resize/apply");
   frames(3);
   EXPECT_EQ(level().map.width(), 20);
   EXPECT_EQ(level().map.height(), 17);
-  EXPECT_FALSE(app().ui().view.resize_open);
+  EXPECT_FALSE(app().ui().view.level.resize_open);
   key(ctrl('z'));
   EXPECT_EQ(level().map, test_level().map);
 }
@@ -419,7 +419,7 @@ TEST_F(UiMap, MapKeepsItsSizeWhereNoMapCanHaveTheTypedOne) {
     set("resize/height", "136");
     set("resize/width", wrong);
     EXPECT_FALSE(find("resize/apply")->enabled) << wrong;
-    EXPECT_TRUE(app().ui().view.resize_open) << wrong;
+    EXPECT_TRUE(app().ui().view.level.resize_open) << wrong;
   }
   set("resize/width", "40");
   set("resize/right", "99999999");
@@ -456,7 +456,7 @@ TEST_F(UiMap, EscapeLeavesTheMapsSizeAlone) {
   type("20");
   click("resize/cancel");
   frames(3);
-  EXPECT_FALSE(app().ui().view.resize_open);
+  EXPECT_FALSE(app().ui().view.level.resize_open);
   EXPECT_FALSE(session().modified());
 }
 
@@ -465,13 +465,13 @@ TEST_F(UiMap, TilesAreFoundAndReplaced) {
   click(on_map({20, 12}));
   key(ctrl('h'));
   frames(3);
-  EXPECT_EQ(app().ui().view.find_tile, 3) << "the chosen tile";
+  EXPECT_EQ(app().ui().view.level.find_tile, 3) << "the chosen tile";
   click("find_tiles/next");
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2, 2}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{2, 2}));
   click("find_tiles/next");
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 12}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{20, 12}));
   click("find_tiles/previous");
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2, 2}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{2, 2}));
   click("find_tiles/replace");
   key(ctrl('a'));
   type("6");
@@ -493,7 +493,7 @@ TEST_F(UiMap, FindTakesTheDigits) {
     type(number);
     key(KeyChord{'\r'});
     frames(2);
-    EXPECT_EQ(app().ui().view.find_tile, std::stoi(number)) << "all of what was there is replaced";
+    EXPECT_EQ(app().ui().view.level.find_tile, std::stoi(number)) << "all of what was there is replaced";
     EXPECT_EQ(tool(), before) << "no digit chooses a tool";
     move(on_map({21, 12}));
   }
@@ -505,13 +505,13 @@ TEST_F(UiMap, FindTakesTheDigits) {
   EXPECT_FALSE(find("find_tiles/next")->enabled);
   click("find_tiles/find_take");
   frames(2);
-  EXPECT_EQ(app().ui().view.find_tile, 3);
+  EXPECT_EQ(app().ui().view.level.find_tile, 3);
   EXPECT_EQ(find("find_tiles/problem"), nullptr);
   EXPECT_TRUE(find("find_tiles/next")->enabled);
 }
 
 TEST_F(UiMap, EscapeOrAClickTakesTheMarkOfWhatWasFoundAway) {
-  const auto& marked = app().ui().view.marked_cell;
+  const auto& marked = app().ui().view.canvas.marked_cell;
   stamp(3, 3, {2, 2});
   click(on_map({20, 12}));
   key(ctrl('a'));
@@ -535,9 +535,9 @@ TEST_F(UiMap, NextTileByItsKeyIsTheChosenOne) {
   stamp(3, 3, {2, 2});
   click(on_map({20, 12}));
   key('n');
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2, 2}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{2, 2}));
   key(shift('n'));
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{20, 12}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{20, 12}));
   click(on_sheet(7));
   key(kKeyF3);
   key('n');

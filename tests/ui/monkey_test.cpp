@@ -75,11 +75,11 @@ class UiMonkey : public UiTest {
   // Nothing is written elsewhere, and no other program is started.
   void keep_in_the_cage() {
     View& view = app().ui().view;
-    view.dialog = FileDialog::none;
+    view.files.dialog = FileDialog::none;
     view.preferences.programs = {};
     if (session().wants_save_as()) session().apply(action::CancelSaveAs{});
-    if (view.level_number == level_number_) return;
-    level_number_ = view.level_number;
+    if (view.canvas.level_number == level_number_) return;
+    level_number_ = view.canvas.level_number;
     first_ = level();
     EXPECT_TRUE(session().history().edits().empty());
   }

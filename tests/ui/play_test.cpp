@@ -156,14 +156,14 @@ TEST_F(UiPlay, OverlaysAreSwitched) {
 TEST_F(UiPlay, WheelZoomsAtTheMouse) {
   const ImVec2 at = on_map({20, 5});
   move(at);
-  const Vec2 before = *app().ui().view.hover.pixel;
+  const Vec2 before = *app().ui().view.canvas.hover.pixel;
   wheel(2);
   frames();
-  const Vec2 after = *app().ui().view.hover.pixel;
+  const Vec2 after = *app().ui().view.canvas.hover.pixel;
   EXPECT_NEAR(after.x, before.x, 0.5);
   EXPECT_NEAR(after.y, before.y, 0.5);
   move({at.x + 32, at.y});
-  EXPECT_NEAR(app().ui().view.hover.pixel->x - after.x, 8, 1e-4);  // 2x became 4x
+  EXPECT_NEAR(app().ui().view.canvas.hover.pixel->x - after.x, 8, 1e-4);  // 2x became 4x
 }
 
 // On the map the middle button picks tiles.
@@ -173,7 +173,7 @@ TEST_F(UiPlay, RightAndInPlayMiddleDragMoveTheView) {
     const ImVec2 from = on_canvas(canvas, {68, 68}), to{from.x + 40, from.y + 24};
     drag(from, to, button);
     move(to);
-    EXPECT_EQ(app().ui().view.hover.cell, (Cell{8, 8})) << canvas;
+    EXPECT_EQ(app().ui().view.canvas.hover.cell, (Cell{8, 8})) << canvas;
   }
   EXPECT_FALSE(session().modified());
 }
@@ -186,7 +186,7 @@ TEST_F(UiPlay, SpaceAndTheLeftButtonMoveTheView) {
   drag(from, to);
   let_go(' ');
   move(to);
-  EXPECT_EQ(app().ui().view.hover.cell, (Cell{8, 8}));
+  EXPECT_EQ(app().ui().view.canvas.hover.cell, (Cell{8, 8}));
   EXPECT_FALSE(session().modified()) << "nothing was painted";
 }
 

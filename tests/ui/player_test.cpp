@@ -88,14 +88,14 @@ TEST_F(UiPlayer, OtherKeysSteerOnceTheyAreBound) {
 
 TEST_F(UiPlayer, PaletteGivesPlayersTheKeys) {
   key(kKeyF2);
-  ASSERT_EQ(app().ui().view.focus, Focus::sprites);
+  ASSERT_EQ(app().ui().view.window.focus, Focus::sprites);
   key(ctrl('p'));
   frames(2);
   type("run left");
   key('\r');
   frames(2);
-  EXPECT_EQ(app().ui().view.focus, Focus::map);
-  EXPECT_TRUE(app().ui().view.play_active);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::map);
+  EXPECT_TRUE(app().ui().view.canvas.play_active);
 }
 
 TEST_F(UiPlayer, TapBetweenTwoSlowStepsCounts) {

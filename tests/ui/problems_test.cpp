@@ -37,7 +37,7 @@ TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
                                                "slope-half-missing", "seam", "seam"}));
 
   click("problems/row" + row_of("spawn-in-solid"));  // see where it is first
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{25, 13}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{25, 13}));
   click("problems/fix" + row_of("spawn-in-solid"));
   EXPECT_EQ(level().spawns[0].position, (Vec2{204, 96}));  // on top of the wall
   EXPECT_EQ(last_edit(), "Move spawn \"hero\" up by 12 px to 204, 96 px");
@@ -78,21 +78,21 @@ TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
 TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
   start_broken();
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.problems.chosen->rule->code, "flags-conflict");
+  EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "flags-conflict");
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.problems.chosen->rule->code, "spawn-in-solid");
+  EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "spawn-in-solid");
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{10, 14}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{10, 14}));
   key(alt(kKeyF8));
   EXPECT_EQ(tile_at({11, 14}), 4);
   frames(4);
   key(kKeyF8);  // the one that has the fixed one's row now
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{14, 14}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{14, 14}));
   key(shift(kKeyF8));
-  EXPECT_EQ(app().ui().view.problems.chosen->rule->code, "spawn-in-solid");
+  EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "spawn-in-solid");
   key(shift(kKeyF8));
   key(shift(kKeyF8));  // round to the last one
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{21, 14}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{21, 14}));
 }
 
 TEST_F(UiProblems, GoingToACellInSightLeavesTheViewAlone) {
@@ -100,7 +100,7 @@ TEST_F(UiProblems, GoingToACellInSightLeavesTheViewAlone) {
   const ImVec2 before = on_map({0, 0});
   click("problems/row" + row_of("spawn-in-solid"));
   frames(2);
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{25, 13}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{25, 13}));
   EXPECT_EQ(on_map({0, 0}).x, before.x);
   EXPECT_EQ(on_map({0, 0}).y, before.y);
   for (int i = 0; i < 30; ++i) key(kKeyLeft);  // all cells are scrolled out
@@ -119,7 +119,7 @@ TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   ASSERT_NE(find("problems/choice0"), nullptr);
   click("problems/choice_kind");
   frames(2);  // the list scrolls back to what is left of it
-  EXPECT_EQ(app().ui().view.problems.kind->code, "seam");
+  EXPECT_EQ(app().ui().view.level.problems.kind->code, "seam");
   EXPECT_EQ(find("problems/row0"), nullptr);
   ASSERT_NE(find("problems/row5"), nullptr);
   click("problems/seam");  // jumps of up to 3 px are allowed from now on
@@ -168,7 +168,7 @@ TEST_F(UiProblems, FarCellsAreNotCutOff) {
   // As high as its place in a line of its own, and the message in several.
   EXPECT_GT(widget->max.y - widget->min.y, 3 * 14);
   click(row);
-  EXPECT_EQ(app().ui().view.marked_cell, (Cell{2'000'000, 2}));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{2'000'000, 2}));
 }
 
 TEST_F(UiProblems, WhereThePlayerGetsTo) {
@@ -222,8 +222,8 @@ TEST_F(UiProblems, TheWayToAMarkedCellIsPlayedFromThePanel) {
   click("problems/fix" + row_of("spawn-in-solid"));
   key(kKeyF12);
   for (int i = 0; i < 2000 && session().reach().running(); ++i) frames();
-  app().ui().view.dock_open = true;
-  app().ui().view.canvas = CanvasMode::play;
+  app().ui().view.window.dock_open = true;
+  app().ui().view.canvas.mode = CanvasMode::play;
   frames(2);
   click("tabs/reach");
   frames(2);

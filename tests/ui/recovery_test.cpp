@@ -62,7 +62,7 @@ TEST_F(UiRecovery, LargeWorkIsReadBesideTheWindow) {
       std::ofstream(entry.path(), std::ios::app) << std::string(150'000'000, ' ');
   }
   start(level_file());
-  EXPECT_FALSE(app().ui().view.program.recovery_open) << "the window waited for it";
+  EXPECT_FALSE(app().ui().view.window.recovery_open) << "the window waited for it";
   for (int i = 0; i < 10'000 && find("recovery/recover0") == nullptr; ++i) frames();
   frames(2);
   ASSERT_NE(find("recovery/recover0"), nullptr);

@@ -123,7 +123,7 @@ TEST_F(UiSettings, AKeyIsChangedAndRemembered) {
   frames(2);
   key(ctrl_shift('j'));
   frames(2);
-  EXPECT_FALSE(app().ui().view.program.key_capture);
+  EXPECT_FALSE(app().ui().view.commands.key_capture);
   key(kEscKey);
   frames(3);
   const bool grid = session().choices().grid;
@@ -165,35 +165,35 @@ TEST_F(UiSettings, EscapeStopsWaitingForAKeyAndThenCloses) {
   open_keys("grid");
   click("keys/first/canvas/grid");
   frames(2);
-  ASSERT_TRUE(app().ui().view.program.key_capture);
+  ASSERT_TRUE(app().ui().view.commands.key_capture);
   key(kEscKey);
   frames(3);
-  EXPECT_FALSE(app().ui().view.program.key_capture);
-  EXPECT_TRUE(app().ui().view.program.keys_open);
+  EXPECT_FALSE(app().ui().view.commands.key_capture);
+  EXPECT_TRUE(app().ui().view.commands.keys_open);
   key(kEscKey);
   frames(3);
-  EXPECT_FALSE(app().ui().view.program.keys_open);
+  EXPECT_FALSE(app().ui().view.commands.keys_open);
 }
 
 TEST_F(UiSettings, ReadyLayoutsByKey) {
   const View& view = app().ui().view;
   key(ctrl_shift('3'));
   frames(3);
-  EXPECT_EQ(view.canvas, CanvasMode::play);
-  EXPECT_TRUE(view.dock_open);
+  EXPECT_EQ(view.canvas.mode, CanvasMode::play);
+  EXPECT_TRUE(view.window.dock_open);
   key(ctrl_shift('1'));
   frames(3);
-  EXPECT_EQ(view.canvas, CanvasMode::map);
-  EXPECT_FALSE(view.dock_open);
-  EXPECT_TRUE(view.pixels.enlarged);
+  EXPECT_EQ(view.canvas.mode, CanvasMode::map);
+  EXPECT_FALSE(view.window.dock_open);
+  EXPECT_TRUE(view.sprites.pixels.enlarged);
   key(ctrl_shift('2'));
   frames(3);
-  EXPECT_FALSE(view.pixels.enlarged);
-  EXPECT_EQ(view.canvas, CanvasMode::play);
-  EXPECT_FALSE(view.dock_open);
+  EXPECT_FALSE(view.sprites.pixels.enlarged);
+  EXPECT_EQ(view.canvas.mode, CanvasMode::play);
+  EXPECT_FALSE(view.window.dock_open);
   key(ctrl('0'));
   frames(3);
-  EXPECT_EQ(view.layout, Layout());
+  EXPECT_EQ(view.window.layout, Layout());
 }
 
 TEST_F(UiSettings, ThePaletteFindsByAFewLettersAndRunsByEnter) {
@@ -230,7 +230,7 @@ TEST_F(UiSettings, ThePaletteIsScrolledAndClickedByTheMouse) {
 
 TEST_F(UiSettings, TheMouseAloneReachesEveryCommand) {
   start(path("level.talus.json"), 1280, 1440);
-  app().ui().view.ui_scale = 1;  // every row of a menu is on the screen
+  app().ui().view.window.ui_scale = 1;  // every row of a menu is on the screen
   frames(2);
   click("menu/Help");
   frames(2);
@@ -274,7 +274,7 @@ TEST_F(UiSettings, WindowsAndDialogsAreWholeInTheSmallestWindow) {
     check("keys/", 20);
     key(kEscKey);
     frames(3);
-    EXPECT_FALSE(app().ui().view.program.keys_open);
+    EXPECT_FALSE(app().ui().view.commands.keys_open);
   }
 }
 
@@ -282,7 +282,7 @@ TEST_F(UiSettings, TheTimesOfTheWindowAreShown) {
   key(ctrl_shift('u'));
   frames(3);
   ASSERT_NE(find("metrics/window"), nullptr);
-  const FrameMetrics& metrics = app().ui().view.program.metrics;
+  const FrameMetrics& metrics = app().ui().view.window.metrics;
   EXPECT_GT(metrics.median_ms(), 0);
   EXPECT_GE(metrics.max_ms(), metrics.median_ms());
   EXPECT_GT(metrics.last().vertices, 1000);
@@ -306,13 +306,13 @@ TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
     session().apply(action::StepFrame{});
     frames(1);
   }
-  app().ui().view.program.metrics.clear();
+  app().ui().view.window.metrics.clear();
   for (int i = 0; i < 60; ++i) {
     session().apply(action::StepFrame{});
     frames(1);
   }
   EXPECT_EQ(session().state().bodies.size(), 1000u);
-  EXPECT_LT(app().ui().view.program.metrics.median_ms(), 40);
+  EXPECT_LT(app().ui().view.window.metrics.median_ms(), 40);
 }
 
 TEST_F(UiSettings, TheSizeOfTextIsFoundByItsWords) {
@@ -336,7 +336,7 @@ TEST_F(UiSettings, TheSizeOfTextIsFoundByItsWords) {
   type("larger text");
   key(kEnterKey);
   frames(4);
-  EXPECT_GT(app().ui().view.ui_scale, before);
+  EXPECT_GT(app().ui().view.window.ui_scale, before);
 }
 
 TEST_F(UiSettings, WhatCannotBeDoneNowComesAfterWhatCan) {
@@ -352,11 +352,11 @@ TEST_F(UiSettings, WhatCannotBeDoneNowComesAfterWhatCan) {
 }
 
 TEST_F(UiSettings, ResettingTheLayoutPutsThePixelsBack) {
-  app().ui().view.pixels.enlarged = true;
+  app().ui().view.sprites.pixels.enlarged = true;
   frames(2);
   key(ctrl('0'));
   frames(2);
-  EXPECT_FALSE(app().ui().view.pixels.enlarged);
+  EXPECT_FALSE(app().ui().view.sprites.pixels.enlarged);
 }
 
 TEST_F(UiSettings, UnitsOfTheTuningAreNotCut) {

@@ -319,7 +319,7 @@ TEST_F(UiSprite, CanvasIsEnlargedAboveTheMapAndBack) {
             1.5f * (before.max.x - before.min.x));
   click(on_pixels(7, 7));
   EXPECT_EQ(picture()[picture().size() - 2], '5');
-  EXPECT_EQ(app().ui().view.focus, Focus::sprites);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::sprites);
   click(on_map({10, 4}));
   EXPECT_EQ(tile_at({10, 4}), 9) << "the map below it is at work";
   move(on_pixels(3, 3));
@@ -333,7 +333,7 @@ using UiFocus = UiSprite;
 TEST_F(UiFocus, KeysAreForWhatTheMouseCameTo) {
   drag(on_pixels(0, 0), on_pixels(7, 7));
   const std::string drawn = picture();
-  EXPECT_EQ(app().ui().view.focus, Focus::sprites);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::sprites);
   move(on_map({10, 8}));
   key('8');
   EXPECT_EQ(session().choices().map_tool, MapTool::slope);
@@ -363,19 +363,19 @@ TEST_F(UiFocus, FunctionKeysHoldWhereTheMouseRests) {
   const ImVec2 at = on_pixels(3, 3);
   move(at);
   key(kKeyF3);
-  EXPECT_EQ(app().ui().view.focus, Focus::map);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::map);
   move({at.x + 3, at.y});
-  EXPECT_EQ(app().ui().view.focus, Focus::map) << "it was there before";
+  EXPECT_EQ(app().ui().view.window.focus, Focus::map) << "it was there before";
   click(at);
-  EXPECT_EQ(app().ui().view.focus, Focus::sprites);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::sprites);
 }
 
 TEST_F(UiFocus, OtherPartsOfTheWindowTakeNothing) {
   move(on_map({10, 8}));
   move(centre("tabs/tuning"));
-  EXPECT_EQ(app().ui().view.focus, Focus::map);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::map);
   move(centre("transport/play"));
-  EXPECT_EQ(app().ui().view.focus, Focus::map);
+  EXPECT_EQ(app().ui().view.window.focus, Focus::map);
 }
 
 }  // namespace talus::sprite_test

@@ -28,7 +28,7 @@ class UiWorld : public UiTest {
   // The cell in the middle of a canvas.
   Cell middle(const std::string& canvas = "map") {
     move(centre(canvas + "/canvas"));
-    return app().ui().view.hover.cell.value_or(Cell{-1, -1});
+    return app().ui().view.canvas.hover.cell.value_or(Cell{-1, -1});
   }
   void expect_near(Cell a, Cell b, int most) {
     EXPECT_NEAR(a.x, b.x, most);
@@ -183,7 +183,7 @@ TEST_F(UiWorld, TheLongestMapIsOpenedAndSeenWhole) {
   for_each_visible_item(session().scene(), {1e6, -100, 400, 300}, [&](const SceneItem&) { ++visited; });
   EXPECT_LE(visited, 2 * (400 / 8 + 2));
   key(kKeyTab);
-  app().ui().view.centre_on = Cell{2'000'000, 1};
+  app().ui().view.requests.ask(request::ShowCell{Cell{2'000'000, 1}});
   frames(2);
   key('=');
   const Cell far = middle();

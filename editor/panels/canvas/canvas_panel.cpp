@@ -23,7 +23,7 @@ std::string short_label(const Level& level, FlagPattern pattern) {
 
 void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_toolbar(session, actions, ui);
-  switch (ui.view.canvas) {
+  switch (ui.view.canvas.mode) {
     case CanvasMode::map:
       map_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
       break;
@@ -38,7 +38,7 @@ void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
-  if (!ui.view.split_compared || !is_compared(session)) return play_.draw(session, actions, ui, size);
+  if (!ui.view.canvas.split_compared || !is_compared(session)) return play_.draw(session, actions, ui, size);
   const float gap = ui.px(2), half = (size.x - gap) / 2;
   play_.draw(session, actions, ui, {half, size.y});
   ImGui::SameLine(0, gap);
@@ -48,14 +48,14 @@ void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, Im
 void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float bar = ui.px(kSplitterWidth), least = ui.px(80);
-  float upper = static_cast<float>(ui.view.layout.canvas_split) * room.y;
+  float upper = static_cast<float>(ui.view.window.layout.canvas_split) * room.y;
   upper = std::clamp(upper, std::min(least, room.y / 2), std::max(room.y - least - bar, room.y / 2));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   map_.draw(session, actions, ui, {room.x, upper});
   const float moved = splitter("canvas/split", {room.x, bar}, SplitterAxis::vertical, ui);
-  if (moved != 0) ui.view.layout.canvas_split = (upper + moved) / room.y;
+  if (moved != 0) ui.view.window.layout.canvas_split = (upper + moved) / room.y;
   const ImVec2 lower{room.x, room.y - upper - bar};
-  if (ui.view.canvas == CanvasMode::two_maps)
+  if (ui.view.canvas.mode == CanvasMode::two_maps)
     second_map_.draw(session, actions, ui, lower);
   else
     draw_play(session, actions, ui, lower);
@@ -84,7 +84,7 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
                                         "map/minimap",         "canvas/grid",    "canvas/borders",
                                         "canvas/paint_in_play"};
   for (const std::string_view& tool : kView) {
-    const bool has_play = ui.view.canvas == CanvasMode::play || ui.view.canvas == CanvasMode::both;
+    const bool has_play = ui.view.canvas.mode == CanvasMode::play || ui.view.canvas.mode == CanvasMode::both;
     if (tool == "canvas/paint_in_play" && !has_play) continue;
     ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
     command_button(tool, session, actions, ui);

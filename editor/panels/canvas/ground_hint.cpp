@@ -6,7 +6,7 @@
 namespace talus {
 
 void ask_for_ground_tiles(Actions& actions, Ui& ui) {
-  ui.view.wants_tab = panel_id::kBrushes;
+  ui.ask(request::ShowTab(panel_id::kBrushes));
   actions.push_back(action::ShowMessage{
       "The level has no tiles for ground yet: under Brushes, choose one for the inside, or propose them from "
       "the sheet.",

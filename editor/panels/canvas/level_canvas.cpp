@@ -64,7 +64,7 @@ std::string zoom_text(float zoom) {
 
 // What the keyboard's cursor can do now.
 std::string cursor_hint(const Ui& ui) {
-  if (ui.view.cursor.pen_down())
+  if (ui.view.canvas.cursor.pen_down())
     return "   pen down: " + keys_of(find_command("view/cursor"), ui) + " lifts it";
   return "   " + keys_of(find_command("cursor/press"), ui) + ": left button   " +
          keys_of(find_command("view/cursor"), ui) + ": pen down   " +
@@ -115,10 +115,10 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
   draw_layers(session, view, ui);
-  if (ui.view.marked_cell)
-    draw_cell_frame(list, {ui.view.marked_cell->x, ui.view.marked_cell->y, 1, 1}, view,
+  if (ui.view.canvas.marked_cell)
+    draw_cell_frame(list, {ui.view.canvas.marked_cell->x, ui.view.canvas.marked_cell->y, 1, 1}, view,
                     theme::color(theme::kWarning), ui.px(2));
-  const bool paints = !is_play() || ui.view.paint_in_play;
+  const bool paints = !is_play() || ui.view.canvas.paint_in_play;
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
   if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
     hand_.draw(list, use(session, view, ui));
@@ -126,7 +126,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
   if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/overview");
-  ui.view.cursor.draw(name_, list, view, ui.scale);
+  ui.view.canvas.cursor.draw(name_, list, view, ui.scale);
   list.PopClipRect();
 }
 
@@ -168,9 +168,9 @@ LevelToolUse LevelCanvas::use(const Session& session, const CanvasView& view, Ui
 // Shows the first screen of another level, as large as a changed window allows, until the user has chosen a
 // view.
 void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size) {
-  const bool another = level_number_ != ui.view.level_number;
+  const bool another = level_number_ != ui.view.canvas.level_number;
   const bool resized = size.x != size_.x || size.y != size_.y;
-  level_number_ = ui.view.level_number;
+  level_number_ = ui.view.canvas.level_number;
   size_ = size;
   if (!another && !(resized && camera_.is_untouched())) return;
   fit_first_screen(session.level().map, size);
@@ -186,8 +186,8 @@ void LevelCanvas::fit_first_screen(const TileMap& map, ImVec2 size) {
 
 // Whether the requests of the view are for this canvas, of the two that may be shown.
 bool LevelCanvas::has_requests(const View& view) const {
-  if (view.canvas == CanvasMode::both) return view.play_active == is_play();
-  return view.canvas != CanvasMode::two_maps || view.second_map == is_second_;
+  if (view.canvas.mode == CanvasMode::both) return view.canvas.play_active == is_play();
+  return view.canvas.mode != CanvasMode::two_maps || view.canvas.second_map == is_second_;
 }
 
 void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
@@ -195,20 +195,18 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
   const bool mine = has_requests(v);
   const Vec2 map = size_in_pixels(session.level().map);
   camera_.limit(map, size);
-  const bool centres = v.canvas == CanvasMode::two_maps ? mine : !is_play() || v.canvas == CanvasMode::play;
-  if (v.centre_on && centres) {
-    const Vec2 place{(v.centre_on->x + 0.5) * kTileSize, (v.centre_on->y + 0.5) * kTileSize};
+  const bool centres =
+      v.canvas.mode == CanvasMode::two_maps ? mine : !is_play() || v.canvas.mode == CanvasMode::play;
+  if (const auto shown = centres ? v.requests.take<request::ShowCell>() : std::nullopt) {
+    const Vec2 place{(shown->cell.x + 0.5) * kTileSize, (shown->cell.y + 0.5) * kTileSize};
     if (!camera_.is_in_sight(place, size)) camera_.leave_whole(place, size);
-    v.centre_on.reset();
   }
   if (!mine) return;
-  if (v.zoom_by != 0) camera_.zoom_at({size.x / 2, size.y / 2}, v.zoom_by);
-  camera_.scroll(v.scroll_by);
-  if (v.fit_map) camera_.toggle_whole(map, size);
-  if (v.fit_first_screen) fit_first_screen(session.level().map, size);
-  v.zoom_by = 0;
-  v.scroll_by = {};
-  v.fit_map = v.fit_first_screen = false;
+  if (const auto zoom = v.requests.take<request::Zoom>())
+    camera_.zoom_at({size.x / 2, size.y / 2}, zoom->steps);
+  if (const auto scroll = v.requests.take<request::Scroll>()) camera_.scroll(scroll->by);
+  if (v.requests.take<request::FitMap>()) camera_.toggle_whole(map, size);
+  if (v.requests.take<request::FitFirstScreen>()) fit_first_screen(session.level().map, size);
 }
 
 void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view) {
@@ -216,26 +214,26 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   const bool hovered = ImGui::IsItemHovered();
   const Cell cell = view.to_cell(io.MousePos);
   if (hovered) {
-    ui.view.hover.pixel = view.to_level(io.MousePos);
+    ui.view.canvas.hover.pixel = view.to_level(io.MousePos);
     if (session.level().map.contains(cell)) {
-      ui.view.hover.cell = cell;
-      ui.view.tile_places[session.level().map.at(cell)] = cell;
+      ui.view.canvas.hover.cell = cell;
+      ui.view.sprites.tile_places[session.level().map.at(cell)] = cell;
     }
     zoom_by_wheel({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
     if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||
         io.MouseWheel != 0) {
-      ui.view.play_active = is_play();
-      ui.view.second_map = is_second_;
+      ui.view.canvas.play_active = is_play();
+      ui.view.canvas.second_map = is_second_;
     }
   }
   if (hovered && ImGui::IsMouseClicked(0)) {
-    ui.view.marked_cell.reset();
-    if (ui.view.hover.cell) ui.view.debugger.clicked_cell = cell;
+    ui.view.canvas.marked_cell.reset();
+    if (ui.view.canvas.hover.cell) ui.view.canvas.clicked_cell = cell;
   }
   const bool is_held = panning_ || holding_ || is_editing();
   if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
   if (pick_cell(session, ui, cell, hovered)) return;
-  const bool paints = !is_play() || ui.view.paint_in_play;
+  const bool paints = !is_play() || ui.view.canvas.paint_in_play;
   if (paints && sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || panning_)) return;
   if (handle_minimap(session, view, ui, hovered)) return;
   if (handle_panning(session, ui, paints, hovered)) return;
@@ -252,7 +250,7 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (ImGui::IsMouseClicked(0)) {
     ui.view.debugger.picks_cell = false;
-    if (session.level().map.contains(cell)) ui.view.debugger.picked_cell = cell;
+    if (session.level().map.contains(cell)) ui.ask(request::PutStopAt{cell});
   }
   return true;
 }
@@ -260,7 +258,7 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
 // The chosen body stays in sight, unless the user moves the view.
 void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
   const Body* body = session.state().find(session.choices().body);
-  if (is_play() && ui.view.debugger.follow_body && body != nullptr && !panning_ && !holding_)
+  if (is_play() && ui.view.canvas.follow_body && body != nullptr && !panning_ && !holding_)
     camera_.keep_in_sight(body->box.center(), size_);
 }
 
@@ -271,7 +269,7 @@ void LevelCanvas::follow_cursor(const Session& session, Ui& ui, const CanvasView
   const CursorGround ground{{0, 0, map.width() * kTileSize, map.height() * kTileSize},
                             kTileSize,
                             tool == MapTool::slope || draws_curves(tool)};
-  const auto moved = ui.view.cursor.visit(name_, view, ground, ImGui::GetIO().MousePos);
+  const auto moved = ui.view.canvas.cursor.visit(name_, view, ground, ImGui::GetIO().MousePos);
   if (moved) camera_.keep_in_sight(*moved, size_);
 }
 
@@ -290,8 +288,8 @@ bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
 bool LevelCanvas::handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered) {
   if (!has_minimap(ui) || is_editing()) return false;
   std::optional<Vec2> centre;
-  const bool taken =
-      minimap_.update(session.level().map, view, ui, hovered && !panning_ && !ui.view.cursor.on(), centre);
+  const bool taken = minimap_.update(session.level().map, view, ui,
+                                     hovered && !panning_ && !ui.view.canvas.cursor.on(), centre);
   if (centre) camera_.centre(*centre, size_);
   return taken;
 }
@@ -307,7 +305,7 @@ void LevelCanvas::zoom_by_wheel(ImVec2 at) {
 bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view) &&
-                     !ui.view.cursor.on();
+                     !ui.view.canvas.cursor.on();
   const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
   const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
   if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0)))) panning_ = true;
@@ -370,10 +368,10 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (!is_play()) return;
   const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;
-  if (!ui.view.split_compared) draw_ghosts(list, session, view, ui.scale);
+  if (!ui.view.canvas.split_compared) draw_ghosts(list, session, view, ui.scale);
   std::vector<ScreenBox> covered{captions_box(session, view, ui)};
   if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
-  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.stage, covered);
+  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.debugger.stage, covered);
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 
@@ -402,12 +400,12 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
                                                : "Map") +
                       "  " + zoom_text(view.zoom);
   if (camera_.shows_whole()) title += "   click: go there";
-  if (ui.view.cursor.is_on(name_)) title += cursor_hint(ui);
+  if (ui.view.canvas.cursor.is_on(name_)) title += cursor_hint(ui);
   if (!is_play()) return {{title, theme::kMuted}};
   if (is_compared(session)) {
     const std::string missing = missing_side(session);
     title += "   " + shown_side_name(session);
-    if (!ui.view.split_compared)
+    if (!ui.view.canvas.split_compared)
       title += "   ghosts: " + (missing.empty() ? other_side_name(session) : missing);
   }
   if (keys_steer(session, ui.view)) title += "   " + play_keys_text(ui.view.preferences.keys);
@@ -454,7 +452,7 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   }
   if (is_play()) legend(session, view, ui).draw(list);
   if (const auto pattern = session.choices().flag_overlay) {
-    const bool paints = !is_play() || ui.view.paint_in_play;
+    const bool paints = !is_play() || ui.view.canvas.paint_in_play;
     const std::string hint = paints ? hand_.hint(use(session, view, ui)) : std::string();
     const std::string text = hint.empty() ? "tinted: " + pattern_label(session.level(), *pattern) : hint;
     const float height = ImGui::GetTextLineHeight() + ui.px(4);

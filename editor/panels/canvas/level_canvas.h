@@ -42,7 +42,9 @@ class LevelCanvas {
   void follow_cursor(const Session& session, Ui& ui, const CanvasView& view);
   bool handle_world_view(const Session& session, bool hovered);
   bool handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered);
-  bool has_minimap(const Ui& ui) const { return !is_play() && ui.view.minimap && !camera_.shows_whole(); }
+  bool has_minimap(const Ui& ui) const {
+    return !is_play() && ui.view.canvas.minimap && !camera_.shows_whole();
+  }
   bool has_requests(const View& view) const;
   void zoom_by_wheel(ImVec2 at);
   bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);

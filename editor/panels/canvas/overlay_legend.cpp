@@ -45,7 +45,7 @@ OverlayLegend::OverlayLegend(const Choices& choices, const CanvasView& view, flo
   lay_out_names(corner);
   const float w = box_->max.x - box_->min.x, h = box_->max.y - box_->min.y;
   is_tight_ = w > kMostWide * width || h > kMostHigh * height || w * h > kMostOfAll * width * height;
-  has_names_ = !is_tight_ && !ui.view.debugger.legend_folded;
+  has_names_ = !is_tight_ && !ui.view.canvas.legend_folded;
   if (!has_names_) lay_out_swatches(corner, view.max.y - pad - corner.y);
 }
 
@@ -92,7 +92,7 @@ bool OverlayLegend::take_mouse(Ui& ui) const {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (!ImGui::IsItemHovered() || !ScreenBox{mouse, mouse}.inside(*box_)) return false;
   ui.tooltip(help(), keys_of(find_command("canvas/legend"), ui));
-  if (ImGui::IsMouseClicked(0)) ui.view.debugger.legend_folded = !ui.view.debugger.legend_folded;
+  if (ImGui::IsMouseClicked(0)) ui.view.canvas.legend_folded = !ui.view.canvas.legend_folded;
   return true;
 }
 

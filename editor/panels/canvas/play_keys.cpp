@@ -12,16 +12,16 @@ bool has_players(const Session& session) {
 }
 
 bool keys_steer(const Session& session, const View& view) {
-  if (view.focus != Focus::map || view.cursor.on() || !has_players(session)) return false;
-  const bool in_play =
-      view.canvas == CanvasMode::play || (view.canvas == CanvasMode::both && view.play_active);
+  if (view.window.focus != Focus::map || view.canvas.cursor.on() || !has_players(session)) return false;
+  const bool in_play = view.canvas.mode == CanvasMode::play ||
+                       (view.canvas.mode == CanvasMode::both && view.canvas.play_active);
   return session.playback().running || in_play;
 }
 
 void let_keys_steer(const Session& session, View& view) {
   if (!has_players(session)) return;
-  view.focus = Focus::map;
-  view.play_active = true;
+  view.window.focus = Focus::map;
+  view.canvas.play_active = true;
 }
 
 std::string play_keys_text(const KeyBindings& bindings) {

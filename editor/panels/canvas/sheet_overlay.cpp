@@ -33,7 +33,8 @@ bool paints_with_stamp(MapTool tool) {
 bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
                           bool hovered, bool busy) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool asked = io.KeyShift && !io.KeyCtrl && !io.KeyAlt && !io.WantTextInput && !ui.view.cursor.on();
+  const bool asked =
+      io.KeyShift && !io.KeyCtrl && !io.KeyAlt && !io.WantTextInput && !ui.view.canvas.cursor.on();
   shown_ = from_ || (asked && hovered && !busy);
   const Place place = place_of(view, ui);
   const Cell tile{static_cast<int>(std::floor((io.MousePos.x - place.min.x) / place.cell)),
@@ -42,8 +43,8 @@ bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, cons
   has_mouse_ = from_ || (shown_ && on_sheet);
   if (!has_mouse_) return false;
   const Cell there{std::clamp(tile.x, 0, kSheetColumns - 1), std::clamp(tile.y, 0, kSheetColumns - 1)};
-  ui.view.hover = {};
-  ui.view.hover.tile = there.y * kSheetColumns + there.x;
+  ui.view.canvas.hover = {};
+  ui.view.canvas.hover.tile = there.y * kSheetColumns + there.x;
   if (ImGui::IsMouseClicked(0)) {
     from_ = there;
     if (!paints_with_stamp(session.choices().map_tool)) actions.push_back(action::SetMapTool{MapTool::stamp});

@@ -20,7 +20,7 @@ void save_brush(S session, A actions, U ui) {
   const Level& level = session.level();
   const Choices& choices = session.choices();
   const Stamp stamp = choices.selection ? stamp_of_map(level, *choices.selection) : choices.stamp;
-  ui.view.wants_tab = panel_id::kBrushes;
+  ui.ask(request::ShowTab(panel_id::kBrushes));
   emit_edit(actions, add_brush(level, brush_of_stamp(stamp, free_brush_name(level), choices.random_stamp)));
 }
 
@@ -43,7 +43,7 @@ void propose_ground(S session, A actions, U ui) {
     std::iota(among.begin(), among.end(), std::uint8_t{0});
   }
   const AutoTiles tiles = proposed_auto_tiles(session.level(), among);
-  ui.view.wants_tab = panel_id::kBrushes;
+  ui.ask(request::ShowTab(panel_id::kBrushes));
   if (tiles.empty()) {
     actions.push_back(action::ShowMessage{
         "None of these tiles is solid: give one the solid flag, so that it can be the inside of the ground.",
@@ -110,8 +110,8 @@ std::vector<Command> brush_commands() {
            .key = KeyChord{'o'},
            .menu = menus::kViewZoom,
            .icon = Icon::minimap,
-           .run = toggle<&View::minimap>,
-           .checked = is_on<&View::minimap>},
+           .run = toggle<&View::canvas, &CanvasesView::minimap>,
+           .checked = is_on<&View::canvas, &CanvasesView::minimap>},
       });
 }
 

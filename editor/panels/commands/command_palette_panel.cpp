@@ -9,7 +9,7 @@
 
 namespace talus {
 void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!begin_dialog("Find a command", ui.view.command_palette_open, {ui.px(460), ui.px(360)}, ui)) return;
+  if (!begin_dialog("Find a command", ui.view.commands.palette_open, {ui.px(460), ui.px(360)}, ui)) return;
   if (ImGui::IsWindowAppearing()) {
     typed_.clear();
     chosen_ = 0;
@@ -19,7 +19,7 @@ void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui)
   if (input_text("typed", "type a few letters of its name, or what it is about", typed_)) chosen_ = 0;
   ui.item("command_palette/text");
   draw_list(session, actions, ui);
-  if (key_pressed(ImGuiKey_Escape)) ui.view.command_palette_open = false;
+  if (key_pressed(ImGuiKey_Escape)) ui.view.commands.palette_open = false;
   ImGui::EndPopup();
 }
 
@@ -49,7 +49,7 @@ void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui
   }
   ImGui::EndChild();
   if (run == nullptr || !run->is_enabled(session, ui)) return;
-  ui.view.command_palette_open = false;
+  ui.view.commands.palette_open = false;
   run->run(session, actions, ui);
 }
 

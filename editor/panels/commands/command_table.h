@@ -37,7 +37,7 @@ void emit(const Session&, Actions& actions, Ui&) {
 }
 
 // Switches a bool of the view, named by the members that lead to it:
-// toggle<&View::debugger, &DebuggerView::follow_body> switches ui.view.debugger.follow_body.
+// toggle<&View::canvas, &CanvasesView::follow_body> switches ui.view.canvas.follow_body.
 template <auto... kMembers>
 void toggle(const Session&, Actions&, Ui& ui) {
   bool& value = (ui.view.*....*kMembers);
@@ -56,9 +56,9 @@ enum class PanelIn { window, debugger };
 // none.
 inline CommandRun go_to_field(std::string_view panel, std::string field, PanelIn place = PanelIn::window) {
   return [panel, field = std::move(field), place](const Session&, Actions&, Ui& ui) {
-    if (place == PanelIn::debugger) ui.view.dock_open = true;
-    ui.view.wants_tab = panel;
-    ui.view.wants_text = field;
+    if (place == PanelIn::debugger) ui.view.window.dock_open = true;
+    ui.ask(request::ShowTab(panel));
+    ui.ask(request::FocusField(field));
   };
 }
 

@@ -81,13 +81,13 @@ const Command& focus_command(Scope scope) {
 bool has_focus(const Command& command, const Session& session, const View& view) {
   switch (command.scope) {
     case Scope::sprites:
-      return view.focus == Focus::sprites;
+      return view.window.focus == Focus::sprites;
     case Scope::map:
-      return view.focus == Focus::map;
+      return view.window.focus == Focus::map;
     case Scope::input:
-      return view.focus == Focus::input;
+      return view.window.focus == Focus::input;
     case Scope::cursor:
-      return view.cursor.on();
+      return view.canvas.cursor.on();
     case Scope::play:
       return keys_steer(session, view);
     default:
@@ -104,9 +104,9 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
       found = &command;
   }
   if (found == nullptr) return false;
-  ui.view.cursor.work_by(chord.key);
+  ui.view.canvas.cursor.work_by(chord.key);
   if ((!repeated || found->repeats) && found->is_enabled(session, ui)) found->run(session, actions, ui);
-  ui.view.cursor.work_by(kNoKey);
+  ui.view.canvas.cursor.work_by(kNoKey);
   return true;
 }
 

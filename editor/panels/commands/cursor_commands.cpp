@@ -11,25 +11,26 @@ using Stride = KeyCursor::Stride;
 
 void show_or_draw(S, A, U ui) {
   View& view = ui.view;
-  if (view.cursor.on()) return view.cursor.toggle_pen();
-  if (view.focus == Focus::sprites) return view.cursor.go_to({"pixels"});
-  if (view.canvas == CanvasMode::two_maps && view.second_map) return view.cursor.go_to({"second_map"});
-  view.cursor.go_to({"map", "play"});
+  if (view.canvas.cursor.on()) return view.canvas.cursor.toggle_pen();
+  if (view.window.focus == Focus::sprites) return view.canvas.cursor.go_to({"pixels"});
+  if (view.canvas.mode == CanvasMode::two_maps && view.canvas.second_map)
+    return view.canvas.cursor.go_to({"second_map"});
+  view.canvas.cursor.go_to({"map", "play"});
 }
 
 void end_cursor(S, A, U ui) {
-  if (ui.view.cursor.pen_down())
-    ui.view.cursor.lift();
+  if (ui.view.canvas.cursor.pen_down())
+    ui.view.canvas.cursor.lift();
   else
-    ui.view.cursor.hide();
+    ui.view.canvas.cursor.hide();
 }
 
 CommandRun move_cursor(int dx, int dy, Stride stride) {
-  return [dx, dy, stride](S, A, U ui) { ui.view.cursor.move({dx, dy}, stride); };
+  return [dx, dy, stride](S, A, U ui) { ui.view.canvas.cursor.move({dx, dy}, stride); };
 }
 
 CommandRun press_button(int button) {
-  return [button](S, A, U ui) { ui.view.cursor.press(button); };
+  return [button](S, A, U ui) { ui.view.canvas.cursor.press(button); };
 }
 
 // The four commands of the arrow keys: "cursor/far_" and "Cursor far " with "left" and so on.
@@ -73,7 +74,7 @@ std::vector<Command> cursor_keys() {
        .label = "To the next canvas",
        .help = "Moves the cursor to the next canvas: map, play view, sheet, pixels or shape.",
        .key = ctrl(kKeyTab),
-       .run = [](S, A, U ui) { ui.view.cursor.go_to_next(); }},
+       .run = [](S, A, U ui) { ui.view.canvas.cursor.go_to_next(); }},
       {.id = "cursor/end",
        .label = "Pen up, or end",
        .help = "Lifts the pen and cancels its drag; then hides the cursor, so that the arrows move the view "
@@ -94,7 +95,7 @@ std::vector<Command> cursor_commands() {
                                .key = KeyChord{kKeyEnter},
                                .menu = menus::kViewFocus,
                                .run = show_or_draw,
-                               .checked = [](S, const Ui& ui) { return ui.view.cursor.on(); },
+                               .checked = [](S, const Ui& ui) { return ui.view.canvas.cursor.on(); },
                                .any_modifiers = true}};
   const std::vector<Command> own = in_scope(
       Scope::cursor,

@@ -39,9 +39,9 @@ CommandRun jump_to_mark(bool forwards) {
 CommandRun change_stage(int direction) {
   return [direction](S session, A, U ui) {
     const int last = static_cast<int>(session.stages().size()) - 1;
-    const int now = std::min(ui.view.stage, last);
-    ui.view.wants_tab = panel_id::kWhy;
-    ui.view.stage = direction > 0 ? std::min(now + 1, last) : std::max(now - 1, -1);
+    const int now = std::min(ui.view.debugger.stage, last);
+    ui.ask(request::ShowTab(panel_id::kWhy));
+    ui.view.debugger.stage = direction > 0 ? std::min(now + 1, last) : std::max(now - 1, -1);
   };
 }
 
@@ -152,7 +152,7 @@ std::vector<Command> seek_commands() {
        .help = "Shows the frame whose number is typed.",
        .key = ctrl(kKeyF10),
        .menu = menus::kTimelineSeek,
-       .run = [](S, A, U ui) { ui.view.wants_text = "transport/frame"; },
+       .run = [](S, A, U ui) { ui.ask(request::FocusField("transport/frame")); },
        .enabled = has_frames},
       {.id = "timeline/mark",
        .label = "Mark this frame",
@@ -274,7 +274,7 @@ std::vector<Command> branch_commands() {
            "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
        .key = ctrl_shift('e'),
        .menu = menus::kDebugRecording,
-       .run = [](S, A, U ui) { ui.view.dialog = FileDialog::save_recording; },
+       .run = [](S, A, U ui) { ui.view.files.dialog = FileDialog::save_recording; },
        .enabled = has_frames},
   };
 }
@@ -384,8 +384,8 @@ std::vector<Command> watch_commands() {
        .help = "Shows the panels of the debugger: input, plots, breakpoints and comparison.",
        .key = KeyChord{kKeyF4},
        .menu = menus::kDebugPanels,
-       .run = toggle<&View::dock_open>,
-       .checked = is_on<&View::dock_open>},
+       .run = toggle<&View::window, &WindowView::dock_open>,
+       .checked = is_on<&View::window, &WindowView::dock_open>},
       {.id = "watch/new_watch",
        .label = "Watch an expression...",
        .help = "Opens the plots, to type an expression.",
@@ -397,8 +397,8 @@ std::vector<Command> watch_commands() {
        .help = "Plots how long the steps take.",
        .key = ctrl_shift(kKeyF8),
        .menu = menus::kPlots,
-       .run = toggle<&View::shows_times>,
-       .checked = is_on<&View::shows_times>},
+       .run = toggle<&View::debugger, &DebuggerView::shows_times>,
+       .checked = is_on<&View::debugger, &DebuggerView::shows_times>},
       {.id = "compare/next",
        .label = "Compare with the next",
        .help = "Compares with the same input in another solver: exact, exact in single precision, bump, "
@@ -412,8 +412,8 @@ std::vector<Command> watch_commands() {
        .key = KeyChord{kKeyF7},
        .menu = menus::kCompare,
        .icon = Icon::split,
-       .run = toggle<&View::split_compared>,
-       .checked = is_on<&View::split_compared>},
+       .run = toggle<&View::canvas, &CanvasesView::split_compared>,
+       .checked = is_on<&View::canvas, &CanvasesView::split_compared>},
       {.id = "compare/first",
        .label = "First parting frame",
        .help = "Shows the first frame in which a body is further than the threshold from the same body on "

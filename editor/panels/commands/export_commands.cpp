@@ -17,8 +17,8 @@ std::vector<Command> export_commands() {
        .help = "Shows what the level is exported to, what will be written, and how large it is.",
        .key = ctrl_shift('x'),
        .menu = menus::kFileExport,
-       .run = toggle<&View::exports, &ExportView::open>,
-       .checked = is_on<&View::exports, &ExportView::open>},
+       .run = toggle<&View::files, &FilesView::exports, &ExportView::open>,
+       .checked = is_on<&View::files, &FilesView::exports, &ExportView::open>},
       {.id = "file/export_all",
        .label = "Export all again",
        .help = "Writes all presets of the level as it is now; without any, shows where they are made.",
@@ -27,7 +27,7 @@ std::vector<Command> export_commands() {
        .run =
            [](S session, A actions, U ui) {
              if (session.level().exports.empty())
-               ui.view.exports.open = true;
+               ui.view.files.exports.open = true;
              else
                actions.push_back(action::RunExports{});
            },

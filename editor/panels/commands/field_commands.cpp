@@ -54,7 +54,7 @@ CommandRun choose_body(int step) {
         next = (i + bodies.size() + static_cast<std::size_t>(step)) % bodies.size();
     actions.push_back(action::SelectBody{bodies[next].id});
     if (draws_curves(session.choices().map_tool)) actions.push_back(action::SetMapTool{MapTool::body});
-    ui.view.wants_tab = panel_id::kInspector;
+    ui.ask(request::ShowTab(panel_id::kInspector));
   };
 }
 bool has_body_to_choose(S session, const Ui&) { return !session.state().bodies.empty(); }
@@ -120,7 +120,7 @@ void choose_next_curve(S session, A actions, U ui) {
   const int next = (chosen_curve(session) + 1) % count;
   if (!draws_curves(session.choices().map_tool)) actions.push_back(action::SetMapTool{MapTool::curve});
   actions.push_back(action::SelectCurve{next});
-  ui.view.wants_tab = panel_id::kInspector;
+  ui.ask(request::ShowTab(panel_id::kInspector));
 }
 
 std::vector<Command> curve_fields() {
@@ -163,8 +163,8 @@ int brush_to_name(S session) {
 bool has_brush_to_take(S session, const Ui&) { return !session.level().brushes.empty(); }
 
 void name_brush(S session, A, U ui) {
-  ui.view.wants_tab = panel_id::kBrushes;
-  ui.view.wants_text = "brushes/" + std::to_string(brush_to_name(session)) + "/name";
+  ui.ask(request::ShowTab(panel_id::kBrushes));
+  ui.ask(request::FocusField("brushes/" + std::to_string(brush_to_name(session)) + "/name"));
 }
 
 void take_next_brush(S session, A actions, U) {
@@ -182,7 +182,7 @@ void type_seam(S session, A actions, U ui) {
   const auto rules = lint_rules();
   const auto rule =
       std::find_if(rules.begin(), rules.end(), [](const LintRule* other) { return other->has_seam; });
-  ui.view.problems.kind = rule == rules.end() ? nullptr : *rule;
+  ui.view.level.problems.kind = rule == rules.end() ? nullptr : *rule;
   go_to_field(panel_id::kProblems, "problems/seam")(session, actions, ui);
 }
 

@@ -20,11 +20,11 @@ void toggle_brush(const Session& session, Actions& actions, Ui&) {
 
 CommandRun go_to_flagged(bool forwards) {
   return [forwards](const Session& session, Actions&, Ui& ui) {
-    const auto cell =
-        find_flagged_cell(session.level(), *session.choices().flag_overlay, ui.view.search_start(), forwards);
+    const auto cell = find_flagged_cell(session.level(), *session.choices().flag_overlay,
+                                        ui.view.canvas.search_start(), forwards);
     if (!cell) return;
-    ui.view.centre_on = ui.view.marked_cell = cell;
-    if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
+    ui.view.show_on_map(*cell);
+    ui.view.canvas.show_map();
   };
 }
 
@@ -32,7 +32,7 @@ bool has_chosen_flag(const Session& session, const Ui&) { return session.choices
 
 CommandRun switch_flag(int flag) {
   return [flag](const Session& session, Actions& actions, Ui& ui) {
-    ui.view.wants_tab = panel_id::kFlags;
+    ui.ask(request::ShowTab(panel_id::kFlags));
     emit_edit(actions, toggle_flag(session.level(), session.choices().area, flag));
   };
 }
@@ -47,8 +47,8 @@ CommandTest is_flag_set(int flag) {
 CommandRun open_flag_menu(int flag) {
   return [flag](const Session& session, Actions&, Ui& ui) {
     const FlagField* field = field_of_flag(session.level().flag_fields, flag);
-    ui.view.wants_tab = panel_id::kFlags;
-    ui.view.wants_text = "flags/menu" + std::to_string(field != nullptr ? field->first : flag);
+    ui.ask(request::ShowTab(panel_id::kFlags));
+    ui.ask(request::FocusField("flags/menu" + std::to_string(field != nullptr ? field->first : flag)));
   };
 }
 
@@ -113,7 +113,7 @@ std::vector<Command> commands_of_all_flags() {
        .help = "Lists the tiles that have a flag, and their cells.",
        .key = alt('g'),
        .menu = menus::kEditFlags,
-       .run = [](const Session&, Actions&, Ui& ui) { ui.view.wants_tab = panel_id::kFlagSearch; }},
+       .run = [](const Session&, Actions&, Ui& ui) { ui.ask(request::ShowTab(panel_id::kFlagSearch)); }},
       {.id = "flags/next",
        .label = "Next cell with the flag",
        .help = "Shows the next cell of the map whose tile has the tinted flag.",

@@ -14,11 +14,11 @@ using A = Actions&;
 using U = Ui&;
 
 CommandRun show_canvas(CanvasMode mode) {
-  return [mode](S, A, U ui) { ui.view.canvas = mode; };
+  return [mode](S, A, U ui) { ui.view.canvas.mode = mode; };
 }
 
 CommandTest shows_canvas(CanvasMode mode) {
-  return [mode](S, const Ui& ui) { return ui.view.canvas == mode; };
+  return [mode](S, const Ui& ui) { return ui.view.canvas.mode == mode; };
 }
 
 CommandRun toggle_overlay(const Overlay& overlay) {
@@ -62,17 +62,17 @@ void run_from_start(S session, A actions, U ui) {
 // The keyboard's cursor goes with the keys.
 void show_sprites(S, A, U ui) {
   leave_windows();
-  ui.view.keys_in_panel = false;
-  ui.view.focus = Focus::sprites;
-  if (ui.view.cursor.on()) ui.view.cursor.go_to({"pixels"});
+  ui.view.window.keys_in_panel = false;
+  ui.view.window.focus = Focus::sprites;
+  if (ui.view.canvas.cursor.on()) ui.view.canvas.cursor.go_to({"pixels"});
 }
 
 void show_map(S, A, U ui) {
   leave_windows();
-  ui.view.keys_in_panel = false;
-  ui.view.focus = Focus::map;
-  if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::map;
-  if (ui.view.cursor.on()) ui.view.cursor.go_to({"map"});
+  ui.view.window.keys_in_panel = false;
+  ui.view.window.focus = Focus::map;
+  if (ui.view.canvas.mode == CanvasMode::play) ui.view.canvas.mode = CanvasMode::map;
+  if (ui.view.canvas.cursor.on()) ui.view.canvas.cursor.go_to({"map"});
 }
 
 std::vector<Command> file_commands() {
@@ -88,7 +88,7 @@ std::vector<Command> file_commands() {
        .help = "Opens a level or a TIC-80 cart.",
        .key = ctrl('o'),
        .menu = menus::kFileOpen,
-       .run = [](S, A, U ui) { ui.view.dialog = FileDialog::open; }},
+       .run = [](S, A, U ui) { ui.view.files.dialog = FileDialog::open; }},
       {.id = "file/save",
        .label = "Save",
        .help = "Saves to the level's own file, in its own format; what a cart cannot hold, in a companion "
@@ -101,7 +101,7 @@ std::vector<Command> file_commands() {
        .help = "Saves under another name; the ending chooses the format.",
        .key = ctrl_shift('s'),
        .menu = menus::kFileSave,
-       .run = [](S, A, U ui) { ui.view.dialog = FileDialog::save_as; }},
+       .run = [](S, A, U ui) { ui.view.files.dialog = FileDialog::save_as; }},
       {.id = "file/quit",
        .label = "Quit",
        .help = "Ends the program; unsaved changes are asked about.",
@@ -136,14 +136,14 @@ std::vector<Command> view_commands() {
        .key = KeyChord{kKeyF2},
        .menu = menus::kViewFocus,
        .run = show_sprites,
-       .checked = [](S, const Ui& ui) { return ui.view.focus == Focus::sprites; }},
+       .checked = [](S, const Ui& ui) { return ui.view.window.focus == Focus::sprites; }},
       {.id = "view/map",
        .label = "Map",
        .help = "Gives the keys to the map, and shows it.",
        .key = KeyChord{kKeyF3},
        .menu = menus::kViewFocus,
        .run = show_map,
-       .checked = [](S, const Ui& ui) { return ui.view.focus == Focus::map; }},
+       .checked = [](S, const Ui& ui) { return ui.view.window.focus == Focus::map; }},
       {.id = "view/reset_layout",
        .label = "Reset layout",
        .help = "Puts every panel back to its first size, and shows map and play view.",
@@ -151,23 +151,23 @@ std::vector<Command> view_commands() {
        .menu = menus::kViewLayouts,
        .run =
            [](S, A, U ui) {
-             ui.view.layout = Layout{};
-             ui.view.pixels.enlarged = false;
-             ui.view.canvas = CanvasMode::both;
+             ui.view.window.layout = Layout{};
+             ui.view.sprites.pixels.enlarged = false;
+             ui.view.canvas.mode = CanvasMode::both;
            }},
       {.id = "help/keys",
        .label = "Keys and mouse",
        .help = "Shows every key.",
        .key = KeyChord{kKeyF1},
        .menu = menus::kHelp,
-       .run = toggle<&View::help_open>,
-       .checked = is_on<&View::help_open>},
+       .run = toggle<&View::window, &WindowView::help_open>,
+       .checked = is_on<&View::window, &WindowView::help_open>},
       {.id = "help/commands",
        .label = "Find a command...",
        .help = "Lists every command; type to find one.",
        .key = ctrl('p'),
        .menu = menus::kHelp,
-       .run = [](S, A, U ui) { ui.view.command_palette_open = true; }},
+       .run = [](S, A, U ui) { ui.view.commands.palette_open = true; }},
   };
 }
 
@@ -232,23 +232,23 @@ std::vector<Command> canvas_commands() {
        .help = "Shows the names of the overlays in the play view's corner, or swatches alone.",
        .key = alt('l'),
        .menu = menus::kPlayOverlays,
-       .run = toggle<&View::debugger, &DebuggerView::legend_folded>,
-       .checked = [](S, const Ui& ui) { return !ui.view.debugger.legend_folded; }},
+       .run = toggle<&View::canvas, &CanvasesView::legend_folded>,
+       .checked = [](S, const Ui& ui) { return !ui.view.canvas.legend_folded; }},
       {.id = "canvas/follow",
        .label = "Follow the chosen body",
        .help = "Keeps the chosen body in the play view's sight.",
        .key = alt('f'),
        .menu = menus::kPlayBody,
-       .run = toggle<&View::debugger, &DebuggerView::follow_body>,
-       .checked = is_on<&View::debugger, &DebuggerView::follow_body>},
+       .run = toggle<&View::canvas, &CanvasesView::follow_body>,
+       .checked = is_on<&View::canvas, &CanvasesView::follow_body>},
       {.id = "canvas/paint_in_play",
        .label = "Paint in the play view",
        .help = "The left button paints in the play view, instead of holding balls.",
        .key = KeyChord{'p'},
        .menu = menus::kPlayBody,
        .icon = Icon::pencil,
-       .run = toggle<&View::paint_in_play>,
-       .checked = is_on<&View::paint_in_play>},
+       .run = toggle<&View::canvas, &CanvasesView::paint_in_play>,
+       .checked = is_on<&View::canvas, &CanvasesView::paint_in_play>},
   };
 }
 
@@ -263,7 +263,7 @@ std::vector<Command> zoom_commands() {
                        .other_key = shift('='),
                        .menu = menus::kViewZoom,
                        .icon = Icon::zoom_in,
-                       .run = [](S, A, U ui) { ++ui.view.zoom_by; },
+                       .run = [](S, A, U ui) { ui.ask(request::Zoom{1}); },
                        .repeats = true},
                       {.id = "canvas/zoom_out",
                        .label = "Zoom out",
@@ -271,14 +271,14 @@ std::vector<Command> zoom_commands() {
                        .key = KeyChord{'-'},
                        .menu = menus::kViewZoom,
                        .icon = Icon::zoom_out,
-                       .run = [](S, A, U ui) { --ui.view.zoom_by; },
+                       .run = [](S, A, U ui) { ui.ask(request::Zoom{-1}); },
                        .repeats = true},
                       {.id = "canvas/fit",
                        .label = "Fit the first screen",
                        .help = "Shows the level as when it was opened: its first screen, as large "
                                "as there is room for.",
                        .key = alt(kKeyHome),
-                       .run = [](S, A, U ui) { ui.view.fit_first_screen = true; },
+                       .run = [](S, A, U ui) { ui.ask(request::FitFirstScreen{}); },
                        .words = "home reset view zoom level"},
                   });
 }

@@ -16,14 +16,14 @@ bool has_next(S session, const Ui&) { return session.timeline().in_past(); }
 
 CommandRun go(int by) {
   return [by](S session, A actions, U ui) {
-    ui.view.input_range.reset();
+    ui.view.debugger.input_range.reset();
     actions.push_back(action::SeekFrame{session.state().frame + by});
   };
 }
 
 CommandRun extend(int by) {
   return [by](S session, A actions, U ui) {
-    if (!ui.view.input_range) ui.view.input_range = session.state().frame;
+    if (!ui.view.debugger.input_range) ui.view.debugger.input_range = session.state().frame;
     actions.push_back(action::SeekFrame{std::max<std::int64_t>(session.state().frame + by, 1)});
   };
 }
@@ -31,21 +31,21 @@ CommandRun extend(int by) {
 CommandRun change_row(int by) {
   return [by](S, A, U ui) {
     const int last = static_cast<int>(kInputRows.size()) - 1;
-    ui.view.input_row = std::clamp(ui.view.input_row + by, 0, last);
+    ui.view.debugger.input_row = std::clamp(ui.view.debugger.input_row + by, 0, last);
   };
 }
 
 void toggle_key(S session, A actions, U ui) {
-  const InputKey key = kInputRows[static_cast<std::size_t>(ui.view.input_row)].key;
+  const InputKey key = kInputRows[static_cast<std::size_t>(ui.view.debugger.input_row)].key;
   Input now = session.timeline().current().input(session.state().frame);
   const FrameRange range = chosen_frames(session, ui.view);
   actions.push_back(action::SetInput{range.first, range.last, key, !key_in(now, key)});
 }
 
 void give_keys(S, A, U ui) {
-  ui.view.dock_open = true;
-  ui.view.wants_tab = panel_id::kInputRoll;
-  ui.view.focus = Focus::input;
+  ui.view.window.dock_open = true;
+  ui.ask(request::ShowTab(panel_id::kInputRoll));
+  ui.view.window.focus = Focus::input;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<Command> input_roll_commands() {
          .key = KeyChord{kKeyF6},
          .menu = menus::kDebugPanels,
          .run = give_keys,
-         .checked = [](S, const Ui& ui) { return ui.view.focus == Focus::input; }}},
+         .checked = [](S, const Ui& ui) { return ui.view.window.focus == Focus::input; }}},
        in_scope(
            Scope::input,
            {
@@ -113,7 +113,7 @@ std::vector<Command> input_roll_commands() {
                 .label = "Type the mouse's place",
                 .help = "Goes to the field of the mouse's x; Tab goes on to its y.",
                 .key = KeyChord{'m'},
-                .run = [](S, A, U ui) { ui.view.wants_text = "input_roll/mouse_x"; },
+                .run = [](S, A, U ui) { ui.ask(request::FocusField("input_roll/mouse_x")); },
                 .enabled = has_input},
            })});
 }

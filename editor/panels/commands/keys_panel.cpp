@@ -20,9 +20,9 @@ bool is_captured(const std::optional<KeyCapture>& capture, const Command& comman
 }  // namespace
 
 void KeysPanel::draw(const Session&, Actions&, Ui& ui) {
-  ProgramView& program = ui.view.program;
+  CommandsView& view = ui.view.commands;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  if (!begin_dialog("Keys of the commands", program.keys_open,
+  if (!begin_dialog("Keys of the commands", view.keys_open,
                     {std::min(ui.px(760), window.x - ui.px(64)), window.y - ui.px(96)}, ui,
                     DialogKeys::its_own))
     return;
@@ -41,10 +41,10 @@ void KeysPanel::draw(const Session&, Actions&, Ui& ui) {
   for (const Command& command : commands())
     if (command_score(command, typed_)) listed_.push_back(&command);
   take_pressed_key(ui);
-  if (!program.key_capture) choose_by_keys(ui);
+  if (!view.key_capture) choose_by_keys(ui);
   draw_table(ui);
   draw_question(ui);
-  asks_for_taken_ = program.key_capture && program.key_capture->pressed;
+  asks_for_taken_ = view.key_capture && view.key_capture->pressed;
   ImGui::EndPopup();
 }
 
@@ -64,7 +64,7 @@ void KeysPanel::choose_by_keys(Ui& ui) {
   const Command& command = *listed_[static_cast<std::size_t>(row_)];
   KeyBindings& bindings = ui.view.preferences.keys;
   if (key_pressed(ImGuiKey_Enter))
-    ui.view.program.key_capture = KeyCapture{std::string(command.id), column_, {}};
+    ui.view.commands.key_capture = KeyCapture{std::string(command.id), column_, {}};
   if (key_pressed(ImGuiKey_Delete)) {
     if (ImGui::GetIO().KeyCtrl)
       reset_keys(command, bindings);
@@ -74,13 +74,13 @@ void KeysPanel::choose_by_keys(Ui& ui) {
 }
 
 void KeysPanel::end_capture(Ui& ui) {
-  ui.view.program.key_capture.reset();
+  ui.view.commands.key_capture.reset();
   wants_text_ = true;
 }
 
 // A key that nobody else has is the command's at once.
 void KeysPanel::take_pressed_key(Ui& ui) {
-  auto& capture = ui.view.program.key_capture;
+  auto& capture = ui.view.commands.key_capture;
   KeyBindings& bindings = ui.view.preferences.keys;
   if (!capture || !capture->pressed) return;
   const Command& command = find_command(capture->command);
@@ -136,7 +136,7 @@ void KeysPanel::draw_row(int row, Ui& ui) {
 
 void KeysPanel::draw_key(int row, std::size_t index, Ui& ui) {
   const Command& command = *listed_[static_cast<std::size_t>(row)];
-  auto& capture = ui.view.program.key_capture;
+  auto& capture = ui.view.commands.key_capture;
   const bool waits = is_captured(capture, command, index);
   const KeyChord chord = command_keys(command, ui.view.preferences.keys)[index];
   const std::string label = waits && !capture->pressed ? "press a key"
@@ -156,7 +156,7 @@ void KeysPanel::draw_key(int row, std::size_t index, Ui& ui) {
 
 void KeysPanel::draw_taken_question(const Command& command, const Command* other, Ui& ui) {
   KeyBindings& bindings = ui.view.preferences.keys;
-  const KeyCapture capture = *ui.view.program.key_capture;
+  const KeyCapture capture = *ui.view.commands.key_capture;
   if (other != nullptr) {
     if (dialog_button({.widget = "keys/take",
                        .label = "Take it",
@@ -188,9 +188,9 @@ void KeysPanel::draw_taken_question(const Command& command, const Command* other
 }
 
 void KeysPanel::draw_question(Ui& ui) {
-  ProgramView& program = ui.view.program;
+  CommandsView& view = ui.view.commands;
   KeyBindings& bindings = ui.view.preferences.keys;
-  if (const auto& capture = program.key_capture) {
+  if (const auto& capture = view.key_capture) {
     const Command& command = find_command(capture->command);
     const Command* other = command_with_key(capture->pressed, command, bindings);
     ui.hint(other == nullptr
@@ -208,7 +208,7 @@ void KeysPanel::draw_question(Ui& ui) {
                      .is_cancel = true,
                      .width = ui.px(96)},
                     ui))
-    program.keys_open = false;
+    view.keys_open = false;
   ImGui::SameLine();
   if (dialog_button(
           {.widget = "keys/reset_all",

@@ -84,7 +84,7 @@ CommandRun move_or_scroll(int dx, int dy) {
                                               *session.choices().selection, {dx, dy}, session.next_stroke());
       actions.push_back(action::EditLevel{moved.edit, moved.stroke});
     } else {
-      ui.view.scroll_by = ui.view.scroll_by + Vec2{dx * 64.0, dy * 64.0};
+      ui.ask(request::Scroll{{dx * 64.0, dy * 64.0}});
     }
   };
 }
@@ -100,7 +100,7 @@ void erase_hovered(S session, A actions, U ui) {
     emit_edit(actions, erase_cells(session.level(), *session.choices().selection));
     return;
   }
-  const auto cell = ui.view.hover.cell;
+  const auto cell = ui.view.canvas.hover.cell;
   if (!cell) return;
   if (session.choices().map_tool == MapTool::ground && !session.level().auto_tiles.empty()) {
     emit_edit(actions, paint_ground(session.level(), *cell, *cell, GroundChange::remove));
@@ -294,24 +294,24 @@ std::vector<Command> selection_commands() {
 }
 
 void open_find_tiles(S session, A, U ui) {
-  ui.view.find_tiles_open = true;
-  ui.view.wants_text = "find_tiles/find";
-  ui.view.find_tile = session.choices().stamp.tiles.front();
+  ui.view.level.find_tiles_open = true;
+  ui.ask(request::FocusField("find_tiles/find"));
+  ui.view.level.find_tile = session.choices().stamp.tiles.front();
 }
 
 CommandRun find_next_tile(FindDirection direction) {
   return [direction](S session, A actions, U ui) {
-    if (!ui.view.find_tiles_open) ui.view.find_tile = session.choices().stamp.tiles.front();
-    const auto tile = static_cast<std::uint8_t>(ui.view.find_tile);
-    const auto cell =
-        find_tile(session.level().map, tile, ui.view.search_start(), direction, session.choices().selection);
+    if (!ui.view.level.find_tiles_open) ui.view.level.find_tile = session.choices().stamp.tiles.front();
+    const auto tile = static_cast<std::uint8_t>(ui.view.level.find_tile);
+    const auto cell = find_tile(session.level().map, tile, ui.view.canvas.search_start(), direction,
+                                session.choices().selection);
     if (!cell) {
       const std::string place = session.choices().selection ? "selection" : "map";
       actions.push_back(action::ShowMessage{"The " + place + " has no tile " + std::to_string(tile) + "."});
       return;
     }
-    ui.view.centre_on = ui.view.marked_cell = cell;
-    if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
+    ui.view.show_on_map(*cell);
+    ui.view.canvas.show_map();
   };
 }
 
@@ -343,7 +343,7 @@ std::vector<Command> whole_map_commands() {
        .help = "Makes the map larger or smaller, or shifts everything on it.",
        .key = ctrl('e'),
        .menu = menus::kMapSearch,
-       .run = [](S, A, U ui) { ui.view.resize_open = true; },
+       .run = [](S, A, U ui) { ui.view.level.resize_open = true; },
        .words = "resize map level dimensions width height crop extend shift larger smaller"},
   };
 }
@@ -355,7 +355,7 @@ std::vector<Command> map_view_commands() {
        .help = "Shows the whole map, or goes back to where you were.",
        .key = KeyChord{kKeyTab},
        .menu = menus::kViewZoom,
-       .run = [](S, A, U ui) { ui.view.fit_map = true; }},
+       .run = [](S, A, U ui) { ui.ask(request::FitMap{}); }},
       {.id = "map/left",
        .label = "Left",
        .help = "Moves the selected tiles by a cell, with the selection tool; else the view.",

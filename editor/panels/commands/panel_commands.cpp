@@ -11,8 +11,9 @@ using U = Ui&;
 
 CommandRun give_keys_to_panel(std::string_view panel, PanelIn place = PanelIn::window) {
   return [panel, place](S, A, U ui) {
-    if (place == PanelIn::debugger) ui.view.dock_open = true;
-    ui.view.wants_tab = ui.view.wants_keys = panel;
+    if (place == PanelIn::debugger) ui.view.window.dock_open = true;
+    ui.ask(request::ShowTab(panel));
+    ui.ask(request::FocusPanel(panel));
   };
 }
 
@@ -129,7 +130,7 @@ std::vector<Command> bar_commands() {
 CommandRun open_menu(std::string_view menu) {
   return [menu](S, A, U ui) {
     leave_windows();
-    ui.view.wants_text = menu;
+    ui.ask(request::FocusField(menu));
   };
 }
 

@@ -14,14 +14,14 @@ bool has_chosen(S, const Ui& ui) { return chosen_problem(ui) != nullptr; }
 
 bool is_way_at_mouse(S session, const Ui& ui) {
   const ReachFinder& reach = session.reach();
-  return ui.view.hover.cell && reach.found() != nullptr && !reach.is_stale() &&
-         reach.found()->reached(*ui.view.hover.cell);
+  return ui.view.canvas.hover.cell && reach.found() != nullptr && !reach.is_stale() &&
+         reach.found()->reached(*ui.view.canvas.hover.cell);
 }
 
 void find_reach(S, A actions, U ui) {
   actions.push_back(action::FindReach{});
-  ui.view.dock_open = true;
-  ui.view.wants_tab = panel_id::kReach;
+  ui.view.window.dock_open = true;
+  ui.ask(request::ShowTab(panel_id::kReach));
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ std::vector<Command> problem_commands() {
            "Plays how the player gets to the marked cell under the mouse, as a new branch of the timeline.",
        .key = KeyChord{'w'},
        .menu = menus::kReach,
-       .run = [](S, A actions, U ui) { actions.push_back(action::ShowWay{*ui.view.hover.cell}); },
+       .run = [](S, A actions, U ui) { actions.push_back(action::ShowWay{*ui.view.canvas.hover.cell}); },
        .enabled = is_way_at_mouse},
   };
 }

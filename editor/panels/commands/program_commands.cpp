@@ -36,17 +36,17 @@ constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map
 
 CommandRun take_layout(const ReadyLayout& ready) {
   return [&ready](S, A, U ui) {
-    ui.view.layout = ready.layout;
-    ui.view.canvas = ready.canvas;
-    ui.view.pixels.enlarged = ready.enlarged_pixels;
-    ui.view.focus = ready.focus;
-    ui.view.dock_open = ready.dock_open;
-    ui.view.wants_tab = std::string(ready.tab);
+    ui.view.window.layout = ready.layout;
+    ui.view.canvas.mode = ready.canvas;
+    ui.view.sprites.pixels.enlarged = ready.enlarged_pixels;
+    ui.view.window.focus = ready.focus;
+    ui.view.window.dock_open = ready.dock_open;
+    ui.ask(request::ShowTab(ready.tab));
   };
 }
 
 CommandRun open_program(ProgramId id) {
-  return [id](S, A, U ui) { ui.view.program.wanted_program = id; };
+  return [id](S, A, U ui) { ui.ask(request::OpenProgram{id}); };
 }
 
 // From the size that is shown, which may be the automatic one.
@@ -64,7 +64,7 @@ std::optional<double> next_text_size(TextStep step, const Ui& ui) {
 }
 CommandRun step_text(TextStep step) {
   return [step](S, A, U ui) {
-    if (const auto size = next_text_size(step, ui)) ui.view.ui_scale = *size;
+    if (const auto size = next_text_size(step, ui)) ui.view.window.ui_scale = *size;
   };
 }
 CommandTest can_step_text(TextStep step) {
@@ -78,15 +78,15 @@ std::vector<Command> settings_commands() {
        .help = "Theme, size, colours, other programs and keys.",
        .key = ctrl(','),
        .menu = menus::kEditSettings,
-       .run = toggle<&View::program, &ProgramView::settings_open>,
-       .checked = is_on<&View::program, &ProgramView::settings_open>,
+       .run = toggle<&View::window, &WindowView::settings_open>,
+       .checked = is_on<&View::window, &WindowView::settings_open>,
        .words = "preferences options configuration font scale theme"},
       {.id = "edit/keys",
        .label = "Change keys...",
        .help = "Gives commands other keys.",
        .key = ctrl_shift('k'),
        .menu = menus::kEditSettings,
-       .run = [](S, A, U ui) { ui.view.program.keys_open = true; },
+       .run = [](S, A, U ui) { ui.view.commands.keys_open = true; },
        .words = "shortcuts bindings rebind hotkeys keyboard"},
       {.id = "view/larger_text",
        .label = "Larger text",
@@ -128,8 +128,8 @@ std::vector<Command> settings_commands() {
        .help = "Shows what frames of the window and steps of the simulation cost.",
        .key = ctrl_shift('u'),
        .menu = menus::kViewLooks,
-       .run = toggle<&View::program, &ProgramView::metrics_open>,
-       .checked = is_on<&View::program, &ProgramView::metrics_open>,
+       .run = toggle<&View::window, &WindowView::metrics_open>,
+       .checked = is_on<&View::window, &WindowView::metrics_open>,
        .words = "metrics fps performance budget profiler statistics"},
   };
 }
@@ -164,7 +164,7 @@ std::vector<Command> file_guard_commands() {
        .help = "Offers the work that was saved automatically before the program was killed.",
        .key = ctrl_shift('y'),
        .menu = menus::kFileSave,
-       .run = [](S, A, U ui) { ui.view.program.recovery_open = true; }},
+       .run = [](S, A, U ui) { ui.view.window.recovery_open = true; }},
       {.id = "program/tic80",
        .label = "Open in TIC-80",
        .help = "Saves the cart and opens it in TIC-80. A level that is not a cart gets a copy, which is "

@@ -94,14 +94,14 @@ void copy_palette(S session, A, U) {
 }
 
 void paste_colors(S session, A actions, U ui) {
-  emit_paste(actions, paste_palette(session.level(), ui.view.palette_color, clipboard_text()));
+  emit_paste(actions, paste_palette(session.level(), ui.view.sprites.palette_color, clipboard_text()));
 }
 
 CommandRun cycle_color(int step, bool secondary) {
   return [step, secondary](S session, A actions, U ui) {
     const int now = secondary ? session.choices().secondary_color : session.choices().color;
-    ui.view.palette_color = (now + step + kColorCount) % kColorCount;
-    actions.push_back(action::SetColor{ui.view.palette_color, secondary});
+    ui.view.sprites.palette_color = (now + step + kColorCount) % kColorCount;
+    actions.push_back(action::SetColor{ui.view.sprites.palette_color, secondary});
   };
 }
 
@@ -210,16 +210,16 @@ std::vector<Command> pixel_tools() {
        .key = KeyChord{'n'},
        .menu = menus::kSpritesView,
        .icon = Icon::neighbours,
-       .run = toggle<&View::pixels, &PixelView::neighbours>,
-       .checked = is_on<&View::pixels, &PixelView::neighbours>},
+       .run = toggle<&View::sprites, &SpritesView::pixels, &PixelView::neighbours>,
+       .checked = is_on<&View::sprites, &SpritesView::pixels, &PixelView::neighbours>},
       {.id = "pixels/enlarge",
        .label = "Enlarge the pixels",
        .help = "Shows the pixel canvas above the map and the play view, instead of below the sheet.",
        .key = KeyChord{'z'},
        .menu = menus::kSpritesView,
        .icon = Icon::enlarge,
-       .run = toggle<&View::pixels, &PixelView::enlarged>,
-       .checked = is_on<&View::pixels, &PixelView::enlarged>},
+       .run = toggle<&View::sprites, &SpritesView::pixels, &PixelView::enlarged>,
+       .checked = is_on<&View::sprites, &SpritesView::pixels, &PixelView::enlarged>},
   };
 }
 

@@ -1,9 +1,8 @@
 // What the window shows of the debugger besides its panels.
 #pragma once
 
+#include <cstdint>
 #include <optional>
-
-#include <talus/collision/geometry.h>
 
 namespace talus {
 
@@ -16,11 +15,16 @@ struct FrameZoom {
 
 struct DebuggerView {
   FrameZoom frames;
-  bool legend_folded = false;        // the legend of the overlays has no names
-  bool follow_body = false;          // the play view scrolls with the chosen body
-  bool picks_cell = false;           // the next click on a canvas chooses a cell for a breakpoint
-  std::optional<Cell> picked_cell;   // the cell that was chosen so; the panel takes it
-  std::optional<Cell> clicked_cell;  // the last cell of the map that was clicked with the left button
+  int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: none
+  int input_row = 0;                        // of the input roll, that its keys change
+  std::optional<std::int64_t> input_range;  // where the range of its keys began; it ends at the shown frame
+  bool shows_times = false;                 // the time of each step is plotted
+  bool picks_cell = false;                  // the next click on a canvas chooses a cell for a breakpoint
+
+  void forget_level() {  // another one is open
+    frames = {};
+    picks_cell = false;
+  }
 };
 
 }  // namespace talus

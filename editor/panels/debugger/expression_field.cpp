@@ -70,7 +70,7 @@ bool ExpressionField::draw(std::string_view name, std::string& text, bool condit
   ui.item(name, error || active ? std::string_view() : kHelp);
   if (error) draw_error(text, *error, ui);
   if (active || open_) draw_candidates(name, edge, text, ui);
-  if (error && confirmed) ui.view.wants_text = name;  // so that the user can correct it
+  if (error && confirmed) ui.ask(request::FocusField(name));  // so that the user can correct it
   open_ = active || (open_ && ImGui::IsMouseDown(0));
   return !error && (confirmed || (left && !text.empty()));
 }

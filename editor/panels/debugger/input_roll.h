@@ -26,14 +26,14 @@ struct FrameRange {
 };
 // The shown frame, or the range of the roll's keys that ends there.
 inline FrameRange chosen_frames(const Session& session, const View& view) {
-  const std::int64_t shown = session.state().frame, from = view.input_range.value_or(shown);
+  const std::int64_t shown = session.state().frame, from = view.debugger.input_range.value_or(shown);
   return {std::min(from, shown), std::max(from, shown)};
 }
 
 // Whether the roll is open, so that the canvas shows the recorded mouse, too.
 inline bool shows_input_roll(const View& view) {
-  return view.dock_open &&
-         std::find(view.tabs.begin(), view.tabs.end(), panel_id::kInputRoll) != view.tabs.end();
+  return view.window.dock_open && std::find(view.window.tabs.begin(), view.window.tabs.end(),
+                                            panel_id::kInputRoll) != view.window.tabs.end();
 }
 
 }  // namespace talus

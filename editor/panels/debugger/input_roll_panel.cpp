@@ -67,7 +67,7 @@ void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui
   ImGui::InvisibleButton("ruler", {column * static_cast<float>(view.count), ui.px(kRow)});
   ui.item("input_roll/ruler", "The frames that the input leads to; click to show one.",
           keys_of(find_command("roll/back"), ui) + "  " + keys_of(find_command("roll/on"), ui));
-  if (ImGui::IsItemActivated()) take_keys(ui.view, ui.view.input_row);
+  if (ImGui::IsItemActivated()) take_keys(ui.view, ui.view.debugger.input_row);
   if (ImGui::IsItemActive()) {
     const auto i = static_cast<std::int64_t>((ImGui::GetIO().MousePos.x - at.x) / column);
     actions.push_back(action::SeekFrame{view.first + i});
@@ -92,7 +92,7 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   const float height = ui.px(kRow);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool has_keys = ui.view.focus == Focus::input && ui.view.input_row == index;
+  const bool has_keys = ui.view.window.focus == Focus::input && ui.view.debugger.input_row == index;
   add_text(list, start, theme::tone(has_keys ? theme::kAccent : theme::kMuted), label);
   ImGui::Dummy({ui.px(kLabels), height});
   ImGui::SameLine();
@@ -160,9 +160,9 @@ void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, 
 }
 
 void InputRollPanel::take_keys(View& view, int row) {
-  view.focus = Focus::input;
-  view.input_row = row;
-  view.input_range.reset();
+  view.window.focus = Focus::input;
+  view.debugger.input_row = row;
+  view.debugger.input_range.reset();
 }
 
 void InputRollPanel::handle_row(InputKey key, const Session& session, Columns view, ImVec2 at, float column) {

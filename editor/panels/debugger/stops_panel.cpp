@@ -88,7 +88,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
       if (selectable(each.label, {}, each.kind == kind_)) {
         kind_ = each.kind;
         fields_set_ = false;
-        if (field_count(each) > 0) ui.view.wants_text = "stops/field0";
+        if (field_count(each) > 0) ui.ask(request::FocusField("stops/field0"));
       }
       ui.item("stops/kind_" + std::to_string(static_cast<int>(each.kind)));
     }
@@ -97,8 +97,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   draw_fields(info, session, actions, ui);
   ui.same_line_if_fits(ui.px(48), ui.px(8));
   const int body = session.choices().body;
-  const bool by_key = ui.view.wants_text == "stops/add";
-  if (by_key) ui.view.wants_text.clear();
+  const bool by_key = ui.view.requests.take<request::FocusField>("stops/add");
   if (ui.text_button(
           "stops/add", "Add", false,
           body != 0 ? "Adds this breakpoint for the chosen body." : "Adds this breakpoint for any body.",
@@ -116,7 +115,8 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   }
   ui.end_row();
   const auto& all = session.debugger().stops().breakpoints();
-  if (new_field_.way() == FieldWay::down && !all.empty()) ui.view.wants_text = condition_name(all.front().id);
+  if (new_field_.way() == FieldWay::down && !all.empty())
+    ui.ask(request::FocusField(condition_name(all.front().id)));
 }
 
 // The numbers of the chosen kind.
@@ -142,8 +142,8 @@ void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, A
 
 // A kind begins with its defaults; a kind about a place begins with what is selected or was clicked last.
 void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
-  DebuggerView& view = ui.view.debugger;
-  if ((view.picks_cell || view.picked_cell) && !is_about_place(kind_)) {
+  const bool is_picking = ui.view.debugger.picks_cell || ui.view.requests.has<request::PutStopAt>();
+  if (is_picking && !is_about_place(kind_)) {
     kind_ = StopKind::touches_tile;
     fields_set_ = false;
   }
@@ -152,15 +152,15 @@ void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
     for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i] = info_of(kind_).fields[i].standard;
   }
   fields_set_ = true;
-  if (const auto picked = std::exchange(view.picked_cell, std::nullopt)) {
-    put_place({picked->x, picked->y, 1, 1});
+  if (const auto picked = ui.view.requests.take<request::PutStopAt>()) {
+    put_place({picked->cell.x, picked->cell.y, 1, 1});
     fields_typed_ = true;
   } else if (!is_about_place(kind_) || fields_typed_) {
     return;
   } else if (const auto selected = session.choices().selection) {
     put_place(*selected);
-  } else if (view.clicked_cell) {
-    put_place({view.clicked_cell->x, view.clicked_cell->y, 1, 1});
+  } else if (const auto& clicked = ui.view.canvas.clicked_cell) {
+    put_place({clicked->x, clicked->y, 1, 1});
   }
 }
 
@@ -216,7 +216,8 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
     text = breakpoint.condition;
   }
   if (field.way() != FieldWay::none)
-    ui.view.wants_text = next_field(session.debugger().stops().breakpoints(), breakpoint, field.way());
+    ui.ask(
+        request::FocusField(next_field(session.debugger().stops().breakpoints(), breakpoint, field.way())));
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   take_text_focus(name + "/body", ui);

@@ -32,7 +32,7 @@ std::string text_name(std::size_t index) { return "watch/" + std::to_string(inde
 
 void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
-  if (session.debugger().watches().all().empty() && !ui.view.shows_times) {
+  if (session.debugger().watches().all().empty() && !ui.view.debugger.shows_times) {
     ui.hint(
         "Nothing watched yet: choose a number, or type an expression. Each is plotted over the whole run, "
         "for the chosen body; a click on a plot shows that frame.");
@@ -53,7 +53,7 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
       ui.item("watch/choose_" + std::string(info.name), info.help);
     }
     const Command& times = find_command("watch/choose_times");
-    if (ImGui::Selectable("ns a step", ui.view.shows_times)) times.run(session, actions, ui);
+    if (ImGui::Selectable("ns a step", ui.view.debugger.shows_times)) times.run(session, actions, ui);
     ui.item("watch/choose_times", times.help, keys_of(times, ui));
     ImGui::EndCombo();
   }
@@ -62,9 +62,9 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
       !new_text_.empty()) {
     actions.push_back(action::SetWatch{next, {new_text_, 0}});
     new_text_.clear();
-    if (new_field_.by_enter()) ui.view.wants_text = "watch/new";  // for the next one
+    if (new_field_.by_enter()) ui.ask(request::FocusField("watch/new"));  // for the next one
   }
-  if (new_field_.way() == FieldWay::down && next > 0) ui.view.wants_text = text_name(0);
+  if (new_field_.way() == FieldWay::down && next > 0) ui.ask(request::FocusField(text_name(0)));
   ui.end_row();
 }
 
@@ -75,7 +75,7 @@ void WatchPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
     draw_row(i, session, actions, ui);
     ImGui::PopID();
   }
-  if (ui.view.shows_times) draw_times(session, actions, ui);
+  if (ui.view.debugger.shows_times) draw_times(session, actions, ui);
   ImGui::EndChild();
 }
 
@@ -109,8 +109,9 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
   if (row.shown != entry.watch.text) row.text = row.shown = entry.watch.text;
   const bool entered =
       row.field.draw(text_name(index), row.text, false, ui.px(kTextWidth - 34), "Enter removes it", ui);
-  if (row.field.by_enter() && ui.view.wants_text.empty())  // the next typed text is not a command
-    ui.view.wants_text = row.text.empty() ? "watch/new" : text_name(index);
+  if (row.field.by_enter() &&
+      !ui.view.requests.has<request::FocusField>())  // the next typed text is not a command
+    ui.ask(request::FocusField(row.text.empty() ? "watch/new" : text_name(index)));
   if (entered && row.text.empty()) {
     actions.push_back(action::RemoveWatch{index});
   } else if (entered && row.text != entry.watch.text) {
@@ -118,14 +119,16 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
   } else if (row.text.empty() && !row.field.is_open()) {
     row.text = entry.watch.text;
   }
-  if (row.field.way() == FieldWay::up) ui.view.wants_text = index == 0 ? "watch/new" : text_name(index - 1);
-  if (row.field.way() == FieldWay::down && index + 1 < all.size()) ui.view.wants_text = text_name(index + 1);
+  if (row.field.way() == FieldWay::up)
+    ui.ask(request::FocusField(index == 0 ? "watch/new" : text_name(index - 1)));
+  if (row.field.way() == FieldWay::down && index + 1 < all.size())
+    ui.ask(request::FocusField(text_name(index + 1)));
 }
 
 // The time of the steps. It was measured when they were made, so no expression can compute it.
 void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::SmallButton("x")) ui.view.shows_times = false;
+  if (ImGui::SmallButton("x")) ui.view.debugger.shows_times = false;
   ui.item("watch/times/remove", "Stops showing it.", keys_of(find_command("watch/choose_times"), ui));
   ImGui::SameLine();
   ImGui::TextUnformatted("ns a step");

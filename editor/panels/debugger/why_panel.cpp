@@ -78,9 +78,9 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   command_button("why/next", session, actions, ui);
   ImGui::SameLine();
   const auto count = static_cast<int>(session.stages().size());
-  ui.label(ui.view.stage < 0 || ui.view.stage >= count
+  ui.label(ui.view.debugger.stage < 0 || ui.view.debugger.stage >= count
                ? std::to_string(count) + " stages"
-               : "stage " + std::to_string(ui.view.stage + 1) + " of " + std::to_string(count));
+               : "stage " + std::to_string(ui.view.debugger.stage + 1) + " of " + std::to_string(count));
   draw_stages(session, ui);
 }
 
@@ -90,15 +90,15 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
   const std::size_t count = std::min(session.stages().size(), kMostStages);
   for (std::size_t i = 0; i < count; ++i) {
     const Stage& stage = session.stages()[i];
-    const bool chosen = ui.view.stage == static_cast<int>(i);
+    const bool chosen = ui.view.debugger.stage == static_cast<int>(i);
     ImGui::PushID(static_cast<int>(i));
     const float width = ImGui::GetContentRegionAvail().x - indent;
     const std::string sentence = wrapped(stage.sentence, width), numbers = wrapped(stage.numbers, width);
     const float height = std::max(height_of(sentence) + height_of(numbers), ImGui::GetTextLineHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (chosen && shown_stage_ != ui.view.stage) ImGui::SetScrollHereY();
+    if (chosen && shown_stage_ != ui.view.debugger.stage) ImGui::SetScrollHereY();
     if (ImGui::Selectable("##stage", chosen, ImGuiSelectableFlags_None, {0, height}))
-      ui.view.stage = chosen ? -1 : static_cast<int>(i);
+      ui.view.debugger.stage = chosen ? -1 : static_cast<int>(i);
     ui.item("why/stage" + std::to_string(i), "Click to draw this stage in the play view.");
     const ImVec2 next = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(at);
@@ -113,7 +113,7 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     ImGui::Dummy({0, 0});
     ImGui::PopID();
   }
-  shown_stage_ = ui.view.stage;
+  shown_stage_ = ui.view.debugger.stage;
   if (count < session.stages().size())
     ui.hint("... and " + std::to_string(session.stages().size() - count) + " more.");
   ImGui::EndChild();

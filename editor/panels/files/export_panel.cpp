@@ -26,7 +26,7 @@ void push_export_edit(Edit edit, Actions& actions) {
 }
 
 const ExportPreset& chosen_preset(const Session& session, const Ui& ui) {
-  return session.level().exports[ui.view.exports.preset];
+  return session.level().exports[ui.view.files.exports.preset];
 }
 
 // Its label with a capital; in sentences it has none.
@@ -113,7 +113,7 @@ ExportPreset copied_preset(const Session& session, ExportPreset copy) {
 }  // namespace
 
 void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  ExportView& view = ui.view.exports;
+  ExportView& view = ui.view.files.exports;
   if (!view.open) return;
   const std::size_t count = session.level().exports.size();
   view.preset = count == 0 ? 0 : std::min(view.preset, count - 1);
@@ -160,8 +160,8 @@ void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui)
   for (std::size_t i = 0; i < exports.size(); ++i) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable("##preset", i == ui.view.exports.preset, 0, {0, 2 * line}))
-      ui.view.exports.preset = i;
+    if (ImGui::Selectable("##preset", i == ui.view.files.exports.preset, 0, {0, 2 * line}))
+      ui.view.files.exports.preset = i;
     ui.item("export/preset" + std::to_string(i),
             exports[i].name + ": " + target_label(exports[i].exporter) + ", to " + exports[i].path);
     ImGui::PopID();
@@ -188,7 +188,7 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const auto add = [&](ExportPreset preset) {
     push_export_edit(add_export(level, std::move(preset)), actions);
-    ui.view.exports.preset = level.exports.size();  // it comes after this frame
+    ui.view.files.exports.preset = level.exports.size();  // it comes after this frame
   };
   if (ui.text_button("export/add", "Add", !has_one, "Adds a preset.", {}, has_room, width))
     add(new_preset(session));
@@ -200,7 +200,7 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   ImGui::SameLine();
   if (ui.text_button("export/remove", "Remove", false,
                      "Removes the preset, not what it has written; Undo brings it back.", {}, has_one, width))
-    push_export_edit(remove_export(level, ui.view.exports.preset), actions);
+    push_export_edit(remove_export(level, ui.view.files.exports.preset), actions);
   const Command& all = find_command("file/export_all");
   if (ui.text_button("export/all", "Export all", false, "Writes all presets.", keys_of(all, ui),
                      has_one && !session.exporting().running(), ImGui::GetContentRegionAvail().x))
@@ -209,7 +209,8 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
 }
 
 void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) {
-  if (ui.view.exports.preset >= session.level().exports.size()) return;  // added or removed in this frame
+  if (ui.view.files.exports.preset >= session.level().exports.size())
+    return;  // added or removed in this frame
   ui.begin_row();
   draw_name(session, actions, ui);
   draw_target(session, actions, ui);
@@ -218,9 +219,10 @@ void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) 
   ImGui::SetCursorPosX(ui.px(kExportLabels));
   ExportPreset preset = chosen_preset(session, ui);
   if (ImGui::Checkbox("Export it whenever the level is saved", &preset.on_save))
-    push_export_edit(set_export(session.level(), ui.view.exports.preset, preset, "Export on save"), actions);
+    push_export_edit(set_export(session.level(), ui.view.files.exports.preset, preset, "Export on save"),
+                     actions);
   ui.item("export/on_save", "Ctrl+S writes this preset, too.");
-  if (!session.allows_export(ui.view.exports.preset)) {
+  if (!session.allows_export(ui.view.files.exports.preset)) {
     ImGui::SetCursorPosX(ui.px(kExportLabels));
     ui.hint("It came with the file, and writes nothing until you allow it. Export asks.");
     ui.item("export/not_allowed");
@@ -250,7 +252,7 @@ void ExportPanel::draw_parts(const Session& session, Actions& actions, Ui& ui) {
   ExportPreset changed = preset;
   changed.parts = parts_;
   push_export_edit(
-      set_export(session.level(), ui.view.exports.preset, std::move(changed), "Change export parts"),
+      set_export(session.level(), ui.view.files.exports.preset, std::move(changed), "Change export parts"),
       actions);
 }
 
@@ -264,7 +266,7 @@ void ExportPanel::draw_name(const Session& session, Actions& actions, Ui& ui) {
   ExportPreset renamed = preset;
   renamed.name = name_;
   push_export_edit(
-      set_export(session.level(), ui.view.exports.preset, std::move(renamed), "Rename export preset"),
+      set_export(session.level(), ui.view.files.exports.preset, std::move(renamed), "Rename export preset"),
       actions);
 }
 
@@ -303,11 +305,12 @@ void ExportPanel::draw_target_choice(const Session& session, Actions& actions, U
     ui.item("export/target/" + std::string(exporter->id), exporter->purpose);
   }
   if (taken != nullptr)
-    push_export_edit(set_export(session.level(), ui.view.exports.preset,
-                                with_target(preset, *taken, other_presets(session, ui.view.exports.preset),
-                                            session.file_name(), session.path()),
-                                "Change export target"),
-                     actions);
+    push_export_edit(
+        set_export(session.level(), ui.view.files.exports.preset,
+                   with_target(preset, *taken, other_presets(session, ui.view.files.exports.preset),
+                               session.file_name(), session.path()),
+                   "Change export target"),
+        actions);
   if (taken != nullptr || key_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
 }
 
@@ -317,12 +320,12 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetNextItemWidth(-ui.px(kBrowse) - ImGui::GetStyle().ItemSpacing.x);
   if (text_field("export/path", "a file or folder, from the folder of the level", path_, preset.path,
                  "Where it is written, counted from the folder of the level's file.", ui)) {
-    actions.push_back(action::SetExportPath{ui.view.exports.preset, path_});
+    actions.push_back(action::SetExportPath{ui.view.files.exports.preset, path_});
   }
   ImGui::SameLine();
   if (ui.text_button("export/browse", "Browse...", false, "Chooses the file or folder.", {},
                      find_exporter(preset.exporter) != nullptr, ui.px(kBrowse)))
-    ui.view.dialog = FileDialog::export_path;
+    ui.view.files.dialog = FileDialog::export_path;
   ImGui::SetCursorPosX(ui.px(kExportLabels));
   ImGui::BeginGroup();
   const ExportOutcome* outcome = shown_outcome(session, ui);
@@ -330,7 +333,7 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
     if (outcome != nullptr && outcome->problem && outcome->problem->is_outside && !session.path().empty() &&
         ui.text_button("export/allow_place", "Allow this place", false,
                        "Lets this preset write there, although it is outside of the folder of the level."))
-      actions.push_back(action::SetExportPath{ui.view.exports.preset, preset.path});
+      actions.push_back(action::SetExportPath{ui.view.files.exports.preset, preset.path});
     if (session.path().empty() &&
         ui.text_button("export/save", "Save the level...", false, "Gives the level a file.",
                        keys_of(find_command("file/save"), ui)))

@@ -24,7 +24,7 @@ std::string code_text(std::size_t bytes) {
 
 // What went wrong with the shown preset in the last run, if the preset has not changed since.
 const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
-  const ExportTask task = session.export_task(ui.view.exports.preset);
+  const ExportTask task = session.export_task(ui.view.files.exports.preset);
   for (const ExportOutcome& outcome : session.exporting().last_run()) {
     if (outcome.problem && outcome.task == task) return &outcome;
   }
@@ -152,7 +152,7 @@ void draw_preview_progress(const std::optional<ExportProgress>& progress, const 
     if (ui.text_button("export/preview_again", "Preview", false,
                        "Makes the files, which was cancelled, to see how large they are.", {}, true,
                        ui.px(88)))
-      actions.push_back(action::PreviewExport{ui.view.exports.preset});
+      actions.push_back(action::PreviewExport{ui.view.files.exports.preset});
   }
 }
 
@@ -171,7 +171,7 @@ std::string size_text(std::size_t bytes) {
 
 const ExportOutcome* shown_outcome(const Session& session, const Ui& ui) {
   const auto& preview = session.exporting().preview();
-  const ExportTask task = session.export_task(ui.view.exports.preset);
+  const ExportTask task = session.export_task(ui.view.files.exports.preset);
   return preview && preview->outcome.task == task ? &preview->outcome : nullptr;
 }
 
@@ -226,7 +226,7 @@ void draw_export_buttons(const Session& session, Actions& actions, Ui& ui) {
                                : "Writes this preset's files, all of them or none.";
   if (ui.text_button("export/export", (preview ? "Export" : export_label(outcome)), true, help, {}, works,
                      ui.px(preview ? 88 : 220)))
-    actions.push_back(action::RunExports{ui.view.exports.preset});
+    actions.push_back(action::RunExports{ui.view.files.exports.preset});
   draw_preview_progress(preview, session, actions, ui);
 }
 

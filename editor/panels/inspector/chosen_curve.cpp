@@ -14,7 +14,7 @@ int chosen_curve(const Session& session) {
 
 void delete_curve(const Session& session, Actions& actions, const Ui& ui) {
   constexpr double kReach = 4;  // px
-  const auto at = ui.view.hover.pixel;
+  const auto at = ui.view.canvas.hover.pixel;
   int curve = at ? curve_at(session.level(), *at, kReach) : -1;
   if (curve < 0) curve = chosen_curve(session);
   if (curve < 0) return;

@@ -53,18 +53,18 @@ void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) co
 }
 
 void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!ui.view.find_tiles_open) return;
+  if (!ui.view.level.find_tiles_open) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});
-  if (ImGui::Begin("Find and replace tiles", &ui.view.find_tiles_open,
+  if (ImGui::Begin("Find and replace tiles", &ui.view.level.find_tiles_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                        ImGuiWindowFlags_AlwaysAutoResize)) {
     const Choices& choices = session.choices();
     const Level& level = session.level();
-    const std::size_t count = count_tile(level.map, tile_of(ui.view.find_tile), choices.selection);
+    const std::size_t count = count_tile(level.map, tile_of(ui.view.level.find_tile), choices.selection);
     ui.begin_row();
-    draw_tile("find_tiles/find", "Find", find_, ui.view.find_tile, session, ui);
-    draw_tile("find_tiles/replace", "Put", replace_, ui.view.replace_tile, session, ui);
+    draw_tile("find_tiles/find", "Find", find_, ui.view.level.find_tile, session, ui);
+    draw_tile("find_tiles/replace", "Put", replace_, ui.view.level.replace_tile, session, ui);
     ui.end_row();
     const bool found = find_.is_tile() && count > 0;
     draw_count(count, choices.selection.has_value(), ui);
@@ -75,13 +75,13 @@ void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     if (ui.text_button("find_tiles/next", "Next", false, next.help, keys_of(next, ui), found))
       next.run(session, actions, ui);
     ImGui::SameLine();
-    const bool differs = ui.view.find_tile != ui.view.replace_tile;
+    const bool differs = ui.view.level.find_tile != ui.view.level.replace_tile;
     if (ui.text_button("find_tiles/replace_all", "Replace all", false,
                        "Puts the second tile into all these cells; one Undo takes it back.", {},
                        found && replace_.is_tile() && differs)) {
-      const Stamp put{1, 1, {tile_of(ui.view.replace_tile)}};
-      actions.push_back(
-          action::EditLevel{replace_tile(level, tile_of(ui.view.find_tile), {0, 0}, put, choices.selection)});
+      const Stamp put{1, 1, {tile_of(ui.view.level.replace_tile)}};
+      actions.push_back(action::EditLevel{
+          replace_tile(level, tile_of(ui.view.level.find_tile), {0, 0}, put, choices.selection)});
     }
     ui.place("find_tiles/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),

@@ -21,7 +21,7 @@ std::string problems_text(const Session& session, const Ui& ui) {
 
 std::vector<std::size_t> listed_rows(const Ui& ui) {
   std::vector<std::size_t> rows;
-  const LintRule* kind = ui.view.problems.kind;
+  const LintRule* kind = ui.view.level.problems.kind;
   for (std::size_t i = 0; i < ui.problems->size(); ++i) {
     if (kind == nullptr || (*ui.problems)[i].rule == kind) rows.push_back(i);
   }
@@ -31,14 +31,15 @@ std::vector<std::size_t> listed_rows(const Ui& ui) {
 void go_to_problem(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
   const Problem& problem = (*ui.problems)[index];
   View& view = ui.view;
-  view.problems.chosen = problem;
-  view.problems.scroll = true;
+  view.level.problems.chosen = problem;
+  view.requests.ask(request::ShowProblem{});
   const std::vector<std::size_t> rows = listed_rows(ui);
-  view.problems.row = static_cast<std::size_t>(std::find(rows.begin(), rows.end(), index) - rows.begin());
+  view.level.problems.row =
+      static_cast<std::size_t>(std::find(rows.begin(), rows.end(), index) - rows.begin());
   if (problem.cell) {
-    view.centre_on = view.marked_cell = problem.cell;
-    view.focus = Focus::map;
-    if (view.canvas == CanvasMode::play) view.canvas = CanvasMode::both;
+    view.show_on_map(*problem.cell);
+    view.window.focus = Focus::map;
+    view.canvas.show_map();
   } else if (problem.tile >= 0) {
     const CellRect tile{problem.tile % kSheetColumns, problem.tile / kSheetColumns, 1, 1};
     if (tile != session.choices().area.tiles) actions.push_back(action::SelectTiles{{SheetId::tiles, tile}});
@@ -46,26 +47,26 @@ void go_to_problem(std::size_t index, const Session& session, Actions& actions, 
 }
 
 const Problem* chosen_problem(const Ui& ui) {
-  const auto& chosen = ui.view.problems.chosen;
+  const auto& chosen = ui.view.level.problems.chosen;
   const auto found =
       chosen ? std::find(ui.problems->begin(), ui.problems->end(), *chosen) : ui.problems->end();
   return found == ui.problems->end() ? nullptr : &*found;
 }
 
 void go_to_next_problem(int direction, const Session& session, Actions& actions, Ui& ui) {
-  ui.view.wants_tab = panel_id::kProblems;
+  ui.ask(request::ShowTab(panel_id::kProblems));
   const std::vector<std::size_t> rows = listed_rows(ui);
   if (rows.empty()) return;
   const auto count = static_cast<std::ptrdiff_t>(rows.size());
   std::ptrdiff_t row = direction > 0 ? 0 : count - 1;
-  const auto& chosen = ui.view.problems.chosen;
+  const auto& chosen = ui.view.level.problems.chosen;
   const auto now = std::find_if(rows.begin(), rows.end(), [&](std::size_t index) {
     return chosen && (*ui.problems)[index] == *chosen;
   });
   if (now != rows.end()) {
     row = now - rows.begin() + direction;
   } else if (chosen) {
-    row = static_cast<std::ptrdiff_t>(ui.view.problems.row) - (direction > 0 ? 0 : 1);
+    row = static_cast<std::ptrdiff_t>(ui.view.level.problems.row) - (direction > 0 ? 0 : 1);
   }
   go_to_problem(rows[static_cast<std::size_t>((row % count + count) % count)], session, actions, ui);
 }

@@ -37,7 +37,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (remedies_.size() > kMostRemedies) remedies_.clear();
   if (ui.problems->empty()) {
     ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
-    ui.view.problems.kind = nullptr;
+    ui.view.level.problems.kind = nullptr;
     return;
   }
   draw_bar(session, actions, ui);
@@ -58,7 +58,7 @@ void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
   };
   button("problems/previous", "<");
   button("problems/next", ">");
-  const LintRule* kind = ui.view.problems.kind;
+  const LintRule* kind = ui.view.level.problems.kind;
   if (kind != nullptr) {
     ImGui::SameLine();
     if (ui.text_button(
@@ -73,7 +73,7 @@ void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void ProblemsPanel::draw_kinds(Ui& ui) {
-  const LintRule*& kind = ui.view.problems.kind;
+  const LintRule*& kind = ui.view.level.problems.kind;
   const auto count = [&](const LintRule& rule) {
     return std::count_if(ui.problems->begin(), ui.problems->end(),
                          [&](const Problem& problem) { return problem.rule == &rule; });
@@ -141,7 +141,7 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
 void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
   const Problem& problem = (*ui.problems)[index];
   const std::string row = std::to_string(index), place = place_of(problem);
-  const bool is_chosen = ui.view.problems.chosen == problem;
+  const bool is_chosen = ui.view.level.problems.chosen == problem;
   ImGui::PushID(static_cast<int>(index));
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(1);
@@ -163,7 +163,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
   ImGui::PopStyleColor();
   const std::string help(problem.message.size() > kMostLine ? problem.message : problem.rule->label);
   ui.item("problems/row" + row, help, "click to go there");
-  if (is_chosen && std::exchange(ui.view.problems.scroll, false)) ImGui::SetScrollHereY(0.5f);
+  if (is_chosen && ui.view.requests.take<request::ShowProblem>()) ImGui::SetScrollHereY(0.5f);
   if (ImGui::IsItemVisible()) {
     const Remedy& remedy = remedy_of(problem, session);
     draw_menu(problem, remedy, session, actions, ui);
@@ -191,7 +191,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   ImGui::Separator();
   if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(*problem.rule, session, actions, ui);
   ui.item("problems/choice_all");
-  if (ImGui::MenuItem("List only this kind")) ui.view.problems.kind = problem.rule;
+  if (ImGui::MenuItem("List only this kind")) ui.view.level.problems.kind = problem.rule;
   ui.item("problems/choice_kind");
   ImGui::EndPopup();
 }

@@ -77,13 +77,13 @@ void number_field(const char* name, const char* label, int& value, const std::st
 
 void ResizePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const TileMap& map = session.level().map;
-  if (ui.view.resize_open && !was_open_) {
+  if (ui.view.level.resize_open && !was_open_) {
     typed_ = frame_ = {map.width(), map.height(), {0, 0}, false};
     anchor_ = {0, 0};
     asks_ = false;
   }
-  was_open_ = ui.view.resize_open;
-  if (!begin_dialog("Size of the map", ui.view.resize_open, {0, 0}, ui)) return;
+  was_open_ = ui.view.level.resize_open;
+  if (!begin_dialog("Size of the map", ui.view.level.resize_open, {0, 0}, ui)) return;
   ui.begin_row();
   draw_fields(map, ui);
   ImGui::SameLine(0, ui.px(16));
@@ -260,7 +260,7 @@ const ResizedMap& ResizePanel::result(const Session& session) {
 }
 
 void ResizePanel::close(Ui& ui) {
-  ui.view.resize_open = false;
+  ui.view.level.resize_open = false;
   result_.reset();
 }
 

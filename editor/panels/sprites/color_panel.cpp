@@ -93,7 +93,7 @@ void draw_swatch(Rgb color, int number, Ui& ui) {
 }  // namespace
 
 void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  const int color = ui.view.palette_color;
+  const int color = ui.view.sprites.palette_color;
   const float padding = (ui.px(kRow) - ImGui::GetFontSize()) / 2;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), padding));
   draw_swatch(session.level().palette[static_cast<std::size_t>(color)], color, ui);
@@ -121,9 +121,9 @@ void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 // to the colour that it began with, as the click may choose another one.
 Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
   const Palette& palette = session.level().palette;
-  const Rgb chosen = palette[static_cast<std::size_t>(ui.view.palette_color)];
+  const Rgb chosen = palette[static_cast<std::size_t>(ui.view.sprites.palette_color)];
   if (!typing_) {
-    typed_color_ = ui.view.palette_color;
+    typed_color_ = ui.view.sprites.palette_color;
     typed_ = hex_of(chosen);
   }
   ImGui::SetNextItemWidth(ui.px(kHex));
@@ -140,7 +140,7 @@ Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
   }
   if (*typed != palette[static_cast<std::size_t>(typed_color_)])
     actions.push_back(action::EditLevel{set_color(session.level(), typed_color_, *typed)});
-  return typed_color_ == ui.view.palette_color ? *typed : chosen;
+  return typed_color_ == ui.view.sprites.palette_color ? *typed : chosen;
 }
 
 }  // namespace talus

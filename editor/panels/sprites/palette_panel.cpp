@@ -26,7 +26,7 @@ void draw_swatch(ImDrawList& list, const Choices& choices, int color, Rgb rgb, I
     if (left) list.AddText({at.x + ui.px(4), y}, readable_on(rgb), "L");
     if (right) list.AddText({to.x - ui.px(4) - ImGui::CalcTextSize("R").x, y}, readable_on(rgb), "R");
   }
-  if (color == ui.view.palette_color)
+  if (color == ui.view.sprites.palette_color)
     list.AddRectFilled({at.x, to.y - ui.px(3)}, to, theme::color(theme::kAccent));
 }
 
@@ -45,9 +45,9 @@ void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     const bool hovered = ImGui::IsItemHovered(), right = hovered && ImGui::IsMouseClicked(1);
     if (right || (hovered && ImGui::IsMouseClicked(0))) {
       actions.push_back(action::SetColor{color, right});
-      ui.view.palette_color = color;
+      ui.view.sprites.palette_color = color;
     }
-    if (hovered && ImGui::IsMouseDoubleClicked(0)) ui.view.wants_tab = panel_id::kColor;
+    if (hovered && ImGui::IsMouseDoubleClicked(0)) ui.ask(request::ShowTab(panel_id::kColor));
     ui.item("palette/color" + number,
             "Colour " + number +
                 ": click for the left button, right click for the right one; a double click edits it.",

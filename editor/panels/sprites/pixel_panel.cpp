@@ -121,7 +121,7 @@ void PixelPanel::draw_brushes(const Session& session, Actions& actions, Ui& ui) 
 
 void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
   const SpriteArea& area = session.choices().area;
-  const bool surrounded = ui.view.pixels.neighbours && area.sheet == SheetId::tiles;
+  const bool surrounded = ui.view.sprites.pixels.neighbours && area.sheet == SheetId::tiles;
   const float margin = surrounded ? kSurroundings : 0;  // px of the art
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const auto zoom_for = [&](float pixels, int art) {
@@ -145,11 +145,11 @@ void PixelPanel::draw_canvas(const Session& session, Actions& actions, Ui& ui) {
   const bool hovered = ImGui::IsItemHovered() && pixel.x >= 0 && pixel.y >= 0 && pixel.x < area.width() &&
                        pixel.y < area.height();
   if (hovered) {
-    ui.view.hover.sprite = pixel;
+    ui.view.canvas.hover.sprite = pixel;
     change_size_by_wheel(session, actions, pixel);
   }
   hand_.update(session, actions, pixel, hovered);
-  KeyCursor& cursor = ui.view.cursor;
+  KeyCursor& cursor = ui.view.canvas.cursor;
   cursor.visit("pixels", view, {{0, 0, area.width(), area.height()}}, ImGui::GetIO().MousePos);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -87,8 +87,9 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   mark_stamp(list, session.choices(), at, cell, ui);
   draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
   const CanvasView view{at, {at.x + side, at.y + side}, {at.x, at.y}, zoom};
-  ui.view.cursor.visit("sheet", view, {{0, 0, kSheetSide, kSheetSide}, kTileSize}, ImGui::GetIO().MousePos);
-  ui.view.cursor.draw("sheet", list, view, ui.scale);
+  ui.view.canvas.cursor.visit("sheet", view, {{0, 0, kSheetSide, kSheetSide}, kTileSize},
+                              ImGui::GetIO().MousePos);
+  ui.view.canvas.cursor.draw("sheet", list, view, ui.scale);
 }
 
 void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
@@ -118,7 +119,7 @@ void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, 
                   std::clamp(static_cast<int>((mouse.y - at.y) / cell), 0, kSheetColumns - 1)};
   const int number = tile.y * kSheetColumns + tile.x;
   const bool paints = session.choices().map_tool == MapTool::flag;
-  if (ImGui::IsItemHovered()) ui.view.hover.tile = number;
+  if (ImGui::IsItemHovered()) ui.view.canvas.hover.tile = number;
   if (ImGui::IsItemActivated()) drag_from_ = tile;
   const bool selects = !paints || io.MouseDown[1];
   if (drag_from_ && selects) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});

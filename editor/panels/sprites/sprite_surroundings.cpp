@@ -13,7 +13,7 @@ std::optional<Cell> last_place(const TileMap& map, CellRect tiles, const View& v
   for (int y = 0; y < tiles.h; ++y) {
     for (int x = 0; x < tiles.w; ++x) {
       const int tile = (tiles.y + y) * kSheetColumns + tiles.x + x;
-      const auto& cell = view.tile_places[static_cast<std::size_t>(tile)];
+      const auto& cell = view.sprites.tile_places[static_cast<std::size_t>(tile)];
       if (!cell) continue;
       if (const auto place = place_of_tiles(map, tiles, *cell)) return place;
     }

@@ -18,9 +18,10 @@ std::string counted_text(std::size_t count, const std::string& noun) {
 void show_tile(int tile, FlagPattern pattern, const Session& session, Actions& actions, Ui& ui) {
   const CellRect place{tile % kSheetColumns, tile / kSheetColumns, 1, 1};
   actions.push_back(action::SelectTiles{{SheetId::tiles, place}});
-  if (const auto cell = find_flagged_cell(session.level(), pattern, ui.view.search_start(), true, tile)) {
-    ui.view.centre_on = ui.view.marked_cell = cell;
-    if (ui.view.canvas == CanvasMode::play) ui.view.canvas = CanvasMode::both;
+  if (const auto cell =
+          find_flagged_cell(session.level(), pattern, ui.view.canvas.search_start(), true, tile)) {
+    ui.view.show_on_map(*cell);
+    ui.view.canvas.show_map();
   }
 }
 

@@ -64,8 +64,7 @@ std::vector<int> single_flags(const Level& level) {
 
 // A button as high as a row, at its right end, which opens a menu.
 bool draw_menu_button(const std::string& name, const std::string& help, float width, Ui& ui) {
-  const bool wanted = ui.view.wants_text == name;  // a command opens it
-  if (wanted) ui.view.wants_text.clear();
+  const bool wanted = ui.view.requests.take<request::FocusField>(name);  // a command opens it
   const bool pressed = button("...", name, {width, ui.px(kFlagRow)});
   ui.item(name, help);
   return pressed || wanted;

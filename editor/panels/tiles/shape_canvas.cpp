@@ -110,8 +110,8 @@ void ShapeCanvas::follow_cursor(const Frame& frame, Ui& ui) const {
                         {frame.at.x, frame.at.y},
                         frame.zoom};
   const CellRect room{0, 0, frame.tiles.w * kTileSize, frame.tiles.h * kTileSize};
-  ui.view.cursor.visit("shape", view, {room, 1, true}, ImGui::GetIO().MousePos);
-  ui.view.cursor.draw("shape", *ImGui::GetWindowDrawList(), view, ui.scale);
+  ui.view.canvas.cursor.visit("shape", view, {room, 1, true}, ImGui::GetIO().MousePos);
+  ui.view.canvas.cursor.draw("shape", *ImGui::GetWindowDrawList(), view, ui.scale);
 }
 
 void ShapeCanvas::take_hold(const Frame& frame, ImVec2 mouse) {

@@ -15,7 +15,7 @@ ImGuiID shown_focus() {
 }
 
 bool letter_pressed(char letter, const View& view) {
-  const KeyChord chord = view.program.dialog_key;
+  const KeyChord chord = view.window.dialog_key;
   if (letter == 0 || chord.ctrl || (ImGui::GetIO().WantTextInput && !chord.alt)) return false;
   return chord.key == std::tolower(static_cast<unsigned char>(letter));
 }

@@ -7,9 +7,7 @@ namespace talus {
 
 // Call it before the field of this name is drawn.
 inline void take_text_focus(std::string_view name, Ui& ui) {
-  if (ui.view.wants_text != name) return;
-  ui.view.wants_text.clear();
-  ImGui::SetKeyboardFocusHere();
+  if (ui.view.requests.take<request::FocusField>(name)) ImGui::SetKeyboardFocusHere();
 }
 
 }  // namespace talus

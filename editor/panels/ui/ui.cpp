@@ -40,7 +40,7 @@ void Ui::item(std::string_view name, std::string_view help, std::string_view key
 
 void Ui::take_focus(std::string_view name, bool enabled) {
   const ImGuiID id = ImGui::GetItemID();
-  const bool typed_into = view.wants_text == name;
+  const bool typed_into = view.requests.has<request::FocusField>(name);
   if (id == 0 || !enabled || !(typed_into || focuses_next_)) return;
   focuses_next_ = false;
   ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -49,8 +49,7 @@ void Ui::take_focus(std::string_view name, bool enabled) {
   ImGui::SetFocusID(id, window);
   context.NavDisableHighlight = false;
   if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-  if (!typed_into) return;
-  view.wants_text.clear();
+  if (!view.requests.take<request::FocusField>(name)) return;
   context.NavNextActivateId = id;  // the number is typed, not dragged
   context.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
 }
@@ -114,8 +113,7 @@ bool Ui::begin_combo(std::string_view name, const std::string& shown, float widt
   const float height = px(theme::kButton), padding = (height - ImGui::GetFontSize()) / 2;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(width);
-  if (view.wants_text == name) {
-    view.wants_text.clear();
+  if (view.requests.take<request::FocusField>(name)) {
     const ImGuiID id = ImGui::GetID(hidden(name).c_str());
     ImGui::OpenPopupEx(ImHashStr("##ComboPopup", 0, id), ImGuiPopupFlags_None);  // as BeginCombo() does
   }
@@ -164,7 +162,7 @@ void Ui::same_line_if_fits(float width, float gap) {
 UiFrame::UiFrame(Ui& ui) : ui_(ui) {
   ui_.widgets.begin_frame();
   ui_.rests_on_ = 0;
-  ui_.view.hover_before = std::exchange(ui_.view.hover, {});
+  ui_.view.canvas.hover_before = std::exchange(ui_.view.canvas.hover, {});
 }
 
 UiFrame::~UiFrame() {

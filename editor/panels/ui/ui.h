@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "icons.h"
@@ -39,6 +40,12 @@ class Ui {
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
   // Converts px at scale 1 to px of the screen.
   float px(float length) const { return static_cast<float>(static_cast<int>(length * scale + 0.5f)); }
+
+  // Asks another panel for something; see Requests.
+  template <class R>
+  void ask(R request) {
+    view.requests.ask(std::move(request));
+  }
 
   // The next enabled control with a name gets the focus and shows it.
   void focus_next_item(bool on = true) { focuses_next_ = on; }

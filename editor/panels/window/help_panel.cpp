@@ -97,12 +97,12 @@ void draw_control_keys(Ui& ui) {
 }  // namespace
 
 void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
-  if (!ui.view.help_open) return;
+  if (!ui.view.window.help_open) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(ui.px(880), window.x - ui.px(64)), window.y - ui.px(96)},
                            ImGuiCond_Appearing);
-  if (ImGui::Begin("Keys and mouse", &ui.view.help_open,
+  if (ImGui::Begin("Keys and mouse", &ui.view.window.help_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
     draw_control_keys(ui);

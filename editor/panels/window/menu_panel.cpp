@@ -33,10 +33,7 @@ std::string_view group_of(const Command& command) {
 // path: "Debug/Timeline"; its last part is the label.
 bool begin_menu_of(const std::string& path, Ui& ui) {
   const std::string label = path.substr(path.rfind('/') + 1), widget = "menu/" + label;
-  if (ui.view.wants_text == widget) {  // a command opens it
-    ui.view.wants_text.clear();
-    ImGui::OpenPopup(label.c_str());
-  }
+  if (ui.view.requests.take<request::FocusField>(widget)) ImGui::OpenPopup(label.c_str());
   const bool open = ImGui::BeginMenu(label.c_str());
   ui.item(widget);
   return open;
@@ -141,7 +138,7 @@ void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& 
 }
 
 void MenuPanel::draw_recent_files(const Session&, Actions& actions, Ui& ui) {
-  const auto& files = ui.view.recent_files;
+  const auto& files = ui.view.files.recent_files;
   const bool open = ImGui::BeginMenu("Recent files", !files.empty());
   ui.item("menu/recent", "The files that were open before.");
   if (!open) return;
@@ -154,7 +151,7 @@ void MenuPanel::draw_recent_files(const Session&, Actions& actions, Ui& ui) {
 }
 
 void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
-  const auto& files = ui.view.hard_cases;
+  const auto& files = ui.view.files.hard_cases;
   const bool open = ImGui::BeginMenu("Hard cases", !files.empty());
   ui.item("menu/hard_cases",
           "Scenes that break slope code, each with its own input, and the right answer drawn over it.");
@@ -195,7 +192,7 @@ void MenuPanel::draw_scale_choice(const Session&, Actions&, Ui& ui) {
   if (!open) return;
   for (double scale : {0.0, 1.0, 1.25, 1.5, 2.0, 3.0}) {
     const std::string label = scale == 0 ? "automatic" : std::to_string(static_cast<int>(scale * 100)) + " %";
-    if (menu_item(label, {}, {}, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+    if (menu_item(label, {}, {}, ui.view.window.ui_scale == scale)) ui.view.window.ui_scale = scale;
   }
   ImGui::EndMenu();
 }

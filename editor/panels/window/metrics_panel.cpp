@@ -20,9 +20,9 @@ void metric_row(const char* name, const char* format, double value, const char* 
 }  // namespace
 
 void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
-  bool& open = ui.view.program.metrics_open;
+  bool& open = ui.view.window.metrics_open;
   if (!open) return;
-  const FrameMetrics& metrics = ui.view.program.metrics;
+  const FrameMetrics& metrics = ui.view.window.metrics;
   const FrameCost last = metrics.last();
   const Series* steps = session.step_times().series();
   ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});

@@ -34,15 +34,16 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   }
   ImGui::NewLine();
   setting_row("Size of everything", ui);
-  if (ui.begin_combo("settings/scale", scale_label(ui.view.ui_scale), ui.px(kSettingWidth),
+  if (ui.begin_combo("settings/scale", scale_label(ui.view.window.ui_scale), ui.px(kSettingWidth),
                      "How large text and controls are, for screens with many pixels.")) {
     for (double scale : kSettingScales) {
-      if (selectable(scale_label(scale), {}, ui.view.ui_scale == scale)) ui.view.ui_scale = scale;
+      if (selectable(scale_label(scale), {}, ui.view.window.ui_scale == scale))
+        ui.view.window.ui_scale = scale;
       ui.item("settings/scale/" + std::to_string(static_cast<int>(scale * 100)));
     }
     ImGui::EndCombo();
   }
-  if (ui.view.ui_scale > ui.scale) {
+  if (ui.view.window.ui_scale > ui.scale) {
     setting_row("", ui);
     ui.hint("This window has room for " + scale_label(ui.scale) + ".");
   }
@@ -102,7 +103,7 @@ void SettingsPanel::draw_programs(Ui& ui) {
 }
 
 void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  bool& open = ui.view.program.settings_open;
+  bool& open = ui.view.window.settings_open;
   if (!open) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});

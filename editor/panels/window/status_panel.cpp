@@ -87,7 +87,7 @@ void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
 // The level's file, or why its changes are not saved. before: the text at the line's end, for which it leaves
 // room.
 void draw_file(const Session& session, const std::string& before, Ui& ui) {
-  const std::string& problem = ui.view.program.autosave_problem;
+  const std::string& problem = ui.view.window.autosave_problem;
   const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");
   const std::string text = problem.empty() ? name : "Not saved automatically: " + problem;
   const bool warns = session.modified() || !problem.empty();
@@ -127,7 +127,7 @@ std::string hover_text(const Session& session, const Hover& hover) {
 }
 
 void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
-  const std::string hover = hover_text(session, ui.view.hover);
+  const std::string hover = hover_text(session, ui.view.canvas.hover);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + ui.px(kStamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
   draw_text(hover.empty() ? "Point at the map, the sheet or the pixels" : hover);

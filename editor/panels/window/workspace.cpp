@@ -56,7 +56,7 @@ bool is_pointed_at(Region region, View& view) {
   const bool clicked = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
   if (clicked &&
       ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
-    view.focus = *side;
+    view.window.focus = *side;
   return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
 }
 
@@ -64,8 +64,8 @@ bool is_pointed_at(Region region, View& view) {
 void show_focus(Region region, Ui& ui) {
   const auto side = side_of(region);
   const bool at_top = !is_sprite_region(region) || region == Region::sheet ||
-                      (region == Region::pixels && ui.view.pixels.enlarged);
-  if (!side || ui.view.focus != *side || !at_top) return;
+                      (region == Region::pixels && ui.view.sprites.pixels.enlarged);
+  if (!side || ui.view.window.focus != *side || !at_top) return;
   const ImVec2 at = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(3)},
                                             theme::tone(theme::kAccent));
@@ -73,7 +73,7 @@ void show_focus(Region region, Ui& ui) {
 
 // A hidden side cannot keep the keys.
 void leave_input_roll(View& view) {
-  if (view.focus == Focus::input) view.focus = Focus::map;
+  if (view.window.focus == Focus::input) view.window.focus = Focus::map;
 }
 
 // Of the panels that share a region, `id` is shown now.
@@ -104,7 +104,7 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
   const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport) - ui.px(kTimeline);
   ui.bars_top = bottom;
-  Layout& layout = ui.view.layout;
+  Layout& layout = ui.view.window.layout;
   const float right = part(layout.right, window.x, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
   const float left = part(layout.left, window.x, ui.px(kLeftLeast), right + ui.px(kMiddleLeast));
   draw_left(frame, {0, top}, {left, bottom - top});
@@ -137,7 +137,7 @@ void Workspace::follow_mouse(View& view) {
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   if (moved.x == 0 && moved.y == 0) return;
   if (pointed_at_ && pointed_at_ != pointed_before_) {
-    view.focus = *pointed_at_;
+    view.window.focus = *pointed_at_;
     leave_windows();
   }
   pointed_before_ = pointed_at_;
@@ -149,16 +149,16 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   // At most as high as the sheet at the zoom that its width allows.
   const float zoom = std::floor((size.x - ui.px(16)) / kSheetSide);
   const float header = 2 * ui.px(kMargin) + ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.y;
-  const float sheet =
-      std::min(part(ui.view.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar),
-               zoom * kSheetSide + header);
+  const float sheet = std::min(
+      part(ui.view.window.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar),
+      zoom * kSheetSide + header);
   const float pixels = size.y - sheet - flags - bar;
   draw_region(frame, Region::sheet, at, {size.x, sheet});
   ImGui::SetCursorScreenPos({at.x, at.y + sheet});
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
-  if (moved != 0) ui.view.layout.sheet = (sheet + moved) / size.y;
+  if (moved != 0) ui.view.window.layout.sheet = (sheet + moved) / size.y;
   const float y = at.y + sheet + bar;
-  if (ui.view.pixels.enlarged) {  // elsewhere: the flags get the room that is left
+  if (ui.view.sprites.pixels.enlarged) {  // elsewhere: the flags get the room that is left
     const float colors = std::min(pixels, 3 * palette);
     draw_region(frame, Region::palette, {at.x, y}, {size.x, colors});
     draw_region(frame, Region::flags, {at.x, y + colors}, {size.x, pixels - colors + flags});
@@ -171,13 +171,13 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
 
 float Workspace::draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room) {
   Ui& ui = frame.ui;
-  if (!ui.view.pixels.enlarged) return 0;
+  if (!ui.view.sprites.pixels.enlarged) return 0;
   const float bar = ui.px(kSplitterWidth), least = ui.px(kPixelsLeast);
-  const float height = part(ui.view.layout.pixels, room.y, least, least + bar);
+  const float height = part(ui.view.window.layout.pixels, room.y, least, least + bar);
   draw_region(frame, Region::pixels, at, {room.x, height});
   ImGui::SetCursorScreenPos({at.x, at.y + height});
   const float moved = splitter("layout/pixels", {room.x, bar}, SplitterAxis::vertical, ui);
-  if (moved != 0) ui.view.layout.pixels = (height + moved) / room.y;
+  if (moved != 0) ui.view.window.layout.pixels = (height + moved) / room.y;
   return height + bar;
 }
 
@@ -185,26 +185,26 @@ void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const float bar = ui.px(kSplitterWidth);
   const float upper =
-      part(ui.view.layout.right_split, size.y, ui.px(kRightTopLeast), ui.px(kRightBottomLeast) + bar);
+      part(ui.view.window.layout.right_split, size.y, ui.px(kRightTopLeast), ui.px(kRightBottomLeast) + bar);
   draw_region(frame, Region::right_top, at, {size.x, upper});
   ImGui::SetCursorScreenPos({at.x, at.y + upper});
   const float moved = splitter("layout/right_split", {size.x, bar}, SplitterAxis::vertical, ui);
-  if (moved != 0) ui.view.layout.right_split = (upper + moved) / size.y;
+  if (moved != 0) ui.view.window.layout.right_split = (upper + moved) / size.y;
   draw_region(frame, Region::right_bottom, {at.x, at.y + upper + bar}, {size.x, size.y - upper - bar});
 }
 
 float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
   Ui& ui = frame.ui;
-  if (!ui.view.dock_open) {
+  if (!ui.view.window.dock_open) {
     leave_input_roll(ui.view);
     return 0;
   }
   const float bar = ui.px(kSplitterWidth);
-  const float height = part(ui.view.layout.dock, room.y, ui.px(kDockLeast), ui.px(kAboveDockLeast));
+  const float height = part(ui.view.window.layout.dock, room.y, ui.px(kDockLeast), ui.px(kAboveDockLeast));
   const float y = at.y + room.y - height;
   ImGui::SetCursorScreenPos({at.x, y});
   const float moved = splitter("layout/dock", {room.x, bar}, SplitterAxis::vertical, ui);
-  if (moved != 0) ui.view.layout.dock = (height - moved) / room.y;
+  if (moved != 0) ui.view.window.layout.dock = (height - moved) / room.y;
   draw_region(frame, Region::dock, {at.x, y + bar}, {room.x, height - bar});
   return height;
 }
@@ -229,10 +229,9 @@ void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size)
 
 void Workspace::draw_panel(Panel& panel, Frame& frame) {
   View& view = frame.ui.view;
-  const bool takes_keys = view.wants_keys == panel.id();
+  const bool takes_keys = view.requests.take<request::FocusPanel>(panel.id());
   if (takes_keys) {
-    view.wants_keys.clear();
-    view.keys_in_panel = true;
+    view.window.keys_in_panel = true;
     frame.ui.focus_next_item();
   }
   panel.draw(frame.session, frame.actions, frame.ui);
@@ -250,20 +249,20 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
   // Dear ImGui shows the first tab in the first frame, and the remembered one from the second frame on.
   const bool first = ImGui::IsWindowAppearing();
   if (!ImGui::BeginTabBar("tabs")) return;
-  std::vector<std::string>& chosen = frame.ui.view.tabs;
-  std::string& wants = frame.ui.view.wants_tab;
-  const bool asked =
-      std::any_of(here.begin(), here.end(), [&](const Panel* panel) { return panel->id() == wants; });
+  std::vector<std::string>& chosen = frame.ui.view.window.tabs;
+  Requests& requests = frame.ui.view.requests;
+  const auto is_wanted = [&](const Panel* panel) { return requests.has<request::ShowTab>(panel->id()); };
+  const bool asked = std::any_of(here.begin(), here.end(), is_wanted);
   for (Panel* panel : here) {
     const std::string id(panel->id());
     const bool wanted =
-        asked ? id == wants : first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
+        asked ? is_wanted(panel) : first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
     const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str(), nullptr,
                                           wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     frame.ui.item("tabs/" + id);
     if (!open) continue;
     if (!first) remember_tab(chosen, here, id);
-    if (id == wants) wants.clear();
+    requests.take<request::ShowTab>(id);
     if (region == Region::dock && id != panel_id::kInputRoll && !asked) leave_input_roll(frame.ui.view);
     draw_panel(*panel, frame);
     ImGui::EndTabItem();

@@ -16,7 +16,7 @@ void CellShapeTool::draw(ImDrawList& list, const LevelToolUse& use) const {
   constexpr int kAlpha = 150;
   if (!use.is_seen()) return;
   const CellRect cells = use.dragged();
-  if (use.from) use.ui.view.hover.dragged = Cell{cells.w, cells.h};
+  if (use.from) use.ui.view.canvas.hover.dragged = Cell{cells.w, cells.h};
   draw_painted_cells(list, shape(use.session, use.from.value_or(use.cell), use.cell), use.view, use.ui,
                      kAlpha);
   draw_cell_frame(list, cells, use.view, theme::color(theme::kText), use.ui.px(1));

@@ -26,7 +26,7 @@ class PickTool : public LevelTool {
   void draw(ImDrawList& list, const LevelToolUse& use) const override {
     if (!use.is_seen()) return;
     const CellRect cells = use.dragged();
-    if (use.from) use.ui.view.hover.dragged = Cell{cells.w, cells.h};
+    if (use.from) use.ui.view.canvas.hover.dragged = Cell{cells.w, cells.h};
     draw_cell_frame(list, cells, use.view, theme::color(theme::kText), use.ui.px(1));
   }
 };

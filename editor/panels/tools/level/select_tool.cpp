@@ -102,14 +102,14 @@ void SelectTool::draw(ImDrawList& list, const LevelToolUse& use) const {
     const CellRect cells{at.x, at.y, choices.pasted->w, choices.pasted->h};
     draw_stamp(list, *choices.pasted, cells, use.view, use.ui, kPastedAlpha);
     draw_selection(list, cells, use.view, use.ui);
-    use.ui.view.hover.dragged = Cell{cells.w, cells.h};
+    use.ui.view.canvas.hover.dragged = Cell{cells.w, cells.h};
     return;
   }
   if (selection && (use.from ? moves_ : selection->contains(use.cell)))
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   else if (!use.from)
     LevelTool::draw(list, use);
-  if (use.from && selection) use.ui.view.hover.dragged = Cell{selection->w, selection->h};
+  if (use.from && selection) use.ui.view.canvas.hover.dragged = Cell{selection->w, selection->h};
 }
 
 }  // namespace

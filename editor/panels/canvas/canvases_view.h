@@ -1,0 +1,53 @@
+// What the canvases of the level show: the map, the play view, and the second map.
+#pragma once
+
+#include <optional>
+
+#include <talus/collision/geometry.h>
+#include "key_cursor.h"
+
+namespace talus {
+
+// What the middle of the window shows.
+enum class CanvasMode { map, play, both, two_maps };
+
+// Where the mouse is over a canvas, for the status bar.
+struct Hover {
+  std::optional<Cell> cell;     // on the map
+  std::optional<Vec2> pixel;    // px, in the level
+  std::optional<Cell> sprite;   // px, in the pixel canvas
+  std::optional<int> tile;      // on the sheet, 0..255
+  std::optional<Cell> dragged;  // cells, width and height of the rectangle that is being dragged on the map
+};
+
+struct CanvasesView {
+  CanvasMode mode = CanvasMode::both;
+  KeyCursor cursor;             // a pointer for the keyboard
+  bool paint_in_play = false;   // the left button paints in the play view, instead of holding balls
+  bool split_compared = false;  // the other side of a comparison has a view of its own
+  bool follow_body = false;     // the play view scrolls with the chosen body
+  bool legend_folded = false;   // the legend of the overlays has no names
+  bool minimap = false;         // the whole map in a corner of the map, to go elsewhere
+  bool play_active = false;     // of the two canvases, the play view was used last
+  bool second_map = false;      // of two maps, the second was used last
+  // Outlined on the map: what was looked for or is a problem. A click on the map or Escape takes it away.
+  std::optional<Cell> marked_cell;
+  std::optional<Cell> clicked_cell;  // the last cell of the map that was clicked with the left button
+  int level_number = 0;              // grows when another file is opened: the canvases start afresh
+  Hover hover;                       // of this frame, as far as it is drawn
+  Hover hover_before;                // of the whole frame before: for panels that are drawn before the canvas
+
+  // Where a search on the map goes on from.
+  std::optional<Cell> search_start() const { return marked_cell ? marked_cell : hover.cell; }
+  // Shows the map beside the play view, where the play view is alone.
+  void show_map() {
+    if (mode == CanvasMode::play) mode = CanvasMode::both;
+  }
+  void forget_level() {  // another one is open
+    ++level_number;
+    marked_cell.reset();
+    clicked_cell.reset();
+  }
+};
+
+}  // namespace talus

@@ -1,0 +1,26 @@
+// What the panels of sprites and colours show.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <talus/collision/geometry.h>
+#include <talus/level/tileset.h>
+
+namespace talus {
+
+// How the pixel canvas is shown.
+struct PixelView {
+  bool neighbours = false;  // among the tiles that stand around it on the map
+  bool enlarged = false;    // above the map and the play view, instead of below the sheet
+  friend bool operator==(const PixelView&, const PixelView&) = default;
+};
+
+struct SpritesView {
+  PixelView pixels;
+  int palette_color = 12;  // 0..15, which the sliders edit
+  // Where on the map the mouse was on each tile last.
+  std::array<std::optional<Cell>, kTileCount> tile_places;
+};
+
+}  // namespace talus

@@ -1,0 +1,46 @@
+// What the window shows of itself: its layout, its dialogs, and what the keys go to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame_metrics.h"
+#include "panels/commands/keys.h"
+
+namespace talus {
+
+// Which part of the window the keys go to.
+enum class Focus { sprites, map, input };  // input: the input roll
+
+// Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
+// does not fit is clamped to the regions' smallest sizes.
+struct Layout {
+  double left = 0.215;        // width of the left column
+  double right = 0.305;       // width of the right column
+  double sheet = 0.5;         // height of the sheet, of the left column
+  double right_split = 0.68;  // height of the inspector, of the right column
+  double pixels = 0.55;       // height of the enlarged pixel canvas, of the middle
+  double canvas_split = 0.5;  // height of the map, of the middle, when map and play are both shown
+  double dock = 0.3;          // height of the debugger's panels, of what is between menu and timeline
+  friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+struct WindowView {
+  Layout layout;
+  Focus focus = Focus::map;
+  std::vector<std::string> tabs;  // ids of the panels that are shown where several share a region
+  bool dock_open = false;         // the debugger's panels are shown
+  double ui_scale = 0;            // 0: by the window's height; else 1 to 4
+  bool keys_in_panel = false;     // the arrows, Tab, Space and Enter go from control to control
+  bool help_open = false;
+  bool settings_open = false;
+  bool metrics_open = false;
+  bool recovery_open = false;  // the dialog of what was saved by itself before a crash
+  // Why unsaved work is not saved by itself at present: "the file cannot be written: No space left on
+  // device"; empty: it is.
+  std::string autosave_problem;
+  KeyChord dialog_key;  // that went down in this frame while a dialog was open, not by repetition
+  FrameMetrics metrics;
+};
+
+}  // namespace talus
