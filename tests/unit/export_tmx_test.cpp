@@ -100,10 +100,10 @@ TEST(ExportTmx, FlagsAndNamesThatXmlDoesNotHaveComeBack) {
   for (const std::string to : {"tmx", "tmj"}) {
     const auto again = read_level(tiled_export_of(level, to, "cave." + to).files[0].bytes, {to});
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(again->flag_names, level.flag_names) << to;
-    EXPECT_EQ(again->sheet(SheetId::tiles).flags, level.sheet(SheetId::tiles).flags) << to;
-    EXPECT_EQ(again->spawns, level.spawns) << to;
-    EXPECT_EQ(again->curves, level.curves) << to;
+    EXPECT_EQ(again->level.flag_names, level.flag_names) << to;
+    EXPECT_EQ(again->level.sheet(SheetId::tiles).flags, level.sheet(SheetId::tiles).flags) << to;
+    EXPECT_EQ(again->level.spawns, level.spawns) << to;
+    EXPECT_EQ(again->level.curves, level.curves) << to;
   }
 }
 
@@ -117,7 +117,7 @@ TEST(ExportTmx, LargeMapsArePackedAndComeBack) {
     EXPECT_LT(text.size(), 1'000'000u) << to;
     const auto again = read_level(text, {to});
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(again->map, level.map) << to;
+    EXPECT_EQ(again->level.map, level.map) << to;
   }
 }
 

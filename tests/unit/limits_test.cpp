@@ -92,7 +92,7 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
       const std::string text = tiled_export_of(level, to, "cave." + to).files[0].bytes;
       const auto map = read_level(text, {to});
       ASSERT_TRUE(map) << to_string(map.error(), to);
-      EXPECT_EQ(map->spawns, level.spawns);
+      EXPECT_EQ(map->level.spawns, level.spawns);
     }
   }
   EXPECT_GT(saved, 0u);
