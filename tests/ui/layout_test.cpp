@@ -170,7 +170,7 @@ TEST_F(UiKeys, EachReachesItsCommand) {
                                                              : Focus::map;
       Session probe(test_level());
       Ui view;
-      view.level.problems = &probe.problems();  // as every frame has them
+      view.problems = &probe.problems();  // as every frame has them
       view.view.window.focus = ui.view.window.focus;
       if (command.scope == Scope::cursor) view.view.canvas.cursor.go_to({"map"});
       view.view.canvas.hover.cell = Cell{5, 10};
