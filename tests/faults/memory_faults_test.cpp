@@ -40,7 +40,7 @@ TEST_F(MemoryFaults, ACommandSaysWhatItWasReading) {
   const FailingMemory failing(kTooMuch);
   const CliAnswer answer = cli_answer({"check", file});
   EXPECT_EQ(answer.status, 1);
-  EXPECT_EQ(answer.err, "talus: error: ended while reading " + file + ": there is not enough memory\n");
+  EXPECT_EQ(answer.err, "talus: error: failed while reading " + file + ": there is not enough memory\n");
 }
 
 TEST_F(MemoryFaults, TheInterfaceForCSaysWhatItWasReading) {

@@ -156,7 +156,7 @@ TEST_F(UiExport, APathThatCannotBeWrittenIsSaidUnderIt) {
   EXPECT_FALSE(find("export/export")->enabled);
   fill("export/path", "game.zip");
   ASSERT_NE(find("export/error"), nullptr);
-  EXPECT_EQ(shown().problem->error.message.substr(0, 20), "game.zip is not a name ");
+  EXPECT_EQ(shown().problem->error.message.substr(0, 23), "game.zip is not a name ");
   fill("export/path", "game.tic");
   EXPECT_EQ(find("export/error"), nullptr);
   EXPECT_TRUE(find("export/export")->enabled);
@@ -177,7 +177,7 @@ TEST_F(UiExport, PartsOfTheRuntimeAreAskedForWhereThereIsOne) {
   EXPECT_GT(shown().files[0].size, size + 2'000);
   fill("export/parts", "plyers");
   ASSERT_NE(find("export/error"), nullptr);
-  EXPECT_EQ(shown().problem->error.message.substr(0, 24), "\"plyers\" is not a part of t");
+  EXPECT_EQ(shown().problem->error.message.substr(0, 27), "\"plyers\" is not a part of t");
   EXPECT_FALSE(find("export/export")->enabled);
   key(ctrl('z'));
   settle();

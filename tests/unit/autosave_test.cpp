@@ -200,7 +200,7 @@ TEST_F(AutosaveTest, AFailedWritingIsTriedAgainUntilItSucceeds) {
     paint(session, 5);
     for (int second = 0; second < 20; ++second) autosave.follow(session, second);
     ASSERT_TRUE(autosave.problem());
-    EXPECT_EQ(autosave.problem()->substr(0, 26), "the folder cannot be made:");
+    EXPECT_EQ(autosave.problem()->substr(0, 29), "the folder cannot be created:");
     EXPECT_TRUE(autosave.due());
     fs::remove(folder());
     for (int second = 20; autosave.problem() && second < 60; ++second) {

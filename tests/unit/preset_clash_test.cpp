@@ -6,6 +6,7 @@
 #include <set>
 
 #include "export/export_plan.h"
+#include "formats/files/atomic_file.h"
 
 namespace talus::preset_clash_test {
 
@@ -19,12 +20,14 @@ std::string clash(std::vector<ExportPreset> presets, std::size_t index = 0) {
   return clash_problem(presets, index, kLevel);
 }
 
-FormatResult<std::string> some_asset(const std::string& name) { return "-- " + name; }
+FormatResult<std::string> read_asset(const std::string& name) {
+  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+}
 
 TEST(ExporterFiles, AreAllToldBefore) {
   Level level;
   level.curves.push_back({"", {Arc{{30, 20}, 8, 24, 36, true}, Curve::Faces::up}, ""});
-  const ReadAsset read = some_asset;
+  const ReadAsset read = read_asset;
   for (const Exporter& exporter : exporters()) {
     const std::string name = exporter.is_folder() ? "a.b" : "a.b." + std::string(exporter.extensions[0]);
     const auto exported = exporter.make({level, name, read});
@@ -53,7 +56,7 @@ TEST(ExporterFiles, PicturesThatAreSharedAreTheSame) {
   level.sheet(SheetId::tiles).images[5].fill(7);
   level.sheet(SheetId::tiles).flags[5] = 1 << 2;  // a slope of 16x8 px, which STI gets more tiles for
   level.map.set({2, 2}, 5);
-  const ReadAsset read = some_asset;
+  const ReadAsset read = read_asset;
   std::set<std::string> pictures;
   for (const Exporter& exporter : exporters()) {
     if (!exporter.shares_sheet) continue;

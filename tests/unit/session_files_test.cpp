@@ -146,7 +146,7 @@ TEST_F(SessionFiles, APngCartBecomesALevelWithoutAFile) {
   session_.apply(act::SaveFile{});
   EXPECT_TRUE(session_.wants_save_as());
   session_.apply(act::SaveFileAs{path("cart.png")});
-  EXPECT_EQ(message().substr(0, 58), "Cannot save cart.png: its extension must be one of .talus.json");
+  EXPECT_EQ(message().substr(0, 62), "Cannot save cart.png: its extension must be one of .talus.json");
   EXPECT_EQ(bytes_of("cart.png"), png);
   session_.apply(act::SaveFileAs{path("b.tic")});
   EXPECT_EQ(bytes_of("b.tic"), bytes_of("a.tic"));

@@ -116,9 +116,10 @@ class TiledXml {
       return error_at_line(text_, static_cast<std::size_t>(parsed.offset), "this is not valid XML");
     if (!document.document_element()) return error_at_line(text_, text_.size() - 1, "this is not valid XML");
     for (const pugi::xml_node node : document.children()) {
-      if (node != document.document_element())
-        return error_at_line(text_, static_cast<std::size_t>(node.offset_debug()),
-                             "there is more than one element in the XML");
+      if (node == document.document_element()) continue;
+      const std::size_t begin =
+          text_.find_first_not_of(" \t\r\n", static_cast<std::size_t>(node.offset_debug()));
+      return error_at_line(text_, begin, "there is more than one element in the XML");
     }
     BadText bad;
     document.traverse(bad);
