@@ -94,7 +94,7 @@ TEST(ExportTmx, FlagsAndNamesThatXmlDoesNotHaveComeBack) {
   level.flag_names[1] = "s\x02";
   level.flag_names[2] = "\xef\xbf\xbeup";
   level.flag_names[3] = "s ";
-  for (const std::uint8_t tile : {1, 2})
+  for (const std::uint8_t tile : {std::uint8_t{1}, std::uint8_t{2}})
     level.sheet(SheetId::tiles).flags[tile] = tile == 1 ? 0b0101 : 0b1010;
   level.curves.push_back({"\x1b", {Segment{{1, 2}, {9, 8}}, Curve::Faces::up}, ""});
   for (const std::string to : {"tmx", "tmj"}) {
