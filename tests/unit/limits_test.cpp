@@ -88,6 +88,7 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
     const auto again = read_native(written->bytes, {});
     ASSERT_TRUE(again) << to_string(again.error(), "level");
     EXPECT_TRUE(*again == level);
+    if (saved > 1) continue;  // maps of Tiled take seconds, so one is enough
     for (const std::string to : {"tmx", "tmj"}) {
       const std::string text = tiled_export_of(level, to, "cave." + to).files[0].bytes;
       const auto map = read_level(text, {to});
