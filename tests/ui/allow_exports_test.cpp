@@ -1,6 +1,4 @@
 // The question about exports that came with a file, as the user sees it.
-#include <chrono>
-#include <thread>
 
 #include "harness.h"
 
@@ -18,10 +16,7 @@ class UiAllowExports : public UiTest {
   }
   void settle() {
     frames(3);
-    for (int i = 0; i < 5'000 && session().exporting().is_busy(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      frames(1);
-    }
+    ASSERT_TRUE(frames_until([&] { return !session().exporting().is_busy(); }));
     frames(3);
   }
   void paint_and_save() {

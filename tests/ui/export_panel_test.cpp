@@ -1,9 +1,6 @@
 // The window of exports: presets, what they would write, and writing it.
 #include <imgui_internal.h>
 
-#include <chrono>
-#include <thread>
-
 #include "formats/files/atomic_file.h"
 #include "harness.h"
 
@@ -17,11 +14,7 @@ class UiExport : public UiTest {
   // Frames until exports and previews are done, and what they lead to is drawn.
   void settle() {
     frames(3);
-    for (int i = 0; i < 5'000 && exporting().is_busy(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      frames(1);
-    }
-    ASSERT_FALSE(exporting().is_busy());
+    ASSERT_TRUE(frames_until([&] { return !exporting().is_busy(); }));
     frames(3);
   }
   void open_window() {
@@ -245,9 +238,7 @@ TEST_F(UiExport, ALongPreviewShowsItsShareAndIsCancelled) {
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
   start(path("large.talus.json"));
   key(ctrl_shift('x'));
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (find("export/preview_progress") == nullptr && std::chrono::steady_clock::now() < end) frames(1);
-  ASSERT_NE(find("export/preview_progress"), nullptr);
+  ASSERT_TRUE(frames_until([&] { return find("export/preview_progress") != nullptr; }));
   EXPECT_FALSE(find("export/export")->enabled) << "whether it works is not known yet";
   click("export/cancel");
   frames(1);

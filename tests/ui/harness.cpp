@@ -3,11 +3,13 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 #include <talus/formats/format.h>
 #include "platform/sdl_keys.h"
@@ -106,6 +108,16 @@ void UiTest::frames(int count) {
     clock_ += 1.0 / 60;
     app_->frame();
   }
+}
+
+bool UiTest::frames_until(const std::function<bool()>& is_so) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!is_so()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    frames(1);
+  }
+  return true;
 }
 
 ImVec2 UiTest::centre(std::string_view name) {

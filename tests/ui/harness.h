@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -46,6 +47,9 @@ class UiTest : public ::testing::Test {
 
   // Lets frames of 1/60 s pass, at least until no event waits.
   void frames(int count = 1);
+  // Lets frames pass until threads have done what `is_so` asks for, for a minute by the machine's clock at
+  // most. Returns false if the minute passed.
+  bool frames_until(const std::function<bool()>& is_so);
 
   const Widget* find(std::string_view name) { return app_->ui().widgets.find(name); }
   ImVec2 centre(std::string_view name);  // fails the test when there is no such widget

@@ -179,7 +179,7 @@ TEST_F(UiRecovery, WhatCannotBeSavedByItselfIsSaidUntilItIs) {
   }
   std::filesystem::remove(path("state/autosave"));
   frames(kFiveSeconds);
-  EXPECT_EQ(find("status/not-saved-by-itself"), nullptr);
+  EXPECT_TRUE(frames_until([&] { return find("status/not-saved-by-itself") == nullptr; }));
   EXPECT_TRUE(!session().message() || !session().message()->is_error);
   crash_and_start(level_file());
   ASSERT_NE(find("recovery/recover0"), nullptr);

@@ -1,9 +1,7 @@
 // Run in LÖVE, by its key: the game is exported first, and runs in the folder of the export.
 #include <sys/stat.h>
 
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "harness.h"
 
@@ -20,18 +18,12 @@ TEST_F(UiTest, RunInLoveRunsWhatItHasExported) {
   ASSERT_EQ(::chmod(program.c_str(), 0755), 0);
   app().ui().view.preferences.programs[static_cast<std::size_t>(ProgramId::love)] =
       "'" + program + "' {folder}";
-  const auto wait_for = [&](auto&& is_there) {
-    for (int i = 0; i < 300 && !is_there(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      frames(1);
-    }
-  };
   key(ctrl_shift('l'));
-  wait_for([&] { return session().question().has_value(); });
+  ASSERT_TRUE(frames_until([&] { return session().question().has_value(); }));
   frames(3);
   EXPECT_FALSE(std::filesystem::exists(path("my game"))) << "the preset came with the file";
   click("question/allow");
-  wait_for([&] { return std::filesystem::exists(told); });
+  ASSERT_TRUE(frames_until([&] { return std::filesystem::exists(told); }));
   EXPECT_EQ(bytes_of(told), path("my game"));
   EXPECT_TRUE(std::filesystem::exists(path("my game/main.lua")));
 }
