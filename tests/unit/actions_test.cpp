@@ -1,5 +1,5 @@
-// The list of actions: each is of one domain, whose handler carries it out. That the handler does, the
-// compiler checks: a domain's action without a carry_out in its handler is a call of a deleted function.
+// The list of actions. Each action belongs to one domain, whose handler carries it out. The compiler checks
+// that the handler does: an action without a carry_out in its handler calls a deleted function.
 #include "session/actions.h"
 
 #include <gtest/gtest.h>

@@ -45,7 +45,7 @@ TEST(AnswerOverlay, DrawsTheStartTheGhostAndTheFloor) {
   EXPECT_TRUE(drawing.lines[1].arrow);
 }
 
-TEST(AnswerOverlay, AWayKeepsToTheFloor) {
+TEST(AnswerOverlay, APathFollowsTheFloor) {
   const OverlayDrawing drawing = drawn_answer(on_a_floor(), {0, 56}, reaching(24));
   ASSERT_EQ(drawing.lines.size(), 4u);  // the floor, and three parts of the way
   EXPECT_EQ(drawing.lines[3].to, (Vec2{28, 60}));
@@ -53,7 +53,7 @@ TEST(AnswerOverlay, AWayKeepsToTheFloor) {
   EXPECT_FALSE(drawing.lines[2].arrow);
 }
 
-TEST(AnswerOverlay, AWayWithoutAFloorIsStraight) {
+TEST(AnswerOverlay, APathWithoutAFloorIsStraight) {
   const OverlayDrawing drawing = drawn_answer({}, {40, 56}, reaching(16));
   ASSERT_EQ(drawing.lines.size(), 3u);
   EXPECT_EQ(drawing.lines[2].to, (Vec2{20, 60}));

@@ -1,5 +1,5 @@
-// Whatever numbers the public queries are asked with, they answer: NaN, infinities, what no int holds, sizes
-// that are none. Under the sanitizers this finds what is undefined.
+// The public queries answer for any numbers: NaN, infinities, numbers outside int, and invalid sizes. Under
+// the sanitizers this finds undefined behaviour.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -33,7 +33,7 @@ Terrain every_kind() {
   return map.compile();
 }
 
-// Calls use(box, motion) for boxes and motions of which two numbers at a time are nasty.
+// Calls use(box, motion) for boxes and motions in which two numbers at a time are nasty.
 template <class Use>
 void for_nasty(Use use) {
   for (const double a : kNasty) {
@@ -94,7 +94,7 @@ TEST(AnyNumber, IsAnsweredInSinglePrecision) {
   });
 }
 
-TEST(AnyNumber, TheFloorIsFoundFromAsFarAsIsAskedFor) {
+TEST(AnyNumber, AFarFloorIsFoundWithinTheAskedDistance) {
   const Terrain ground = TestMap({"...", "...", "111"}).compile();
   const auto far = floor_below(ground, {8, -1e11, 4, 4}, kInf);
   ASSERT_TRUE(far);
@@ -180,7 +180,7 @@ TEST(AnyNumber, IsAnsweredByTheInterfaceForC) {
   talus_close(game);
 }
 
-TEST(AnyNumber, OfNoBytesTheInterfaceForCMakesAnError) {
+TEST(AnyNumber, TheInterfaceForCRefusesEmptyInput) {
   char error[200] = "as it was";
   EXPECT_EQ(talus_read(nullptr, 5, "a.talus.json", error, sizeof error), nullptr);
   EXPECT_STREQ(error, "error: the bytes are null");

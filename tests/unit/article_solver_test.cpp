@@ -1,5 +1,5 @@
-// The article solver beyond its golden trajectories: what it records, and that it is a function of its
-// arguments.
+// The article solver beyond its golden trajectories: what it records, and that equal arguments give equal
+// results.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Level ball_over_slope() {
                    "######"});
 }
 
-TEST(ArticleSolver, FallsByTheArticlesLerp) {
+TEST(ArticleSolver, GravityIsTheArticlesLerp) {
   const Scene scene = compile_scene(level_of({"o", ".", "."}));
   const State state = step(scene, initial_state(scene), {});
   EXPECT_EQ(state.frame, 1);
@@ -55,7 +55,7 @@ TEST(ArticleSolver, RecordsTheSlopesDeltaAndFloor) {
   EXPECT_GT(corrected, 0);
 }
 
-TEST(ArticleSolver, RecordsEveryBodysWayAndTheBoxesTested) {
+TEST(ArticleSolver, RecordsThePathOfEachBodyAndTheTestedBoxes) {
   const auto scene = scene_of(level_of({"o.o",  //
                                         "###"}));
   const auto solver = make_solver(scene);
@@ -78,7 +78,7 @@ TEST(ArticleSolver, RecordsEveryBodysWayAndTheBoxesTested) {
   }
 }
 
-TEST(ArticleSolver, BallsBlockOneAnotherUnlessTheTuningSaysNo) {
+TEST(ArticleSolver, BallsCollideUnlessTheTuningTurnsItOff) {
   Level level = level_of({"o",  //
                           "o",  //
                           "#"});
@@ -94,7 +94,7 @@ TEST(ArticleSolver, BallsBlockOneAnotherUnlessTheTuningSaysNo) {
   EXPECT_GT(state.bodies[0].box.y, 4);
 }
 
-TEST(ArticleSolver, TheMouseTakesDragsAndThrowsABall) {
+TEST(ArticleSolver, TheMouseGrabsDragsAndThrowsABall) {
   const Scene scene = compile_scene(level_of({"o.....", "......", "......"}));
   State state = initial_state(scene);
   state = step(scene, state, {{100, 100}, true});
@@ -119,9 +119,9 @@ TEST(ArticleSolver, AnyNumberCanBeTuned) {
   EXPECT_EQ(step(scene, initial_state(scene), {}).bodies[0].velocity.y, 1);
 }
 
-// Every number of the tuning, at both ends of its range: nothing overflows, and a limit that is reached is
-// told.
-TEST(ArticleSolver, SurvivesTheEndsOfEveryRange) {
+// Every number of the tuning is set to both ends of its range: nothing overflows, and a limit that is reached
+// is reported.
+TEST(ArticleSolver, TuningAtEitherEndOfItsRangeIsSafe) {
   const Level level = level_of({"#######",  //
                                 "#o.o.o#",  //
                                 "#./-..#",  //
@@ -180,7 +180,7 @@ TEST_F(SixBalls, ASolverIsAFunctionOfItsArguments) {
     solver->step(next, {});
     states.push_back(next);
   }
-  // The same solver, backwards and against a fresh one.
+  // The same solver runs backwards, and is compared with a fresh one.
   for (std::size_t i = 199; i >= 7; i -= 7) {
     State again = states[i];
     solver->step(again, {});

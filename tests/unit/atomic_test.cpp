@@ -1,4 +1,5 @@
-// Files that are old or new, never half: kills, full disks, links and permissions.
+// A file holds its old or its new bytes, never half of them, whatever happens: kills, full disks, links and
+// permissions.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -43,7 +44,7 @@ TEST_F(AtomicFileTest, UnreadableThingsAreErrors) {
   EXPECT_EQ(read_file(folder_.string()).error().message, "is a directory; only regular files can be read");
 }
 
-TEST_F(AtomicFileTest, WhatIsNoFileIsRefusedAtOnce) {
+TEST_F(AtomicFileTest, ThingsOtherThanFilesAreRefusedAtOnce) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
   EXPECT_EQ(read_file(path("pipe")).error().message, "is a pipe; only regular files can be read");
   EXPECT_EQ(write_file_atomic(path("pipe"), "x").error().message, "is a pipe, but must be a regular file");
@@ -76,7 +77,7 @@ TEST_F(AtomicFileTest, LargeFilesAreRefused) {
   EXPECT_EQ(read_file(path("big")).error().message, "is larger than 64 MiB");
 }
 
-TEST_F(AtomicFileTest, ThePermissionsStay) {
+TEST_F(AtomicFileTest, AReplacedFileKeepsItsPermissions) {
   ASSERT_TRUE(write_file_atomic(path("x"), "old"));
   fs::permissions(path("x"), fs::perms{0640});
   ASSERT_TRUE(write_file_atomic(path("x"), "new"));
@@ -104,7 +105,7 @@ TEST_F(AtomicFileTest, LinksAreFollowed) {
   EXPECT_FALSE(write_file_atomic(path("loop"), "x"));
 }
 
-// One that is put there after it was looked at where the path leads.
+// A link that appears after the check is refused too.
 TEST_F(AtomicFileTest, LinksCanBeRefused) {
   put("outside", "old");
   fs::create_symlink("outside", path("link"));
@@ -115,8 +116,9 @@ TEST_F(AtomicFileTest, LinksCanBeRefused) {
   EXPECT_EQ(bytes_of("outside") + bytes_of("plain"), "oldnew");
 }
 
-// What comes into the place between the look and the writing is neither written nor replaced.
-TEST_F(AtomicFileTest, OnlyAFileIsReplacedWhateverComesMeanwhile) {
+// Things that appear between the check and the write are neither written into nor replaced, unless they are
+// regular files.
+TEST_F(AtomicFileTest, OnlyARegularFileIsReplaced) {
   put("outside", "old");
   for (const InPlace in_place : {InPlace::refuse_links, InPlace::follow_links, InPlace::write}) {
     auto late_pipe = StagedFile::write(path("pipe"), "new", in_place);
@@ -143,8 +145,8 @@ TEST_F(AtomicFileTest, OnlyAFileIsReplacedWhateverComesMeanwhile) {
   }
 }
 
-// The pipe is opened once: what takes its name later is another file.
-TEST_F(AtomicFileTest, WhatTakesThePlaceOfAPipeIsNotWritten) {
+// The pipe is opened once. A file that gets its name later is another file.
+TEST_F(AtomicFileTest, AFileThatReplacesAPipeIsNotWritten) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0666), 0);
   const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
   auto staged = StagedFile::write(path("pipe"), "x", InPlace::write);
@@ -158,7 +160,7 @@ TEST_F(AtomicFileTest, WhatTakesThePlaceOfAPipeIsNotWritten) {
   ::close(reader);
 }
 
-TEST_F(AtomicFileTest, TheStartOfAFileIsReadAlone) {
+TEST_F(AtomicFileTest, TheStartOfAFileCanBeReadAlone) {
   put("a", "abcdef");
   EXPECT_EQ(read_start_of_file(path("a"), 4).value(), "abcd");
   EXPECT_EQ(read_start_of_file(path("a"), 10).value(), "abcdef");
@@ -179,7 +181,7 @@ TEST_F(AtomicFileTest, ReadingCanBeCancelled) {
   EXPECT_TRUE(read_file(path("a"), kMaxFileBytes, Progress([](double) { return true; })));
 }
 
-TEST_F(AtomicFileTest, DirectoriesStayAndDevicesAreWrittenIfMeant) {
+TEST_F(AtomicFileTest, DevicesAreWrittenOnRequestDirectoriesNever) {
   EXPECT_EQ(write_file_atomic(folder_.string(), "x").error().message, "cannot be written: Is a directory");
   EXPECT_EQ(write_file_atomic(path("none/x"), "x").error().message,
             "cannot be written: No such file or directory");
@@ -190,7 +192,7 @@ TEST_F(AtomicFileTest, DirectoriesStayAndDevicesAreWrittenIfMeant) {
             "cannot be written: No space left on device");
 }
 
-TEST_F(AtomicFileTest, FilesOfKilledProcessesAreRemovedOthersStay) {
+TEST_F(AtomicFileTest, OnlyFilesOfKilledProcessesAreRemoved) {
   put(".x.0.tmp", "left by a killed process");
   auto first = StagedFile::write(path("x"), "first");
   ASSERT_TRUE(first);
@@ -206,7 +208,7 @@ TEST_F(AtomicFileTest, FilesOfKilledProcessesAreRemovedOthersStay) {
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(AtomicFileTest, WhatIsWrittenInPartsIsPutWhole) {
+TEST_F(AtomicFileTest, AFileWrittenInPartsAppearsAsAWhole) {
   put("x", "old");
   {
     auto given_up = StagedFile::begin(path("x"));
@@ -227,7 +229,7 @@ TEST_F(AtomicFileTest, WhatIsWrittenInPartsIsPutWhole) {
             "cannot be written: No space left on device");
 }
 
-TEST_F(AtomicFileTest, OtherThingsUnderATemporarysNameStay) {
+TEST_F(AtomicFileTest, OtherThingsWithATemporaryNameStay) {
   put("precious", "bytes");
   fs::create_symlink("precious", path(".x.0.tmp"));
   fs::create_directory(path(".x.1.tmp"));
@@ -243,7 +245,7 @@ TEST_F(AtomicFileTest, LongNamesWork) {
   EXPECT_EQ(read_file(path(name)).value(), "x");
 }
 
-// Runs `body` in a child process, as a user who may not everything; returns its exit status.
+// Runs `body` in a child process, as a user without root's permissions. Returns its exit status.
 template <class Body>
 int in_child(Body body) {
   const pid_t child = fork();
@@ -288,7 +290,7 @@ TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(AtomicFileTest, AKillAtAnyMomentLeavesOldOrNewWhole) {
+TEST_F(AtomicFileTest, AKillLeavesTheOldOrTheNewFile) {
   const auto content = [](int number) { return std::string(200'000, static_cast<char>('a' + number % 26)); };
   ASSERT_TRUE(write_file_atomic(path("x"), content(0)));
   int changed = 0;
@@ -309,7 +311,7 @@ TEST_F(AtomicFileTest, AKillAtAnyMomentLeavesOldOrNewWhole) {
     ASSERT_EQ(std::count(bytes.begin(), bytes.end(), bytes[0]), 200'000);
     changed += bytes[0] != 'a';
   }
-  EXPECT_GT(changed, 0);  // else the kills came before the first save ended
+  EXPECT_GT(changed, 0);  // otherwise all kills came before the first save ended
 }
 
 }  // namespace talus::atomic_test

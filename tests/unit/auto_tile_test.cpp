@@ -1,4 +1,4 @@
-// The ground tool: which tile painted ground gets, and what the sheet proposes for it.
+// The ground tool: which tiles it chooses for painted ground, and which tiles it proposes for a sheet.
 #include "edit/auto_tile.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace talus::auto_tile_test {
 
 using GroundRows = std::vector<std::string>;
 
-// One letter a part, in their order; the part's tile is its number, from 1. 'u' and 'U' are the halves of a
-// long slope up, 'D' and 'd' of one down.
+// A letter for each part, in the order of the parts. The tile of a part is its number, from 1. 'u' and 'U'
+// are the halves of a long slope up, 'D' and 'd' of one down.
 constexpr std::string_view kPartLetters = "#=[]_r7LJ/\\uUDd";
 
 AutoTiles full_set() {
@@ -32,7 +32,7 @@ AutoTiles set_with_short_slopes() {
                       GroundPart::slope_down_right});
 }
 
-// '.' is air, 'x' a tile that is no ground, a part's letter its tile.
+// '.' is air, 'x' is a tile that is no ground, and each letter of a part is the tile of that part.
 Level ground_level(const GroundRows& rows, const AutoTiles& set = full_set()) {
   Level level;
   level.auto_tiles = set;
@@ -60,7 +60,7 @@ GroundRows ground_rows(const TileMap& map) {
   return rows;
 }
 
-// The picture's 'o' made ground one by one, row by row.
+// Makes each 'o' of the picture ground, one by one, row by row.
 GroundRows painted(const GroundRows& rows, const AutoTiles& set = full_set()) {
   Level level = ground_level(rows, set);
   for (Cell c{0, 0}; c.y < level.map.height(); ++c.y) {
@@ -114,7 +114,7 @@ TEST(AutoTile, StairsOfOneCellAreSteepSlopesInBothDirections) {
                      ".ooooo.",  //
                      "ooooooo"}),
             (GroundRows{".......",   //
-                        "...=...",   // both at once is neither
+                        "...=...",   // a slope in both directions is neither
                         "../#\\..",  //
                         "./###\\.",  //
                         "=#####="}));
@@ -146,7 +146,7 @@ TEST(AutoTile, AShortHillHasNoRoomForLongSlopes) {
 
 TEST(AutoTile, ACliffAndAnOverhangAreCorners) {
   EXPECT_EQ(painted({"......",  //
-                     "..oo..",  // nothing under its left neighbour's neighbour: two cells high
+                     "..oo..",  // the column two to its left is empty below: a cliff two cells high
                      "..oo..",  //
                      "oooooo"}),
             (GroundRows{"......",  //
@@ -158,12 +158,12 @@ TEST(AutoTile, ACliffAndAnOverhangAreCorners) {
                      "ooo..",  //
                      "ooo.."}),
             (GroundRows{".....",  //
-                        "...r=",  // nothing below it to stand on
+                        "...r=",  // no ground below it
                         "==7..",  //
                         "##].."}));
 }
 
-TEST(AutoTile, PartsThatTheSetDoesNotHaveArePlayedByTheNextBest) {
+TEST(AutoTile, ReplacesAMissingPartByTheNextBest) {
   AutoTiles set;
   set.of(GroundPart::inside) = 1;
   const GroundRows island = {".....",  //
@@ -179,18 +179,18 @@ TEST(AutoTile, PartsThatTheSetDoesNotHaveArePlayedByTheNextBest) {
   EXPECT_EQ(painted({"...", ".oo", "ooo"}, set), (GroundRows{"...", ".==", "=##"})) << "no slopes at all";
 }
 
-TEST(AutoTile, OnlyOneHalfOfALongSlopeIsNone) {
+TEST(AutoTile, ALongSlopeNeedsBothHalves) {
   EXPECT_EQ(painted({"....", ".ooo", "oooo"}, set_without({GroundPart::slope_up_right})),
             (GroundRows{"....", "./==", "=###"}));
 }
 
-TEST(AutoTile, WithoutAnInsideNothingHappens) {
+TEST(AutoTile, WithoutATileForTheInsideNothingIsPainted) {
   const Level level = ground_level({"...", "..."}, set_without({GroundPart::inside}));
   EXPECT_TRUE(paint_ground(level, {0, 0}, {2, 1}, GroundChange::add).empty());
   EXPECT_TRUE(fill_ground(level, {0, 0, 3, 2}, GroundChange::add).empty());
 }
 
-TEST(AutoTile, PaintsOverOtherTilesAndLeavesThemAloneOtherwise) {
+TEST(AutoTile, ChangesOtherTilesOnlyWhereItPaints) {
   EXPECT_EQ(painted({"xox", "xxx"}), (GroundRows{"x_x", "xxx"}));
   Level level = ground_level({"x_x", "xxx"});
   EXPECT_TRUE(paint_ground(level, {0, 0}, {0, 1}, GroundChange::remove).empty()) << "no ground there";
@@ -216,7 +216,7 @@ TEST(AutoTile, RemovingTheMiddleOfASlopeFitsBothHalves) {
   EXPECT_EQ(ground_rows(level.map), (GroundRows{"......", "..=.uU", "==#=##"}));
 }
 
-TEST(AutoTile, AFilledRectangleIsAsIfPaintedAndIsCutAtTheMap) {
+TEST(AutoTile, AFilledRectangleEqualsPaintingInsideTheMap) {
   Level level = ground_level({".....", ".....", "....."});
   apply_edit(level, fill_ground(level, {2, 1, 100, 100}, GroundChange::add));
   EXPECT_EQ(ground_rows(level.map), (GroundRows{".....", "..r==", "..[##"}));
@@ -224,7 +224,7 @@ TEST(AutoTile, AFilledRectangleIsAsIfPaintedAndIsCutAtTheMap) {
   EXPECT_EQ(ground_rows(level.map), (GroundRows{".....", ".....", "....."}));
 }
 
-TEST(AutoTile, WhatLiesOutsideTheSelectionStaysAsItIs) {
+TEST(AutoTile, CellsOutsideTheSelectionStay) {
   Level level = ground_level({".....", "..#..", "....."});
   const CellRect selection{1, 0, 2, 2};
   apply_edit(level, paint_ground(level, {0, 0}, {4, 0}, GroundChange::add, selection));
@@ -261,7 +261,7 @@ RC_GTEST_PROP(AutoTileProperty, TheOrderOfPaintingDoesNotMatter, ()) {
     apply_edit(second, paint_ground(second, cell, cell, GroundChange::add));
   }
   RC_ASSERT(ground_rows(first.map) == ground_rows(second.map));
-  // Nor does what was ground meanwhile.
+  // The result does not depend on earlier ground either.
   apply_edit(second, fill_ground(second, {0, 0, width, height}, GroundChange::add));
   for (Cell c{0, 0}; c.y < height; ++c.y) {
     for (c.x = 0; c.x < width; ++c.x)
@@ -314,7 +314,7 @@ std::vector<std::uint8_t> all_tiles() {
   return tiles;
 }
 
-TEST(AutoTileProposal, TellsSidesAndCornersByTheirPixels) {
+TEST(AutoTileProposal, RecognisesSidesAndCornersByTheirPixels) {
   AutoTiles expected;
   using enum GroundPart;
   expected.of(inside) = 14;
@@ -329,7 +329,7 @@ TEST(AutoTileProposal, TellsSidesAndCornersByTheirPixels) {
   EXPECT_EQ(proposed_auto_tiles(sheet_of_ground(), all_tiles()), expected);
 }
 
-// Solid, with a top of its own.
+// Draws a solid tile with a top edge of its own.
 void draw_rock(Level& level, std::uint8_t tile, const std::string& row) {
   level.sheet(SheetId::tiles).flags[tile] = kSolidFlag;
   std::vector<std::string> rock(8, row);
@@ -345,8 +345,8 @@ TEST(AutoTileProposal, TakesTheEdgesThatLookLikeTheInside) {
 
 TEST(AutoTileProposal, LeavesOutEdgesOfOtherGround) {
   Level level = sheet_of_ground();
-  level.sheet(SheetId::tiles).flags[11] = 0;  // no top of this ground,
-  draw_rock(level, 5, "77777733");            // but one of rock, with some pixels of the ground's colour
+  level.sheet(SheetId::tiles).flags[11] = 0;  // this ground has no top,
+  draw_rock(level, 5, "77777733");            // but rock has one, with some pixels in the ground's colour
   EXPECT_EQ(proposed_auto_tiles(level, all_tiles()).of(GroundPart::top), 0);
 }
 
@@ -378,10 +378,10 @@ TEST(AutoTileProposal, TakesHalvesThatHaveShapesOfTheirOwn) {
   EXPECT_EQ(set.of(GroundPart::slope_down_right), 0);
 }
 
-TEST(AutoTileProposal, ChoosesAmongTheTilesGivenAlone) {
+TEST(AutoTileProposal, ChoosesOnlyAmongTheGivenTiles) {
   const Level level = sheet_of_ground();
   AutoTiles expected;
-  expected.of(GroundPart::inside) = 11;  // no plain one among them
+  expected.of(GroundPart::inside) = 11;  // there is no plain tile among them
   expected.of(GroundPart::top) = 11;
   EXPECT_EQ(proposed_auto_tiles(level, std::vector<std::uint8_t>{0, 11, 50}), expected);
   EXPECT_TRUE(proposed_auto_tiles(level, std::vector<std::uint8_t>{0, 50}).empty());

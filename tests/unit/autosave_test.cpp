@@ -1,4 +1,4 @@
-// What is saved by itself, also when the process is killed.
+// Automatic saving, also when the process is killed.
 #include "platform/autosave.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class AutosaveTest : public FolderTest {
     const fs::directory_iterator all(folder(), error);
     return error ? 0 : static_cast<int>(std::distance(begin(all), end(all)));
   }
-  // A child process that runs run(say), which ends by being killed; waits until it has said something.
+  // A child process that calls run(say) and ends by being killed. Waits until the child has said something.
   template <class F>
   static pid_t child_of(F run) {
     int pipe[2];
@@ -48,7 +48,7 @@ class AutosaveTest : public FolderTest {
     ::close(pipe[0]);
     return child;
   }
-  // Without any farewell.
+  // Kills the child without giving it a chance to save.
   static void kill_child(pid_t child) {
     ::kill(child, SIGKILL);
     int status = 0;
@@ -81,7 +81,7 @@ TEST_F(AutosaveTest, AChangeIsWrittenWithinFiveSecondsAndOnceOnly) {
   EXPECT_TRUE(autosave.left_behind().empty()) << "its process runs";
 }
 
-TEST_F(AutosaveTest, WhatAKilledProcessLeftIsFoundWhole) {
+TEST_F(AutosaveTest, TheWorkOfAKilledProcessIsFound) {
   kill_child(child_of([&](auto say) {
     Session session(Level(), "/some where/le\"vel.talus.json", "level.talus.json");
     Autosave autosave(folder());
@@ -105,7 +105,7 @@ TEST_F(AutosaveTest, WhatAKilledProcessLeftIsFoundWhole) {
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(AutosaveTest, AKillWhileItIsWritingLeavesTheWorkBeforeWhole) {
+TEST_F(AutosaveTest, AKillDuringAWriteLeavesTheOlderAutosave) {
   for (int round = 0; round < 12; ++round) {
     fs::remove_all(folder());
     const pid_t child = child_of([&](auto say) {
@@ -125,7 +125,7 @@ TEST_F(AutosaveTest, AKillWhileItIsWritingLeavesTheWorkBeforeWhole) {
   }
 }
 
-TEST_F(AutosaveTest, WhatARunningProcessHasIsNotOffered) {
+TEST_F(AutosaveTest, AutosavesOfARunningProcessAreNotOffered) {
   const pid_t child = child_of([&](auto say) {
     Session session;
     Autosave autosave(folder());
@@ -173,14 +173,14 @@ TEST_F(AutosaveTest, DamagedFilesAreLeftAlone) {
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(AutosaveTest, AFolderThatCannotBeReadIsSaid) {
+TEST_F(AutosaveTest, AnUnreadableFolderIsReported) {
   put("state", "a file in the folder's place");
   const std::vector<SavedWork> works = Autosave(folder()).left_behind();
   ASSERT_EQ(works.size(), 1u);
   EXPECT_EQ(works[0].problem, "cannot be read: Not a directory");
 }
 
-TEST_F(AutosaveTest, WhatIsLargerThanAnyLevelsFileIsOffered) {
+TEST_F(AutosaveTest, AnAutosaveLargerThanALevelFileIsOffered) {
   fs::create_directories(folder());
   const SavedWork work{path("state/1-0.talus-autosave"), "", "large", 5, std::make_shared<const Level>()};
   ASSERT_TRUE(write_saved_work(work));
@@ -192,7 +192,7 @@ TEST_F(AutosaveTest, WhatIsLargerThanAnyLevelsFileIsOffered) {
   EXPECT_EQ(works[0].name, "large");
 }
 
-TEST_F(AutosaveTest, AFailedWritingIsTriedAgainUntilItSucceeds) {
+TEST_F(AutosaveTest, AFailedWriteIsRetriedUntilItSucceeds) {
   put("state", "a file in the folder's place");
   Session session;
   {
@@ -214,7 +214,7 @@ TEST_F(AutosaveTest, AFailedWritingIsTriedAgainUntilItSucceeds) {
   EXPECT_EQ(works[0].level->map.at({1, 1}), 5);
 }
 
-TEST_F(AutosaveTest, WhatKilledProcessesLeftHalfWrittenGoes) {
+TEST_F(AutosaveTest, HalfWrittenFilesOfKilledProcessesAreRemoved) {
   fs::create_directories(folder());
   put("state/.1-0.talus-autosave.0.tmp", "half");
   put("state/1-0.talus-autosave.lock", "");
@@ -229,7 +229,7 @@ TEST_F(AutosaveTest, WhatKilledProcessesLeftHalfWrittenGoes) {
   EXPECT_TRUE(exists("state/2-0.talus-autosave.lock"));
 }
 
-TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
+TEST_F(AutosaveTest, AnUnwritableFolderIsReportedOnce) {
   put("state", "a file in the folder's place");
   Session session;
   Autosave autosave(folder());
@@ -241,7 +241,7 @@ TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
 
 class Recovery : public FolderTest {};
 
-TEST_F(Recovery, ComesAsAChangeOfTheFileThatCanBeUndone) {
+TEST_F(Recovery, IsAChangeOfTheFileThatCanBeUndone) {
   const std::string file = path("level.talus.json");
   Level on_disk;
   on_disk.map.set({2, 2}, 1);

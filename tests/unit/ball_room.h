@@ -1,4 +1,4 @@
-// A room for tests of what is played and recorded.
+// A room for tests of playing and recording.
 #pragma once
 
 #include <talus/level/level.h>
@@ -7,7 +7,7 @@ namespace talus {
 
 inline constexpr std::uint8_t kRoomSolid = 1, kRoomBall = 2;
 
-// 30x17 cells: a ball at (16, 8), high above a floor in this row.
+// 30x17 cells: a ball at (16, 8), high above a floor in row `floor`.
 inline Level ball_room(int floor = 12) {
   Level level;
   level.map = TileMap(30, 17);

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-// The vectors of RFC 4648, and a byte of every digit's bits.
+// The vectors of RFC 4648, and bytes that use every bit of a digit.
 TEST(Base64, EncodesAndDecodesTheVectorsOfTheRfc) {
   const std::pair<std::string, std::string> kVectors[] = {
       {"", ""},
@@ -23,7 +23,7 @@ TEST(Base64, EncodesAndDecodesTheVectorsOfTheRfc) {
   }
 }
 
-TEST(Base64, DecodesAllBytesAndPassesOverBlanks) {
+TEST(Base64, DecodesAllBytesAndSkipsBlanks) {
   std::string bytes;
   for (int byte = 0; byte < 256; ++byte) bytes += static_cast<char>(byte);
   EXPECT_EQ(decode_base64(encode_base64(bytes)), bytes);

@@ -1,4 +1,4 @@
-// Named brushes, random painting, and both in files.
+// Named brushes and random painting, and how files keep them.
 #include "edit/brush_tools.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(RandomTile, IsTheSameForACellAndASeed) {
   EXPECT_EQ(row, (std::vector<int>{8, 10, 10, 9, 9, 8, 7, 10})) << "files and tests rely on the very tiles";
 }
 
-TEST(RandomTile, TakesEachTileAboutAsOften) {
+TEST(RandomTile, TakesEachTileEquallyOften) {
   std::array<int, 4> counts{};
   int unlike_the_next_seed = 0;
   for (int y = 0; y < 100; ++y) {
@@ -71,7 +71,7 @@ TEST(Brushes, AStampComesBackAsItWas) {
   EXPECT_EQ(stamp_of_brush(brush), kFour);
 }
 
-TEST(Brushes, AHugeStampIsCut) {
+TEST(Brushes, AHugeStampIsCutToTheLimit) {
   Stamp stamp{300, 2, std::vector<std::uint8_t>(600, 1)};
   stamp.tiles[300] = 2;
   const Brush brush = brush_of_stamp(stamp, "", false);
@@ -107,7 +107,7 @@ TEST(Brushes, ALongNameIsCutBetweenCharacters) {
   EXPECT_EQ(level.brushes[0].name, name);
 }
 
-TEST(Brushes, AFullListTakesNoMore) {
+TEST(Brushes, AFullListRefusesAnotherBrush) {
   Level level;
   level.brushes.resize(kMaxBrushes);
   EXPECT_TRUE(add_brush(level, {}).empty());
@@ -152,19 +152,19 @@ TEST(NativeBrushes, ComeBackAsTheyWereWithUnknownKeys) {
   EXPECT_NE(text.find(R"("auto_tiles": {"inside": 16, "slope_down_right": 255})"), std::string::npos) << text;
 }
 
-TEST(NativeBrushes, AreNotWrittenWhereThereAreNone) {
+TEST(NativeBrushes, AnEmptyListIsNotWritten) {
   const std::string text = native_of_level(Level());
   EXPECT_EQ(text.find("brushes"), std::string::npos);
   EXPECT_EQ(text.find("auto_tiles"), std::string::npos);
 }
 
-TEST(NativeBrushes, PartsOfTheFutureAreKept) {
+TEST(NativeBrushes, PartsOfNewerVersionsAreKept) {
   const std::string text = R"({"talus": 1, "auto_tiles": {"inside": 3, "inner_corner": 4}})";
   const std::string again = native_of_level(level_of_native(text));
   EXPECT_NE(again.find(R"("auto_tiles": {"inside": 3, "inner_corner": 4})"), std::string::npos) << again;
 }
 
-TEST(NativeBrushes, WhatIsWrongIsSaidWithItsPlace) {
+TEST(NativeBrushes, ErrorsNameThePlace) {
   expect_brush_error(R"("brushes": {})", "key brushes", "must be a list of up to 1000 brushes");
   expect_brush_error(R"("brushes": [3])", "key brushes[0]", "must be an object");
   expect_brush_error(R"("brushes": [{"rows": ["01"]}, {"name": 5, "rows": ["01"]}])", "key brushes[1].name",

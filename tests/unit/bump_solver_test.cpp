@@ -1,4 +1,4 @@
-// The bump solver: bodies stay on the line of a slope, with its true normal, by move() alone.
+// The bump solver keeps bodies on the line of a slope, with its true normal, by move() alone.
 
 #include "sim/bump_solver.h"
 
@@ -11,7 +11,7 @@
 
 namespace talus::bump_solver_test {
 
-// Rolls at a constant speed, and neither bounces nor is slowed.
+// The ball rolls at a constant speed: it neither bounces nor slows down.
 Level walking(Level level, double speed) {
   SharedTuning& t = level.tuning.shared;
   t.drift_speed = speed;
@@ -32,7 +32,7 @@ void add_ball(Level& level, Vec2 position, Vec2 velocity) {
   spawn.velocity = velocity;
 }
 
-// Up from y = 24 to 16 over x = 24..40, and down again to x = 72.
+// A hill: up from y = 24 to 16 over x = 24..40, and down again until x = 72.
 Level hill() {
   return level_of({"..........",   //
                    "..........",   //
@@ -40,7 +40,7 @@ Level hill() {
                    "##########"});
 }
 
-// The line of the hill under a box of width 8 at x.
+// The y of the hill's line under a box of width 8 at x.
 double floor_under(double x) {
   const auto at = [](double c) {
     if (c <= 24 || c >= 64) return 24.0;
@@ -89,7 +89,7 @@ TEST(BumpSolver, ABallRollsDownOnTheLineOfTheSlope) {
     const Rect& box = state.bodies[0].box;
     EXPECT_LT(box.x, last) << "frame " << i;
     last = box.x;
-    // The right bottom corner is the one on the floor: y = 24 - (x - 8) / 2.
+    // The right bottom corner stands on the floor: y = 24 - (x - 8) / 2.
     if (box.right() <= 8) break;
     EXPECT_NEAR(box.bottom(), 24 - (box.right() - 8) / 2, 1e-12) << "frame " << i;
   }
@@ -110,7 +110,7 @@ TEST(BumpSolver, StandingIsOneCheck) {
   EXPECT_FALSE(solver.is_grounded(state, 2));
 }
 
-TEST(BumpSolver, AFallOnASlopeIsTurnedAboutItsTrueNormal) {
+TEST(BumpSolver, AFallOntoASlopeBouncesByItsTrueNormal) {
   Level level = level_of({"..", "..", "..", "/-"});
   SharedTuning& t = level.tuning.shared;
   t.slope_width = t.slope_height = 8;
@@ -131,7 +131,7 @@ TEST(BumpSolver, AFallOnASlopeIsTurnedAboutItsTrueNormal) {
   EXPECT_NEAR(record.contacts[0].normal.y, -std::sqrt(0.5), 1e-15);
 }
 
-TEST(BumpSolver, FromBelowAndFromTheHighSideASlopeIsItsBox) {
+TEST(BumpSolver, ASlopeStopsFromBelowAndBehindAsItsBox) {
   Level level = level_of({"......",  //
                           "./-...",  //
                           "......",  //
@@ -147,7 +147,7 @@ TEST(BumpSolver, FromBelowAndFromTheHighSideASlopeIsItsBox) {
   EXPECT_EQ(state.bodies[1].box.x, 24);
 }
 
-TEST(BumpSolver, OnFlatGroundABallMovesAsTheArticles) {
+TEST(BumpSolver, ABallOnFlatGroundMovesAsInTheArticle) {
   Level level = level_of({"#......#",  //
                           "#o.....#",  //
                           "#......#",  //
@@ -245,7 +245,7 @@ Rect after(const Level& level, int frames) {
   return state.bodies[0].box;
 }
 
-TEST(BumpSolver, OneWayGroundStopsOnlyWhatComesFromAbove) {
+TEST(BumpSolver, OneWayGroundStopsBodiesFromAboveOnly) {
   const TileShape platform{.kind = TileShape::Kind::solid, .one_way = true};
   EXPECT_EQ(after(room(platform, {20, 4}, {0, 2}), 60).y, 16);
   EXPECT_LT(after(room(platform, {20, 40}, {0, -2}), 20).y, 8);
@@ -255,7 +255,7 @@ TEST(BumpSolver, OneWayGroundStopsOnlyWhatComesFromAbove) {
   EXPECT_LT(after(room(sloped, {16, 40}, {0, -2}), 20).y, 8);
 }
 
-TEST(BumpSolver, CeilingsStopWhatRises) {
+TEST(BumpSolver, CeilingsStopRisingBodies) {
   const TileShape ceiling{
       .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .tiles = 6, .heights = {2, 8}};
   const Rect box = after(room(ceiling, {16, 40}, {0, -2}), 3);
@@ -264,7 +264,7 @@ TEST(BumpSolver, CeilingsStopWhatRises) {
   EXPECT_GT(after(room(ceiling, {16, 40}, {0, -2}), 30).y, 24);
 }
 
-TEST(BumpSolver, ProfilesCarry) {
+TEST(BumpSolver, ProfilesCarryABall) {
   const TileShape hills{.kind = TileShape::Kind::profile, .tiles = 2, .heights = {4, 6, 8, 6, 4}};
   const auto scene = scene_of(room(hills, {0, 12}, {0.5, 0.25}));
   BumpSolver solver(scene);
@@ -276,8 +276,8 @@ TEST(BumpSolver, ProfilesCarry) {
   EXPECT_GT(state.bodies[0].box.x, 30) << "it got stuck";
 }
 
-// The article has no such ground, and stays as it is.
-TEST(BumpSolver, OtherGroundIsNoneToTheArticle) {
+// The article does not know such ground, and its motion stays the same.
+TEST(BumpSolver, TheArticleIgnoresGroundThatItDoesNotKnow) {
   Level level = room({.kind = TileShape::Kind::solid, .one_way = true}, {20, 4}, {0, 2});
   EXPECT_EQ(scene_of(level)->items.size(), 7u);
   level.tuning.solver = SolverKind::article;

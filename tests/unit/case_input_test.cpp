@@ -1,4 +1,4 @@
-// The input of hard cases: what is held when, and that the session plays it.
+// The input of hard cases: which keys are held when, and that the session plays it.
 #include "sim/case_input.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace talus::case_input_test {
 
 namespace act = action;
 
-// A player runs right, up a ramp and into a wall, where its right side is at 96 from frame 100 on.
+// A player runs right, up a ramp and into a wall. Its right side is at 96 from frame 100 on.
 const std::string kRamp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
 
 TEST(CaseInput, HoldsFromItsFrameOn) {
@@ -82,7 +82,7 @@ TEST_F(SessionHardCase, KeysOfTheUserAreAdded) {
   EXPECT_GT(session.state().bodies[0].box.x, 40);
 }
 
-TEST_F(SessionHardCase, AnotherLevelHasNoneOfIt) {
+TEST_F(SessionHardCase, AnotherLevelIsPlayedWithoutIt) {
   const std::string file = path("no_case.talus.json");
   auto loaded = load_level(kRamp);
   ASSERT_TRUE(loaded);

@@ -1,4 +1,4 @@
-// Casts of boxes of every size, at every distance, and one bit beside the limits.
+// Casts of boxes of every size, at every distance, and one bit below and above the limits.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,7 +19,7 @@ Contact<double> cast_at(const Terrain& ground, const Cast<double>& cast, const R
   return cast_box<double>(ground, cast, Others(&other, 1));
 }
 
-// What scales are powers of two scales every place, and no time.
+// A scale by a power of two scales every place, and leaves the time as it is.
 TEST(CastScale, BoxesScaledByPowersOfTwoMeetAtTheSameTime) {
   const Terrain empty = TestMap(1, 1).compile();
   const Rect box{-20.3, -11.7, 3.1, 2.9}, other{1.7, -4.3, 40.9, 30.1};
@@ -48,14 +48,15 @@ TEST(CastScale, BoxesOfEverySizeLandOnFloorsAndSlopes) {
   }
 }
 
-TEST(CastScale, NoMotionMeetsNothing) {
+TEST(CastScale, ABoxWithoutMotionMeetsNothing) {
   const Terrain ground = TestMap({"....", ".2..", "1111"}).compile();
   EXPECT_FALSE(cast_box(ground, {{20, 8, 8, 8}, {0, 0}}));
   EXPECT_FALSE(cast_box(ground, {{20, 16, 0, 0}, {0, 0}}));
   EXPECT_FALSE(cast_box(ground, {{12, 12, 0, 0}, {0, 0}}));
 }
 
-// Pushing a wall far away, a box is put beside it to the bit, is not moved further, and can leave.
+// A box that is pushed against a wall far away is put beside it to the bit, is not moved further, and can
+// leave.
 TEST(CastScale, PushesAndLeavesBoxesFarAway) {
   const Terrain empty = TestMap(1, 1).compile();
   for (const double at : {1e6, 1e7, -1e7}) {
@@ -77,8 +78,8 @@ double ulp_of(double number) {
   return std::nextafter(number, std::numeric_limits<double>::infinity()) - number;
 }
 
-// Boxes fall askew onto a slope of 8 px in 24, whose low end is in the cell `at`: contacts are exact to one
-// unit in the last place of the larger coordinate. To tell that, long double has digits enough.
+// Boxes fall diagonally onto a slope of 8 px in 24, whose low end is in the cell `at`. Contacts are exact to
+// one unit in the last place of the larger coordinate. long double has enough digits to check this.
 void expect_exact_casts(const Terrain& ground, Cell at, Vec2 origin) {
   using Wide = long double;
   const Wide x0 = at.x * Wide(kTileSide), y0 = (at.y + 1) * Wide(kTileSide);
@@ -111,9 +112,9 @@ TEST(CastScale, ContactsAreExactAsFarAsMapsReach) {
   }
 }
 
-// ---- One bit beside the limits ----
+// ---- One bit below and above the limits ----
 
-TEST(CastScale, TheSteepestIsComparedExactly) {
+TEST(CastScale, TheSteepestWalkableSlopeIsComparedExactly) {
   const Terrain ground = TestMap({"....", ".2..", "1111"}).compile();
   const Contact<double> c = cast_box(ground, {{8, 2, 4, 4}, {0, 16}});
   ASSERT_TRUE(c.piece);
@@ -140,7 +141,7 @@ bool is_pulled_down(double snap) {
   return state.bodies[0].box.y == 16 && state.bodies[0].gait.grounded;
 }
 
-TEST(CastScale, TheSnapIsComparedExactly) {
+TEST(CastScale, TheSnapDistanceIsComparedExactly) {
   EXPECT_TRUE(is_pulled_down(8));
   EXPECT_TRUE(is_pulled_down(std::nextafter(8.0, 9.0)));
   EXPECT_FALSE(is_pulled_down(std::nextafter(8.0, 7.0)));

@@ -1,4 +1,4 @@
-// Boxes cast against every kind of ground: when, where and which way it stops them.
+// Boxes cast against every kind of ground: when, where and with which normal it stops them.
 #include <talus/collision/cast.h>
 
 #include <gtest/gtest.h>
@@ -44,19 +44,19 @@ TEST_F(CastTiles, EachSideStops) {
   expect_contact(cast(ground_, {32, 18, 4, 4}, {-16, 0}), 0.5, {24, 18}, {1, 0});
 }
 
-TEST_F(CastTiles, WhatDoesNotReachItIsFree) {
+TEST_F(CastTiles, AMotionThatEndsBeforeTheTileIsFree) {
   EXPECT_FALSE(cast(ground_, {18, 4, 4, 4}, {0, 7}));
   EXPECT_FALSE(cast(ground_, {18, 4, 4, 4}, {0, 0}));
   EXPECT_FALSE(cast(ground_, {4, 4, 4, 4}, {32, 0}));
   EXPECT_FALSE(cast(ground_, {-1000, -1000, 4, 4}, {-50, 0}));
 }
 
-TEST_F(CastTiles, EndingAtATouchCounts) {
+TEST_F(CastTiles, AMotionThatEndsAtATouchIsStopped) {
   expect_contact(cast(ground_, {18, 4, 4, 4}, {0, 8}), 1, {18, 12}, {0, -1});
   expect_contact(cast(ground_, {4, 18, 4, 4}, {8, 0}), 1, {12, 18}, {-1, 0});
 }
 
-TEST_F(CastTiles, TouchingBlocksPushingAndNothingElse) {
+TEST_F(CastTiles, ATouchingTileBlocksOnlyPushes) {
   expect_contact(cast(ground_, {18, 12, 4, 4}, {3, 1}), 0, {18, 12}, {0, -1});
   EXPECT_FALSE(cast(ground_, {18, 12, 4, 4}, {3, 0}));
   EXPECT_FALSE(cast(ground_, {18, 12, 4, 4}, {3, -1}));
@@ -64,7 +64,7 @@ TEST_F(CastTiles, TouchingBlocksPushingAndNothingElse) {
   EXPECT_FALSE(cast(ground_, {12, 18, 4, 4}, {0, 30}));
 }
 
-TEST_F(CastTiles, BesideALedgeABoxFalls) {
+TEST_F(CastTiles, ABoxBesideALedgeFalls) {
   EXPECT_FALSE(cast(ground_, {12, 4, 4, 4}, {0, 100}));
   EXPECT_FALSE(cast(ground_, {24, 4, 4, 4}, {0, 100}));
   EXPECT_TRUE(cast(ground_, {12.001, 4, 4, 4}, {0, 100}));
@@ -77,9 +77,9 @@ TEST_F(CastTiles, ACornerAimedAtExactlyIsAFloorOrACeiling) {
   expect_contact(cast(ground_, {28, 28, 4, 4}, {-8, -8}), 0.5, {24, 24}, {0, 1});
 }
 
-// A box that comes into a corner meets wall and floor at once, each as much against its way: the more level
-// one counts, whichever is looked at first.
-TEST(CastCorners, OfTwoContactsAtOneTimeTheMoreLevelOneCounts) {
+// A box that comes into a corner meets wall and floor at the same time, and both face it equally. The more
+// level contact counts, whichever is tested first.
+TEST(CastCorners, TheMoreLevelOfTwoSimultaneousContactsCounts) {
   const Terrain right =
       TestMap({"....1", "....1", "....1", "11111"}).compile();  // the wall at 32, the floor at 24
   expect_contact(cast(right, {16, 8, 4, 4}, {16, 16}), 0.75, {28, 20}, {0, -1});
@@ -100,19 +100,19 @@ TEST_F(CastTiles, APointAndALine) {
   expect_contact(cast(ground_, {18, 8, 4, 0}, {0, 16}), 0.5, {18, 16}, {0, -1});
 }
 
-TEST_F(CastTiles, InsideOfTheGroundNothingStops) {
+TEST_F(CastTiles, TheGroundDoesNotStopABoxInsideIt) {
   EXPECT_FALSE(cast(ground_, {18, 18, 4, 4}, {0, 1}));
   EXPECT_FALSE(cast(ground_, {14, 18, 4, 4}, {1, 0}));
 }
 
-TEST_F(CastTiles, LongWays) {
+TEST_F(CastTiles, LongMotionsAreStopped) {
   const Contact<double> down = cast(ground_, {20, -499992, 8, 8}, {0, 1e6});
   expect_contact(down, 0.5, {20, 8}, {0, -1});
   expect_contact(cast(ground_, {500024, 18, 4, 4}, {-1e6, 0}), 0.5, {24, 18}, {1, 0});
   EXPECT_FALSE(cast(ground_, {-500000, -500000, 2, 2}, {1e6, 1e6 + 100}));
 }
 
-TEST(Cast, SeamsDoNotStop) {
+TEST(Cast, SeamsDoNotStopABox) {
   const Terrain floor = TestMap({"..........", "..........", "1111111111"}).compile();
   for (int i = 0; i < 64; ++i) EXPECT_FALSE(cast(floor, {0.1 + i, 8, 8, 8}, {7.3, 0}));
   const Terrain wall = TestMap({"..1", "..1", "..1", "..1", "..1", "..1"}).compile();
@@ -130,7 +130,7 @@ TEST(Cast, SeamsLetNothingThrough) {
   expect_contact(cast(hill, {8, 8, 0, 0}, {0, 16}), 0.5, {8, 16}, {0, -1});
 }
 
-TEST(Cast, AcrossWordsAndChunks) {
+TEST(Cast, TilesBeyondAWordOrAChunkStop) {
   TestMap map(130, 3);
   map.cells[2 * 130 + 64] = map.cells[2 * 130 + 63] = kSolid;
   map.cells[130 + 127] = map.cells[130 + 128] = kSolid;
@@ -153,7 +153,7 @@ TEST(Cast, OtherBoxesStopAsTilesDo) {
 
 class CastSlopes : public testing::Test {
  protected:
-  // Up from (8,24) to (16,16), down from there to (24,24).
+  // Up from (8, 24) to (16, 16), then down to (24, 24).
   const Terrain ground_ = TestMap({".....", ".....", ".23..", "11111"}).compile();
 };
 
@@ -163,7 +163,7 @@ TEST_F(CastSlopes, TheCornerStandsOnTheLine) {
   expect_contact(cast(ground_, {0, 19, 4, 4}, {8, 0}), 0.625, {5, 19}, {-kRoot2, -kRoot2});
 }
 
-TEST_F(CastSlopes, AcrossTheCrestTheBottomStandsOnIt) {
+TEST_F(CastSlopes, TheBottomStandsOnACrest) {
   const Contact<double> c = cast(ground_, {14, 4, 4, 4}, {0, 16});
   expect_contact(c, 0.5, {14, 12}, {0, -1});
   EXPECT_TRUE(c.on_end);
@@ -175,14 +175,14 @@ TEST_F(CastSlopes, TheCentreFootStandsOnTheLineByItsMiddle) {
   expect_contact(cast(ground_, {14, 4, 4, 4}, {0, 16}, Foot::centre), 0.5, {14, 12}, {0, -1});
 }
 
-TEST_F(CastSlopes, FromTheFloorOntoTheSlopeAndBack) {
+TEST_F(CastSlopes, ABoxGoesFromTheFloorOntoTheSlopeAndBack) {
   expect_contact(cast(ground_, {0, 20, 4, 4}, {8, 0}), 0.5, {4, 20}, {-kRoot2, -kRoot2});
   EXPECT_FALSE(cast(ground_, {28, 20, 4, 4}, {8, 0}));
   EXPECT_FALSE(cast(ground_, {4, 20, 4, 4}, {8, -8}));  // along it
   EXPECT_FALSE(cast(ground_, {4, 20, 4, 4}, {-4, 0}));  // down from its foot
 }
 
-TEST(Cast, AtTheEndOfAFloorTheBottomStandsOnTheEdge) {
+TEST(Cast, TheBottomStandsOnTheEdgeOfAFloor) {
   const Terrain ground = TestMap({"...", "..2", "...", "..."}).compile();  // (16,16) to (24,8), open beside
   expect_contact(cast(ground, {22, -4, 8, 8}, {0, 8}), 0.5, {22, 0}, {0, -1});
   expect_contact(cast(ground, {22, -4, 8, 8}, {0, 8}, Foot::centre), 0.5, {22, 0}, {0, -1});
@@ -192,19 +192,19 @@ TEST(Cast, AtTheEndOfAFloorTheBottomStandsOnTheEdge) {
 
 TEST(Cast, ATipInsideOfACellStops) {
   TestMap map(4, 4);
-  map.cells[5] = kTail;  // from (8,8) down to (12,16), nothing from there to (16,16)
+  map.cells[5] = kTail;  // from (8,8) down to (12,16), and empty from there to (16,16)
   const Terrain ground = map.compile();
   expect_contact(cast(ground, {20, 12, 8, 8}, {-16, 0}), 0.5, {12, 12}, {1, 0});
   EXPECT_FALSE(cast(ground, {20, 16, 8, 8}, {-16, 0}));
 }
 
-TEST(Cast, BetweenTwoSlopesTheNormalIsStraight) {
+TEST(Cast, TheNormalBetweenTwoSlopesPointsStraightUp) {
   const Terrain valley = TestMap({"....", ".32.", "1111"}).compile();  // deepest at (16,16)
   expect_contact(cast(valley, {12, -4, 8, 8}, {0, 16}), 0.5, {12, 4}, {0, -1});
 }
 
-// A rounding short of the bottom of a notch, and almost straight down: it does not reach the other side
-// before it is past this one.
+// A box is one rounding short of the bottom of a notch, and moves almost straight down. It does not reach the
+// other side before it has passed this one.
 TEST(Cast, NothingSlipsThroughTheBottomOfANotch) {
   const Terrain valley = TestMap({"....", ".32.", "1111"}).compile();  // deepest at (16,16)
   const double short_by = 0x1p-44;
@@ -215,8 +215,8 @@ TEST(Cast, NothingSlipsThroughTheBottomOfANotch) {
   }
 }
 
-// Its foot is below (16,8), where the slope ends.
-TEST(Cast, AWallWhoseFootASlopeCoversStopsTheCentre) {
+// The bottom of the wall is below (16, 8), where the slope ends.
+TEST(Cast, AWallBehindASlopeStopsTheCentreFoot) {
   const Terrain ground = TestMap({"..1", ".21", "111"}).compile();
   expect_contact(cast(ground, {6, 13, 8, 1}, {16, -16}, Foot::centre), 0.375, {12, 7}, {-1, 0});
   expect_contact(cast(ground, {6, 10, 8, 4}, {16, -16}, Foot::centre), 0.125, {8, 8}, {-1, 0});
@@ -224,8 +224,8 @@ TEST(Cast, AWallWhoseFootASlopeCoversStopsTheCentre) {
   expect_contact(cast(mirrored, {10, 13, 8, 1}, {-16, -16}, Foot::centre), 0.375, {4, 7}, {1, 0});
 }
 
-// On a line that is steeper than it is wide x is what the line tells: y would be off by many roundings, and
-// the box in the floor that it stands on.
+// On a line that is steeper than 45 degrees, the contact's x is computed from the line. A y computed from it
+// would be off by many roundings, and the box would be in the floor that it stands on.
 TEST(Cast, ASteepLineDoesNotPushBoxesIntoTheFloor) {
   TestMap map({"....", "....", "....", "....", "1111"});
   map.curves = {{Segment{{21.0546875, 21.8125}, {21.75390625, 31}}, Curve::Faces::down}};
@@ -241,9 +241,9 @@ TEST(Cast, ASteepLineDoesNotPushBoxesIntoTheFloor) {
   EXPECT_EQ(pushes.position.y, box.y);
 }
 
-// The box comes closer to the line, or the wall, so slowly that a rounding of the distance is worth
-// thousands of its motion; then it is at the floor, or is not yet.
-TEST(Cast, WhatIsMetFirstDoesNotHangOnARounding) {
+// The box comes closer to the line, or the wall, so slowly that one rounding of the distance is worth
+// thousands of its motions. Either it is at the floor, or it is not there yet.
+TEST(Cast, RoundingDoesNotDecideWhatIsMetFirst) {
   TestMap map({"..1.", "..1.", "1111", "1111"});
   const Terrain wall = map.compile();
   map.cells[2] = map.cells[6] = 0;
@@ -266,7 +266,7 @@ TEST(Cast, CeilingsAreFloorsUpsideDown) {
   expect_contact(cast(ground, {14, 20, 4, 4}, {0, -8}), 0.5, {14, 16}, {0, 1});
 }
 
-TEST(Cast, SteepAndFlatProfiles) {
+TEST(Cast, ProfilesMayBeSteepAndFlat) {
   const Terrain ground = TestMap({"...", "...", ".4.", "111"}).compile();  // (8,24) 20 18 20 (16,24)
   expect_contact(cast(ground, {11, 6, 2, 4}, {0, 16}), 0.5, {11, 14}, {0, -1});
   const Contact<double> c = cast(ground, {4, 12, 5, 4}, {0, 12});
@@ -334,13 +334,13 @@ TEST(CastCurves, ASine) {
   EXPECT_EQ(cast(waves, {44, 40, 8, 8}, {0, 40}).normal, (Vec2{0, -1}));
 }
 
-TEST(CastCurves, WhatFacesDownStopsFromBelow) {
+TEST(CastCurves, ACurveThatFacesDownStopsFromBelow) {
   const Terrain roof = with_curve({Segment{{16, 32}, {48, 32}}, Curve::Faces::down});
   expect_contact(cast(roof, {24, 48, 8, 8}, {0, -32}), 0.5, {24, 32}, {0, 1});
   EXPECT_FALSE(cast(roof, {24, 8, 8, 8}, {0, 64}));
 }
 
-TEST(CastCurves, WhatFacesBothSidesStopsAtItsEndsToo) {
+TEST(CastCurves, ACurveThatFacesBothSidesStopsAtItsEnds) {
   const Terrain line = with_curve({Segment{{32, 32}, {64, 32}}, Curve::Faces::both});
   expect_contact(cast(line, {16, 28, 8, 8}, {16, 0}), 0.5, {24, 28}, {-1, 0});
   expect_contact(cast(line, {72, 28, 8, 8}, {-16, 0}), 0.5, {64, 28}, {1, 0});
@@ -353,14 +353,14 @@ TEST(CastCurves, WhatFacesBothSidesStopsAtItsEndsToo) {
   EXPECT_FALSE(cast(pole, {24, 16, 8, 8}, {0, 80}));
 }
 
-TEST(CastCurves, OneSidedPolesStopOneWay) {
+TEST(CastCurves, UprightSegmentsStopOnTheirSideOnly) {
   const Terrain left = with_curve({Segment{{32, 32}, {32, 64}}, Curve::Faces::up});
   EXPECT_TRUE(cast(left, {16, 40, 8, 8}, {16, 0}));
   EXPECT_FALSE(cast(left, {40, 40, 8, 8}, {-16, 0}));
 }
 
-// 80.001 is 80 when rounded to 1/256 px. Rising to the right, the line's upper side is its left one.
-TEST(CastCurves, WhatRoundingMakesAPoleStopsOnTheSideThatItFaces) {
+// 80.001 is 80 when rounded to 1/256 px. The line rises to the right, so its upper side is its left side.
+TEST(CastCurves, SegmentsRoundedUprightKeepTheirSide) {
   using Faces = Curve::Faces;
   const Segment rising{{80, 104}, {80.001, 40}}, falling{{80, 40}, {80.001, 104}}, pole{{80, 40}, {80, 104}};
   const auto stops = [](Segment segment, Faces faces, bool from_left) {
@@ -388,12 +388,12 @@ TEST(CastCurves, APolylineIsJoinedAtItsHeights) {
   expect_contact(cast(line, {32, 24, 0, 0}, {0, 48}), 0.5, {32, 48}, {0, -1});
 }
 
-TEST(CastCurves, ALongWayMeetsAThinLine) {
+TEST(CastCurves, ALongMotionMeetsAThinLine) {
   const Terrain line = with_curve({Segment{{0, 64}, {128, 64}}, Curve::Faces::both});
   expect_contact(cast(line, {60, -499944, 8, 8}, {0, 1e6}), 0.5, {60, 56}, {0, -1});
 }
 
-TEST(Cast, SinglePrecisionToo) {
+TEST(Cast, CastsWorkInSinglePrecision) {
   TerrainSource source;
   source.width = source.height = 4;
   const std::vector<std::uint8_t> cells = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 1, 1, 1, 1};

@@ -32,7 +32,7 @@ class CliCompanions : public FolderTest {
     words.insert(words.end(), options.begin(), options.end());
     return cli_answer(words);
   }
-  // That a command answers the same for the cart and for the native level.
+  // Expects that a command answers the same for the cart and for the native level.
   void expect_same(const std::string& command, const std::vector<std::string>& options) const {
     const CliAnswer whole = run(command, "whole.talus.json", options);
     EXPECT_EQ(whole.status, 0) << whole.err;
@@ -57,7 +57,8 @@ TEST_F(CliCompanions, SimPlaysTheWholeLevel) { expect_same("sim", {"--frames", "
 TEST_F(CliCompanions, ExportsHaveTheWholeLevel) { expect_same("export", {"--to", "json", "-o", "-"}); }
 
 TEST_F(CliCompanions, ShotsShowTheWholeLevel) {
-  // In a process that ends without a look at leaks: the OpenGL driver never frees some of its memory.
+  // Runs in a process that does not look for leaks at its end: the OpenGL driver never frees some of its
+  // memory.
   const auto shot_status = [&](const std::string& file, const std::string& picture) {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(run("shot", file, {"-o", path(picture)}).status);
@@ -86,7 +87,7 @@ TEST_F(CliCompanions, ImportsAreWhole) {
   EXPECT_TRUE(is_same(load_level(path("back.talus.json"))->level, level_));
 }
 
-TEST_F(CliCompanions, ACartIsExportedWithItsOwn) {
+TEST_F(CliCompanions, ACartIsExportedWithItsCompanion) {
   for (const char* to : {"tic", "tic-text"}) {
     const std::string name = to == std::string("tic") ? "out.tic" : "out.lua";
     const CliAnswer answer = run("export", "whole.talus.json", {"--to", to, "-o", path(name)});
@@ -97,13 +98,13 @@ TEST_F(CliCompanions, ACartIsExportedWithItsOwn) {
   }
   EXPECT_THAT(run("export", "whole.talus.json", {"--to", "tic", "-o", "-"}).err,
               HasSubstr("not stored in this format: what a cart cannot hold, which goes beside a file"));
-  // A game's code is another, and the level beside it is the same.
+  // A playable game has other code, and its companion is the same.
   EXPECT_EQ(run("export", "whole.talus.json", {"--to", "tic", "--playable", "-o", path("play.tic")}).status,
             0);
   EXPECT_TRUE(is_same(load_level(path("play.tic"))->level, level_));
 }
 
-TEST_F(CliCompanions, AnOldOneDoesNotAddToANewExport) {
+TEST_F(CliCompanions, AnOldCompanionDoesNotAddToANewExport) {
   EXPECT_EQ(run("export", "whole.talus.json", {"--to", "tic", "-o", path("out.tic")}).status, 0);
   Level bare;
   bare.map.set({1, 1}, 1);
@@ -113,7 +114,7 @@ TEST_F(CliCompanions, AnOldOneDoesNotAddToANewExport) {
   EXPECT_EQ(load_level(path("out.tic"))->note, "");
   EXPECT_EQ(run("export", "bare.talus.json", {"--to", "tic", "-o", path("bare.tic")}).status, 0);
   EXPECT_FALSE(exists("bare.tic.talus.json"));
-  // What no export wrote is not replaced.
+  // A file that no export wrote is not replaced.
   put("out.tic.talus.json", "mine");
   const CliAnswer answer = run("export", "whole.talus.json", {"--to", "tic", "-o", path("out.tic")});
   EXPECT_EQ(answer.status, 1);
@@ -131,7 +132,7 @@ TEST_F(CliCompanions, AreNotWrittenOver) {
     EXPECT_EQ(answer.status, 1);
     EXPECT_THAT(answer.err, HasSubstr("is the name of the companion of game.tic beside it"));
   }
-  // Nor by what reads them, under whichever name.
+  // Commands that read the companion do not replace it either, under any of its names.
   const std::string cart = bytes_of("game.tic");
   for (const char* input : {"game.tic", "game.tic.talus.json"}) {
     for (const char* output : {"game.tic", "game.tic.talus.json"}) {
@@ -144,7 +145,7 @@ TEST_F(CliCompanions, AreNotWrittenOver) {
   EXPECT_EQ(bytes_of("game.tic.talus.json"), before);
 }
 
-TEST_F(CliCompanions, PicturesAreTakenIntoTheCartAlone) {
+TEST_F(CliCompanions, ImportedPicturesChangeTheCartAlone) {
   const std::string companion = bytes_of("game.tic.talus.json"), cart = path("game.tic");
   put("in.png", rgb_png(8, std::vector<Rgb>(64, default_palette()[5])));
   const CliAnswer answer = run("import", "in.png", {"--into", cart, "--part", "sprites", "-o", cart});
@@ -157,7 +158,7 @@ TEST_F(CliCompanions, PicturesAreTakenIntoTheCartAlone) {
   EXPECT_EQ(loaded->level.sheet(SheetId::sprites).images[0][5], 5);
 }
 
-TEST_F(CliCompanions, ThatDoNotFitAreToldOfOnce) {
+TEST_F(CliCompanions, CompanionsThatDoNotFitAreReportedOnce) {
   put("game.tic.talus.json", "{");
   const CliAnswer answer = run("sim", "game.tic", {"--frames", "1", "--hash"});
   EXPECT_EQ(answer.status, 0);

@@ -1,4 +1,4 @@
-// talus export where files are already: the user's own stay, and those of exports are written again.
+// talus export into places with files: the user's own files stay, and files of exports are replaced.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ class CliOwnFiles : public FolderTest {
   void save(const Level& level) const {
     ASSERT_TRUE(save_level(level, *find_format("native"), path("cave.talus.json")));
   }
-  // Another level, so that all that is exported from it changes.
+  // Changes the level so that every export of it changes.
   void change() {
     ++level_.sheet(SheetId::tiles).images[1][0];
     level_.map.set({3, 3}, level_.sheet(SheetId::tiles).images[1][0]);
@@ -69,7 +69,7 @@ TEST_F(CliOwnFiles, StartersOfAnotherExportAreReplaced) {
   EXPECT_NE(bytes_of("game/main.lua"), of_bump);
 }
 
-TEST_F(CliOwnFiles, WhatWasNotNamedIsNotReplaced) {
+TEST_F(CliOwnFiles, FilesThatWereNotNamedAreNotReplaced) {
   put("cave-tiles.png", "art");
   EXPECT_EQ(run_to("tmj", "cave.tmj"), 1);
   EXPECT_EQ(answer_.err,
@@ -83,7 +83,7 @@ TEST_F(CliOwnFiles, WhatWasNotNamedIsNotReplaced) {
   EXPECT_NE(bytes_of("cave-tiles.png"), "art");
 }
 
-TEST_F(CliOwnFiles, TheNamedOneIsReplaced) {
+TEST_F(CliOwnFiles, ANamedFileIsReplaced) {
   put("cave.tic", "old");
   EXPECT_EQ(run_to("tic", "cave.tic"), 0) << answer_.err;
   EXPECT_NE(bytes_of("cave.tic"), "old");
@@ -100,7 +100,7 @@ TEST_F(CliOwnFiles, ExportsAreReplacedWheneverTheLevelChanges) {
   }
 }
 
-TEST_F(CliOwnFiles, WhatWasChangedSinceIsNotReplaced) {
+TEST_F(CliOwnFiles, FilesChangedSinceAreNotReplaced) {
   ASSERT_EQ(run_to("love", "game"), 0) << answer_.err;
   put("game/level.lua", "mine");
   const std::string talus = bytes_of("game/talus.lua");
@@ -112,7 +112,7 @@ TEST_F(CliOwnFiles, WhatWasChangedSinceIsNotReplaced) {
   EXPECT_EQ(bytes_of("game/talus.lua"), talus);
 }
 
-// As on another machine, or where the folder was moved.
+// The export was made on another machine, or its folder was moved.
 TEST_F(CliOwnFiles, AWholeExportIsKnownWithoutARecord) {
   ASSERT_EQ(run_to("tmj", "cave.tmj"), 0) << answer_.err;
   ASSERT_EQ(run_to("lua-runtime", "game"), 0) << answer_.err;
@@ -126,7 +126,7 @@ TEST_F(CliOwnFiles, AWholeExportIsKnownWithoutARecord) {
   EXPECT_EQ(run_to("lua-runtime", "game"), 1) << "level.lua alone may be anybody's";
 }
 
-TEST_F(CliOwnFiles, TheLevelItselfIsNeverReplacedBeside) {
+TEST_F(CliOwnFiles, TheLevelIsNeverReplacedByAFileBesideTheExport) {
   const std::string file = path("level.talus.json");
   fs::rename(path("cave.talus.json"), file);
   const std::string before = bytes_of("level.talus.json");
@@ -139,7 +139,7 @@ TEST_F(CliOwnFiles, TheLevelItselfIsNeverReplacedBeside) {
   EXPECT_FALSE(exists("main.cpp"));
 }
 
-TEST_F(CliOwnFiles, PresetsThatWouldReplaceOneAnotherWriteNothing) {
+TEST_F(CliOwnFiles, PresetsThatOverwriteEachOtherWriteNothing) {
   level_.exports = {{.name = "data", .exporter = "lua", .path = "out/a.lua", .extra = ""},
                     {.name = "cart", .exporter = "tic", .path = "out/a.tic", .extra = ""},
                     {.name = "map", .exporter = "sti", .path = "out/a.lua", .extra = ""}};
@@ -173,7 +173,7 @@ TEST_F(CliOwnFiles, ATextCartHasTheNameOfItsLanguage) {
   EXPECT_THAT(other.err, HasSubstr("the name must end with .js\n"));
 }
 
-TEST_F(CliOwnFiles, ATextCartOfYueHasEitherName) {
+TEST_F(CliOwnFiles, ATextCartOfYueHasOneOfTwoExtensions) {
   put("mine.yue",
       "-- script: yue\nTIC = -> cls 0\n-- <TILES>\n-- 000:" + std::string(64, '1') + "\n-- </TILES>\n");
   for (const char* name : {"out.yue", "out.lua"}) {
@@ -188,8 +188,8 @@ TEST_F(CliOwnFiles, ATextCartOfYueHasEitherName) {
                 "with .yue\n");
 }
 
-TEST_F(CliOwnFiles, ACartWithTooMuchCodeIsWarnedOf) {
-  // Shapes enough that the level alone is more than a cart holds.
+TEST_F(CliOwnFiles, ACartWithTooMuchCodeGivesAWarning) {
+  // The shapes alone make the level larger than a cart.
   for (int i = 0; i < 2000; ++i) {
     const double at = i % 200;
     level_.curves.push_back({"", {Segment{{at, i / 10.0}, {at + 3.25, 100.125}}, Curve::Faces::up}, ""});

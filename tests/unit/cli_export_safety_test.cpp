@@ -1,4 +1,4 @@
-// talus export --all: where the presets of a level may write, without anybody to ask.
+// talus export --all: where the presets of a level may write when there is nobody to ask.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -40,7 +40,7 @@ TEST_F(CliPresetPaths, WriteInTheFolderOfTheLevelWithoutAQuestion) {
   EXPECT_EQ(all(), 0) << "as on another machine, which has the files and no record: " << answer_.err;
 }
 
-TEST_F(CliPresetPaths, StayThereUnlessToldOtherwise) {
+TEST_F(CliPresetPaths, StayThereUnlessAllowOutsideIsGiven) {
   fs::create_directories(path("home"));
   fs::create_symlink(path("home"), path("level/link"));
   for (const std::string& to :
@@ -67,14 +67,14 @@ TEST_F(CliPresetPaths, AreNotLedOutByLinksInTheirFolder) {
     EXPECT_FALSE(exists("init.lua"));
     EXPECT_FALSE(exists("level/export/talus.lua")) << "nothing of it is written";
   }
-  // Nor is a folder that was typed.
+  // Nor may an export into a folder that was typed.
   const CliAnswer typed = cli_answer({"export", path("level/cave.talus.json"), "--to", "lua-runtime", "-o",
                                       path("level/export"), "--force"});
   EXPECT_EQ(typed.status, 1);
   EXPECT_FALSE(exists("init.lua"));
 }
 
-TEST_F(CliPresetPaths, WithLinksInACircleAreNotAdvisedToLeave) {
+TEST_F(CliPresetPaths, WithCircularLinksAreNotAdvisedToAllowOutside) {
   fs::create_directories(path("level/export"));
   fs::create_symlink("level.lua", path("level/export/level.lua"));
   save("lua-runtime", "export");
@@ -82,7 +82,7 @@ TEST_F(CliPresetPaths, WithLinksInACircleAreNotAdvisedToLeave) {
   EXPECT_THAT(answer_.err, HasSubstr("level.lua leads through links in a circle\n"));
 }
 
-TEST_F(CliPresetPaths, ReplaceNothingThatNoExportWrote) {
+TEST_F(CliPresetPaths, ReplaceOnlyFilesThatAnExportWrote) {
   save("lua", "main.lua");
   put("level/main.lua", "local talus = require \"talus\"\n");
   EXPECT_EQ(all(), 1);
@@ -94,19 +94,19 @@ TEST_F(CliPresetPaths, ReplaceNothingThatNoExportWrote) {
   EXPECT_EQ(all(), 0) << "by now it is an export";
   fs::remove_all(path(".state"));
   EXPECT_EQ(all(), 0) << "and is known as one without a record: " << answer_.err;
-  // Another level is no export, though it is as one.
+  // Another level is no export, even if an export could have written it.
   save("native", "other.talus.json", 4);
   ASSERT_TRUE(save_level(Level(), *find_format("native"), path("level/other.talus.json")));
   EXPECT_EQ(all(), 1);
-  // Neither is what a link in the folder leads to.
+  // The target of a link in the folder is not replaced either.
   save("lua", "linked.lua", 5);
   fs::create_symlink("main.lua", path("level/linked.lua"));
   fs::remove_all(path(".state"));
   EXPECT_EQ(all(), 1) << answer_.out;
 }
 
-// A text project that is named as another program wants it would be run by that.
-TEST_F(CliPresetPaths, BringNoCodeThatWasNotAllowed) {
+// A text project with a name that another program looks for would be run by that program.
+TEST_F(CliPresetPaths, BringNoCodeUnlessItIsAllowed) {
   Level level;
   level.cart = std::make_shared<const CartOrigin>(CartOrigin{
       .kind = CartOrigin::Kind::text, .comment = "#", .bytes = "# script: python\nprint('run')\n"});
@@ -134,14 +134,14 @@ TEST_F(CliPresetPaths, BringNoCodeThatWasNotAllowed) {
   EXPECT_EQ(all(), 1) << "another path was not allowed";
 }
 
-TEST_F(CliPresetPaths, NeverWaitForAPipe) {
+TEST_F(CliPresetPaths, AreRefusedAtOnceForAPipe) {
   ASSERT_EQ(::mkfifo(path("level/data.lua").c_str(), 0600), 0);
   save("lua", "data.lua");
   EXPECT_EQ(all("--force"), 1);
   EXPECT_THAT(answer_.err, HasSubstr("is a device or a pipe, but must be a regular file\n"));
 }
 
-TEST_F(CliPresetPaths, OfAMapOfTiledFollowTheSameRules) {
+TEST_F(CliPresetPaths, FromAMapOfTiledFollowTheSameRules) {
   Level level;
   level.exports = {{.name = "game", .exporter = "lua", .path = "../a.lua", .extra = ""}};
   ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));

@@ -1,4 +1,4 @@
-// talus export to folders: what is written, and what is refused.
+// talus export into folders: what is written, and what is refused.
 #include <gtest/gtest.h>
 
 #include "cli_answer.h"
@@ -53,7 +53,7 @@ TEST_F(CliExport, LoveIsAFolder) {
     EXPECT_TRUE(exists(std::string("game/") + name)) << name;
 }
 
-TEST_F(CliExport, PartsOfTheRuntimeAreAskedFor) {
+TEST_F(CliExport, PartsOfTheRuntimeCanBeChosen) {
   ASSERT_EQ(run({"lua-runtime", "-o", path("game"), "--parts", "players,mouse"}), 0) << answer_.err;
   const std::string text = bytes_of("game/talus.lua");
   EXPECT_NE(text.find("\n-- The parts of this module: slopes, balls, players, pairs, mouse.\n"),
@@ -66,7 +66,7 @@ TEST_F(CliExport, PartsOfTheRuntimeAreAskedFor) {
   EXPECT_EQ(run({"csv", "-o", path("other"), "--parts", "players"}), 2);
 }
 
-TEST_F(CliExport, AFolderIsNoStandardOutput) {
+TEST_F(CliExport, AFolderCannotGoToStandardOutput) {
   EXPECT_EQ(run({"love", "-o", "-"}), 1);
   EXPECT_NE(answer_.err.find("is a folder: name a folder"), std::string::npos) << answer_.err;
 }

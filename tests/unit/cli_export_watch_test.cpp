@@ -1,4 +1,4 @@
-// talus export with the presets of a level, and watching it.
+// talus export with the presets of a level, and with --watch.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace talus::cli_export_watch_test {
 
 namespace fs = std::filesystem;
 
-// A stream's buffer that another thread may read.
+// A stream buffer that another thread may read.
 class SharedText : public std::streambuf {
  public:
   std::string text() {
@@ -47,7 +47,7 @@ class SharedText : public std::streambuf {
 
 class CliPresets : public FolderTest {
  protected:
-  // A level with these presets, whose tile at (0, 0) is `tile`.
+  // Saves a level with these presets and `tile` at (0, 0).
   void save(std::vector<ExportPreset> presets, std::uint8_t tile = 0) const {
     Level level;
     level.exports = std::move(presets);
@@ -83,7 +83,7 @@ TEST_F(CliPresets, OneIsChosenByItsName) {
   EXPECT_TRUE(exists("out/a.lua"));
 }
 
-TEST_F(CliPresets, WhatCannotBeDoneIsSaid) {
+TEST_F(CliPresets, ImpossiblePresetsAreErrors) {
   save(kTwo);
   EXPECT_EQ(run({"--preset", "game"}), 1);
   EXPECT_EQ(answer_.err, path("cave.talus.json") +
@@ -116,7 +116,8 @@ class CliWatch : public CliPresets {
     if (thread_.joinable()) interrupt();
     CliPresets::TearDown();
   }
-  // As Ctrl+C does. To be called after it has written something: until then it would end the tests.
+  // Sends SIGINT, as Ctrl+C does. Call it only after the command has written something: before that, the
+  // signal would end the tests.
   void interrupt() {
     pthread_kill(thread_.native_handle(), SIGINT);
     thread_.join();
@@ -124,7 +125,7 @@ class CliWatch : public CliPresets {
   static std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   }
-  // Waits until so many lines are there.
+  // Waits until there are `count` lines, and returns the text.
   static std::string wait_for(SharedText& text, std::size_t count) {
     for (int i = 0; i < 1000 && lines(text.text()) < count; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -144,7 +145,7 @@ TEST_F(CliWatch, ExportsAtOnceAndAfterEachSave) {
   const std::string first = bytes_of("out/a.tic");
   ASSERT_NE(first, "(none)");
 
-  // Whoever reads the output while it changes sees the one or the other, whole.
+  // A reader of the output sees the old or the new file while it is replaced, never half of one.
   std::set<std::string> seen;
   std::atomic<bool> reads = true;
   std::thread reader([&] {
@@ -199,7 +200,7 @@ TEST_F(CliWatch, SeesTheCompanionOfACart) {
   EXPECT_EQ(err_text_.text(), "");
 }
 
-TEST_F(CliWatch, AfterABadFileItGoesOn) {
+TEST_F(CliWatch, GoesOnAfterABadFile) {
   save({});
   watch({"--to", "tic", "-o", path("b.tic")});
   wait_for(out_text_, 1);
@@ -224,7 +225,7 @@ TEST_F(CliWatch, WaitsForAFileInThePlaceOfAPipe) {
   EXPECT_EQ(
       wait_for(err_text_, 1),
       path("cave.talus.json") + ": error: is a pipe; only regular files can be read; waiting for a file\n");
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // it is looked at some times more
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // long enough for several looks at the file
   fs::remove(path("cave.talus.json"));
   save({}, 5);
   wait_for(out_text_, 1);
@@ -234,7 +235,7 @@ TEST_F(CliWatch, WaitsForAFileInThePlaceOfAPipe) {
 
 TEST_F(CliPresets, SigtermEndsAWatchThatWaitsForAPipe) {
   Level level;
-  level.map = TileMap(300, 300);  // more of JSON than a pipe holds
+  level.map = TileMap(300, 300);  // its JSON is larger than a pipe's buffer
   ASSERT_TRUE(save_level(level, *find_format("native"), path("cave.talus.json")));
   ASSERT_EQ(::mkfifo(path("out.json").c_str(), 0666), 0);
   const int reader = ::open(path("out.json").c_str(), O_RDONLY | O_NONBLOCK);
@@ -255,7 +256,7 @@ TEST_F(CliPresets, SigtermEndsAWatchThatWaitsForAPipe) {
   ::close(reader);
 }
 
-TEST_F(CliWatch, KeepsCodeThatIsChangedMeanwhile) {
+TEST_F(CliWatch, KeepsStartersThatAreChangedMeanwhile) {
   save({});
   watch({"--to", "love", "-o", path("game"), "--fresh", "--force"});
   wait_for(out_text_, 1);

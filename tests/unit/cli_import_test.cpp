@@ -24,7 +24,7 @@ class CliImportTest : public FolderTest {
     errors_ = answer.err;
     return answer.status;
   }
-  // What was said, without the folder.
+  // The messages, without the folder.
   std::string errors() const {
     const std::string folder = folder_.string() + "/";
     std::string text = errors_;

@@ -1,4 +1,4 @@
-// No command writes over what it reads, or over a file of another kind.
+// No command replaces a file that it reads, or a file of another kind.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -35,7 +35,7 @@ class CliOutput : public FolderTest {
     fs::create_hard_link(path("cave.talus.json"), path("hard" + ending));
     return {path("link" + ending), path("hard" + ending), folder_.string() + "/./link" + ending};
   }
-  // The command ends with an error about the file, which stays as it is.
+  // Expects that the command ends with an error about the file, and leaves the file as it is.
   void expect_refused(const Words& words, const std::string& file) {
     const auto before = read_file(file);
     const CliAnswer answer = cli_answer(words);
@@ -48,7 +48,7 @@ class CliOutput : public FolderTest {
   Level level_;
 };
 
-TEST_F(CliOutput, ATraceReplacesTracesAlone) {
+TEST_F(CliOutput, ATraceReplacesOnlyTraces) {
   const std::string level = path("cave.talus.json");
   const auto trace_to = [&](const std::string& file) {
     return Words{"sim", level, "--frames", "2", "--trace", file};
@@ -71,7 +71,7 @@ TEST_F(CliOutput, ATraceReplacesTracesAlone) {
   expect_refused({"sim", path("run.talusrec"), "--trace", path("game.tic")}, path("game.tic"));
 }
 
-TEST_F(CliOutput, AShotReplacesPicturesAlone) {
+TEST_F(CliOutput, AShotReplacesOnlyPictures) {
   const std::string level = path("cave.talus.json");
   const auto shot_to = [&](const std::string& file) { return Words{"shot", level, "-o", file}; };
   expect_refused(shot_to(level), level);
@@ -90,7 +90,7 @@ TEST_F(CliOutput, AShotReplacesPicturesAlone) {
   expect_refused(shot_to(path("text.png")), path("text.png"));
 }
 
-TEST_F(CliOutput, WhatALevelNamesIsNotReplaced) {
+TEST_F(CliOutput, FilesThatALevelNamesAreNotReplaced) {
   ASSERT_EQ(cli_answer({"export", path("cave.talus.json"), "--to", "tmx", "-o", path("map.tmx")}).status, 0);
   const std::string picture = path("map-tiles.png");
   ASSERT_TRUE(exists("map-tiles.png"));
@@ -118,7 +118,7 @@ TEST_F(CliOutput, AnExportReplacesNoFileOfAnotherKind) {
   EXPECT_EQ(cli_answer({"export", level, "--to", "tic", "-o", path("game.tic")}).status, 0) << "it is named";
 }
 
-TEST_F(CliOutput, AnImportReplacesLevelsAlone) {
+TEST_F(CliOutput, AnImportReplacesOnlyLevels) {
   const std::string level = path("cave.talus.json");
   expect_refused({"import", level, "-o", level}, level);
   for (const std::string& name : names_of_input(".talus.json"))
@@ -136,7 +136,7 @@ TEST_F(CliOutput, AnImportReplacesLevelsAlone) {
       << "the level that is changed is named twice";
 }
 
-TEST_F(CliOutput, AReportReplacesReportsAlone) {
+TEST_F(CliOutput, AReportReplacesOnlyReports) {
   fs::create_directories(path("report"));
   fs::create_symlink(path("cave.talus.json"), path("report/report.csv"));
   const std::string before = bytes_of("cave.talus.json");
@@ -155,7 +155,7 @@ TEST_F(CliOutput, AReportReplacesReportsAlone) {
   EXPECT_EQ(output_problem({path("old.csv"), "scene,solver\n1", {}}), "");
 }
 
-TEST_F(CliOutput, KindsAreToldByContent) {
+TEST_F(CliOutput, KindsAreRecognisedByContent) {
   EXPECT_EQ(content_kind(bytes_of("cave.talus.json")), "Talus level");
   EXPECT_EQ(content_kind(bytes_of("game.tic")), "TIC-80 cartridge");
   EXPECT_EQ(content_kind(bytes_of("run.talusrec")), "recording");

@@ -1,4 +1,4 @@
-// talus sim FILE.talusrec: playing a recording, and verifying it.
+// talus sim FILE.talusrec: playing and verifying a recording.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ class CliRecording : public FolderTest {
   }
 };
 
-TEST_F(CliRecording, VerifiesWhatComesOutAsItWas) {
+TEST_F(CliRecording, VerifiesARunWithTheSameHashes) {
   const CliAnswer answer = sim({saved("good.talusrec", sample()), "--verify"});
   EXPECT_EQ(answer.status, kExitGood) << answer.err;
   EXPECT_EQ(answer.out, "passed 60 frames\n");
@@ -87,7 +87,7 @@ TEST_F(CliRecording, PlaysWithItsOwnInputAndEdits) {
   EXPECT_THAT(sim({file, "--trace", "-", "--no-contacts"}).out, testing::Not(HasSubstr("contacts")));
 }
 
-TEST_F(CliRecording, IsToldByItsContentToo) {
+TEST_F(CliRecording, IsRecognisedByItsContentToo) {
   EXPECT_EQ(sim({saved("good.json", sample()), "--verify"}).out, "passed 60 frames\n");
 }
 

@@ -27,7 +27,7 @@ class CliConvert : public FolderTest {};
 class CliCheck : public FolderTest {};
 class CliShot : public FolderTest {};
 
-TEST(Cli, WrongUsageIsTwo) {
+TEST(Cli, WrongUsageExitsWithTwo) {
   EXPECT_EQ(cli_answer({"sim"}).status, kExitUsage);
   EXPECT_EQ(cli_answer({"sim", kOne, "--frames", "-1"}).status, kExitUsage);
   EXPECT_EQ(cli_answer({"sim", kOne, "--frames", "1", "--solver", "nonsense"}).status, kExitUsage);
@@ -35,7 +35,7 @@ TEST(Cli, WrongUsageIsTwo) {
   EXPECT_EQ(cli_answer({"export", kOne, "--to", "nonsense", "-o", "x"}).status, kExitUsage);
 }
 
-TEST(Cli, HelpIsGood) {
+TEST(Cli, HelpExitsWithZero) {
   const CliAnswer help = cli_answer({"--help"});
   EXPECT_EQ(help.status, kExitGood);
   for (const char* command : {"edit", "sim", "replay", "import", "export", "check", "shot", "bench"}) {
@@ -43,7 +43,7 @@ TEST(Cli, HelpIsGood) {
   }
 }
 
-TEST(Cli, WhatAFileHoldsIsNoLineOfTheLog) {
+TEST(Cli, TextOfAFileCannotStartALineOfTheLog) {
   const CliAnswer missing = cli_answer({"check", "/no\n::error::such\x1b[31m.tic"});
   EXPECT_EQ(missing.err,
             R"(/no\n::error::such\x1b[31m.tic: error: cannot be opened: No such file or directory)"
@@ -105,7 +105,7 @@ TEST_F(CliSim, ContactsAreInTheTraceUnlessSwitchedOff) {
   EXPECT_EQ(with["bodies"], without["bodies"]);
 }
 
-TEST_F(CliSim, ANumberOfTheTuningCanBeSet) {
+TEST_F(CliSim, AValueOfTheTuningCanBeSet) {
   const CliAnswer answer =
       cli_answer({"sim", kOne, "--frames", "1", "--set", "fall_blend=1", "--trace", "-", "--no-contacts"});
   EXPECT_EQ(nlohmann::json::parse(answer.out)["bodies"][0]["vy"], 5);
@@ -117,7 +117,7 @@ TEST_F(CliSim, ANumberOfTheTuningCanBeSet) {
               HasSubstr("exact.substeps must be a whole number from 1 to 64"));
 }
 
-TEST_F(CliSim, SaysOnceWhatTheSolverDoesNotKnow) {
+TEST_F(CliSim, SaysOnceWhichGroundTheSolverIgnores) {
   Level level;
   level.curves = {{"", {Segment{{1, 2}, {9, 8}}, Curve::Faces::up}, ""}};
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid, .one_way = true};
@@ -166,7 +166,7 @@ TEST_F(CliReplay, PrintsOneLineForEachOperation) {
   EXPECT_EQ(half.out, "{\"ok\":true}\n") << "each line is printed as it is made";
 }
 
-TEST_F(CliConvert, ACartComesBackByWayOfTheNativeFormat) {
+TEST_F(CliConvert, ACartSurvivesTheNativeFormat) {
   const std::string native = path("one.talus.json");
   const std::string back = path("one-back.lua");
   EXPECT_EQ(cli_answer({"import", kOne, "-o", native}).status, kExitGood);
@@ -176,7 +176,7 @@ TEST_F(CliConvert, ACartComesBackByWayOfTheNativeFormat) {
   EXPECT_EQ(printed.out, bytes_of(kOne));
 }
 
-TEST_F(CliConvert, WhatCannotBeWrittenIsAnErrorAndLeavesNothing) {
+TEST_F(CliConvert, AFailedConversionIsAnErrorAndLeavesNoFile) {
   const std::string file = path("no-such-folder/one.tic");
   const CliAnswer answer = cli_answer({"export", kOne, "--to", "tic", "-o", file});
   EXPECT_EQ(answer.status, kExitBad);
@@ -244,7 +244,7 @@ TEST(CliBench, TooManyBodiesAreRefused) {
   EXPECT_THAT(answer.err, HasSubstr("too few free cells"));
 }
 
-TEST_F(CliCheck, ErrorsGiveOneAndNameTheirCell) {
+TEST_F(CliCheck, ErrorsExitWithOneAndNameTheirCell) {
   EXPECT_EQ(cli_answer({"check", kSix}).status, kExitGood) << cli_answer({"check", kSix}).out;
   const std::string native = path("spawn.talus.json");
   EXPECT_EQ(cli_answer({"import", kSix, "-o", native}).status, kExitGood);

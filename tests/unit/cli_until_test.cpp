@@ -36,14 +36,14 @@ TEST_F(CliUntil, PrintsTheFrameAndWhy) {
   EXPECT_THAT(answer.out.substr(end), testing::StartsWith("\nBody 1 wanted to go "));
 }
 
-TEST_F(CliUntil, FailsWhereTheConditionNeverHolds) {
+TEST_F(CliUntil, FailsIfTheConditionNeverHolds) {
   const CliAnswer answer = sim("penetration > 1");
   EXPECT_EQ(answer.status, kExitBad);
   EXPECT_EQ(answer.out, "");
   EXPECT_EQ(answer.err, kStep + ": error: \"penetration > 1\" does not hold in any of the frames 0 to 60\n");
 }
 
-TEST_F(CliUntil, BeginsWithTheStartAndStopsTheTrace) {
+TEST_F(CliUntil, LooksAtFrameZeroTooAndEndsTheTrace) {
   const CliAnswer start = sim("x > 0");
   ASSERT_EQ(start.status, kExitGood);
   EXPECT_EQ(nlohmann::json::parse(start.out)["frame"], 0);

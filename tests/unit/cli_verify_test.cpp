@@ -1,4 +1,4 @@
-// talus sim --verify: a line for each check of a hard case, and the status that goes with them.
+// talus sim --verify prints a line for each check of a hard case, and its exit status is 1 if a check fails.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ CliAnswer verify(const std::string& file, const std::vector<std::string>& more) 
   return cli_answer(arguments);
 }
 
-TEST(CliVerify, PassesWhereEveryCheckPasses) {
+TEST(CliVerify, PassesIfEveryCheckPasses) {
   const CliAnswer answer = verify(kStep, {"--solver", "bump"});
   EXPECT_EQ(answer.status, kExitGood) << answer.err;
   EXPECT_THAT(answer.out, StartsWith("passed reaches body 1: 0, bound 0\n"));
@@ -40,7 +40,7 @@ TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
   EXPECT_EQ(verify(kStep, {"--frames", "3"}).status, kExitUsage);
 }
 
-// A player that runs right by the case's keys alone stands at the wall, its right side at 96.
+// A player that runs right by the keys of the case alone ends at the wall, with its right side at 96.
 TEST(CliHardCase, IsPlayedWithItsInput) {
   const std::string ramp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
   const CliAnswer answer = cli_answer({"sim", ramp, "--frames", "120", "--trace", "-", "--no-contacts"});

@@ -19,7 +19,7 @@ namespace talus::command_coverage_test {
 
 namespace fs = std::filesystem;
 
-// The command that does an action, or that goes to where it is done by keys.
+// For each action, the command that does it, or that leads to the place where keys do it.
 const std::map<std::string, std::string> kCommandOfAction = {
     {"EditLevel", "flags/switch0"},
     {"Undo", "edit/undo"},
@@ -97,7 +97,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"SetScreenBorders", "canvas/borders"},
 };
 
-// Those without one, and why.
+// Actions without a command, and why they have none.
 const std::map<std::string, std::string> kWithoutCommand = {
     {"SetExportPath", "a field of the export window, which a command opens"},
     {"SetPngImport", "a choice in a dialog, which has keys of its own"},
@@ -114,7 +114,7 @@ const std::map<std::string, std::string> kWithoutCommand = {
     {"HoldMouse", "moves of the mouse; the keyboard's cursor makes them, too"},
 };
 
-// Of the lists that end the headers of the domains.
+// The actions in the lists at the end of the domains' headers.
 std::set<std::string> listed_actions() {
   std::set<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(TALUS_SOURCE_DIR "/editor/session")) {
@@ -170,7 +170,7 @@ TEST(CommandCoverage, EveryTabHasACommand) {
   EXPECT_EQ(tabs, 15);
 }
 
-TEST(CommandCoverage, IdsAreDifferentAndHelpIsThere) {
+TEST(CommandCoverage, CommandsHaveUniqueIdsAndHelp) {
   std::set<std::string_view> ids;
   for (const Command& command : commands()) {
     EXPECT_TRUE(ids.insert(command.id).second) << command.id;
@@ -188,7 +188,7 @@ TEST(CommandCoverage, MenusOfCommandsAreInTheBar) {
   }
 }
 
-TEST(KeyConflicts, OfThePlayersAreWithWhatWorksEverywhere) {
+TEST(KeyConflicts, PlayersKeysConflictWithKeysThatAlwaysWork) {
   const Command& jump = find_command("player/jump");
   EXPECT_EQ(command_with_key({kKeyF5}, jump, {})->id, "play/toggle");
   EXPECT_EQ(command_with_key({kKeyLeft}, jump, {})->id, "player/left");
@@ -199,7 +199,7 @@ TEST(KeyConflicts, OfThePlayersAreWithWhatWorksEverywhere) {
   EXPECT_EQ(play_keys_text(changed), "Run: Left, Right   Jump: K, Space, Z");
 }
 
-// The command that is found first.
+// The id of the first command that the search finds.
 std::string found_by(std::string_view typed) {
   const Command* best = nullptr;
   std::optional<int> most;
@@ -227,7 +227,7 @@ TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
   EXPECT_EQ(found_by("no such thing anywhere"), "");
 }
 
-TEST(CommandSearch, ListsWhatCanBeRunFirst) {
+TEST(CommandSearch, ListsCommandsThatCanRunFirst) {
   const auto all = [](const Command&) { return true; };
   EXPECT_EQ(matching_commands("", all).size(), commands().size());
   const auto found = matching_commands("undo", all);

@@ -1,4 +1,4 @@
-// Companions: what carts cannot hold, in a file beside them.
+// Companions hold what a cart cannot, in a file beside it.
 #include "formats/native/companion.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace talus::companion_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// A level that a cart holds: a map, pixels, flags.
+// A level that fits into a cart: a map, pixels, flags.
 Level plain_level() {
   Level level;
   level.map.set({2, 3}, 4);
@@ -24,7 +24,7 @@ Level plain_level() {
   return level;
 }
 
-// The same with something of everything that no cart holds.
+// The same level with one of everything that no cart can hold.
 Level rich_level() {
   Level level = plain_level();
   level.map = TileMap(30, 17);
@@ -68,7 +68,7 @@ class Companions : public FolderTest {
     EXPECT_TRUE(loaded) << to_string(loaded.error(), name);
     return loaded ? *std::move(loaded) : LoadedLevel();
   }
-  // As TIC-80 does: the cart alone.
+  // Changes the cart alone, as TIC-80 does.
   void change_cart(const std::string& name, void (*change)(Level&)) const {
     const Format& format = *format_for_file(name);
     Level level = format.read(bytes_of(name), context_for_file(name)).value();
@@ -95,7 +95,7 @@ TEST_F(Companions, HoldWhatEachKindOfCartLacks) {
     EXPECT_EQ(loaded.note, "");
     EXPECT_EQ(loaded.companion.content, saved.companion.content);
     EXPECT_NE(loaded.level.cart, nullptr);
-    // Saved again, neither file changes.
+    // Saving again changes neither file.
     const std::string cart = bytes_of(name), companion = bytes_of(name + ".talus.json");
     save(loaded.level, name, loaded.companion);
     EXPECT_EQ(bytes_of(name), cart);
@@ -133,7 +133,7 @@ TEST_F(Companions, AreRemovedWhenNoLongerNeeded) {
   EXPECT_TRUE(is_same(load("game.tic").level, plain_level()));
 }
 
-TEST_F(Companions, OfAnotherLevelAreKeptAside) {
+TEST_F(Companions, FromAnotherLevelAreKeptAside) {
   save(rich_level(), "game.tic");
   const std::string before = bytes_of("game.tic.talus.json");
   EXPECT_EQ(save(plain_level(), "game.tic").note,
@@ -160,7 +160,7 @@ TEST_F(Companions, AreTakenWithACartThatWasChangedElsewhere) {
   EXPECT_EQ(
       loaded.note,
       "game.tic was changed since game.tic.talus.json was saved with it (map); all that was added is kept");
-  // Code is not the level's: nothing is to be told.
+  // Code is no part of the level, so there is nothing to report.
   save(loaded.level, "game.lua");
   put("game.lua", "-- more code\n" + bytes_of("game.lua"));
   EXPECT_EQ(load("game.lua").note, "");
@@ -178,8 +178,8 @@ TEST_F(Companions, GrowTheMapWhereTheCartFillsMoreOfIt) {
               HasSubstr("all that was added is kept, and the map is as large as its cells need"));
 }
 
-TEST_F(Companions, LoseNothingWhereBothWereChanged) {
-  save(rich_level(), "game.tic");  // black, which only the companion can say
+TEST_F(Companions, LoseNothingIfBothFilesWereChanged) {
+  save(rich_level(), "game.tic");  // its palette is black, which only the companion can hold
   change_cart("game.tic", [](Level& cart) { cart.palette[3] = {1, 2, 3}; });
   const std::string before = bytes_of("game.tic.talus.json");
   const LoadedLevel loaded = load("game.tic");
@@ -191,7 +191,7 @@ TEST_F(Companions, LoseNothingWhereBothWereChanged) {
   EXPECT_EQ(bytes_of("game.tic.talus-kept1.json"), before);
 }
 
-TEST_F(Companions, OfAnotherCartAreToldAndTaken) {
+TEST_F(Companions, FromAnotherCartAreReportedAndUsed) {
   save(rich_level(), "other.tic");
   save(plain_level(), "game.tic");
   change_cart("game.tic", [](Level& cart) { cart.map.set({9, 9}, 9); });
@@ -237,7 +237,7 @@ TEST_F(Companions, KeepTheirPlaceBesideACart) {
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().message, "is the name of the companion of game.tic beside it: choose another name");
   EXPECT_EQ(bytes_of("game.tic.talus.json"), before);
-  save(Level(), "other.tic.talus.json");  // beside nothing
+  save(Level(), "other.tic.talus.json");  // a companion without a cart
 }
 
 TEST_F(Companions, AreFoundThroughALink) {
@@ -250,7 +250,7 @@ TEST_F(Companions, AreFoundThroughALink) {
   EXPECT_FALSE(exists("links/game.tic.talus.json"));
 }
 
-TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
+TEST_F(Companions, BrokenOnesLeaveTheCartAlone) {
   save(plain_level(), "game.tic");
   const auto with = [&](const std::string& members) {
     put("game.tic.talus.json", R"({"talus": 1, "companion": {"file": "game.tic"}, )" + members + "}");
@@ -275,7 +275,7 @@ TEST_F(Companions, ThatAreBrokenLeaveTheCartAlone) {
   EXPECT_THAT(load("game.tic").note, HasSubstr("has version 99"));
 }
 
-TEST_F(Companions, ThatAreNoFilesAreNotOpened) {
+TEST_F(Companions, ThingsOtherThanFilesAreNotOpened) {
   save(plain_level(), "game.tic");
   ASSERT_EQ(::mkfifo(path("game.tic.talus.json").c_str(), 0600), 0);
   expect_not_read("is a link, a folder or a device, but must be a file");
@@ -287,14 +287,14 @@ TEST_F(Companions, ThatAreNoFilesAreNotOpened) {
   put("victim", "mine");
   fs::create_symlink(path("victim"), path("game.tic.talus.json"));
   expect_not_read("is a link, a folder or a device, but must be a file");
-  // What is in the way is moved, and never written through.
+  // A thing in the way is moved aside, and never written through.
   const SavedLevel saved = save(rich_level(), "game.tic");
   EXPECT_EQ(bytes_of("victim"), "mine");
   EXPECT_TRUE(fs::is_symlink(path("game.tic.talus-kept1.json")));
   EXPECT_TRUE(is_same(load("game.tic").level, rich_level()));
 }
 
-TEST_F(Companions, ThatAreBrokenAreNeverOverwritten) {
+TEST_F(Companions, BrokenOnesAreNeverOverwritten) {
   save(plain_level(), "game.tic");
   put("game.tic.talus.json", "<<<<<<< mine");
   save(plain_level(), "game.tic", load("game.tic").companion);
@@ -306,8 +306,8 @@ TEST_F(Companions, ThatAreBrokenAreNeverOverwritten) {
 }
 
 // A save that fails leaves both files as they were.
-TEST_F(Companions, ArePutInPlaceTogetherOrNotAtAll) {
-  // A socket is found out only when the cart is put, behind its companion.
+TEST_F(Companions, AreWrittenWithTheCartOrNotAtAll) {
+  // A socket is noticed only when the cart is put in place, which comes after its companion.
   ASSERT_EQ(::mknod(path("game.tic").c_str(), S_IFSOCK | 0600, 0), 0);
   EXPECT_FALSE(save_level(rich_level(), *find_format("tic"), path("game.tic")));
   EXPECT_FALSE(exists("game.tic.talus.json"));
@@ -331,8 +331,8 @@ TEST_F(Companions, ArePutInPlaceTogetherOrNotAtAll) {
   EXPECT_EQ(bytes_of("other.tic.talus.json"), companion);
 }
 
-// A crash between the two puts leaves one of these pairs.
-TEST_F(Companions, TellOfAPairThatWasNotPutTogether) {
+// A crash between the two renames leaves one of these pairs.
+TEST_F(Companions, ReportAPairFromTwoSaves) {
   const SavedLevel saved = save(rich_level(), "game.tic");
   const std::string old_cart = bytes_of("game.tic"), old_companion = bytes_of("game.tic.talus.json");
   Level next = rich_level();
@@ -350,7 +350,7 @@ TEST_F(Companions, TellOfAPairThatWasNotPutTogether) {
   EXPECT_THAT(load("game.tic").note, HasSubstr("was changed since"));
 }
 
-// Of formats whose files hold lists, such as bodies, too.
+// Formats whose files hold lists, such as bodies, join them too.
 TEST(CompanionContent, JoinsWhatBothHold) {
   static constexpr std::array<std::string_view, 2> kHolds = {"spawns", "tile_shapes"};
   Format format = *find_format("native");
@@ -361,7 +361,7 @@ TEST(CompanionContent, JoinsWhatBothHold) {
   held.tile_shapes[3].kind = held.tile_shapes[4].kind = TileShape::Kind::solid;
   Level level = held;
   level.spawns[1].position = {16, 8};
-  level.tile_shapes[3] = {};  // taken away
+  level.tile_shapes[3] = {};  // removed
   level.tile_shapes[4].one_way = true;
   const std::string companion = write_companion(level, held, format, "a").value();
   EXPECT_TRUE(join_companion(companion, held, format, "a")->level == level);

@@ -1,4 +1,4 @@
-// Curves: drawn between two points, bent by their handles, found by the mouse; and where points snap to.
+// Curves: drawn between two points, bent by their handles and found by the mouse; and where points snap to.
 #include "edit/curve_tools.h"
 
 #include <gtest/gtest.h>
@@ -60,11 +60,12 @@ TEST(CurveTools, SteepArcsStayFunctions) {
   const Curve steep = drawn_curve(CurveKind::arc, {16, 72}, {24, 8});
   EXPECT_FALSE(problem_of(steep));
   const auto [first, last] = ends_of_curve(steep);
-  expect_near(first, {16, 72}, 0.3);  // upright there: its height is as exact as a root of 1/256 px
+  expect_near(first, {16, 72},
+              0.3);  // the arc is vertical there, so its height is only as exact as a root of 1/256 px
   expect_near(last, {24, 8}, 0.3);
 }
 
-TEST(CurveTools, CurveThatCannotBeSaysWhyAndChangesNothing) {
+TEST(CurveTools, AnImpossibleCurveSaysWhyAndChangesNothing) {
   const Level level = level_for_curves();
   EXPECT_EQ(add_curve(level, CurveKind::arc, {8, 8}, {8, 8}).error(), "drag from one end to the other");
   EXPECT_EQ(add_curve(level, CurveKind::segment, {8, 8}, {8, 200}).error(),

@@ -1,4 +1,5 @@
-// The debugger on a timeline: the frames of its branches, and running back to where something was true.
+// The debugger on a timeline: the frames of its branches, and running back to the last frame in which a
+// condition held.
 #include "debug/branch_frames.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 
 namespace talus::debug_branch_test {
 
-// A ball that bounces on a floor, which from frame 60 on has a hole.
+// A ball bounces on a floor, which has a hole from frame 60 on.
 class BranchFramesTest : public testing::Test {
  protected:
   BranchFramesTest() : level_(level_of({"o..", "...", "...", "...", "###"})), timeline_(level_) {
@@ -36,7 +37,7 @@ class BranchFramesTest : public testing::Test {
   Timeline timeline_;
 };
 
-TEST_F(BranchFramesTest, AreThoseThatTheTimelineShows) {
+TEST_F(BranchFramesTest, EqualTheFramesOfTheTimeline) {
   const BranchFrames frames(timeline_.current());
   ASSERT_EQ(frames.last(), 80);
   for (const std::int64_t frame : {0, 1, 2, 60, 59, 61, 80, 7}) {
@@ -53,7 +54,7 @@ TEST_F(BranchFramesTest, AreThoseThatTheTimelineShows) {
   }
 }
 
-TEST_F(BranchFramesTest, RunBackToTheLastTimeItWasTrue) {
+TEST_F(BranchFramesTest, CanBeSearchedBackwards) {
   const Breakpoint landing{.id = 1, .condition = "touches(0, 4)", .body = 1};
   const auto last = search(landing, 80, SearchDirection::backwards);
   ASSERT_TRUE(last);
@@ -78,8 +79,8 @@ TEST_F(BranchFramesTest, GrowWithTheBranch) {
   EXPECT_EQ(read.state, timeline_.state());
 }
 
-// Playing on from the past makes a branch; the debugger finds where it left the other one.
-TEST_F(BranchFramesTest, OfTwoBranchesAreCompared) {
+// Playing on from the past makes a branch. The debugger finds the frame in which it left the other branch.
+TEST_F(BranchFramesTest, TwoBranchesAreCompared) {
   const Branch old = timeline_.current();
   timeline_.seek(50);
   level_.tuning.shared.fall_speed = 1;
@@ -95,8 +96,8 @@ TEST_F(BranchFramesTest, OfTwoBranchesAreCompared) {
   EXPECT_EQ(search.found(), (Stop{51, 1, 1, 0}));
 }
 
-// A hard case that the article fails: from its end back to the frame in which the ball began to sink into the
-// slope, why it does, and where the exact solver goes another way.
+// A hard case that the article fails. The debugger runs back to the frame in which the ball began to sink
+// into the slope, explains it, and finds where the exact solver differs.
 TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
   auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
   ASSERT_TRUE(loaded);

@@ -7,7 +7,7 @@
 
 namespace talus::debug_breakpoint_test {
 
-// Body 1 is at the xs, frame by frame; body 2 beside it at 1000 - x.
+// Frames in which body 1 is at these xs, and body 2 at 1000 - x.
 MadeFrames frames_of(const std::vector<double>& xs) {
   std::vector<State> states;
   for (const double x : xs) states.push_back(state_of({body_at(1, x, 0), body_at(2, 1000 - x, 0)}));
@@ -30,7 +30,7 @@ std::optional<Stop> search(const FrameSource& source, const std::vector<Breakpoi
   return search.found();
 }
 
-// The frames of all stops, run to one after the other.
+// The frames of all stops, found one after the other.
 std::vector<std::int64_t> stops(const FrameSource& source, const Breakpoint& breakpoint,
                                 SearchDirection direction) {
   const bool is_forwards = direction == SearchDirection::forwards;
@@ -69,7 +69,7 @@ TEST(Breakpoints, HitsAreNumberedFromFrameZeroInBothDirections) {
   EXPECT_EQ(search(source, {breakpoint}, 7, SearchDirection::backwards), (Stop{5, 1, 1, 3}));
 }
 
-TEST(Breakpoints, OfAnyBodyStopForEach) {
+TEST(Breakpoints, ForAnyBodyStopForEachBody) {
   const MadeFrames source = frames_of({0, 100, 400, 600, 900, 1000});
   const Breakpoint any{.id = 1, .condition = "x > 350 && x < 500"};
   EXPECT_EQ(search(source, {any}, -1, SearchDirection::forwards), (Stop{2, 1, 1, 0}));
@@ -80,7 +80,7 @@ TEST(Breakpoints, OfAnyBodyStopForEach) {
   EXPECT_EQ(search(source, {of_none}, -1, SearchDirection::forwards), (Stop{4, 1, 0, 0}));
 }
 
-TEST(Breakpoints, DoNotHoldOfBodiesThatAreGone) {
+TEST(Breakpoints, DoNotStopForRemovedBodies) {
   const MadeFrames source({state_of({}), state_of({body_at(1, 0, 0)}), state_of({})});
   EXPECT_EQ(stops(source, {.id = 1, .condition = "!grounded", .body = 1}, SearchDirection::forwards),
             (Frames{1}));
@@ -99,7 +99,7 @@ TEST(Breakpoints, TheFirstOfTheListStops) {
   EXPECT_EQ(search(source, {}, 3, SearchDirection::backwards), std::nullopt);
 }
 
-TEST(Breakpoints, BackwardsReadsBlocksAndNotTheWholeRun) {
+TEST(Breakpoints, SearchingBackwardsReadsBlocksOnly) {
   std::vector<double> xs(3000, 0);
   xs[17] = xs[2400] = 5;
   const MadeFrames source = frames_of(xs);

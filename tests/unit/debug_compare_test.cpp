@@ -51,7 +51,7 @@ std::optional<Stop> first_parting(const FrameSource& a, const FrameSource& b, do
   return search.found();
 }
 
-TEST(Compare, FindsTheFirstFrameWhereSolversPart) {
+TEST(Compare, FindsTheFirstFrameWhereSolversDiffer) {
   Level level = level_of({".o......", "........", ".../-...", "########"});
   level.tuning.shared.drift_speed = level.tuning.shared.drift_blend = 1;
   const RecordedRun article(level, 40);
@@ -68,7 +68,7 @@ TEST(Compare, FindsTheFirstFrameWhereSolversPart) {
   EXPECT_EQ(first_parting(article, exact, 1e6), std::nullopt);
 }
 
-TEST(Compare, HasAllFramesAndTheOthersAsFarAsItGoes) {
+TEST(Compare, HasFramesBeyondTheEndOfTheOtherRun) {
   const MadeFrames a({state_of({}), state_of({}), state_of({})}),
       b({state_of({body_at(1, 0, 0)}), state_of({})});
   const ComparedFrames compared(a, &b);
@@ -81,7 +81,7 @@ TEST(Compare, HasAllFramesAndTheOthersAsFarAsItGoes) {
   EXPECT_EQ(frame.other, std::nullopt);
 }
 
-TEST(Compare, PartingAtTheStartIsFound) {
+TEST(Compare, ADifferenceAtTheStartIsFound) {
   const MadeFrames a({state_of({body_at(1, 0, 0)})}), b({state_of({body_at(1, 0, 0.5)})});
   EXPECT_EQ(first_parting(a, b, 0.25), (Stop{0, 1, 1, 0}));
 }
@@ -108,7 +108,7 @@ TEST(Series, HalvesItselfAndKeepsPeaks) {
   EXPECT_EQ(series.points()[2].last, 0);
 }
 
-TEST(Series, LeavesOutWhatIsNoNumber) {
+TEST(Series, LeavesOutFramesWithoutANumber) {
   const double nothing = std::nan("");
   Series series(0, 2);
   for (const double number : {nothing, 3.0, nothing, nothing}) series.add(number);
@@ -138,7 +138,7 @@ TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
   EXPECT_EQ(steps, (std::vector<double>{3, 5, 7, 9, 0}));
 }
 
-TEST(FrameHistory, ReadsNoMoreThanLeadsToTheFrame) {
+TEST(FrameHistory, ReadsOnlyTheFramesThatItLacks) {
   const RecordedRun run(level_of({"o..", "...", "###"}), 20);
   FrameHistory history(2);
   const auto reads_to = [&](std::int64_t frame) {
@@ -156,8 +156,8 @@ TEST(FrameHistory, ReadsNoMoreThanLeadsToTheFrame) {
   EXPECT_EQ(reads_to(14), 3) << "back";
 }
 
-// As a condition it is false, but nothing was measured.
-TEST(Watch, OfTheTruthAboutNoBodyIsNothing) {
+// As a condition it is false, but there is nothing to plot.
+TEST(Watch, AConditionOnAMissingBodyHasNoValue) {
   MadeFrames source({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 0, 0)})});
   FrameHistory history(1);
   history.go_to(source, 1);

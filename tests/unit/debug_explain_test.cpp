@@ -10,7 +10,7 @@
 
 namespace talus::debug_explain_test {
 
-// A step of body 1 of 8x8 px, by the exact solver, made by hand.
+// A handmade step of body 1 of 8x8 px, by the exact solver.
 class Sentences : public testing::Test {
  protected:
   Sentences() {
@@ -18,7 +18,7 @@ class Sentences : public testing::Test {
     frame_.scene = scene_;
     frame_.state = state_of({body_at(1, 0, 0)});
   }
-  // A step from (10, 20) by `wanted`, which ended at `to`.
+  // Sets a step from (10, 20) that wanted to move by `wanted` and ended at `to`.
   void step(Vec2 wanted, Vec2 to) {
     frame_.record.paths = {
         {.body = 1, .from = {10, 20, 8, 8}, .goal = Vec2{10, 20} + wanted, .to = {to.x, to.y, 8, 8}}};
@@ -44,7 +44,7 @@ class Sentences : public testing::Test {
   Frame frame_;
 };
 
-TEST_F(Sentences, OfAWallThatABodySlidesAlong) {
+TEST_F(Sentences, TellOfAWallThatABodySlidesAlong) {
   step({4, 3}, {11.48, 23});
   contact(tile_, {-1, 0}, 0.37, {4, 3}, {11.48, 21.11});
   EXPECT_EQ(sentence(),
@@ -53,7 +53,7 @@ TEST_F(Sentences, OfAWallThatABodySlidesAlong) {
   EXPECT_EQ(numbers(), "normal (-1, 0)");
 }
 
-TEST_F(Sentences, OfAFloorThatTakesAllThatIsLeft) {
+TEST_F(Sentences, TellOfAFloorThatStopsTheBody) {
   step({0, 4}, {10, 21});
   contact(tile_, {0, -1}, 0.25, {0, 4}, {10, 21});
   EXPECT_EQ(sentence(),
@@ -62,7 +62,7 @@ TEST_F(Sentences, OfAFloorThatTakesAllThatIsLeft) {
   EXPECT_EQ(numbers(), "normal (0, -1), floor at y 29");
 }
 
-TEST_F(Sentences, OfASlope) {
+TEST_F(Sentences, TellOfASlope) {
   step({2, 2}, {12, 20});
   ContactRecord& met = contact(slope_, {-0.6, -0.8}, 0, {2, 2}, {10, 20});
   met.slope = SlopeProbe{slope_, 0.4375, 28, 20, {-0.6, -0.8}, true};
@@ -71,7 +71,7 @@ TEST_F(Sentences, OfASlope) {
   EXPECT_EQ(numbers(), "normal (-0.6, -0.8), slope delta 0.44, floor at y 28");
 }
 
-TEST_F(Sentences, OfABounce) {
+TEST_F(Sentences, TellOfABounce) {
   scene_->tuning.exact.rebound = 1;
   step({0, 4}, {10, 19});
   contact({.role = TileRole::ball, .cell = {}, .body = 3, .box = {}}, {0, -1}, 0.5, {0, 4}, {10, 22});
@@ -90,7 +90,7 @@ TEST_F(Sentences, LeaveRoundingOut) {
       << "0.004 px";
 }
 
-TEST_F(Sentences, OfTheContactsAfterTheFirst) {
+TEST_F(Sentences, TellOfTheContactsAfterTheFirst) {
   step({4, 4}, {12, 22});
   contact(tile_, {-1, 0}, 0.5, {4, 4}, {12, 22});
   contact({.role = TileRole::solid, .cell = {}, .body = 0, .box = {}, .curve = 2}, {0, -1}, 0.25, {0, 2},
@@ -105,7 +105,7 @@ TEST_F(Sentences, OfTheContactsAfterTheFirst) {
   EXPECT_EQ(sentence(2), "stopped by the sloped ceiling at (3, 4) at the end of the motion left");
 }
 
-TEST_F(Sentences, OfACurveByItsName) {
+TEST_F(Sentences, NameACurveByItsName) {
   const auto met = [this](const char* expected) {
     frame_.record.contacts.clear();
     contact({.role = TileRole::solid, .cell = {}, .body = 0, .box = {}, .curve = 1}, {0, -1}, 0.25, {0, 4},
@@ -119,7 +119,7 @@ TEST_F(Sentences, OfACurveByItsName) {
   met("stopped by the top of curve 1");
 }
 
-TEST(SceneCurveNames, AreThoseOfTheGroundsCurves) {
+TEST(SceneCurveNames, MatchTheCurvesOfTheGround) {
   Level level = level_of({"....", "...."});
   const auto curve = [](const char* name, double x1) {
     return LevelCurve{.name = name, .curve = {.form = Segment{{0, 8}, {x1, 8}}}, .extra = {}};
@@ -129,7 +129,7 @@ TEST(SceneCurveNames, AreThoseOfTheGroundsCurves) {
   EXPECT_EQ(compile_scene(level).curve_names, (std::vector<std::string>{"floor", "ledge"}));
 }
 
-TEST_F(Sentences, OfTheArticlesSlopes) {
+TEST_F(Sentences, TellOfTheArticlesSlopes) {
   scene_->tuning.solver = SolverKind::article;
   step({2, 2}, {12, 20});
   ContactRecord& met = contact(slope_, {-1, 0}, 0.5, {2, 2}, {11, 21});
@@ -153,7 +153,7 @@ TEST_F(Sentences, OfTheArticlesSlopes) {
             "the body on its floor");
 }
 
-TEST_F(Sentences, OfOverlaps) {
+TEST_F(Sentences, TellOfOverlaps) {
   scene_->tuning.solver = SolverKind::bump;
   step({1, 0}, {9, 20});
   ContactRecord& met = contact(tile_, {-1, 0}, -12, {1, 0}, {9, 20});
@@ -166,10 +166,10 @@ TEST_F(Sentences, OfOverlaps) {
   EXPECT_EQ(numbers(1), "no normal");
 }
 
-// What really happens, as the solvers record it.
+// Real steps, as the solvers record them.
 class Steps : public testing::Test {
  protected:
-  // A step of body 1 of the article, with these contacts.
+  // The explanation of a step of the article's body 1 with these contacts.
   static std::string told(std::vector<ContactRecord> contacts, Vec2 to) {
     MadeFrames made({state_of({body_at(1, 10, 20)}), state_of({body_at(1, to.x, to.y)})});
     auto scene = std::make_shared<Scene>();
@@ -208,7 +208,7 @@ class Steps : public testing::Test {
   }
 };
 
-TEST_F(Steps, OfAFreeFallAndALanding) {
+TEST_F(Steps, TellOfAFreeFallAndALanding) {
   const RecordedRun run(falling(SolverKind::exact), 2);
   EXPECT_EQ(step(run, 0), "");
   EXPECT_EQ(step(run, 1),
@@ -223,14 +223,14 @@ TEST_F(Steps, OfAFreeFallAndALanding) {
   EXPECT_EQ(explain_step(history.view(), 2), "") << "no such body";
 }
 
-TEST_F(Steps, AreAlikeByEverySolver) {
+TEST_F(Steps, AreExplainedAlikeForEverySolver) {
   for (const SolverKind solver : solver_kinds()) {
     const RecordedRun run(falling(solver), 2);
     EXPECT_EQ(step(run, 2), step(RecordedRun(falling(SolverKind::exact), 2), 2)) << solver_name(solver);
   }
 }
 
-TEST_F(Steps, ThatBeginInsideOfTheGround) {
+TEST_F(Steps, TellOfAStartInsideTheGround) {
   Level level = level_of({"...", "...", "###"});
   level.tuning.solver = SolverKind::exact;
   level.spawns.push_back({.name = "", .position = {0, 9}, .velocity = {}, .extra = ""});
@@ -241,8 +241,8 @@ TEST_F(Steps, ThatBeginInsideOfTheGround) {
       << text;
 }
 
-// The article leaves the velocity alone there, but it is the tile that the body stops at.
-TEST_F(Steps, ThatStickTellOfTheSideThatTookTheWay) {
+// The article does not change the velocity there, but this tile stops the body.
+TEST_F(Steps, TellWhichSideABodySticksTo) {
   ContactRecord side;
   side.order = 1;
   side.other = {.role = TileRole::solid, .cell = {5, 3}, .body = 0, .box = {40, 24, 8, 8}};
@@ -258,12 +258,12 @@ TEST_F(Steps, ThatStickTellOfTheSideThatTookTheWay) {
       "its floor.");
 }
 
-TEST_F(Steps, OfContactsWithoutEffectDoNotSayThatThereWereNone) {
+TEST_F(Steps, TellOfContactsWithoutAnEffect) {
   EXPECT_EQ(told({crossed_slope(false)}, {12, 20}),
             "Body 1 wanted to go (2, 0) px and did. Nothing that it met changed its way.");
 }
 
-TEST_F(Steps, LeaveOutWhatIsTooSmallToBeSeen) {
+TEST_F(Steps, LeaveOutInvisibleMotions) {
   MadeFrames made(
       {state_of({body_at(1, 0, 0, {-4e-311, -0.18})}), state_of({body_at(1, 0, 0.2, {-3e-311, 0})})});
   made.frames[1].record.paths = {
@@ -276,7 +276,7 @@ TEST_F(Steps, LeaveOutWhatIsTooSmallToBeSeen) {
       "px/frame.");
 }
 
-TEST(MotionText, OfASmallOneIsNotZero) {
+TEST(MotionText, ASmallMotionIsNotShownAsZero) {
   EXPECT_EQ(motion_text({0.003, 0}), "less than 0.005");
   EXPECT_EQ(motion_text({0.003, 2}), "(0, 2)");
   EXPECT_EQ(motion_text({1e-300, 0}), "(0, 0)");
@@ -285,7 +285,7 @@ TEST(MotionText, OfASmallOneIsNotZero) {
   EXPECT_EQ(short_text(Vec2{-4e-311, -1}), "(0, -1)");
 }
 
-TEST_F(Steps, OfLimitsAndTheMouse) {
+TEST_F(Steps, TellOfLimitsAndTheMouse) {
   MadeFrames made({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 4, 0)})});
   Frame& frame = made.frames[1];
   frame.state.grabbed = 1;
@@ -300,7 +300,7 @@ TEST_F(Steps, OfLimitsAndTheMouse) {
             "allowed.");
 }
 
-TEST_F(Steps, OfMoreOnTheWayThanAStepMayLookAt) {
+TEST_F(Steps, TellOfAnEndedWorkBudget) {
   MadeFrames made({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 4, 0)})});
   made.frames[1].record.paths = {
       {.body = 1, .from = {0, 0, 8, 8}, .goal = {9, 0}, .to = {4, 0, 8, 8}, .cut_short = true}};

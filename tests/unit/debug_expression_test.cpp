@@ -1,4 +1,4 @@
-// Expressions: what they are worth, how they are checked, and what may be typed next.
+// Expressions: their values, how they are checked, and how they are completed.
 #include "debug/expression.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,8 @@ namespace talus::debug_expression_test {
 
 using testing::ElementsAre;
 
-// Body 1 falls from y 10 by 2, then stands; body 3 is right of it. The last of three frames is looked at.
+// Body 1 falls from y = 10 by 2, then stands. Body 3 is to its right. The tests look at the last of three
+// frames.
 class Expressions : public testing::Test {
  protected:
   Expressions()
@@ -151,7 +152,7 @@ TEST_F(Expressions, LookBack) {
   EXPECT_EQ(value("before(vy)", 1, 2), 2);
 }
 
-TEST_F(Expressions, WhatIsNotThereIsNoNumberAndMakesComparisonsFalse) {
+TEST_F(Expressions, AMissingValueMakesComparisonsFalse) {
   EXPECT_TRUE(std::isnan(value("normal.x", 3)));
   EXPECT_TRUE(std::isnan(value("body(2).x + 1")));
   EXPECT_TRUE(std::isnan(value("body(1.5).x")));
@@ -169,7 +170,7 @@ TEST_F(Expressions, WhatIsNotThereIsNoNumberAndMakesComparisonsFalse) {
   EXPECT_TRUE(std::isnan(value("sqrt(-1)")));
 }
 
-TEST_F(Expressions, KnowWhatTheyAskFor) {
+TEST_F(Expressions, KnowWhichValuesTheyNeed) {
   EXPECT_TRUE(Expression::parse("vy > 3")->asks_body());
   EXPECT_TRUE(Expression::parse("body(id).vy > 3")->asks_body());
   EXPECT_FALSE(Expression::parse("body(3).vy > frame")->asks_body());
@@ -187,7 +188,7 @@ std::string problem(std::string_view text) {
   return std::to_string(expression.error().position) + ": " + expression.error().message;
 }
 
-TEST(ExpressionErrors, SayWhereAndWhat) {
+TEST(ExpressionErrors, NameThePlaceAndTheMistake) {
   EXPECT_EQ(problem(""), "0: the expression is empty");
   EXPECT_EQ(problem("  "), "0: the expression is empty");
   EXPECT_EQ(problem("1 +"), "3: expected a value at the end");
@@ -204,7 +205,7 @@ TEST(ExpressionErrors, SayWhereAndWhat) {
   EXPECT_EQ(problem(std::string(1001, '1')), "1000: the expression is longer than 1000 bytes");
 }
 
-TEST(ExpressionErrors, OfNames) {
+TEST(ExpressionErrors, CoverNames) {
   EXPECT_EQ(problem("body.vz > 1"), "0: unknown name 'body.vz'; did you mean 'body.vy'?");
   EXPECT_EQ(problem("1 < gruonded"), "4: unknown name 'gruonded'; did you mean 'grounded'?");
   EXPECT_EQ(problem("body(2).spede > 1"), "8: unknown name 'spede'; did you mean 'speed'?");
@@ -221,7 +222,7 @@ TEST(ExpressionErrors, OfNames) {
   EXPECT_EQ(problem("vy(1)"), "2: 'vy' takes no arguments");
 }
 
-TEST(ExpressionErrors, OfTypes) {
+TEST(ExpressionErrors, CoverTypes) {
   EXPECT_EQ(problem("grounded + 1"),
             "9: '+' needs a number on both sides, but has a truth value on its left");
   EXPECT_EQ(problem("vy && grounded"),
@@ -243,7 +244,7 @@ TEST(ExpressionErrors, OfTypes) {
   EXPECT_TRUE(Expression::parse_condition("vy > 1"));
 }
 
-TEST(ExpressionErrors, OfDepth) {
+TEST(ExpressionErrors, CoverDepth) {
   const auto nested = [](int depth) {
     std::string text = "x";
     for (int i = 0; i < depth; ++i) text = "before(" + text + ")";
@@ -262,7 +263,7 @@ std::vector<std::string> candidates(std::string_view text, std::size_t cursor) {
   return texts;
 }
 
-TEST(ExpressionCompletion, OffersWhatBeginsSo) {
+TEST(ExpressionCompletion, OffersNamesThatBeginWithTheTypedLetters) {
   EXPECT_THAT(candidates("gr", 2), ElementsAre("grounded"));
   EXPECT_THAT(candidates("1 + body.v", 10), ElementsAre("vx", "vy"));
   EXPECT_THAT(candidates("body(2).in_", 11), ElementsAre("in_cell(", "in_rect("));
@@ -276,7 +277,7 @@ TEST(ExpressionCompletion, OffersWhatBeginsSo) {
   EXPECT_EQ(candidates("x > ", 99).size(), expression_names().size() + 2);
 }
 
-TEST(ExpressionCompletion, TakesThePlaceOfTheWordUnderTheCursor) {
+TEST(ExpressionCompletion, ReplacesTheWordUnderTheCursor) {
   const Completion whole = complete("1 < body.vxyz + 1", 10);
   EXPECT_EQ(whole.from, 9u);
   EXPECT_EQ(whole.to, 13u);

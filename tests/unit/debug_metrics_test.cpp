@@ -17,7 +17,7 @@ Level exact_level(std::initializer_list<std::string_view> rows) {
   return level;
 }
 
-// A body in a level whose floor is at y 24, with a tile in the air from (24, 8) to (32, 16).
+// A body in a level with a floor at y = 24 and a tile in the air from (24, 8) to (32, 16).
 class GroundMetrics : public testing::Test {
  protected:
   GroundMetrics()
@@ -53,7 +53,7 @@ TEST_F(GroundMetrics, FloorError) {
   EXPECT_TRUE(std::isnan(of(Metric::floor_error, 17, 6))) << "the way out is sideways";
 }
 
-TEST_F(GroundMetrics, GroundIsMadeForSolversThatHaveNone) {
+TEST_F(GroundMetrics, GroundIsCompiledForSolversWithoutIt) {
   const Level level = level_of({"..", "##"});
   const Scene scene = compile_scene(level);
   ASSERT_EQ(scene.ground, nullptr);
@@ -82,7 +82,7 @@ TEST(Metrics, NormalAngle) {
   EXPECT_DOUBLE_EQ(angle({std::sqrt(0.5), -std::sqrt(0.5)}), 45);
 }
 
-TEST(Metrics, TheNormalIsThatOfTheLastContactWithAnEffect) {
+TEST(Metrics, TheLastContactWithAnEffectGivesTheNormal) {
   MadeFrames made({state_of({body_at(1, 0, 0), body_at(2, 50, 0)})});
   Frame& frame = made.frames[0];
   ContactRecord floor;
@@ -99,7 +99,7 @@ TEST(Metrics, TheNormalIsThatOfTheLastContactWithAnEffect) {
   EXPECT_EQ(measure(Metric::normal_y, frame, frame.state.bodies[0]), -1);
   EXPECT_EQ(measure(Metric::contacts, frame, frame.state.bodies[0]), 1);
 
-  // The article corrects what has crossed a slope's box: its normal is the slope's.
+  // The article corrects a body that has crossed a slope's box. The normal of that contact is the slope's.
   ContactRecord slope = floor;
   slope.response = Response::cross;
   slope.normal = {-1, 0};
@@ -144,7 +144,8 @@ TEST(Metrics, GroundedByEverySolver) {
   }
 }
 
-// Rolling up the article's slope, the ball's corner sinks into the ground that its centre follows.
+// A ball rolls up a slope of the article: its corner sinks into the ground, as the ball follows it by its
+// centre.
 TEST(Metrics, TheArticleSinksIntoSlopes) {
   const auto deepest = [](SolverKind solver) {
     Level level = level_of({"........", ".o......", ".../-...", "########"});

@@ -49,7 +49,7 @@ std::vector<StageKind> kinds(const std::vector<Stage>& stages) {
   return kinds;
 }
 
-TEST(CastTrace, TellsTheCellsAndSidesThatWereLookedAtAndTheFirst) {
+TEST(CastTrace, ListsTestedCellsAndSidesAndTheFirstContact) {
   const Level level = level_with_a_slope(SolverKind::exact);
   const Scene scene = compile_scene(level);
   const Cast<double> cast{{10, 76, 8, 8}, {0, 6}, Foot::box};
@@ -70,7 +70,7 @@ TEST(CastTrace, TellsTheCellsAndSidesThatWereLookedAtAndTheFirst) {
   EXPECT_EQ(first->to.y, 88);
 }
 
-TEST(CastTrace, AMotionThroughAirHasNoFirst) {
+TEST(CastTrace, AMotionThroughAirHasNoFirstContact) {
   const Level level = level_with_a_slope(SolverKind::exact);
   const CastTrace trace = trace_cast(*compile_scene(level).ground, {{10, 10, 8, 8}, {3, 2}, Foot::box});
   EXPECT_FALSE(trace.contact);
@@ -78,8 +78,8 @@ TEST(CastTrace, AMotionThroughAirHasNoFirst) {
   EXPECT_TRUE(trace.candidates.empty());
 }
 
-// A foot in the middle has a second cast, of the middle alone.
-TEST(CastTrace, OfACentreFootTheFirstIsTheOneThatCounts) {
+// A foot in the middle is cast a second time, as a line in the middle of the box.
+TEST(CastTrace, OfACentreFootHasOneFirstContact) {
   const Level level = level_with_a_slope(SolverKind::exact);
   const Scene scene = compile_scene(level);
   int met = 0;
@@ -102,8 +102,8 @@ TEST(CastTrace, OfACentreFootTheFirstIsTheOneThatCounts) {
   EXPECT_GT(met, 20);
 }
 
-// The ball falls 4 px in two parts: the floor is 1 px below, so 1 px of the first part is left, and slides.
-TEST(Stages, OfAStepInPartsTellWhatIsLeftOfEach) {
+// The ball falls 4 px in two parts. The floor is 1 px below, so 1 px of the first part is left, and slides.
+TEST(Stages, OfAStepInPartsShowTheRestOfEachPart) {
   Level level = level_with_a_slope(SolverKind::exact);
   level.tuning.exact.substeps = 2;
   level.tuning.exact.rebound = 0;
@@ -126,8 +126,8 @@ TEST(Stages, OfAStepInPartsTellWhatIsLeftOfEach) {
   EXPECT_EQ(on->motion, *contact.after);
 }
 
-// 3 px above the floor: the first part meets nothing.
-TEST(Stages, OfALaterPartBeginWhereItBegan) {
+// The ball is 3 px above the floor: the first part meets nothing.
+TEST(Stages, OfALaterPartBeginWithThatPart) {
   Level level = level_with_a_slope(SolverKind::exact);
   level.tuning.exact.substeps = 2;
   level.tuning.exact.gravity = 0;
@@ -139,7 +139,7 @@ TEST(Stages, OfALaterPartBeginWhereItBegan) {
   EXPECT_EQ(stages[1].box, (Rect{10, 79, 8, 8}));
 }
 
-TEST(Stages, OfABallOnASlopePutItOnTheSlopesFloor) {
+TEST(Stages, OfABallOnASlopeShowItPutOnTheFloor) {
   Level level = level_with_a_slope(SolverKind::article);
   place(level, {40, 68}, {0, 2});
   int placed = 0;
@@ -156,7 +156,7 @@ TEST(Stages, OfABallOnASlopePutItOnTheSlopesFloor) {
   EXPECT_GT(placed, 0);
 }
 
-TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
+TEST(Stages, OfAFallGoFromTheWishToTheEnd) {
   Level level = level_with_a_slope(SolverKind::exact);
   place(level, {10, 79}, {0, 4});
   const Frame frame = frame_after(level, 1);
@@ -176,7 +176,7 @@ TEST(Stages, OfAFallOntoTheFloorGoFromTheWishToWhereItArrives) {
   EXPECT_EQ(stages[4].box, frame.state.bodies[0].box);
 }
 
-TEST(Stages, AWalkerIsSnappedOntoTheFloorBelow) {
+TEST(Stages, OfAWalkerShowTheSnapToTheFloor) {
   Level level = level_with_a_slope(SolverKind::exact);
   place(level, {44, 72}, {}, BodyKind::player);
   Frame frame = frame_after(level, 4);
@@ -196,7 +196,7 @@ TEST(Stages, AWalkerIsSnappedOntoTheFloorBelow) {
   EXPECT_THAT(seen, Contains(StageKind::snapped));
 }
 
-TEST(Stages, OfWorldHaveTheBoxesThatWereTestedOnce) {
+TEST(Stages, OfWorldListEachTestedBoxOnce) {
   Level level = level_with_a_slope(SolverKind::bump);
   place(level, {10, 79}, {0, 4});
   const Frame frame = frame_after(level, 1);
@@ -214,8 +214,8 @@ TEST(Stages, OfWorldHaveTheBoxesThatWereTestedOnce) {
   EXPECT_EQ(stages.back().box, frame.state.bodies[0].box);
 }
 
-// Body 2 hangs 1 px below body 1, 40 px from where its number would put it.
-TEST(Stages, OfWorldHaveTheBodiesThatWereTestedWhereTheyAre) {
+// Body 2 hangs 1 px below body 1. Its number alone would put it 40 px away.
+TEST(Stages, OfWorldListTestedBodiesAtTheirPlaces) {
   Level level = level_with_a_slope(SolverKind::article);
   level.sheet(SheetId::tiles).flags[3] = 1 << 1;
   level.map.set({1, 2}, 3);
@@ -232,8 +232,8 @@ TEST(Stages, OfWorldHaveTheBodiesThatWereTestedWhereTheyAre) {
   EXPECT_THAT(stages[1].sentence, testing::HasSubstr("body 2"));
 }
 
-// A ball that flies into another one in the air: no side of the ground is near.
-TEST(Stages, OfExactHaveTheBodiesAmongTheCandidates) {
+// A ball flies into another ball in the air: no side of the ground is near.
+TEST(Stages, OfExactListBodiesAmongTheCandidates) {
   Level level = level_with_a_slope(SolverKind::exact);
   level.tuning.exact.gravity = 0;
   level.tuning.shared.fall_blend = 0;
@@ -252,8 +252,8 @@ TEST(Stages, OfExactHaveTheBodiesAmongTheCandidates) {
   for (const CastCandidate& candidate : stages[1].candidates) EXPECT_FALSE(candidate.is_first);
 }
 
-// It came to rest on the slope: what is left to it is rounding, which is no motion to tell of.
-TEST(Stages, TellNoMotionThatIsTooSmallToBeSeen) {
+// The ball came to rest on the slope. The rest of its motion is rounding and is not shown.
+TEST(Stages, LeaveOutAMotionThatIsTooSmallToBeSeen) {
   Frame frame = frame_after(level_with_a_slope(SolverKind::article), 0);
   Body& body = frame.state.bodies.emplace_back();
   body.id = 1;
@@ -276,7 +276,7 @@ TEST(Stages, TellNoMotionThatIsTooSmallToBeSeen) {
       "stopped by the top of the tile at (1, 11) at once; 0.2 px of motion left went into it and is lost");
 }
 
-TEST(Stages, ThereAreNoneAtFrameZeroAndOfNoBody) {
+TEST(Stages, AreEmptyAtFrameZeroAndWithoutABody) {
   Level level = level_with_a_slope(SolverKind::exact);
   place(level, {10, 79}, {});
   EXPECT_TRUE(stages_of(frame_after(level, 0), 1).empty());

@@ -1,4 +1,4 @@
-// Plans of what a picture changes in a level.
+// How a picture would change a level.
 #include <gtest/gtest.h>
 
 #include "png_bytes.h"
@@ -37,7 +37,7 @@ TEST(PngImport, DrawsInTheLevelsColours) {
 
 TEST(PngImport, TakesThePaletteOver) {
   Level level;
-  level.sheet(SheetId::sprites).images[3][0] = 0;  // every image has colour 0, which becomes red
+  level.sheet(SheetId::sprites).images[3][0] = 0;  // every image contains colour 0, which becomes red
   const auto plan = plan_png_import(level, filled(8, 8, kPureRed), {PngPart::tiles, 0, true});
   ASSERT_TRUE(plan) << plan.error();
   EXPECT_EQ(plan->colors, 1);
@@ -48,7 +48,7 @@ TEST(PngImport, TakesThePaletteOver) {
   EXPECT_EQ(level.palette[0], kPureRed);
 }
 
-TEST(PngImport, OfAPaletteChangesNoPixel) {
+TEST(PngImport, APaletteAloneChangesNoPixel) {
   Level level;
   const auto plan = plan_png_import(level, filled(3, 1, kPureRed), {PngPart::palette, 0, false});
   ASSERT_TRUE(plan) << plan.error();
@@ -59,7 +59,7 @@ TEST(PngImport, OfAPaletteChangesNoPixel) {
   EXPECT_EQ(level.palette[3], default_palette()[3]);
 }
 
-TEST(PngImport, OfWhatIsThereChangesNothing) {
+TEST(PngImport, TheSamePictureChangesNothing) {
   Level level;
   level.sheet(SheetId::tiles).images[200].fill(7);
   const auto picture = read_png(write_png_part(level, PngPart::tiles));
@@ -88,7 +88,7 @@ TEST(PngImport, FillsUpToWholeTilesWithColourZero) {
   EXPECT_FALSE(plan_png_import(level, filled(8, 9, kPureRed), {.tile = 240, .fit = PngFit::fill_up}));
 }
 
-TEST(PngImport, CutsOffWhatIsNoWholeTileOrHasNoRoom) {
+TEST(PngImport, CutsOffPartTilesAndTilesWithoutRoom) {
   const Level level;
   const auto size = [&](int width, int height, int tile) {
     const PngPicture picture =

@@ -1,4 +1,4 @@
-// Edits: applying, taking back, merging and rebasing them.
+// Edits: applying, reverting, merging and rebasing them.
 #include "edit/edit.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Edit, MergeKeepsTheFirstBeforeAndTheLastAfter) {
   EXPECT_EQ(cell_change(edit, 2).cell, (Cell{3, 1}));
 }
 
-TEST(Edit, MergeDropsWhatEndsWhereItBegan) {
+TEST(Edit, MergeDropsChangesThatCancelOut) {
   Edit edit = cells({{{1, 1}, 0, 5}, {{2, 1}, 0, 5}, {{3, 1}, 0, 5}});
   merge_edit(edit, cells({{{1, 1}, 5, 0}, {{3, 1}, 5, 6}}));
   ASSERT_EQ(edit.changes.size(), 2u);
@@ -86,7 +86,7 @@ TEST(Edit, MergeDropsWhatEndsWhereItBegan) {
   EXPECT_TRUE(edit.empty());
 }
 
-TEST(Edit, MergeTellsPlacesOfAllKindsApart) {
+TEST(Edit, MergeKeepsPlacesOfDifferentKindsApart) {
   Level level;
   level.map = TileMap(4, 4);
   Edit edit{"Mixed",
@@ -102,7 +102,7 @@ TEST(Edit, MergeTellsPlacesOfAllKindsApart) {
   EXPECT_EQ(edit.changes.size(), same.changes.size());
 }
 
-// Cells before and after a change of the whole map are the same places, seen twice.
+// Single cells, and the whole map before and after a change, name the same places in two ways.
 TEST(Edit, MergeFoldsCellsIntoTheWholeMap) {
   Level level;
   level.map = TileMap(2, 1);
@@ -142,7 +142,7 @@ TEST(Edit, ShapesAreMergedAndRebased) {
   EXPECT_EQ(std::get<TileShapeChange>(edit.changes[0]).before, solid);
 }
 
-TEST(Edit, RebaseFitsAnEditToAnotherLevel) {
+TEST(Edit, RebaseAdaptsAnEditToAnotherLevel) {
   Level level;
   level.map = TileMap(2, 1);
   level.map.set({0, 0}, 3);

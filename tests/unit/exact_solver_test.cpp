@@ -1,5 +1,4 @@
-// The exact solver: balls with the article's character, players, and that a step is a function of its
-// arguments.
+// The exact solver: balls that move as in the article, players, and that equal arguments give equal results.
 
 #include "sim/exact_solver.h"
 
@@ -26,7 +25,7 @@ Spawn player_at(double x, double y) {
   return spawn;
 }
 
-// Steps a level and keeps what happened last.
+// Steps a level, and keeps the records of the last step.
 struct Play {
   explicit Play(const Level& level)
       : scene(std::make_shared<const Scene>(compile_scene(level))),
@@ -53,7 +52,7 @@ Input keys(bool left, bool right, bool jump = false) {
 const Input kRight = keys(false, true);
 const Input kLeft = keys(true, false);
 
-TEST(ExactSolver, BallsOnFlatGroundMoveAsTheArticles) {
+TEST(ExactSolver, BallsOnFlatGroundMoveAsInTheArticle) {
   Level level = level_of({"#........#",  //
                           "#o...o...#",  //
                           "#........#",  //
@@ -77,7 +76,7 @@ TEST(ExactSolver, BallsOnFlatGroundMoveAsTheArticles) {
   }
 }
 
-TEST(ExactSolver, ABallOnASlopeIsOnItsLineAndBouncesByItsNormal) {
+TEST(ExactSolver, ABallBouncesOnTheLineOfASlopeByItsNormal) {
   Level level = exact_level({"......",  //
                              ".o....",  //
                              "./-...",  //
@@ -89,7 +88,7 @@ TEST(ExactSolver, ABallOnASlopeIsOnItsLineAndBouncesByItsNormal) {
     if (run.record.contacts.empty()) continue;
     const ContactRecord& contact = run.record.contacts.front();
     met = true;
-    // The line from (8, 24) to (24, 16): the right corner touches it.
+    // The right corner touches the line from (8, 24) to (24, 16).
     const double right = contact.touch.x + 8;
     EXPECT_EQ(contact.touch.y + 8, 16 + (24 - right) / 2);
     EXPECT_DOUBLE_EQ(contact.normal.x, -1 / std::sqrt(5));
@@ -212,7 +211,7 @@ TEST(ExactSolver, SteepGroundStopsAWalk) {
   }
 }
 
-TEST(ExactSolver, OneWayTilesStopOnlyWhatFallsOnThem) {
+TEST(ExactSolver, OneWayTilesStopOnlyFallingBodies) {
   Level level = exact_level({"...", "...", "...", "...", "..."});
   level.tile_shapes[6] = {TileShape::Kind::solid, TileShape::Side::floor, true, 1, {}};
   for (int x = 0; x < 3; ++x) level.map.set({x, 2}, 6);
@@ -230,7 +229,7 @@ TEST(ExactSolver, OneWayTilesStopOnlyWhatFallsOnThem) {
   EXPECT_EQ(run.body().box.bottom(), 16) << "and came to rest on it";
 }
 
-TEST(ExactSolver, ABodyInsideTheGroundIsPutOutTheShortestWay) {
+TEST(ExactSolver, ABodyInTheGroundLeavesByTheShortestWay) {
   Level level = exact_level({"....", ".##.", ".##.", "...."});
   Spawn ball;
   ball.position = {0.25, 10};
@@ -262,7 +261,7 @@ TEST(ExactSolver, ReboundKeepsTheEnergyOfAPerfectBounce) {
   }
 }
 
-TEST(ExactSolver, FindsTheFeaturesOfItsScene) {
+TEST(ExactSolver, UsesOnlyTheFeaturesOfItsScene) {
   Level level = exact_level({"o.", "##"});
   EXPECT_EQ(compile_scene(level).features, SceneFeatures());
   level.map.set({1, 0}, 2);
@@ -326,7 +325,8 @@ TEST(ExactSolver, SinglePrecisionIsNearDoublePrecision) {
   EXPECT_EQ(single.body().box.y, static_cast<float>(single.body().box.y));
 }
 
-// A slope of three tiles is three pieces: past the end of the first the box is on the next one, higher up.
+// A slope of three tiles has three pieces. Beyond the end of the first one, the box is on the next one,
+// higher up.
 TEST(ExactSolver, ABoxIsNotPutBackOnAPieceThatItSlidPast) {
   TerrainSource source;
   source.width = 10, source.height = 4;
@@ -344,7 +344,7 @@ TEST(ExactSolver, ABoxIsNotPutBackOnAPieceThatItSlidPast) {
   EXPECT_LE(body.box.y + 3.4375f, 23.25f + (body.box.x - 48) / 32 + 0x1p-18f);
 }
 
-TEST(ExactSolver, ARecompiledSceneIsTheCompiledOne) {
+TEST(ExactSolver, ARecompiledSceneEqualsACompiledOne) {
   Level level = exact_level({"#....o...#", "#.o../-..#", "#/-......#", "##########"});
   level.spawns.push_back(player_at(56, 8));
   Scene scene = compile_scene(level);

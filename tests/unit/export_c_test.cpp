@@ -1,4 +1,4 @@
-// The C header: compiled by cc without a warning, and its floors those of the collision core.
+// The C header: cc compiles it without a warning, and its floors are those of the collision core.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(ExportC, WithoutShapesThereIsNoFloor) {
   EXPECT_THAT(header(bare), HasSubstr("#define CAVE_WIDEST 1\n#define CAVE_HIGHEST 1\n"));
 }
 
-TEST(ExportC, CurvesAreDroppedAndSaidToBe) {
+TEST(ExportC, CurvesAreDroppedWithAWarning) {
   Level level;
   level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up}, ""});
   EXPECT_EQ(exported("c", level, "cave.h")->dropped, std::vector<std::string>{"1 curve"});
@@ -85,7 +85,7 @@ TEST(ExportC, AMapTooLongForFixedPointIsRefused) {
 // Compiles the header of a level into a program that prints floors.
 class ExportCFloors : public FolderTest {
  protected:
-  // What the program prints; of its compiler, if that says anything.
+  // The output of the program, or of the compiler if it printed something.
   std::string run(const Level& level, const std::vector<Vec2>& points) {
     put("cave.h", header(level));
     std::string input;
@@ -96,7 +96,7 @@ class ExportCFloors : public FolderTest {
                      "/tests/games/c_header_main.c' 2>&1 && ./floors <input");
   }
 
-  // Compares floors at points in the air with those of the core; returns how many there were.
+  // Compares floors at points in the air with those of the core. Returns the number of floors.
   int expect_floors_of_the_core(const Level& level, const std::vector<Vec2>& points, double error) {
     const Terrain ground{ground_of(level)};
     std::istringstream printed(run(level, points));

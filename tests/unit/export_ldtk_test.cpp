@@ -22,7 +22,8 @@ Exported exported(const Level& level, const std::string& name = "my cave.ldtk") 
 
 LdtkJson project(const Level& level) { return LdtkJson::parse(exported(level).files.at(0).bytes); }
 
-// 3x2 cells: a full tile, an up-slope over two tiles, and below a one-way tile, the same slope and a ball.
+// 3x2 cells: a full tile and an up-slope over two tiles; below them a one-way tile, the same slope and a
+// ball.
 Level small_level() {
   Level level;
   level.map = TileMap(3, 2);
@@ -89,7 +90,7 @@ TEST(ExportLdtk, AnIntGridTellsTheShapes) {
   EXPECT_EQ(layer["intGridCsv"], LdtkJson({1, 3, 4, 2, 3, 4})) << "4: the slope's second cell";
 }
 
-// No cell with ground in it is 0.
+// A cell with ground in it never has the value 0.
 TEST(ExportLdtk, EveryCellThatAShapeReachesIntoHasAValue) {
   Level level = small_level();
   level.map = TileMap(3, 4);
@@ -123,14 +124,14 @@ TEST(ExportLdtk, ShapesOfOtherKindsHaveValuesOfTheirOwn) {
   level.tile_shapes[6] = {.kind = TileShape::Kind::profile, .heights = {0, 3, 8}};
   level.tile_shapes[7] = {
       .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .one_way = true, .heights = {8, 0}};
-  level.tile_shapes[8] = {.kind = TileShape::Kind::slope, .heights = {1, -4}};  // cannot be used
+  level.tile_shapes[8] = {.kind = TileShape::Kind::slope, .heights = {1, -4}};  // invalid
   const LdtkJson values = project(level)["defs"]["layers"][1]["intGridValues"];
   ASSERT_EQ(values.size(), 6U);
   EXPECT_EQ(values[4]["identifier"], "profile_of_tile_6");
   EXPECT_EQ(values[5]["identifier"], "one_way_ceiling_slope_8_to_0");
 }
 
-TEST(ExportLdtk, TilesAreWhereTheMapHasThem) {
+TEST(ExportLdtk, TilesAreAtTheirPlacesOnTheMap) {
   const LdtkJson json = project(small_level());
   const LdtkJson& layer = json["levels"][0]["layerInstances"][2];
   EXPECT_EQ(layer["__type"], "Tiles");
@@ -172,7 +173,7 @@ TEST(ExportLdtk, SpawnsAreEntities) {
   ball.velocity = {0.1, 0};
   ball.size = {0.25, 12};
   level.spawns.emplace_back().kind = BodyKind::player;
-  level.map.set({2, 1}, 0);  // no ball tile
+  level.map.set({2, 1}, 0);  // removes the ball tile
   const LdtkJson json = project(level);
   const LdtkJson& definitions = json["defs"]["entities"];
   ASSERT_EQ(definitions.size(), 2U);
@@ -199,7 +200,7 @@ TEST(ExportLdtk, SpawnsAreEntities) {
   EXPECT_NE(entities[0]["iid"], entities[1]["iid"]);
 }
 
-// With their picture, which the layer of tiles then has not.
+// The entities have the picture of the tile, and the layer of tiles leaves it out.
 TEST(ExportLdtk, BallTilesAreEntities) {
   const LdtkJson json = project(small_level());
   const LdtkJson& entities = json["levels"][0]["layerInstances"][0]["entityInstances"];
@@ -214,7 +215,7 @@ TEST(ExportLdtk, BallTilesAreEntities) {
   EXPECT_EQ(field["realEditorValues"].dump(), R"([{"id":"V_String","params":["32,0,8,8"]}])");
 }
 
-TEST(ExportLdtk, CurvesAreToldAsDropped) {
+TEST(ExportLdtk, CurvesAreReportedAsDropped) {
   Level level = small_level();
   level.curves.push_back({"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
   EXPECT_EQ(exported(level).dropped, std::vector<std::string>{"1 curve"});

@@ -1,4 +1,4 @@
-// Games in Lua: they move by the exact solver, whatever the level was played by, and carry what draws them.
+// Games in Lua move by the exact solver, whatever solver the level has, and contain the code that draws them.
 #include <gtest/gtest.h>
 
 #include "export/exporter.h"
@@ -19,7 +19,7 @@ Exported exported(const Level& level, std::string_view id) {
 
 TEST(ExportLove, SaysThatTheGameMovesByExact) {
   Level level;
-  level.map = TileMap(40, 20);  // which a cart's code has, too
+  level.map = TileMap(40, 20);  // the code of a cart also does something at this size
   level.map.set({39, 19}, 7);
   for (const char* id : {"love", "lua-runtime", "tic-playable", "tic-text-playable"}) {
     level.tuning.solver = SolverKind::exact;
@@ -51,7 +51,7 @@ TEST(ExportLove, WritesAFolderThatNeedsNothingElse) {
                                              "camera.lua", "curve_points.lua", "pictures.lua"}));
 }
 
-// Of a cart with sounds, music, a second bank, a binary and code of its own.
+// A cart with sounds, music, a second bank, a binary chunk and code of its own.
 std::string cart_with_everything() {
   std::string bytes;
   const auto add = [&](int type, int bank, std::string_view data) {
@@ -68,7 +68,7 @@ std::string cart_with_everything() {
   return bytes;
 }
 
-TEST(ExportLove, ACartKeepsItsSoundAndSaysWhatMakesRoomForTheGame) {
+TEST(ExportLove, ACartKeepsItsSoundAndSaysWhatIsRemoved) {
   for (const bool is_text : {false, true}) {
     Level level = read_level(cart_with_everything(), {"tic"})->level;
     if (is_text) level = read_level(exported(level, "tic-text").files[0].bytes, {"lua"})->level;
@@ -93,8 +93,8 @@ TEST(ExportLove, ACartKeepsItsSoundAndSaysWhatMakesRoomForTheGame) {
   }
 }
 
-// What draws curves is of no use to a cart without them, and a cart is short of bytes.
-TEST(ExportLove, ACartDrawsCurvesOnlyWhereThereAreSome) {
+// A cart without curves does not need the code that draws them, and a cart has little room.
+TEST(ExportLove, OnlyACartWithCurvesHasTheCodeThatDrawsThem) {
   Level level;
   const auto has_curves = [&] {
     return exported(level, "tic-text-playable").files.front().bytes.find("curve_points=(function()") !=

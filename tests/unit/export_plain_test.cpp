@@ -1,4 +1,4 @@
-// Plain data: Lua, JSON and CSV, exact on small levels; and read by Lua 5.3 and LuaJIT.
+// Plain data in Lua, JSON and CSV: exact on small levels, and readable by Lua 5.3 and LuaJIT.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TEST(ExportJson, AnEmptyMapHasEmptyLists) {
       text, HasSubstr(" \"shapes\":{},\n \"polygons\":[],\n \"lines\":[],\n \"bodies\":[],\n \"tuning\":{"));
 }
 
-// As a level's file has them; a body has the id that it has in the simulation.
+// The data are written as in a level's file, and a body has the id that it has in the simulation.
 TEST(ExportJson, HoldsBallTilesAsBodiesAndTheTuning) {
   Level level = cave();
   level.sheet(SheetId::tiles).flags[60] = level.sheet(SheetId::tiles).flags[61] = 2;
@@ -108,7 +108,8 @@ TEST(ExportJson, HoldsBallTilesAsBodiesAndTheTuning) {
   level.map.set({0, 1}, 61);
   level.tuning.solver = SolverKind::bump;
   level.tuning.shared.fall_speed = 3.25;
-  level.tuning.exact.gravity = 0.5;  // a file leaves out groups of standard numbers
+  level.tuning.exact.gravity =
+      0.5;  // so that the group is written, as files leave out groups with only standard numbers
   level.tuning.player.gravity = 0.1;
   const Json json = json_of(level);
   ASSERT_EQ(json["bodies"].size(), 4U);
@@ -182,7 +183,7 @@ TEST(PlainLines, CurvesStayNear) {
 
 class ExportLuaData : public FolderTest {
  protected:
-  // What both Luas print of the level with a script that has it as `level`.
+  // Expects that both Luas print this for a script that has the level as `level`.
   void expect_lua(const Level& level, const std::string& script, const std::string& expected) const {
     put("cave.lua", exported_file("lua", level));
     put("script.lua", "local level = dofile('cave.lua')\n" + script);
@@ -214,7 +215,7 @@ print(level.tuning.solver, level.tuning.fall_blend == 0.075, level.tuning.exact.
              "exact\ttrue\t2\t3.5\n");
 }
 
-TEST_F(ExportLuaData, MoreTablesThanLuaJitTakesInAFunctionAreRead) {
+TEST_F(ExportLuaData, MoreTablesThanALuaJitFunctionHoldsAreRead) {
   Level level;
   level.map = TileMap(400, 200);
   level.tile_shapes = test_shapes();

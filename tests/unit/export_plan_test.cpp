@@ -29,7 +29,7 @@ void expect_error(const std::string& exports, const std::string& place, const st
   expect_native_error(native_with("\"exports\": " + exports), place, message);
 }
 
-TEST(NativeExports, ComeBackAsTheyWere) {
+TEST(NativeExports, SurviveSavingAndReading) {
   const Level level = level_with({{"game", "love", "export/love", "pairs", true, R"({"colour":"red"})"},
                                   {"", "no-such-target", "/tmp/x y.zip", "", false, ""}});
   const auto text = native_of_level(level);
@@ -44,7 +44,7 @@ TEST(NativeExports, ComeBackAsTheyWere) {
   EXPECT_EQ(native_of_level(Level()).find("exports"), std::string::npos);
 }
 
-TEST(NativeExports, WhatIsWrongIsSaidWithItsPlace) {
+TEST(NativeExports, ErrorsNameThePlace) {
   expect_error("{}", "key exports", "must be a list of up to 100 presets");
   expect_error("[1]", "key exports[0]", "must be an object");
   expect_error(R"([{}, {"to": 1}])", "key exports[1].to", "must be a string of up to 4096 bytes");
@@ -73,7 +73,7 @@ TEST(ExportPath, IsCountedFromTheLevelsFile) {
             "this is the level's own file: choose another one");
 }
 
-TEST(ExportPath, IsRelativeWhereBothMoveTogether) {
+TEST(ExportPath, IsRelativeIfBothMoveTogether) {
   const std::string file = "/home/me/game/cave.talus.json";
   EXPECT_EQ(path_for("/home/me/game/export/love", file), "export/love");
   EXPECT_EQ(path_for("/home/me/site/map.csv", file), "../site/map.csv");
@@ -105,7 +105,7 @@ class ExportPlans : public FolderTest {
   }
 };
 
-TEST_F(ExportPlans, TellWhatIsAtThePlace) {
+TEST_F(ExportPlans, SayWhatIsAtThePlace) {
   const std::string output = path("out/a.tic");
   auto plan = plan_export(Level(), "tic", output, no_asset);
   ASSERT_TRUE(plan);
@@ -147,7 +147,7 @@ const Exporter& folder_target() { return *find_exporter("love"); }
 
 TEST_F(ExportPlans, AreWrittenAsAWhole) {
   put("a", "old a");
-  fs::create_directory(path("b"));  // where a file is to be written
+  fs::create_directory(path("b"));  // a folder at the place of a file
   const Exported content{.files = {{"a", "new a"}, {"b", "new b"}}, .dropped = {}};
   const auto written = write_exported(folder_target(), content, folder_.string());
   ASSERT_FALSE(written);
@@ -156,14 +156,15 @@ TEST_F(ExportPlans, AreWrittenAsAWhole) {
   EXPECT_EQ(names(), (std::vector<std::string>{"a", "b"})) << "no temporary is left";
 }
 
-// A pipe whose reader never reads would make the writing wait for ever.
-TEST_F(ExportPlans, AreNeverWrittenIntoAPipeThatComesMeanwhile) {
+// A pipe without a reader would block the write for ever.
+TEST_F(ExportPlans, AreNeverWrittenIntoAPipeThatAppearsMeanwhile) {
   const Exported content{.files = {{"a", std::string(200'000, 'a')}, {"b", "b"}}, .dropped = {}};
   for (const ExportBounds& bounds : {ExportBounds(), ExportBounds{folder_.string(), true}}) {
     for (const char* const late : {"a", "b"}) {
       int reader = -1;
       const auto put_pipe = [&](std::size_t files, std::size_t) {
-        if (files != 1) return true;  // the first is written beside its place, the second is not begun
+        if (files != 1)
+          return true;  // the first file is staged beside its place, and the second is not begun
         EXPECT_EQ(::mkfifo(path(late).c_str(), 0666), 0);
         reader = ::open(path(late).c_str(), O_RDONLY | O_NONBLOCK);
         return true;
@@ -202,7 +203,7 @@ TEST_F(ExportPlans, AreCancelledAsAWhole) {
   EXPECT_EQ(bytes_of("sub/b"), "new b");
 }
 
-TEST_F(ExportPlans, LeaveOutStartersThatAreSomebodysOwn) {
+TEST_F(ExportPlans, LeaveOutStartersThatTheUserHasChanged) {
   const ReadAsset read = [](const std::string& name) -> FormatResult<std::string> { return "-- " + name; };
   const auto is_none = [](const PlannedFile&) { return false; };
   const auto is_all = [](const PlannedFile&) { return true; };
@@ -226,7 +227,7 @@ TEST_F(ExportPlans, LeaveOutStartersThatAreSomebodysOwn) {
   EXPECT_NE(bytes_of("game/level.lua"), "mine, too");
 }
 
-TEST(ExportCode, OfACartThatIsTooLargeIsAProblem) {
+TEST(ExportCode, TooLargeForACartIsAProblem) {
   const Exporter& cart = *find_exporter("tic-playable");
   EXPECT_EQ(code_problem(cart, std::nullopt), "");
   EXPECT_EQ(code_problem(cart, 65'536), "");

@@ -1,4 +1,4 @@
-// Exporters tell how far they are, and end when they are told to.
+// Exporters report their progress, and end when they are stopped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Level busy_level() {
   return level;
 }
 
-// The shares that an exporter tells until it is stopped, at the first one from `end` on.
+// The shares that an exporter reports until it is stopped, at the first one that is at least `end`.
 struct Told {
   std::vector<double> shares;
   FormatResult<Exported> result;
@@ -54,7 +54,7 @@ TEST(Progress, PartsCountFromZeroToOne) {
   EXPECT_TRUE(Progress().at(0.5)) << "without a listener all goes on";
 }
 
-TEST(Progress, IsToldAThousandTimesAtMostAndStaysStopped) {
+TEST(Progress, ReportsAThousandSharesAtMostAndStaysStopped) {
   int calls = 0;
   const Progress progress([&](double share) {
     ++calls;
@@ -74,7 +74,7 @@ TEST(Progress, IsToldAThousandTimesAtMostAndStaysStopped) {
 
 class LongExport : public testing::TestWithParam<const char*> {};
 
-TEST_P(LongExport, TellsTheShareThatIsDone) {
+TEST_P(LongExport, ReportsTheShareThatIsDone) {
   const Told told = told_by(GetParam(), busy_level(), 2);
   ASSERT_TRUE(told.result) << told.result.error().message;
   ASSERT_FALSE(told.shares.empty());
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Of, LongExport,
                            return name;
                          });
 
-TEST(ExportProgress, APlanThatIsStoppedIsAProblemLikeAnother) {
+TEST(ExportProgress, AStoppedPlanIsAProblem) {
   const auto plan =
       plan_export(busy_level(), "json", "", kAssets, {}, Progress([](double share) { return share < 0.5; }));
   ASSERT_FALSE(plan);
@@ -115,7 +115,7 @@ TEST(ExportProgress, APlanThatIsStoppedIsAProblemLikeAnother) {
   EXPECT_EQ(plan.error().error.message, "was cancelled");
 }
 
-TEST(ExportProgress, APlanTakesWhatIsMadeAlready) {
+TEST(ExportProgress, APlanReusesFilesThatAreMadeAlready) {
   const Exported made{{{"", "bytes"}}, {"a thing"}};
   const auto plan = plan_export(Level(), "json", "", kAssets, {}, {}, &made);
   ASSERT_TRUE(plan);

@@ -27,7 +27,7 @@ Level level_with(const TileShape& shape, const std::vector<std::uint8_t>& cells,
   return level;
 }
 
-// The objects of the layer "slopes", without what they have in common.
+// The objects of the layer "slopes", without the fields that all of them share.
 std::vector<std::string> slopes_of(const std::string& lua) {
   std::vector<std::string> objects;
   for (std::size_t at = lua.find("name = \"slopes\""); (at = lua.find("{id = ", at)) != std::string::npos;) {
@@ -91,7 +91,7 @@ TEST(ExportSti, FullTilesAreCollidableAndKeepTheirFlags) {
   EXPECT_THAT(lua, HasSubstr("visible = false"));
 }
 
-// LuaJIT takes no more tables in one function.
+// LuaJIT allows only a limited number of tables in one function.
 TEST(ExportSti, ALongLayerIsInParts) {
   Level level = level_with({.kind = TileShape::Kind::slope, .heights = {0, 8}}, {2}, 1);
   level.map = TileMap(100, 100);
@@ -114,7 +114,7 @@ TEST(ExportSti, MoreThanAMillionBoxesAreRefused) {
             "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller");
 }
 
-TEST(ExportSti, TellsWhatBumpDoesNotHave) {
+TEST(ExportSti, WarnsOfGroundThatBumpDoesNotHave) {
   Level level = level_with({.kind = TileShape::Kind::slope, .tiles = 2, .heights = {1, 8}}, {2, 2}, 2);
   level.curves.push_back({"", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
   EXPECT_THAT(tiled_export_of(level, "sti", "a.lua").dropped,

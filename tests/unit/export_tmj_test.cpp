@@ -21,7 +21,7 @@ Json tile(int id) {
   return {};
 }
 
-// "name type value", a line each.
+// A line "name type value" for each property.
 std::string words(const Json& properties) {
   std::string text;
   for (const Json& p : properties)
@@ -30,7 +30,7 @@ std::string words(const Json& properties) {
   return text;
 }
 
-TEST(ExportTmj, HasTheMapThatTiledWants) {
+TEST(ExportTmj, HoldsAMapAsTiledReadsIt) {
   const Json map = exported();
   EXPECT_EQ(map["type"], "map");
   EXPECT_EQ(map["orientation"], "orthogonal");
@@ -122,14 +122,14 @@ TEST(ExportTmj, CurvesAreLinesNoFurtherOffThanTheTolerance) {
   EXPECT_EQ(line.back(), Json::parse(R"({"x":24,"y":0})"));
   EXPECT_LT(line.size(), 40u);
   for (std::size_t i = 1; i < line.size();
-       ++i) {  // no point of the circle is further from its chord than the middle
+       ++i) {  // the middle of a chord has the largest distance to the circle
     const double x = (line[i - 1]["x"].get<double>() + line[i]["x"].get<double>()) / 2 - 12;
     const double y = (line[i - 1]["y"].get<double>() + line[i]["y"].get<double>()) / 2;
     EXPECT_NEAR(std::hypot(x, y), 12, 0.125);
   }
 }
 
-TEST(ExportTmj, TellsWhatIsNotInIt) {
+TEST(ExportTmj, WarnsOfWhatIsDropped) {
   EXPECT_THAT(tiled_export_of(level_for_tiled(), "tmj", "-").dropped,
               ElementsAre("the picture level-tiles.png, which goes beside a file"));
 }

@@ -1,4 +1,4 @@
-// Maps of Tiled in XML: the text of a small one, and that it says the same as the JSON.
+// Maps of Tiled in XML: the text of a small one, and that XML and JSON say the same.
 #include <gmock/gmock.h>
 
 #include "tiled_files.h"
@@ -21,7 +21,7 @@ std::string exported(const Level& level) {
   return text.replace(from, to - from, "value=\"...");
 }
 
-TEST(ExportTmx, HasTheTextThatTiledWants) {
+TEST(ExportTmx, HoldsTheTextThatTiledReads) {
   EXPECT_EQ(exported(small_level()), R"(<?xml version="1.0" encoding="UTF-8"?>
 <map version="1.10" orientation="orthogonal" renderorder="right-down" width="2" height="2" tilewidth="8" tileheight="8" infinite="0" backgroundcolor="#1a1c2c" nextlayerid="4" nextobjectid="2">
  <properties>
@@ -87,8 +87,8 @@ TEST(ExportTmx, SaysInHowManyTextsItReplacesCharacters) {
   EXPECT_TRUE(tiled_export_of(level, "tmx", "cave.tmx").dropped.empty());
 }
 
-// Names that are the same in XML, or that XML does not have, must not become flags of their own.
-TEST(ExportTmx, FlagsAndNamesThatXmlDoesNotHaveComeBack) {
+// Names that are equal in XML, or that XML cannot hold, must not become flags of their own.
+TEST(ExportTmx, FlagsAndNamesThatXmlCannotHoldSurvive) {
   Level level = small_level();
   level.flag_names[0] = "s\x01";
   level.flag_names[1] = "s\x02";
@@ -107,7 +107,7 @@ TEST(ExportTmx, FlagsAndNamesThatXmlDoesNotHaveComeBack) {
   }
 }
 
-TEST(ExportTmx, LargeMapsArePackedAndComeBack) {
+TEST(ExportTmx, LargeMapsArePackedAndReadAgain) {
   Level level;
   level.map = TileMap(2048, 1024);
   for (std::size_t i = 0; i < level.map.cells().size(); ++i)

@@ -25,7 +25,7 @@ inline FormatResult<Exported> exported(const char* id, const Level& level, const
   return find_exporter(id)->write({level, name, nothing});
 }
 
-// The bytes of the file of that name; of the one that was named, with "".
+// The bytes of the file with that name; "" stands for the main file of the export.
 inline std::string exported_file(const char* id, const Level& level, const std::string& file = "") {
   const FormatResult<Exported> files = exported(id, level, "cave");
   if (!files) return files.error().message;

@@ -1,4 +1,4 @@
-// Command lines of other programs: split without a shell, started on their own.
+// Command lines of other programs: split without a shell, started as processes of their own.
 #include "platform/external_program.h"
 
 #include <gtest/gtest.h>
@@ -15,14 +15,14 @@ namespace talus::external_program_test {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-TEST(SplitCommand, MakesWords) {
+TEST(SplitCommand, SplitsIntoWords) {
   EXPECT_EQ(split_command("tic80 {file}", "/a/b.tic"), (Words{"tic80", "/a/b.tic"}));
   EXPECT_EQ(split_command("  love   {folder}\t", "/a/b.tic"), (Words{"love", "/a"}));
   EXPECT_EQ(split_command("x \"two words\" 'a \"b\"' \"\"", "f"), (Words{"x", "two words", "a \"b\"", ""}));
   EXPECT_EQ(split_command("x --open={file}", "/c.tic"), (Words{"x", "--open=/c.tic"}));
 }
 
-TEST(SplitCommand, KeepsAFilesNameInOneWordWhateverIsInIt) {
+TEST(SplitCommand, KeepsAnyFileNameInOneWord) {
   const std::string file = "/home/a b/$(touch x); \"'{folder}'\" `y`.tic";
   EXPECT_EQ(split_command("tic80 {file}", file), (Words{"tic80", file}));
 }
@@ -38,18 +38,18 @@ TEST(SplitCommand, SaysWhatIsWrong) {
 class ExternalProgramTest : public FolderTest {
  protected:
   void SetUp() override {
-    // Writes its arguments, one a line, in place at once.
+    // Writes its arguments, one on each line, and puts the finished file in place at once.
     put("program", "#!/bin/sh\nprintf '%s\\n' \"$@\" > \"" + path("part") + "\"\nmv \"" + path("part") +
                        "\" \"" + path("told") + "\"\n");
     ASSERT_EQ(::chmod(path("program").c_str(), 0755), 0);
   }
 
-  // What the program was given; waits for it.
+  // The arguments that the program got. Waits for them.
   std::string told() const {
     for (int i = 0; i < 500 && !exists("told"); ++i) ::usleep(10'000);
     return bytes_of("told");
   }
-  // Gives the session this file, and then a change that is not in it.
+  // Saves the session to this file, and then changes the level.
   void save_and_paint(Session& session, const std::string& name) const {
     session.apply(action::SaveFileAs{path(name)});
     session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
@@ -78,7 +78,7 @@ TEST_F(ExternalProgramTest, StartsWithItsArguments) {
   EXPECT_EQ(told(), "a b\n$HOME; exit\n");
 }
 
-TEST_F(ExternalProgramTest, AMissingOneIsAnError) {
+TEST_F(ExternalProgramTest, AMissingProgramIsAnError) {
   const auto started = start_detached({path("nothing here")});
   ASSERT_FALSE(started);
   EXPECT_EQ(started.error(), path("nothing here") + " cannot be started: No such file or directory.");
@@ -95,7 +95,7 @@ TEST_F(ExternalProgramTest, ACartIsSavedAndOpenedItself) {
   EXPECT_FALSE(session.message()->is_error) << session.message()->text;
 }
 
-TEST_F(ExternalProgramTest, ALevelThatIsNoCartIsOpenedAsACopy) {
+TEST_F(ExternalProgramTest, ALevelOfAnotherFormatIsOpenedAsACopy) {
   Session session;
   save_and_paint(session, "level.talus.json");
   open_in_program(session, ProgramId::tic80, commands(), copies_);
@@ -131,7 +131,7 @@ TEST_F(ExternalProgramTest, TiledOpensACopyWithItsPicture) {
   EXPECT_TRUE(exists("copies/level-tiles.png"));
 }
 
-TEST_F(ExternalProgramTest, CopiesFollowWhatIsSaved) {
+TEST_F(ExternalProgramTest, CopiesFollowSaves) {
   Session session;
   save_and_paint(session, "level.talus.json");
   open_in_program(session, ProgramId::tic80, commands(), copies_);
@@ -152,7 +152,7 @@ TEST_F(ExternalProgramTest, CopiesFollowWhatIsSaved) {
   EXPECT_EQ(first_tile("copies/level.tic"), 5) << "it is a copy of the other file";
 }
 
-TEST_F(ExternalProgramTest, CopiesOfAnUnnamedLevelFollowItToItsFile) {
+TEST_F(ExternalProgramTest, CopiesOfAnUnnamedLevelFollowItsFirstSave) {
   Session session;
   open_in_program(session, ProgramId::tic80, commands(), copies_);
   ASSERT_TRUE(exists("copies/untitled.tic"));
@@ -166,7 +166,7 @@ TEST_F(ExternalProgramTest, CopiesOfAnUnnamedLevelFollowItToItsFile) {
   EXPECT_EQ(first_tile("copies/untitled.tic"), 5);
 }
 
-TEST_F(ExternalProgramTest, WhatAnotherProgramSavedInItsCopyStays) {
+TEST_F(ExternalProgramTest, AChangeByAnotherProgramStaysInItsCopy) {
   Session session, other;
   save_and_paint(session, "level.talus.json");
   open_in_program(session, ProgramId::tic80, commands(), copies_);
@@ -181,7 +181,7 @@ TEST_F(ExternalProgramTest, WhatAnotherProgramSavedInItsCopyStays) {
   save(session);
   EXPECT_FALSE(session.message()->is_error) << "it was told once";
 
-  OpenCopies later(path("copies"));  // after another start
+  OpenCopies later(path("copies"));  // the program was started again
   open_in_program(session, ProgramId::tic80, commands(), later);
   EXPECT_EQ(first_tile("copies/level.tic"), 5);
   EXPECT_EQ(first_tile("copies/level-kept1.tic"), 9);
@@ -190,7 +190,7 @@ TEST_F(ExternalProgramTest, WhatAnotherProgramSavedInItsCopyStays) {
   EXPECT_FALSE(exists("copies/level-kept2.tic")) << "what was there is the program's own";
 }
 
-TEST_F(ExternalProgramTest, ACopyThatCannotBeWrittenIsTold) {
+TEST_F(ExternalProgramTest, ACopyThatCannotBeWrittenIsReported) {
   Session session;
   save_and_paint(session, "level.talus.json");
   open_in_program(session, ProgramId::tic80, commands(), copies_);
@@ -236,7 +236,7 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderThatItIsExportedTo) {
   EXPECT_EQ(session.message()->text, "Opened " + path("my game") + " in LÖVE.");
 }
 
-TEST_F(ExternalProgramTest, AGameOfAForeignPresetIsAskedAboutAndNotRun) {
+TEST_F(ExternalProgramTest, AGameOfAForeignPresetIsNotRunBeforeAnAnswer) {
   Level level;
   level.exports = {{.name = "game", .exporter = "love", .path = "game", .extra = ""}};
   ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
@@ -262,7 +262,7 @@ TEST_F(ExternalProgramTest, AGameOfAForeignPresetIsAskedAboutAndNotRun) {
   EXPECT_FALSE(exists("game"));
 }
 
-// A name that begins with a dash is no option of the program's.
+// A name that begins with a dash must not become an option of the program.
 TEST_F(ExternalProgramTest, FilesAreGivenByWholePaths) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
@@ -273,7 +273,7 @@ TEST_F(ExternalProgramTest, FilesAreGivenByWholePaths) {
   EXPECT_EQ(told(), path("-x.tic") + "\n");
 }
 
-TEST_F(ExternalProgramTest, AWrongCommandIsToldBeforeAnythingIsSaved) {
+TEST_F(ExternalProgramTest, AWrongCommandIsReportedBeforeAnySave) {
   Session session;
   save_and_paint(session, "game.tic");
   ProgramCommands wrong = commands();

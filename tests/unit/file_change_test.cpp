@@ -1,4 +1,4 @@
-// Files that other programs change under a session: nothing is lost, whatever the answer.
+// Other programs change the file of a session: nothing is lost, whatever the answer.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -42,21 +42,21 @@ class FileChangeTest : public FolderTest {
   Session session_;
 };
 
-TEST_F(FileChangeTest, AnUnchangedFileIsNoNews) {
+TEST_F(FileChangeTest, AnUnchangedFileGivesNoMessage) {
   session_.apply(action::CheckFile{});
   EXPECT_FALSE(session_.message());
   EXPECT_FALSE(session_.question());
   EXPECT_TRUE(session_.history().edits().empty());
 }
 
-TEST_F(FileChangeTest, ATouchedFileWithTheSameContentIsNoNews) {
-  write(level_with(1));  // renamed over it: another time, the same bytes
+TEST_F(FileChangeTest, ATouchedFileGivesNoMessage) {
+  write(level_with(1));  // replaced by a rename: another time, the same bytes
   session_.apply(action::CheckFile{});
   EXPECT_FALSE(session_.message());
   EXPECT_FALSE(session_.question());
 }
 
-TEST_F(FileChangeTest, AnUnchangedLevelIsReadAgainUndoably) {
+TEST_F(FileChangeTest, AnUnchangedLevelIsReadAgainWithUndo) {
   write(level_with(7));
   session_.apply(action::CheckFile{});
   EXPECT_EQ(first_tile(), 7);
@@ -71,8 +71,8 @@ TEST_F(FileChangeTest, AnUnchangedLevelIsReadAgainUndoably) {
   EXPECT_FALSE(session_.modified());
 }
 
-// What is there now takes longer to read than the window waits.
-TEST_F(FileChangeTest, WhatIsNotReadToItsEndIsNoLongerSaved) {
+// The new file takes longer to read than the window waits.
+TEST_F(FileChangeTest, ACancelledRereadLeavesTheLevelModified) {
   std::string large = R"({"talus":1,"x":[{"a":0})";
   for (int i = 0; i < 2'400'000; ++i) large += R"(,{"a":0})";
   std::ofstream(file()) << large << "]}";
@@ -88,7 +88,7 @@ TEST_F(FileChangeTest, WhatIsNotReadToItsEndIsNoLongerSaved) {
   EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
 }
 
-TEST_F(FileChangeTest, OfARecoveredLevelWhoseFileIsGoneNothingIsSaved) {
+TEST_F(FileChangeTest, ARecoveredLevelWithoutItsFileIsModified) {
   fs::remove(file());
   session_.apply(action::RecoverLevel{std::make_shared<const Level>(level_with(3)), file(), "level"});
   EXPECT_EQ(first_tile(), 3);
@@ -128,7 +128,7 @@ TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndReadsAgain) {
 TEST_F(FileChangeTest, SavingDoesNotReplaceWhatAnotherProgramWrote) {
   edit(3);
   write(level_with(7));
-  session_.apply(action::SaveFile{});  // before anything has looked at the file
+  session_.apply(action::SaveFile{});  // before the session has noticed the change
   ASSERT_TRUE(session_.question());
   EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
   EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 7);
@@ -147,7 +147,7 @@ TEST_F(FileChangeTest, QuittingAsksAboutTheFileBeforeItReplacesIt) {
   EXPECT_FALSE(session_.wants_quit());
 }
 
-TEST_F(FileChangeTest, ARemovedFileIsToldOnceAndTheLevelIsNoLongerSaved) {
+TEST_F(FileChangeTest, ARemovedFileIsReportedOnceAndTheLevelModified) {
   fs::remove(file());
   session_.apply(action::CheckFile{});
   ASSERT_TRUE(session_.message());
@@ -169,7 +169,7 @@ TEST_F(FileChangeTest, AFileThatComesBackChangedIsAskedAbout) {
   EXPECT_TRUE(session_.question());
 }
 
-TEST_F(FileChangeTest, ADamagedFileIsToldAndChangesNothing) {
+TEST_F(FileChangeTest, ADamagedFileIsReportedAndChangesNothing) {
   std::ofstream(file()) << "{ half a lev";
   session_.apply(action::CheckFile{});
   ASSERT_TRUE(session_.message());
@@ -193,7 +193,7 @@ TEST_F(FileChangeTest, SavingACartGivesItANewTimeAtOnce) {
   session_.apply(action::SaveFile{});
   struct stat second = {};
   ASSERT_EQ(::stat(cart.c_str(), &second), 0);
-  // TIC-80 reads a cart again when its time, in whole seconds, has grown.
+  // TIC-80 reads a cart again if its time, in whole seconds, has increased.
   EXPECT_GE(second.st_mtim.tv_sec, first.st_mtim.tv_sec);
   EXPECT_NE(second.st_ino, first.st_ino) << "in place at once, never half written";
   EXPECT_EQ(load_level(cart)->level.map.at({0, 0}), 9);
@@ -202,7 +202,7 @@ TEST_F(FileChangeTest, SavingACartGivesItANewTimeAtOnce) {
 
 class FileStamps : public FolderTest {};
 
-TEST_F(FileStamps, TellsContentFromTime) {
+TEST_F(FileStamps, SeparatesContentFromTime) {
   const std::string file = path("stamped");
   ASSERT_TRUE(write_file_atomic(file, "one"));
   FileStamp stamp = *stamp_of_file(file);

@@ -1,4 +1,4 @@
-// Files read beside the editor: finished at once or later, cancelled, and replaced by another.
+// Files that a thread reads: finished at once or later, cancelled, and replaced by another file.
 #include "session/files/file_reader.h"
 
 #include <gtest/gtest.h>
@@ -27,17 +27,17 @@ class FileReaderTest : public ::testing::Test {
   std::atomic<bool> may_end_ = false;
   double shares_ = 0;
   std::vector<int> finished_;
-  FileReader reader_;  // last: it waits for what uses the others
+  FileReader reader_;  // last, as it waits for work that uses the other members
 };
 
-TEST_F(FileReaderTest, WhatIsQuickIsThereAtOnce) {
+TEST_F(FileReaderTest, AQuickReadEndsAtOnce) {
   reader_.start("a", quick(1), 10s);
   EXPECT_FALSE(reader_.is_busy());
   EXPECT_EQ(finished_, std::vector{1});
   EXPECT_FALSE(reader_.finish());
 }
 
-TEST_F(FileReaderTest, WhatIsSlowIsFinishedLaterAndOnce) {
+TEST_F(FileReaderTest, ASlowReadEndsLaterAndOnce) {
   reader_.start("big.talus.json", slow(1), 5ms);
   ASSERT_TRUE(reader_.is_busy());
   EXPECT_EQ(reader_.progress()->name, "big.talus.json");
@@ -50,7 +50,7 @@ TEST_F(FileReaderTest, WhatIsSlowIsFinishedLaterAndOnce) {
   EXPECT_FALSE(reader_.progress());
 }
 
-TEST_F(FileReaderTest, WhatIsCancelledIsNeverFinished) {
+TEST_F(FileReaderTest, ACancelledReadNeverEnds) {
   reader_.start("a", slow(1), 1ms);
   reader_.cancel();
   EXPECT_FALSE(reader_.is_busy());
@@ -61,7 +61,7 @@ TEST_F(FileReaderTest, WhatIsCancelledIsNeverFinished) {
   EXPECT_EQ(finished_, std::vector{2});
 }
 
-TEST_F(FileReaderTest, EndingCancels) {
+TEST_F(FileReaderTest, DestructionCancels) {
   {
     FileReader reader;
     reader.start("a", slow(1), 1ms);

@@ -1,4 +1,4 @@
-// Every fix: what it says, and that the problem is gone.
+// Every fix: its label, and that the problem is gone after it.
 #include "lint/fixes.h"
 
 #include <gmock/gmock.h>
@@ -19,8 +19,8 @@ Problem first_of(const Level& level, std::string_view code) {
   return {};
 }
 
-// What the fixes of the first problem of this kind say. Each is tried, must leave less problems, and can be
-// undone.
+// The labels of the fixes of the first problem with this code. Each fix is tried: it must leave fewer
+// problems, and can be undone.
 std::vector<std::string> labels_of(const Level& level, std::string_view code) {
   const Problem problem = first_of(level, code);
   std::vector<std::string> labels;
@@ -102,7 +102,7 @@ TEST(Fixes, SeamsAreFilledOrLevelled) {
 }
 
 TEST(Fixes, AFixThatBreaksAnotherJoinIsNotOffered) {
-  // Raising tile 2 to the wall would leave a step before tile 3 beside it.
+  // Raising tile 2 to the wall would make a step to tile 3 beside it.
   const Level level = slope_level({"o........", ".a#..ab#.", "#########"});
   EXPECT_THAT(fixes_for(level, {}, first_of(level, "seam")), IsEmpty());
 }
@@ -155,7 +155,7 @@ TEST(Fixes, BodiesAreMovedOutOfTheGround) {
   Level level = slope_level({"......", "......", ".##ab.", "######"});
   level.spawns = {{"hero", {12, 19}, {}, "", BodyKind::player, {8, 8}}};
   EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move spawn \"hero\" up by 11 px to 12, 8 px"));
-  // On the slope, where its middle is.
+  // The body's middle is on the slope.
   level.spawns[0].position = {28, 15};
   level.spawns[0].name.clear();
   EXPECT_THAT(labels_of(level, "spawn-in-slope"), ElementsAre("Move player 1 up by 3 px to 28, 12 px"));
@@ -209,7 +209,7 @@ TEST(Fixes, CurvesAreRemovedFromTheLast) {
   EXPECT_EQ(level.curves[0].name, "good");
 }
 
-TEST(Fixes, WhatIsGoneIsNotFixed) {
+TEST(Fixes, AProblemThatIsGoneIsNotFixed) {
   Level level = slope_level({"o....", "./...", "#####"});
   const Problem problem = first_of(level, "slope-half-missing");
   level.map.set({1, 1}, 0);

@@ -1,4 +1,4 @@
-// Fields of flags: what they are, in files, and looking for flags in a level.
+// Fields of flags: their values, how files keep them, and finding flags in a level.
 #include <talus/level/flag_fields.h>
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(FlagField, KnowsItsNeighbours) {
   EXPECT_EQ(overlapping_field(overlapping), 1u);
 }
 
-TEST(FlagFieldFile, ComesBackAsItWas) {
+TEST(FlagFieldFile, SurvivesSavingAndReading) {
   Level level;
   level.flag_fields = {slope_kind(), {"", 6, 2, {}, R"({"hint":"new"})"}};
   const auto written = write_native(level, {});
@@ -73,7 +73,7 @@ TEST(FlagFieldFile, ComesBackAsItWas) {
   EXPECT_EQ(write_native(*read, {})->bytes, written->bytes);
 }
 
-TEST(FlagFieldFile, IsNotThereWhereThereIsNone) {
+TEST(FlagFieldFile, AnEmptyListIsLeftOut) {
   EXPECT_EQ(write_native(Level(), {})->bytes.find("flag_fields"), std::string::npos);
 }
 
@@ -93,7 +93,7 @@ TEST(FlagFieldFile, ErrorsSayWhere) {
                      "has a flag of another field");
 }
 
-TEST(FlagFieldFile, WhatAReaderRefusesIsNotWritten) {
+TEST(FlagFieldFile, FieldsThatAReaderRefusesAreNotWritten) {
   Level level;
   level.flag_fields = {{"", 7, 2, {}, ""}};
   const auto written = write_native(level, {});
@@ -111,13 +111,13 @@ TEST(FlagSearch, CountsTilesAndCells) {
   const FlagUse up = find_flag_use(level, pattern_of_flag(2));
   EXPECT_EQ(up.tiles, std::vector<int>{3});
   EXPECT_EQ(up.cell_count, 0u);
-  // Neither solid nor ball: every tile but three, one cell.
+  // Every tile but three is neither solid nor a ball, and one of those is on the map.
   const FlagUse none = find_flag_use(level, {0b11, 0});
   EXPECT_EQ(none.tiles.size(), 254u);
   EXPECT_EQ(none.cell_count, 1u);
 }
 
-TEST(FlagSearch, GoesFromCellToCellAndAround) {
+TEST(FlagSearch, GoesFromCellToCellAndWrapsAround) {
   const Level level = level_of({".#.", "#.o", "..#"});
   const FlagPattern solid = pattern_of_flag(0);
   EXPECT_EQ(find_flagged_cell(level, solid, {}, true), (Cell{1, 0}));

@@ -35,7 +35,7 @@ TEST(FlagTools, PaintAPatternAndLeaveTheOtherFlags) {
   EXPECT_EQ(paint_flags(level, kTwoTiles, pattern_of_flag(2), true).label, "Set flag 2");
 }
 
-TEST(FlagTools, AStrokeDoesWhatChangesItsFirstTile) {
+TEST(FlagTools, TheFirstTileDecidesIfAStrokeSetsOrClears) {
   EXPECT_TRUE(stroke_sets(pattern_of_flag(2), 0b011));
   EXPECT_FALSE(stroke_sets(pattern_of_flag(2), 0b100));
   const FlagPattern none{0b1100, 0};
@@ -71,7 +71,7 @@ TEST(FlagTools, TheBrushSaysWhatItsStrokeDoes) {
   EXPECT_FALSE(brush.active());
 }
 
-TEST(FlagTools, TellWhatTilesHaveInCommon) {
+TEST(FlagTools, SayWhichFlagsTilesHaveInCommon) {
   const Level level = flagged_level();
   EXPECT_EQ(common_flags(level, kTwoTiles, 0b0011), 1);
   EXPECT_EQ(common_flags(level, kTwoTiles, 0b0100), std::nullopt);
@@ -87,7 +87,7 @@ TEST(FlagTools, SetAByteInAllTiles) {
   EXPECT_TRUE(set_all_flags(level, {SheetId::tiles, {0, 0, 1, 1}}, 1).empty());
 }
 
-TEST(FlagTools, MakeChangeAndTakeFieldsApart) {
+TEST(FlagTools, AddChangeAndRemoveFields) {
   Level level;
   apply_edit(level, set_flag_field(level, 0, {"late", 6, 2, {}, ""}));
   apply_edit(level, set_flag_field(level, 1, {"early", 0, 2, {}, ""}));

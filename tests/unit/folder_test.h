@@ -1,4 +1,4 @@
-// Tests of what works on files: each has an empty folder of its own, which is gone when it ends.
+// Tests that work on files: each has its own empty folder, which is removed when the test ends.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,19 +15,20 @@ namespace talus {
 
 class FolderTest : public ::testing::Test {
  protected:
-  // No other test has the folder, as tests run side by side. Its name has spaces, as names of users have.
+  // Tests run side by side, so no other test may have this folder. Its name has spaces, as names of users do.
   FolderTest() {
     std::string name = ::testing::TempDir() + "talus test XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + name);
     folder_ = name;
-    ::setenv("TALUS_STATE_DIR", path(".state").c_str(), 1);  // what commands remember is this test's alone
+    ::setenv("TALUS_STATE_DIR", path(".state").c_str(),
+             1);  // files that commands remember are this test's own
   }
   ~FolderTest() override {
     ::unsetenv("TALUS_STATE_DIR");
     std::filesystem::remove_all(folder_);
   }
 
-  // Of a file in the folder.
+  // The path of a file in the folder.
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
   std::string bytes_of(const std::string& name) const { return read_file(path(name)).value_or("(none)"); }

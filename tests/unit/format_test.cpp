@@ -1,4 +1,4 @@
-// The list of formats: which one a file is read and written in.
+// The list of formats: in which format a file is read and written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Formats, TheContentDecidesBeforeTheName) {
   }
 }
 
-TEST(Formats, TheNameDecidesWhenTheContentDoesNot) {
+TEST(Formats, TheNameDecidesIfTheContentDoesNot) {
   EXPECT_EQ(read_level("print()", {"lua"})->format->id, "tic-text");
   EXPECT_EQ(read_level("print()", {"tic"}).error().place, "byte 0");
   EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1, column 1");

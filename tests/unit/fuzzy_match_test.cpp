@@ -1,4 +1,4 @@
-// Names found by a few letters.
+// Finding names by a few letters.
 #include "panels/ui/fuzzy_match.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ TEST(FuzzyScore, LettersMustComeInOrder) {
   EXPECT_FALSE(fuzzy_score("", "a"));
 }
 
-TEST(FuzzyScore, LettersFitWithoutTheirMarksAsWell) {
+TEST(FuzzyScore, LettersMatchWithoutTheirAccents) {
   EXPECT_TRUE(fuzzy_score("Run in LÖVE", "run in love"));
   EXPECT_TRUE(fuzzy_score("Run in LÖVE", "löv"));
   EXPECT_TRUE(fuzzy_score("Cave", "CÀVÉ"));
@@ -22,7 +22,7 @@ TEST(FuzzyScore, LettersFitWithoutTheirMarksAsWell) {
   EXPECT_FALSE(fuzzy_score("1 \xC3\x97 2", "x")) << "a times sign is no letter";
 }
 
-TEST(FuzzyScore, NothingTypedFitsEverything) {
+TEST(FuzzyScore, AnEmptyPatternMatchesEverything) {
   EXPECT_TRUE(fuzzy_score("Save", ""));
   EXPECT_TRUE(fuzzy_score("", ""));
   EXPECT_TRUE(fuzzy_score("Save", "  "));

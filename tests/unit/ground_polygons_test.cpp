@@ -1,4 +1,5 @@
-// The ground's outline as polygons: exact on small maps, and the same ground as the solver's on random ones.
+// The outline of the ground as polygons: exact on small maps, and the same ground as the solver's on random
+// maps.
 #include "export/ground_polygons.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ std::vector<std::string> polygons(const std::vector<std::string>& rows) {
 
 using Texts = std::vector<std::string>;
 
-TEST(GroundPolygons, AnEmptyMapHasNone) { EXPECT_EQ(polygons({"..", ".."}), Texts{}); }
+TEST(GroundPolygons, AnEmptyMapHasNoPolygons) { EXPECT_EQ(polygons({"..", ".."}), Texts{}); }
 
 TEST(GroundPolygons, TilesAreMergedClockwiseFromTheLeft) {
   EXPECT_EQ(polygons({"...", ".11", "111"}), Texts{"0,16 8,16 8,8 24,8 24,24 0,24"});
@@ -48,7 +49,7 @@ TEST(GroundPolygons, TilesThatTouchInACornerStayApart) {
   EXPECT_EQ(polygons({"1.", ".1"}), (Texts{"0,0 8,0 8,8 0,8", "8,8 16,8 16,16 8,16"}));
 }
 
-TEST(GroundPolygons, WallsThatGoOnPastACornerStayApartToo) {
+TEST(GroundPolygons, WallsThatContinuePastACornerStayApart) {
   EXPECT_EQ(polygons({"22", "26", "11"}),
             (Texts{"0,8 8,0 8,8", "0,16 8,8 8,16 16,16 16,24 0,24", "8,8 16,0 16,16"}));
 }
@@ -67,11 +68,13 @@ TEST(GroundPolygons, SlopesOfOneTileEachOnOneLineAreOneLine) {
 
 TEST(GroundPolygons, AProfileHasItsCorners) { EXPECT_EQ(polygons({"4"}), Texts{"0,8 2,4 4,2 6,4 8,8"}); }
 
-TEST(GroundPolygons, CeilingsHang) { EXPECT_EQ(polygons({"11", "6."}), Texts{"0,0 16,0 16,8 8,8 8,16 0,8"}); }
+TEST(GroundPolygons, CeilingsHaveTheirBodyAbove) {
+  EXPECT_EQ(polygons({"11", "6."}), Texts{"0,0 16,0 16,8 8,8 8,16 0,8"});
+}
 
-TEST(GroundPolygons, OneWayTilesAndFlatLinesAreNotInThem) { EXPECT_EQ(polygons({"7<"}), Texts{}); }
+TEST(GroundPolygons, OneWayTilesAndFlatLinesAreLeftOut) { EXPECT_EQ(polygons({"7<"}), Texts{}); }
 
-TEST(GroundPolygons, WhereLinesCrossIsRoundedTo256ths) {
+TEST(GroundPolygons, CrossingsOfLinesAreRoundedTo256ths) {
   TestMap map({"..", ".."});
   TerrainSource ground = map.source();
   ground.shapes[1] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {8, 0}};
@@ -83,7 +86,7 @@ TEST(GroundPolygons, WhereLinesCrossIsRoundedTo256ths) {
 
 TEST(GroundPolygons, ShapesReachOverTheMapsEdge) { EXPECT_EQ(polygons({"5"}), Texts{"0,8 24,0 24,8"}); }
 
-// How often the rings go around a point: 1 inside, 0 outside.
+// How often the rings go around a point: 1 is inside, 0 is outside.
 int winding(const std::vector<GroundPolygon>& polygons, Vec2 p) {
   int winding = 0;
   for (const GroundPolygon& polygon : polygons) {
@@ -110,7 +113,7 @@ double distance(const std::vector<GroundPolygon>& polygons, Vec2 p) {
   return nearest;
 }
 
-TEST(GroundPolygons, HoldThePointsThatAreInTheGround) {
+TEST(GroundPolygons, HoldExactlyThePointsInTheGround) {
   int inside = 0, outside = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Dice dice(seed);
@@ -131,8 +134,8 @@ TEST(GroundPolygons, HoldThePointsThatAreInTheGround) {
   EXPECT_GT(outside, 5000);
 }
 
-// A map of 4096x4096 tiles that stand alone took 3 GB. A profile of many heights has as many sides.
-TEST(GroundPolygons, OfMillionsOfSidesAreRefused) {
+// A map of 4096x4096 separate tiles took 3 GB. A profile of many heights has as many sides.
+TEST(GroundPolygons, MillionsOfSidesAreRefused) {
   TestMap map(4096, 32);
   std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
   TerrainSource ground = map.source();
@@ -145,8 +148,8 @@ TEST(GroundPolygons, OfMillionsOfSidesAreRefused) {
             "separate tiles, or make the map smaller");
 }
 
-// Lines of ground that does not overlap are not compared: a column of 100000 slopes took minutes.
-TEST(GroundPolygons, OfATallColumnOfSlopesTakeNoLonger) {
+// Lines whose boxes do not overlap are not compared: a column of 100000 slopes took minutes.
+TEST(GroundPolygons, ATallColumnOfSlopesIsFast) {
   TestMap map(1, 100'000);
   std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
   TerrainSource ground = map.source();

@@ -13,7 +13,7 @@
 
 namespace talus::ground_queries_test {
 
-// Tile 2 rises from (8, 24) to (16, 16); the floor is at y = 24, a tile hangs above it.
+// Tile 2 rises from (8, 24) to (16, 16). The floor is at y = 24, and a tile hangs above it.
 class GroundQueries : public testing::Test {
  protected:
   const Terrain ground_ = TestMap({"...1..", "......", ".2....", "111111"}).compile();
@@ -33,7 +33,7 @@ TEST_F(GroundQueries, FloorBelow) {
   EXPECT_EQ(floor_below(ground_, {10, 8, 4, 4}, 20, Foot::centre)->y, 20);
 }
 
-TEST_F(GroundQueries, FloorBelowReachesAsFarAsAsked) {
+TEST_F(GroundQueries, FloorBelowKeepsToTheAskedDistance) {
   EXPECT_EQ(floor_below(ground_, {24, 10, 4, 4}, 10)->y, 24);
   EXPECT_FALSE(floor_below(ground_, {24, 10, 4, 4}, std::nextafter(10.0, 0.0)));
   EXPECT_FALSE(floor_below(ground_, {24, 22, 4, 4}, 10)) << "inside of the ground";
@@ -74,7 +74,7 @@ TEST_F(GroundQueries, OverlapsGround) {
   EXPECT_TRUE(overlaps_ground(ground_, Rect{10, 16.01, 4, 4}, Foot::centre));
 }
 
-// Far away the floor of a slope is as near to the exact one as a double at the largest coordinate tells.
+// Far from the origin, the floor of a slope is as exact as a double is at the largest coordinate.
 TEST(GroundQueriesFarAway, FloorsOfSlopesAreExactToOneUnit) {
   using reference::Exact;
   constexpr int kColumn = 1250;  // x = 10000
@@ -98,7 +98,7 @@ TEST(GroundQueriesFarAway, FloorsOfSlopesAreExactToOneUnit) {
   }
 }
 
-// By a crest: the corner is in the tile that the slope leads to, the centre on the slope.
+// Near a crest: the corner is in the tile behind the slope, and the centre is on the slope.
 TEST(GroundQueriesByTheCentre, ACornerMayBeInTheTileBehindASlope) {
   const Terrain ground = TestMap({"....", ".21.", "1111"}).compile();
   const Rect box{10, 6, 8, 4};
@@ -109,14 +109,14 @@ TEST(GroundQueriesByTheCentre, ACornerMayBeInTheTileBehindASlope) {
   EXPECT_TRUE(overlaps_ground(ground, {13, 6, 8, 4}, Foot::centre)) << "the centre is in the tile";
 }
 
-TEST(GroundQueriesOfThinShapes, NoHeightIsNoGround) {
+TEST(GroundQueriesOfThinShapes, AShapeWithoutHeightIsNoGround) {
   TestMap map({"....", "...2", "...."});
   map.cells[5] = kFlat;
   EXPECT_FALSE(overlaps_ground(map.compile(), {9, 14, 4, 4}, Foot::box));
 }
 
-// Of a rising slope, whose body may be in other cells than its own, and reach over the map's edge.
-TEST(GroundQueriesOfWideShapes, ABoxIsFoundInThemFarFromTheirCell) {
+// A rising slope may have its body in other cells than its own, and reach over the map's edge.
+TEST(GroundQueriesOfWideShapes, ABoxOverlapsThemFarFromTheirCell) {
   constexpr int kWidth = 14, kHeight = 11;
   struct Rising {
     std::uint8_t tile;
@@ -136,7 +136,8 @@ TEST(GroundQueriesOfWideShapes, ABoxIsFoundInThemFarFromTheirCell) {
     map.cells[static_cast<std::size_t>(cell.y * kWidth + cell.x)] = rising.tile;
     const Rect box{in(-40, 140), in(-40, 110), in(0.5, 20), in(0.5, 20)};
     const double left = cell.x * kTileSide, base = (cell.y + 1) * kTileSide;
-    const double x = std::min(box.right(), left + rising.tiles * kTileSide);  // where it is the highest
+    const double x =
+        std::min(box.right(), left + rising.tiles * kTileSide);  // where the slope under the box is highest
     const double top = base - (x - left) * rising.height / (rising.tiles * kTileSide);
     const double deep = std::min({x - std::max(left, box.x), base - box.y, box.bottom() - top});
     if (std::abs(deep) < 0.01) continue;

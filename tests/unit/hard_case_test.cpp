@@ -1,4 +1,4 @@
-// Hard cases: reading them from a level, their floors, and measuring a run.
+// Hard cases: reading them from a level, their floors, and the checks of a run.
 
 #include "formats/native/hard_case_file.h"
 
@@ -22,7 +22,7 @@ std::string case_text(const std::string& members) {
   return R"({"number":3,"title":"t","set_up":"s","right_answer":"r","frames":10)" + members + "}";
 }
 
-TEST(HardCase, ALevelWithoutTheKeyIsNone) {
+TEST(HardCase, ALevelWithoutTheKeyIsNoHardCase) {
   Level level = level_of({"#"});
   EXPECT_FALSE(hard_case_of(level).value());
   level.extra = R"({"author":"me"})";
@@ -91,7 +91,7 @@ TEST(CaseFloor, IsHighestAtAnEndOrAtACrestBetween) {
   EXPECT_NEAR(*floor.top(13, 15), 8 + 2 * std::sin(13 * std::acos(-1.0) / 8), 1e-12);
 }
 
-// A ball of the article falls 8 px on a floor, whatever the solver.
+// Measures a ball of the article that falls 8 px onto a floor, whatever the solver.
 double measured(CaseCheck check) {
   Level level = level_of({"o..", "...", "###"});
   HardCase hard;
@@ -126,7 +126,7 @@ TEST(HardCaseRun, MeasuresWhereABodyIs) {
   EXPECT_EQ(measured(check_of(M::walls)), 0);
   CaseCheck untouched = check_of(M::untouched);
   untouched.first = 1;
-  untouched.last = 6;  // falls 0.375, 0.72, 1.04, 1.34, 1.62 and 1.87 px: 6.97 of 8
+  untouched.last = 6;  // it falls 0.375, 0.72, 1.04, 1.34, 1.62 and 1.87 px: 6.97 of 8
   EXPECT_EQ(measured(untouched), 6);
   CaseCheck normal = check_of(M::normal);
   normal.x = 1;
@@ -142,7 +142,7 @@ TEST(HardCaseRun, MeasuresWhereABodyIs) {
   EXPECT_EQ(measured(check_of(M::mirror)), 0);
 }
 
-TEST(HardCaseRun, WhatIsNotThereFails) {
+TEST(HardCaseRun, ACheckOfAMissingBodyFails) {
   CaseCheck other = check_of(CaseCheck::Measure::sink);
   other.body = 2;
   EXPECT_EQ(measured(other), std::numeric_limits<double>::infinity());

@@ -4,7 +4,7 @@
 
 namespace talus::icons_test {
 
-// Corners that are drawn for an icon, with the icon font or without it.
+// Counts the corners that are drawn for an icon, with the icon font and without it.
 class Icons : public testing::Test {
  protected:
   Icons() : context_(ImGui::CreateContext()) { ImGui::SetCurrentContext(context_); }
@@ -30,9 +30,9 @@ class Icons : public testing::Test {
   ImGuiContext* context_;
 };
 
-constexpr int kGlyph = 4;  // corners of one
+constexpr int kGlyph = 4;  // corners of a glyph
 
-TEST_F(Icons, CommonOnesAreGlyphsOfTheFont) {
+TEST_F(Icons, CommonIconsAreGlyphsOfTheFont) {
   begin(true);
   for (int icon = static_cast<int>(Icon::first_frame); icon <= static_cast<int>(Icon::close); ++icon)
     EXPECT_EQ(corners(static_cast<Icon>(icon)), kGlyph) << icon;
@@ -40,7 +40,7 @@ TEST_F(Icons, CommonOnesAreGlyphsOfTheFont) {
   EXPECT_EQ(corners(Icon::none), 0);
 }
 
-TEST_F(Icons, WithoutTheFontShortTextsStandForThem) {
+TEST_F(Icons, ShortTextsReplaceIconsWithoutTheFont) {
   begin(false);
   EXPECT_EQ(corners(Icon::pause), 2 * kGlyph) << "||";
   for (int icon = static_cast<int>(Icon::stamp); icon <= static_cast<int>(Icon::close); ++icon)

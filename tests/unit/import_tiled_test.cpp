@@ -1,4 +1,4 @@
-// Maps of Tiled as levels: what is kept, what is told, what is refused.
+// Maps of Tiled as levels: what is kept, what is reported, what is refused.
 #include <gmock/gmock.h>
 #include <zlib.h>
 
@@ -15,7 +15,7 @@ namespace talus::import_tiled_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// A map of 2x2 cells with one layer and one tileset of 16 tiles, with parts put in.
+// A map of 2x2 cells with one layer and one tileset of 16 tiles, with these parts inserted.
 struct Parts {
   std::string cells = "1,2,0,1", tiles = {}, layers = {}, map = {}, tileset = {};
 };
@@ -42,12 +42,12 @@ std::string error_of(const std::string& text, const std::string& extension = "tm
   const auto loaded = read_level(text, {extension});
   return loaded ? "" : to_string(loaded.error(), "map");
 }
-// Tile 5 of a tileset of four columns is tile 17 of a sheet.
+// The shape of tile 5 of a tileset with four columns, which is tile 17 of a sheet.
 TileShape shape_of(const std::string& objects, const std::string& properties = "") {
   return read(map_text({.tiles = tile_text(objects, properties)})).level.tile_shapes[17];
 }
 
-TEST(ImportTiled, TakesThePlacesOfTilesOnASmallSheet) {
+TEST(ImportTiled, KeepsThePlacesOfTilesOnASmallSheet) {
   const LoadedLevel loaded = read(map_text({.cells = "1,6,0,16"}));
   EXPECT_EQ(loaded.format->id, "tmj");
   EXPECT_EQ(loaded.format->write, nullptr);
@@ -66,8 +66,9 @@ TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
             (TileShape{.kind = Kind::slope, .side = Side::ceiling, .tiles = 2, .heights = {2, 2}}));
   EXPECT_EQ(shape_of(polygon(R"({"x":0,"y":8},{"x":16,"y":-4},{"x":16,"y":8})")),
             (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {0, 12}}));
-  EXPECT_EQ(shape_of(polygon(R"({"x":8,"y":8},{"x":8,"y":4},{"x":0,"y":8})")),  // the other way round
-            (TileShape{.kind = Kind::slope, .heights = {0, 4}}));
+  EXPECT_EQ(
+      shape_of(polygon(R"({"x":8,"y":8},{"x":8,"y":4},{"x":0,"y":8})")),  // the corners in the opposite order
+      (TileShape{.kind = Kind::slope, .heights = {0, 4}}));
   EXPECT_EQ(shape_of(polygon(R"({"x":0,"y":0},{"x":8,"y":0},{"x":8,"y":2},{"x":6,"y":4},{"x":0,"y":1})")),
             (TileShape{.kind = Kind::profile, .side = Side::ceiling, .heights = {1, 2, 3, 4, 2}}));
   EXPECT_EQ(shape_of(R"({"x":0,"y":8,"polygon":[{"x":0,"y":0},{"x":4,"y":-4},{"x":8,"y":0}]})"),
@@ -84,7 +85,7 @@ TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
             (TileShape{.kind = Kind::slope, .heights = {3, 3}}));
 }
 
-TEST(ImportTiled, WhatIsNoOutlineOfATileIsTold) {
+TEST(ImportTiled, ObjectsThatAreNoOutlineAreReported) {
   const std::vector<std::string> others = {R"({"x":0,"y":0,"width":8,"height":8,"ellipse":true})",
                                            R"({"x":0,"y":0,"polyline":[{"x":0,"y":8},{"x":8,"y":0}]})"};
   for (const std::string& object : others) {
@@ -100,7 +101,7 @@ TEST(ImportTiled, WhatIsNoOutlineOfATileIsTold) {
                                               "the tile or up and right of it"));
 }
 
-TEST(ImportTiled, FlagsComeByNumberAndByName) {
+TEST(ImportTiled, FlagsAreReadByNumberAndByName) {
   const auto flags = [](const std::string& properties) {
     return read(map_text({.tiles = tile_text("", properties)})).level.tile_flags(17);
   };
@@ -125,7 +126,7 @@ TEST(ImportTiled, FlagsComeByNumberAndByName) {
             TileShape::Kind::solid);
 }
 
-TEST(ImportTiled, WhatCannotBeKeptIsTold) {
+TEST(ImportTiled, DroppedThingsAreReported) {
   const std::string tiles =
       tile_text("", R"({"name":"flags","value":300},{"name":"hp","value":2},{"name":"x","value":{}})") +
       R"(,{"id":6,"animation":[{}],"type":"door"})";
@@ -168,18 +169,18 @@ TEST(ImportTiled, PolylinesBecomeCurves) {
   EXPECT_EQ(std::get<Segment>(curves[3].curve.form), (Segment{{6, 9}, {6, 11}}));
 }
 
-TEST(ImportTiled, APolylineOfALevelComesBack) {
+TEST(ImportTiled, AnExportedPolylineIsReadAgain) {
   Level level = level_for_tiled();
   const Polyline line{1, 9, {8, 9, 11, 4, 0.5}};
   level.curves = {{"hill", {line, Curve::Faces::up}, ""}};
   auto map = nlohmann::json::parse(tiled_export_of(level, "tmj", "-").files[0].bytes);
-  map.erase("properties");  // among them the level itself
+  map.erase("properties");  // one of them is the level itself
   const std::vector<LevelCurve> curves = read(map.dump()).level.curves;
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0] == level.curves[0]);
 }
 
-// Base64 of bytes, as Tiled writes it.
+// Bytes in Base64, as Tiled writes them.
 std::string base64(const std::string& bytes) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -192,7 +193,7 @@ std::string base64(const std::string& bytes) {
   }
   return text;
 }
-// window_bits: 15 of zlib, 31 of gzip.
+// window_bits: 15 for zlib, 31 for gzip.
 std::string packed(const std::string& bytes, int window_bits) {
   std::string out(200, '\0');
   z_stream stream = {};
@@ -250,7 +251,7 @@ TEST(ImportTiled, BadLayerDataIsAnErrorOnItsLine) {
   EXPECT_EQ(error(""), at + "is a tile layer without data");
 }
 
-TEST(ImportTiled, RefusesWhatNoLevelIs) {
+TEST(ImportTiled, RefusesMapsThatCannotBeALevel) {
   const auto with = [](std::string text, const std::string& what, const std::string& by) {
     return error_of(text.replace(text.find(what), what.size(), by));
   };
@@ -296,8 +297,8 @@ TEST(ImportTiled, RefusesWhatNoLevelIs) {
       "map:line 1: error: is nested too deep in groups");
 }
 
-// Attributes and elements with the names that others of them have in Tiled's JSON.
-TEST(ImportTiled, NamesOfXmlDoNotMeetInJson) {
+// Attributes and elements whose names mean something else in Tiled's JSON.
+TEST(ImportTiled, NamesOfXmlDoNotClashInJson) {
   const auto with = [](std::string what, const std::string& by) {
     std::string text =
         "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
@@ -343,7 +344,7 @@ TEST(ImportTiled, NamesOfXmlDoNotMeetInJson) {
                           "only one: choose one by `talus import --layer NAME`"));
 }
 
-TEST(ImportTiled, NoEntityOfAFileGrows) {
+TEST(ImportTiled, EntitiesOfAFileAreNotExpanded) {
   std::string entities = "<!ENTITY a0 \"aaaaaaaaaa\">";
   for (int i = 1; i < 30; ++i) {
     const std::string before = "&a" + std::to_string(i - 1) + ";";
@@ -402,7 +403,7 @@ TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
 
 TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
   const std::string slope = polygon(R"({"x":0,"y":8},{"x":8,"y":4},{"x":8,"y":8})");
-  // As it is, mirrored left and right, upside down, and turned by a quarter clockwise.
+  // The cells as they are, mirrored horizontally, mirrored vertically, and turned by a quarter clockwise.
   const std::string text =
       map_text({.cells = "6,2147483654,1073741830,2684354566", .tiles = tile_text(slope)});
   EXPECT_EQ(error_of(text),
@@ -422,7 +423,7 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
       << "as steep as it is";
 }
 
-TEST(ImportTiled, XmlHasOneElementAndCharactersOfXml) {
+TEST(ImportTiled, XmlNeedsOneRootAndValidCharacters) {
   const std::string map =
       "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">\n"
       "<layer name=\"l\"><data encoding=\"csv\">0</data></layer></map>";
@@ -453,8 +454,8 @@ TEST(ImportTiled, SaysWhatIsNeitherXmlNorJson) {
     EXPECT_EQ(error_of(text, "tmx"), "map: error: is text in UTF-16, but must be UTF-8");
 }
 
-// A million of them took 54 MB in the window's message.
-TEST(ImportTiled, TellsOfTheFirstThousandThingsThatAreDropped) {
+// A million messages took 54 MB in the window.
+TEST(ImportTiled, ReportsTheFirstThousandDroppedThings) {
   std::string text = map_text({});
   std::string keys;
   for (int i = 0; i < 1005; ++i) keys += "\"later" + std::to_string(i) + "\":0,";
@@ -464,7 +465,7 @@ TEST(ImportTiled, TellsOfTheFirstThousandThingsThatAreDropped) {
   EXPECT_EQ(loaded.dropped.back(), "and 6 more");
 }
 
-TEST(ImportTiled, TakesALayerByItsNumberWhereNoneHasThatName) {
+TEST(ImportTiled, TakesALayerByNumberIfNoneHasThatName) {
   const std::string text =
       map_text({.layers = R"(,{"type":"tilelayer","name":"ground","width":2,"height":2,"data":[3,3,3,3]})"});
   FormatContext context{"tmj"};
@@ -482,7 +483,7 @@ TEST(ImportTiled, TakesALayerByItsNumberWhereNoneHasThatName) {
   EXPECT_EQ(first_cell(), 255);
 }
 
-// A tileset of which each tile says something, so that none is free for empty cells.
+// Each tile of this tileset has a flag, so that none is free for empty cells.
 TEST(ImportTiled, SaysHowEmptyCellsGetATile) {
   std::string tiles, cells;
   for (int id = 0; id < kTileCount; ++id)
@@ -511,21 +512,21 @@ class ImportTiledFiles : public FolderTest {
   }
 };
 
-TEST_F(ImportTiledFiles, AnExportComesBackWhole) {
+TEST_F(ImportTiledFiles, AnExportIsReadBackWithoutLoss) {
   Level level = level_for_tiled();
   for (const std::string format : {"tmj", "tmx"}) {
     const LoadedLevel loaded = there_and_back(level, format);
     EXPECT_TRUE(loaded.level == level) << format;
     EXPECT_THAT(loaded.dropped, ElementsAre()) << format;
   }
-  level.sheet(SheetId::tiles).images[0][5] = 1;  // tile 0 is one as the others
+  level.sheet(SheetId::tiles).images[0][5] = 1;  // tile 0 is drawn, as the others are
   EXPECT_TRUE(there_and_back(level, "tmj").level == level);
   const auto cart = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json");
   const auto native = [](const Level& l) { return find_format("native")->write(l, {})->bytes; };
   EXPECT_EQ(native(there_and_back(cart->level, "tmx").level), native(cart->level)) << "with the cart's code";
 }
 
-TEST_F(ImportTiledFiles, WithoutItsPropertyShapesFlagsAndNamesAreThere) {
+TEST_F(ImportTiledFiles, ShapesFlagsAndNamesDoNotNeedTheLevelProperty) {
   const Level level = level_for_tiled();
   std::string text = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
   text.replace(text.find("talus_level"), 11, "another");
@@ -543,7 +544,7 @@ TEST_F(ImportTiledFiles, WithoutItsPropertyShapesFlagsAndNamesAreThere) {
   EXPECT_EQ(loaded.level.curves[0], level.curves[0]);
 }
 
-TEST_F(ImportTiledFiles, WhatWasChangedInTiledCounts) {
+TEST_F(ImportTiledFiles, ChangesMadeInTiledAreKept) {
   std::string text = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj").files[0].bytes;
   const auto change = [&](const std::string& from, const std::string& to) {
     ASSERT_NE(text.find(from), std::string::npos) << from;
@@ -562,7 +563,7 @@ TEST_F(ImportTiledFiles, WhatWasChangedInTiledCounts) {
               testing::Contains("the property \"shape_heights\" of a tile, as its outline says otherwise"));
 }
 
-TEST_F(ImportTiledFiles, EmptyCellsBesideADrawnTile0GetAnother) {
+TEST_F(ImportTiledFiles, EmptyCellsGetAnotherTileIfTile0IsDrawn) {
   Level level = level_for_tiled();
   level.sheet(SheetId::tiles).images[0].fill(2);
   std::string text = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
@@ -578,7 +579,7 @@ TEST_F(ImportTiledFiles, EmptyCellsBesideADrawnTile0GetAnother) {
   EXPECT_THAT(loaded->dropped, ElementsAre("the number of tile 0, which is now 8: 0 is the empty tile"));
 }
 
-// A picture of 32x32 px in which each tile has its number as red.
+// A picture of 32x32 px in which the red of each tile is its number.
 std::string numbered_png() {
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < 32; ++y) {
@@ -655,7 +656,7 @@ TEST_F(ImportTiledFiles, PicturesOfManyColoursGetTheNearest) {
                         "the palette"));
 }
 
-TEST_F(ImportTiledFiles, LevelsOfTalusAndMapsAreToldApart) {
+TEST_F(ImportTiledFiles, LevelsAndMapsOfTiledAreDistinguished) {
   EXPECT_EQ(read_level(R"({"talus": 1})", {"json"})->format->id, "native");
   EXPECT_EQ(read_level(map_text({}), {"json"})->format->id, "tmj") << "as older versions of Tiled name them";
   EXPECT_EQ(

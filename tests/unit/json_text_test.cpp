@@ -1,4 +1,4 @@
-// The one parser of all JSON.
+// The parser that reads all JSON.
 #include "formats/text/json_text.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ std::string lists_around(const std::string& value, std::size_t depth) {
   return std::string(depth, '[') + value + std::string(depth, ']');
 }
 
-TEST(JsonText, IsReadAsItIsMeant) {
+TEST(JsonText, ValuesKeepTheirTypes) {
   const auto json =
       parse_json("\xef\xbb\xbf {\"a\": [1, -2, 0.5, true, null, \"x\\n\"],\n \"b\": {\"a\": {}}} \n");
   ASSERT_TRUE(json);
@@ -23,7 +23,7 @@ TEST(JsonText, IsReadAsItIsMeant) {
   EXPECT_EQ(parse_json("18446744073709551615")->dump(), "18446744073709551615");
 }
 
-TEST(JsonText, AKeyThatIsThereTwiceIsAnErrorWithItsPlace) {
+TEST(JsonText, ARepeatedKeyIsAnErrorWithItsPlace) {
   EXPECT_EQ(error_of("{\"a\": 1,\n\"b\": 2,\n \"a\": 3}"), "line 3, key a: is twice in one object");
   EXPECT_EQ(error_of(R"({"map": [0, {"rows": 1, "x": {}, "rows": 2}]})"),
             "line 1, key map[1].rows: is twice in one object");
@@ -60,14 +60,14 @@ TEST(JsonText, TheNumberOfValuesIsBounded) {
   EXPECT_EQ(error_of(text + "\r\n]"), "") << "as many as there may be";
 }
 
-TEST(JsonText, NumbersThatNoDoubleHoldsAreErrors) {
+TEST(JsonText, NumbersTooLargeForADoubleAreErrors) {
   EXPECT_EQ(error_of(R"({"a": [{"b": 1}, {"c": -1e999}]})"),
             "line 1, key a[1].c: has a number that is too large");
   EXPECT_EQ(error_of("[1, 1e999]"), "line 1, key [1]: has a number that is too large");
   EXPECT_EQ(error_of("[NaN]"), "line 1, column 2: this is not valid JSON");
 }
 
-TEST(JsonText, LinesOfAFileAreNumberedAsTheyAreThere) {
+TEST(JsonText, ErrorsCountTheLinesOfTheFile) {
   EXPECT_EQ(error_of("{\"a\": }", 7), "line 7, column 7: this is not valid JSON");
   EXPECT_EQ(error_of("[[],\n{\"a\": 1, \"a\": 2}]", 7), "line 8, key [1].a: is twice in one object");
 }

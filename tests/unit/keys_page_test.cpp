@@ -1,4 +1,4 @@
-// docs/keys.md is made from the table of commands, and the other pages name keys that commands have.
+// docs/keys.md is made from the table of commands, and the other pages name only keys that commands have.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace talus::keys_page_test {
 
 const std::string kDocs = TALUS_SOURCE_DIR "/docs/", kReadme = TALUS_SOURCE_DIR "/README.md";
 
-// For a cell of a table of Markdown, which ends with a bar.
+// Escapes text for a cell of a Markdown table, which ends at a bar.
 std::string cell_of(std::string text) {
   for (auto at = text.find('|'); at != text.npos; at = text.find('|', at + 2)) text.insert(at, "\\");
   return text;
@@ -51,7 +51,7 @@ TEST(KeysPage, HasTheKeysOfTheCommands) {
   EXPECT_TRUE(read_file(file).value_or("") == page) << "docs/write_keys writes it anew";
 }
 
-// In bold, as **Ctrl+S**.
+// Keys are printed bold, as **Ctrl+S**.
 TEST(KeysPage, OtherPagesNameKeysOfCommands) {
   std::set<std::string> known;
   for (const Command& command : commands())

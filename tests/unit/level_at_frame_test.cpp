@@ -1,4 +1,4 @@
-// The level that a view of what was played shows.
+// The level that belongs to a shown frame of a recording.
 #include "panels/canvas/level_at_frame.h"
 #include "edit/map_stroke.h"
 
@@ -28,7 +28,7 @@ class LevelOfAFrame : public testing::Test {
   LevelAtFrame level_at_frame_;
 };
 
-TEST_F(LevelOfAFrame, IsTheOneBeforeWhatWasPaintedLater) {
+TEST_F(LevelOfAFrame, IsTheLevelBeforeLaterStrokes) {
   steps(10);
   paint({5, 3});
   paint({6, 4});
@@ -49,7 +49,7 @@ TEST_F(LevelOfAFrame, IsTheOneBeforeWhatWasPaintedLater) {
   EXPECT_FALSE(level_at_frame_.is_other()) << "from that frame on";
 }
 
-TEST_F(LevelOfAFrame, OfAnOlderBranchIsTheBranchsOwn) {
+TEST_F(LevelOfAFrame, OnAnOlderBranchIsTheLevelOfThatBranch) {
   steps(10);
   const int old = session_.timeline().current().id;
   session_.apply({action::SetEditRule{{.kind = EditRule::Kind::from_start}}});
@@ -60,7 +60,7 @@ TEST_F(LevelOfAFrame, OfAnOlderBranchIsTheBranchsOwn) {
   EXPECT_EQ(tile_at({2, 5}), 0);
 }
 
-TEST_F(LevelOfAFrame, IsCopiedAgainOnlyWhenItIsAnother) {
+TEST_F(LevelOfAFrame, IsCopiedAgainOnlyAfterAChange) {
   steps(10);
   paint({5, 3});
   steps(10);
@@ -76,7 +76,7 @@ TEST_F(LevelOfAFrame, IsCopiedAgainOnlyWhenItIsAnother) {
   }
 }
 
-TEST_F(LevelOfAFrame, TellsWhatElseIsOther) {
+TEST_F(LevelOfAFrame, ReportsOtherDifferences) {
   steps(10);
   Tuning tuning = session_.level().tuning;
   tuning.shared.fall_speed = 3;
@@ -90,7 +90,7 @@ TEST_F(LevelOfAFrame, TellsWhatElseIsOther) {
             "Level as it was at this frame (other: tuning); edits go to the newest");
 }
 
-TEST_F(LevelOfAFrame, ThatWasPaintedAndTakenBackIsTheSessions) {
+TEST_F(LevelOfAFrame, AfterAnUndoneStrokeIsTheLevelOfTheSession) {
   steps(10);
   paint({5, 3});
   steps(5);

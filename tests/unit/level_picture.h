@@ -9,8 +9,8 @@
 namespace talus {
 
 // '#' solid, 'o' ball, '/' the flagged tile of an up-slope, '\' of a down-slope, '-' a slope's second half,
-// anything else empty. The tiles have the article's flags and the level its solver; the map is as large as
-// the picture.
+// everything else empty. The tiles have the article's flags, the level has the article solver, and the map
+// has the size of the picture.
 inline Level level_of(std::initializer_list<std::string_view> rows) {
   Level level;
   level.tuning.solver = SolverKind::article;

@@ -1,4 +1,4 @@
-// Which shape a tile has, and which curves a level may have.
+// The shape of each tile, and the curves that a level may have.
 #include <gtest/gtest.h>
 
 #include <talus/level/ground.h>
@@ -77,7 +77,7 @@ TEST(FlagRoles, ModifiersAreNoRoles) {
   EXPECT_EQ(role_of(1 << 6 | 4, roles), TileRole::up_slope);
 }
 
-TEST(Spawn, TheFootIsTheKindsUnlessChosen) {
+TEST(Spawn, TheKindGivesTheFootUnlessItIsChosen) {
   Spawn spawn;
   EXPECT_EQ(spawn.used_foot(), Foot::box);
   spawn.kind = BodyKind::player;
@@ -106,8 +106,8 @@ TEST(LevelCurve, EndsMustBeOnTheMap) {
   EXPECT_EQ(problem(Segment{{3, 3}, {3, 3}}), "has a length of zero");
 }
 
-// A curve may be good when it is drawn, and off the map after the map has been cut.
-TEST(LevelCurve, OffTheMapItIsNoGround) {
+// A curve may be valid when it is drawn, and off the map after the map was made smaller.
+TEST(LevelCurve, ACurveOffTheMapIsNoGround) {
   Level level;
   level.map = TileMap(4, 2);
   const Curve kept{Segment{{0, 0}, {32, 16}}, Curve::Faces::up};

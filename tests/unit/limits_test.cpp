@@ -1,4 +1,4 @@
-// What a level holds at most: refused where it is read, edited and saved, and what is saved can be read.
+// The limits of a level: refused in reading, editing and saving. Everything that can be saved can be read.
 #include <talus/level/limits.h>
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ Level with_spawns(std::size_t count) {
 
 class SavedLimits : public FolderTest {};
 
-TEST_F(SavedLimits, WhatIsTooMuchIsSaidAndTheOldFileStays) {
+TEST_F(SavedLimits, ATooLargeLevelIsRefusedAndTheOldFileStays) {
   const std::string file = path("cave.talus.json");
   ASSERT_TRUE(save_level(with_spawns(1), *find_format("native"), file));
   const std::string before = bytes_of("cave.talus.json");
@@ -42,7 +42,7 @@ TEST_F(SavedLimits, WhatIsTooMuchIsSaidAndTheOldFileStays) {
   EXPECT_EQ(bytes_of("cave.talus.json"), before);
 }
 
-TEST(LevelLimits, AsManyBodiesAsAreAllowedComeBack) {
+TEST(LevelLimits, TheLargestNumberOfBodiesIsReadAgain) {
   Level level = with_spawns(kMaxSpawns);
   for (std::size_t i = 0; i < level.spawns.size(); ++i) level.spawns[i].position.x = static_cast<double>(i);
   const auto again = read_native(native_of_level(level), {});
@@ -62,7 +62,7 @@ TEST(LevelLimits, LongListsAreRefusedBeforeTheyAreRead) {
                       "must be a list of up to 16384 curves");
 }
 
-// A level with amounts close to what is allowed, some of them above it.
+// A level with amounts close to the limits, some of them above.
 Level level_with(const std::vector<std::size_t>& amounts) {
   Level level = with_spawns(amounts[0] % 50);
   level.curves.resize(amounts[1] % 50, {"ramp", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
@@ -76,7 +76,7 @@ Level level_with(const std::vector<std::size_t>& amounts) {
   return level;
 }
 
-TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
+TEST(LevelLimits, SavedLevelsCanBeRead) {
   std::size_t saved = 0, refused = 0, number = 1;
   const auto next = [&number] { return (number = number * 48271 % 2147483647) >> 3; };
   for (int i = 0; i < 7; ++i) {
@@ -88,7 +88,7 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
     const auto again = read_native(written->bytes, {});
     ASSERT_TRUE(again) << to_string(again.error(), "level");
     EXPECT_TRUE(*again == level);
-    if (saved > 1) continue;  // maps of Tiled take seconds, so one is enough
+    if (saved > 1) continue;  // one map is enough, as maps of Tiled take seconds
     for (const std::string to : {"tmx", "tmj"}) {
       const std::string text = tiled_export_of(level, to, "cave." + to).files[0].bytes;
       const auto map = read_level(text, {to});
@@ -100,7 +100,7 @@ TEST(LevelLimits, WhatCanBeSavedCanBeRead) {
   EXPECT_GT(refused, 0u);
 }
 
-// Each character of such a name takes 6 or 7 bytes in the map, and there is one name more.
+// Each character of such a name takes 6 or 7 bytes in the map, and there is one name too many.
 TEST(LevelLimits, MapsThatCannotBeReadAreNotExported) {
   Level level = with_spawns(20);
   const ReadAsset no_asset;
@@ -119,8 +119,8 @@ TEST(LevelLimits, MapsThatCannotBeReadAreNotExported) {
   }
 }
 
-// Each of twenty such sines took 700 MB of ground.
-TEST(LevelLimits, CurvesAreReckonedByTheCellsThatTheyPass) {
+// Each of twenty such sine curves took 700 MB of ground.
+TEST(LevelLimits, CurvesAreLimitedByTheCellsThatTheyCross) {
   Level level;
   level.curves = {{"", {Sine{0, 1900, 500, 400, 2, 0}, Curve::Faces::up}, ""}};
   EXPECT_FALSE(problem_of_amounts(level));
@@ -146,7 +146,7 @@ TEST(LevelLimits, UnknownMembersAreKeptUpToAMegabyte) {
   EXPECT_THAT(read.error().message, HasSubstr("bytes of unknown members, but a level holds"));
 }
 
-TEST(LevelLimits, NamesAndUnknownMembersOfAllListsCount) {
+TEST(LevelLimits, NamesAndUnknownMembersOfAllListsAreCounted) {
   const auto expect_counted = [](auto list) {
     Level level;
     (level.*list).resize(1);
@@ -171,7 +171,7 @@ TEST(LevelLimits, AnObjectOfManyKeysIsRefusedWhileItIsRead) {
                       "the JSON has an object with more than 66048 keys");
 }
 
-// Printed a value a line, each behind a hundred blanks, it would take fifty times as much.
+// Written with one value on each line, behind a hundred blanks, it would take fifty times as much.
 TEST(LevelLimits, DeepUnknownMembersStaySmall) {
   std::string deep = "{\"a\":{}";
   for (int i = 1; i < 1000; ++i) deep += ",\"a" + std::to_string(i) + "\":{}";
@@ -184,7 +184,7 @@ TEST(LevelLimits, DeepUnknownMembersStaySmall) {
   EXPECT_TRUE(level_of_native(text).extra == json::parse(deep).dump());
 }
 
-TEST(LevelLimits, LinesThatStandForASectionDoNotMakeACartGrow) {
+TEST(LevelLimits, RepeatedSectionLinesDoNotMakeACartGrow) {
   Level level;
   std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{17});
   json document = json::parse(native_of_level(level));
@@ -194,14 +194,14 @@ TEST(LevelLimits, LinesThatStandForASectionDoNotMakeACartGrow) {
                       "make the cart larger than 4 MiB, the limit for carts");
 }
 
-TEST(LevelLimits, CodeOfLineBreaksAloneIsKeptAsData) {
+TEST(LevelLimits, CodeOfOnlyLineBreaksIsKeptAsData) {
   const Level level = read_text(std::string(1'000'000, '\n'), {"lua"}).value();
   const json document = json::parse(native_of_level(level));
   EXPECT_FALSE(document["cart"].contains("lines"));
   EXPECT_EQ(level_of_native(document.dump()).cart->bytes, level.cart->bytes);
 }
 
-TEST(LevelLimits, ACartThatEditsMakeTooLargeIsNotSavedAsOne) {
+TEST(LevelLimits, ALevelTooLargeForACartIsNotSavedAsOne) {
   std::string bytes;
   constexpr int kUnknown = 21;
   const std::string data(65'535, 'x');
@@ -233,7 +233,7 @@ std::string error_of(const json& recording) {
   return read ? "" : to_string(read.error(), "file");
 }
 
-TEST(RecordingLimits, TheLevelsAfterTheEditsAreReckonedNotTheFirstOne) {
+TEST(RecordingLimits, TheLevelsAfterEachEditAreLimited) {
   json edits = {
       {{"frame", 1}, {"patch", {{{"op", "replace"}, {"path", "/spawns"}, {"value", json::array()}}}}}};
   edits[0]["patch"][0]["value"] = json(std::vector<json>(kMaxSpawns, json::object()));
@@ -245,14 +245,14 @@ TEST(RecordingLimits, TheLevelsAfterTheEditsAreReckonedNotTheFirstOne) {
             "file:key edits: error: has too many edits for a level of this size");
 }
 
-TEST(RecordingLimits, PatchesMoveNoLongLists) {
+TEST(RecordingLimits, PatchesDoNotRepeatLongLists) {
   json patch = json::array();
   for (int i = 0; i < 2000; ++i) patch.push_back({{"op", "remove"}, {"path", "/spawns/0"}});
   EXPECT_EQ(error_of(recording_with(with_spawns(kMaxSpawns), {{{"frame", 1}, {"patch", patch}}})),
             "file:key edits[0].patch: error: moves too many entries of lists");
 }
 
-TEST(RecordingLimits, ManyBodiesThatGoOrComeAreOneStepOfAPatch) {
+TEST(RecordingLimits, ManyAddedOrRemovedBodiesAreOneOperation) {
   Recording recording;
   recording.level = with_spawns(3000);
   recording.frames = 10;
@@ -271,7 +271,7 @@ TEST(RecordingLimits, ManyBodiesThatGoOrComeAreOneStepOfAPatch) {
     EXPECT_EQ(*again->edits[i].version->spawns, *recording.edits[i].version->spawns);
 }
 
-TEST(RecordingLimits, WhatIsNotReadIsNotWrittenEither) {
+TEST(RecordingLimits, RecordingsThatCannotBeReadAreNotWritten) {
   Recording recording;
   recording.level = with_spawns(kMaxSpawns);
   recording.frames = 10;
@@ -290,7 +290,7 @@ TEST(RecordingLimits, WhatIsNotReadIsNotWrittenEither) {
 
 // ---- Edits
 
-TEST(EditLimits, AnEditThatWouldMakeTooManyIsRefusedWithAMessage) {
+TEST(EditLimits, AnEditBeyondALimitIsRefusedWithAMessage) {
   Session session(with_spawns(kMaxSpawns));
   std::vector<Spawn> more = session.level().spawns;
   more.emplace_back();
@@ -304,7 +304,7 @@ TEST(EditLimits, AnEditThatWouldMakeTooManyIsRefusedWithAMessage) {
       "Place a body: not done, because the level then has 65537 bodies, but a level holds at most 65536.");
 }
 
-TEST(EditLimits, OldEditsAreForgottenForMemory) {
+TEST(EditLimits, OldEditsAreForgottenToSaveMemory) {
   Level level;
   UndoStack history(10'000);
   history.mark_saved();
@@ -360,7 +360,7 @@ TEST(TiledLimits, ObjectsAreCountedBeforeTheyAreRead) {
       "map:key layers[0].objects[262144]: error: is one object too many: a map may have at most 262144");
 }
 
-TEST(TiledLimits, WhatALevelCannotBeSavedWithIsNotRead) {
+TEST(TiledLimits, MapsBeyondTheLimitsOfALevelAreNotRead) {
   const std::string layers =
       R"({"type":"tilelayer","data":[0]},{"type":"objectgroup","objects":[{"type":"ball","name":")" +
       std::string(kMaxNameBytes + 1, 'n') + "\"}]}";
@@ -371,7 +371,7 @@ TEST(TiledLimits, WhatALevelCannotBeSavedWithIsNotRead) {
 
 class TiledFilesLimits : public FolderTest {
  protected:
-  // A map of so many tilesets; the picture of each has the name that `picture` gives.
+  // A map of `count` tilesets whose pictures have the names that `picture` returns.
   template <class Picture>
   std::string error_of_map(int tilesets, Picture picture) const {
     std::string list;
@@ -390,7 +390,7 @@ TEST_F(TiledFilesLimits, TilesetsOfOnePictureShareIt) {
   EXPECT_EQ(error_of_map(500, [](int) { return "a.png"; }), "");
 }
 
-TEST_F(TiledFilesLimits, FilesOfManyNamesAreReadOnce) {
+TEST_F(TiledFilesLimits, AFileWithManyNamesIsReadOnce) {
   put("a.png", png_of(1024, 2, std::vector<std::string>(1024, std::string(3 * 1024, '\x40'))));
   std::filesystem::create_symlink("a.png", path("link.png"));
   std::filesystem::create_hard_link(path("a.png"), path("hard.png"));

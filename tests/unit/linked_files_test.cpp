@@ -1,4 +1,4 @@
-// The files that a map of Tiled names: what of them is read, and what is told of them.
+// The files that a map of Tiled names: which of them are read, and what errors say of them.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -16,7 +16,7 @@ using testing::Not;
 class LinkedFiles : public FolderTest {
  protected:
   void SetUp() override { fs::create_directories(path("maps")); }
-  // What is wrong with a map of this picture, or of this tileset.
+  // The error of a map with this picture, or with this tileset.
   std::string error_with_picture(const std::string& name) const {
     return error_with(
         R"(<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1">)"
@@ -36,7 +36,7 @@ class LinkedFiles : public FolderTest {
   }
 };
 
-TEST_F(LinkedFiles, OfAMapAreReadOnlyIfTheyArePlainFiles) {
+TEST_F(LinkedFiles, AreReadOnlyIfTheyAreRegularFiles) {
   ASSERT_EQ(::mkfifo(path("maps/pipe").c_str(), 0600), 0);
   fs::create_symlink("pipe", path("maps/link"));
   fs::create_symlink("/dev/zero", path("maps/endless"));
@@ -47,7 +47,7 @@ TEST_F(LinkedFiles, OfAMapAreReadOnlyIfTheyArePlainFiles) {
   }
 }
 
-TEST_F(LinkedFiles, OfAnotherKindLeaveNothingInTheError) {
+TEST_F(LinkedFiles, OtherContentIsNotQuotedInTheError) {
   put("secret", "hunter2:x:0:0\n");
   put("secret.json", R"({"hunter2": "hunter2", "type": "hunter2"})");
   put("secret.bad", R"({"tilewidth": hunter2})");

@@ -1,4 +1,4 @@
-// The lint of a level that is being edited finds what a lint of the whole level finds.
+// The lint of an edited level finds the same problems as a lint of the whole level.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 namespace talus::lint_cache_test {
 
-// Looks at one block.
+// Checks one block.
 bool advance(LintCache& cache, const Level& level) {
   return cache.advance(level, {}, [] { return false; });
 }
@@ -23,13 +23,13 @@ Level random_slopes(int width, int height, std::mt19937& random) {
   return level;
 }
 
-// Puts some tile into the cell.
+// Puts a random tile into the cell.
 void change_cell(Level& level, Cell cell, std::mt19937& random, LintCache& cache) {
   level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
   cache.note_cell(cell);
 }
 
-TEST(LintCache, AChangedCellIsLookedAtWithItsSurroundings) {
+TEST(LintCache, AChangedCellIsCheckedWithItsNeighbours) {
   std::mt19937 random(1);
   Level level = random_slopes(48, 16, random);
   LintCache cache;
@@ -44,7 +44,7 @@ TEST(LintCache, AChangedCellIsLookedAtWithItsSurroundings) {
   }
 }
 
-TEST(LintCache, AChangedCellCountsInTheNextBlocksToo) {
+TEST(LintCache, AChangedCellAffectsTheNextBlocksToo) {
   std::mt19937 random(2);
   Level level = random_slopes(64, 64, random);  // four blocks, of 32x32
   LintCache cache;
@@ -56,16 +56,16 @@ TEST(LintCache, AChangedCellCountsInTheNextBlocksToo) {
   for (int i = 0; i < 60; ++i) {
     const Cell cell{26 + static_cast<int>(random() % 12), 26 + static_cast<int>(random() % 12)};
     change_cell(level, cell, random, cache);
-    while (!advance(cache, level)) {  // a block that has more problems than are listed is looked at again
+    while (!advance(cache, level)) {  // a block with more problems than are listed is checked again
     }
     ASSERT_EQ(cache.problems(), lint(level)) << i;
   }
 }
 
-TEST(LintCache, OfTooManyProblemsTheUpperOnesAreListed) {
+TEST(LintCache, TheUppermostOfTooManyProblemsAreListed) {
   std::mt19937 random(5);
   Level level = random_slopes(128, 128, random);
-  for (int y = 0; y < 6; ++y) {  // the uppermost are in the last block of its row
+  for (int y = 0; y < 6; ++y) {  // the uppermost are in the last block of their row
     for (int x = 0; x < 100; ++x) level.map.set({x, y}, 0);
   }
   const std::vector<Problem> found = lint(level);
@@ -101,7 +101,7 @@ TEST(LintCache, BlocksOfALargeMapAreLarger) {
   }
 }
 
-TEST(LintCache, AChangedTileIsLookedAtInAllBlocksALittleAtATime) {
+TEST(LintCache, AChangedTileIsCheckedInAllBlocksStepByStep) {
   std::mt19937 random(3);
   Level level = random_slopes(64, 8, random);
   level.map = TileMap(32, 320);  // ten blocks
@@ -112,7 +112,7 @@ TEST(LintCache, AChangedTileIsLookedAtInAllBlocksALittleAtATime) {
   EXPECT_FALSE(cache.is_done());
   cache.finish(level, {});
   EXPECT_THAT(cache.problems(), testing::IsEmpty());  // slopes in the air
-  level.sheet(SheetId::tiles).flags[kSlopeA] = 4;     // a slope of two tiles, but for its own shape
+  level.sheet(SheetId::tiles).flags[kSlopeA] = 4;  // without its own shape it would be a slope of two tiles
   cache.note_rest();
   EXPECT_FALSE(cache.is_done());
   for (int i = 0; i < 9; ++i) {
@@ -125,7 +125,7 @@ TEST(LintCache, AChangedTileIsLookedAtInAllBlocksALittleAtATime) {
   EXPECT_EQ(cache.problems().size(), 2u);
 }
 
-TEST(LintCache, APaintedPixelLooksAtNoBlockAgain) {
+TEST(LintCache, APaintedPixelChecksNoBlockAgain) {
   Level level = slope_level({"o....", ".a##.", "#####"});
   LintCache cache;
   cache.finish(level, {});
@@ -135,7 +135,7 @@ TEST(LintCache, APaintedPixelLooksAtNoBlockAgain) {
   EXPECT_EQ(cache.problems().size(), 1u);
 }
 
-TEST(LintCache, AnotherMapIsAnotherLevel) {
+TEST(LintCache, AnotherMapIsCheckedFromTheStart) {
   LintCache cache;
   cache.finish(slope_level({"o....", ".a##.", "#####"}), {});
   EXPECT_EQ(cache.problems().size(), 1u);

@@ -1,4 +1,4 @@
-// Where floors do not meet, where a player does not fit through, and what is wrong with a tile by itself.
+// Floors that do not meet, gaps too small for a player, and problems of a single tile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,24 +14,24 @@ namespace talus::lint_seam_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(LintSeams, FloorsThatMeetAreGood) {
+TEST(LintSeams, FloorsThatMeetGiveNoProblem) {
   EXPECT_THAT(lint_lines(slope_level({"o............",  //
                                       "....ab##cd...", "#############"})),
               IsEmpty());
   EXPECT_THAT(lint_lines(slope_level({"o.........", "...ab##...", ".ab######.", "##########"})), IsEmpty());
 }
 
-TEST(LintSeams, WholeStepsAndLedgesAreMeant) {
+TEST(LintSeams, WholeStepsAndLedgesAreIntended) {
   EXPECT_THAT(lint_lines(slope_level({"o....#...", ".....#ab.", "##..###..", "#########"})), IsEmpty());
 }
 
-TEST(LintSeams, AFloorJumps) {
+TEST(LintSeams, AJumpOfTheFloorIsFound) {
   EXPECT_THAT(lint_lines(slope_level({"o....", ".a##.", "#####"})),
               ElementsAre("seam: floor jumps 4 px between (1, 1) and (2, 1)"));
   EXPECT_THAT(lint_lines(slope_level({"o....", "..e..", "#####"})),
               ElementsAre("seam: floor jumps 5 px between (2, 1) and (3, 2)",
                           "seam: floor jumps 5 px between (1, 2) and (2, 1)"));
-  // Down to the floor, where the slope's other half is not there.
+  // The slope leads down to the floor, as its other half is missing.
   EXPECT_THAT(lint_lines(slope_level({"o....", ".a...", "#####"})),
               ElementsAre("seam: floor jumps 4 px between (1, 1) and (2, 2)"));
 }
@@ -44,13 +44,13 @@ TEST(LintSeams, AJumpIsFoundInFractionsOfAPixel) {
   EXPECT_THAT(lint_lines(level), IsEmpty());
 }
 
-TEST(LintSeams, SmallJumpsMayBeMeant) {
+TEST(LintSeams, SmallJumpsCanBeAllowed) {
   const Level level = slope_level({"o....", "..e..", "#####"});
   EXPECT_THAT(lint_lines(level, {4.75}).size(), 2u);
   EXPECT_THAT(lint_lines(level, {5}), IsEmpty());
 }
 
-TEST(LintSeams, ACeilingJumps) {
+TEST(LintSeams, AJumpOfTheCeilingIsFound) {
   EXPECT_THAT(lint_lines(slope_level({"#####", ".^...", "....o", "....."})),
               ElementsAre("seam-ceiling: ceiling jumps 3 px between (1, 1) and (2, 0)"));
 }
@@ -63,7 +63,7 @@ TEST(LintSeams, AWideSlopeJumpsAtItsEnd) {
   EXPECT_THAT(lint_lines(level), ElementsAre("seam: floor jumps 6 px between (3, 1) and (4, 2)"));
 }
 
-TEST(LintSeams, ACurveMayGoOn) {
+TEST(LintSeams, ACurveMayContinueAFloor) {
   Level level = slope_level({"o....", ".a...", "##..."});
   level.map.set({2, 1}, kBlockE);
   level.tile_shapes[kBlockE].heights = {1, 1};  // 3 px lower
@@ -77,29 +77,29 @@ std::string edge_at(const std::string& cell, int gap) {
          " px, too little for a body: edges inside it can catch what comes along";
 }
 
-TEST(LintEdges, AnEdgeInsideTheGroundIsToldOfAsSuch) {
-  // The block is 5 px high, and a full tile lies over it: its top and that tile's bottom are inside the
-  // ground.
+TEST(LintEdges, AnEdgeInsideTheGroundHasItsOwnProblem) {
+  // The block is 5 px high, and a full tile lies over it: the block's top and the tile's bottom are inside
+  // the ground.
   EXPECT_THAT(lint_lines(slope_level({"o....", "..#..", "..e..", "#####"})),
               ElementsAre(edge_at("(2, 2)", 3)));
-  // At both ends of a longer one; and where it is closed all around.
+  // The same at both ends of a longer block, and where the block is closed all around.
   EXPECT_THAT(lint_lines(slope_level({"o.....", ".####.", ".eeee.", "######"})),
               ElementsAre(edge_at("(1, 2)", 3), edge_at("(4, 2)", 3)));
   EXPECT_THAT(lint_lines(slope_level({"o.....", ".####.", ".#ee#.", "######"})),
               ElementsAre(edge_at("(2, 2)", 3), edge_at("(3, 2)", 3)));
-  // Without anything above, the same block is a floor that jumps.
+  // Without a tile above, the same block is a floor that jumps.
   EXPECT_THAT(lint_lines(slope_level({"o....", ".....", "..e..", "#####"})),
               ElementsAre("seam: floor jumps 5 px between (2, 2) and (3, 3)",
                           "seam: floor jumps 5 px between (1, 3) and (2, 2)"));
 }
 
-TEST(LintEdges, FloorsThatJumpInsideTheGroundAreNoSeams) {
+TEST(LintEdges, FloorsThatJumpInsideTheGroundAreIgnored) {
   Level level = slope_level({"o.....", ".####.", ".#eb#.", "######"});
   level.tile_shapes[kSlopeB].heights = {3, 3};
   EXPECT_THAT(lint_lines(level), ElementsAre(edge_at("(2, 2)", 3), edge_at("(3, 2)", 5)));
 }
 
-TEST(LintEdges, ACornerOfACaveAndATunnelForTheSmallAreMeant) {
+TEST(LintEdges, CornersAndTunnelsForSmallPlayersAreIntended) {
   EXPECT_THAT(lint_lines(slope_level({"o......", "#######", "...ab##", "#######"})), IsEmpty());
   Level level = slope_level({".....", "..#..", ".###.", ".eee.", "#####"});
   level.spawns = {{"", {0, 0}, {}, "", BodyKind::player, {3, 4}}};
@@ -195,7 +195,7 @@ TEST(LintSpawns, ABodyInAShapeOfItsOwn) {
   EXPECT_THAT(lint_lines(level), IsEmpty());
 }
 
-TEST(LintRules, EachHasALabelAndACodeOfItsOwn) {
+TEST(LintRules, EachHasAUniqueLabelAndCode) {
   for (const LintRule* rule : lint_rules()) {
     EXPECT_FALSE(rule->label.empty()) << rule->code;
     EXPECT_NE(group_of(*rule), nullptr) << rule->code;
@@ -205,15 +205,14 @@ TEST(LintRules, EachHasALabelAndACodeOfItsOwn) {
   }
 }
 
-TEST(LintSeams, TheDemoHasTheProblemOfItsTourAlone) {
+TEST(LintSeams, TheDemoHasOnlyTheProblemOfItsTour) {
   const auto demo = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json");
   ASSERT_TRUE(demo);
   EXPECT_THAT(lint_lines(demo->level), ElementsAre("slope-unflagged: tile 9 is drawn like tile 3, an "
                                                    "up-slope, but nothing makes it one"));
 }
 
-// What is odd in them is what they are about: ramps that end below a wall, and slopes of the article in a
-// row.
+// Their oddities are intended: ramps that end below a wall, and slopes of the article in a row.
 TEST(LintSeams, HardCasesHaveFewProblems) {
   std::vector<std::string> lines;
   for (const auto& file : std::filesystem::directory_iterator(TALUS_SOURCE_DIR "/assets/hard_cases")) {

@@ -1,5 +1,5 @@
-// Every rule of the lint, on small maps drawn here: '#' solid, 'o' ball, '/' up-slope, '\' down-slope, each
-// with its other half '-', '!' solid and up-slope, '.' empty, '?' a flagged slope's half without a drawing.
+// Every rule of the lint on small maps drawn here: '#' solid, 'o' ball, '/' up-slope, '\' down-slope, each
+// with its other half '-', '!' solid and up-slope, '.' empty, '?' half of a flagged slope without a drawing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Level level_of(const std::vector<std::string>& rows) {
   return level;
 }
 
-// "E code (x, y) tile: message", the cell and the tile where there is one.
+// "E code (x, y) tile: message", with the cell and the tile if the problem has them.
 std::vector<std::string> problems(const Level& level) {
   std::vector<std::string> list;
   for (const Problem& p : lint(level)) {
@@ -47,7 +47,7 @@ std::vector<std::string> problems(const Level& level) {
   return list;
 }
 
-TEST(Lint, AGoodLevelHasNoProblem) {
+TEST(Lint, ACorrectLevelHasNoProblem) {
   EXPECT_THAT(problems(level_of({"..o....o..",  //
                                  "#./-##\\-.#", "##########"})),
               IsEmpty());
@@ -60,7 +60,7 @@ TEST(Lint, OnlyTheFirstThousandAreListed) {
   ASSERT_EQ(found.size(), kMaxProblems + 1);
   EXPECT_EQ(found[0].rule->code, "more");
   EXPECT_EQ(found[0].severity, Severity::error);
-  EXPECT_EQ(found[0].message, "601 more problems are not listed");  // with the one that nothing will move
+  EXPECT_EQ(found[0].message, "601 more problems are not listed");  // one of them says that nothing will move
 }
 
 TEST(Lint, NothingWillMove) {
@@ -74,7 +74,7 @@ TEST(Lint, NothingWillMove) {
 
 TEST(Lint, AShapeReachesOverTheMapsEdge) {
   Level level = level_of({"o.........", "..........", ".........."});
-  level.sheet(SheetId::tiles).images = {};  // nor need the rest of the shapes be drawn
+  level.sheet(SheetId::tiles).images = {};  // so that the rest of the shapes need not be drawn either
   level.tile_shapes[100] = {.kind = TileShape::Kind::slope, .tiles = 8, .heights = {0, 8}};
   level.tile_shapes[101] = {.kind = TileShape::Kind::slope, .heights = {0, 16}};
   level.tile_shapes[102] = level.tile_shapes[101];
@@ -212,7 +212,8 @@ TEST(Lint, ASpawnInASolid) {
 
 TEST(Lint, ASpawnInASlope) {
   Level level = level_of({"....", "./-.", "####"});
-  level.spawns.push_back({"", {12, 2}, {}, ""});  // its centre is half way up: the floor is at 4
+  level.spawns.push_back(
+      {"", {12, 2}, {}, ""});  // its centre is half way along the slope, where the floor is at 4
   level.spawns.push_back({"", {12, 4}, {}, ""});
   level.spawns.push_back({"", {12, 4.25}, {}, ""});
   EXPECT_THAT(
@@ -258,7 +259,7 @@ TEST(Lint, ACurveLeavesTheMapBetweenItsEnds) {
                           "W curve-leaves-map (1, 0): curve 1 leaves the map between its ends"));
 }
 
-TEST(Lint, CurvesThatTheSolverTakesNoNoticeOf) {
+TEST(Lint, CurvesThatTheSolverIgnores) {
   Level level = level_of({"o..", "###"});
   level.curves.push_back({"", {Segment{{2, 4}, {20, 4}}, Curve::Faces::up}, ""});
   EXPECT_THAT(problems(level), IsEmpty());
@@ -300,7 +301,7 @@ TEST(Lint, ModifiersDoNotConflict) {
   EXPECT_THAT(problems(level), ElementsAre("E shared-flag: flag 6 stands for both one-way and ceiling"));
 }
 
-TEST(Lint, TheScenesOfTheArticleAreGood) {
+TEST(Lint, TheScenesOfTheArticleHaveNoProblem) {
   for (const std::string name : {"drag", "one", "s4", "s26", "s60", "six"}) {
     EXPECT_THAT(problems(load_level(TALUS_SOURCE_DIR "/tests/golden/article/" + name + ".lua")->level),
                 IsEmpty())
@@ -314,7 +315,7 @@ TEST(Lint, ForeignCartsGetFewProblems) {
   };
   EXPECT_EQ(count("car"), 1u);  // no balls
   EXPECT_EQ(count("tetris"), 1u);
-  EXPECT_EQ(count("quest"), 3u);  // and its tile 0 has every flag, and no picture
+  EXPECT_EQ(count("quest"), 3u);  // its tile 0 has every flag and no picture
 }
 
 TEST(Lint, GroundThatTheArticleDoesNotKnow) {

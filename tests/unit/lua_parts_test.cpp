@@ -1,4 +1,5 @@
-// Which parts of Lua's runtime a level ships, how they are written, and what a module says of what it lacks.
+// The parts of the Lua runtime that a level ships, how they are written, and what a module says of missing
+// parts.
 #include "export/lua_parts.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ std::string parts_of(const Level& level, std::string_view more = {}) {
   return joined(lua_parts(level, more).value());
 }
 
-TEST(LuaParts, ALevelHasThoseThatItUses) {
+TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   EXPECT_EQ(parts_of(Level()), "");
   EXPECT_EQ(parts_of(flat_level()), "balls ");
   EXPECT_EQ(parts_of(flat_level(BodyKind::player)), "players ");
@@ -73,7 +74,7 @@ TEST(LuaParts, ALevelHasThoseThatItUses) {
   EXPECT_EQ(parts_of(level), "balls players ");
 }
 
-TEST(LuaParts, OthersAreAskedFor) {
+TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(parts_of(flat_level(), "pairs,  players"), "balls players pairs ");
   EXPECT_EQ(parts_of(flat_level(), ",balls,"), "balls ");
   EXPECT_EQ(parts_of(Level(), "curves"), "slopes segments curves ");
@@ -85,7 +86,7 @@ TEST(LuaParts, OthersAreAskedFor) {
             "pairs, mouse");
 }
 
-// Words that are in the code of a part alone.
+// Words that occur in the code of one part only.
 const std::map<std::string, std::string> kMarks = {
     {"slopes", "slope|profile|height_at|foot_offset"},
     {"one_way", "one_way"},
@@ -96,13 +97,13 @@ const std::map<std::string, std::string> kMarks = {
     {"pairs", "block_cells|near\\b"},
     {"mouse", "mouse|drag|grab"}};
 
-// The code of talus.lua, without comments and without what it says in errors.
+// The code of talus.lua, without comments and without the texts of its errors.
 std::string code_of(const Level& level, std::string_view parts = {}) {
   std::string code = join_lua({"--\n", exported(level, "lua-runtime", parts).files.front().bytes});
   return std::regex_replace(code.substr(code.find("\nlocal")), std::regex("\"[^\"\n]{20,}\""), "\"\"");
 }
 
-TEST(LuaParts, TheCodeOfAPartIsWhereItIsUsedAlone) {
+TEST(LuaParts, TheCodeOfAPartIsLeftOutUnlessItIsUsed) {
   const Level levels[] = {Level(),
                           flat_level(),
                           flat_level(BodyKind::player),
@@ -131,7 +132,7 @@ TEST(LuaParts, HardCase02OfFullTilesHasNoCodeOfCurves) {
 
 // ---- How it is written ----
 
-TEST(LuaParts, WhatLuaDoesNotNeedIsLeftOutOfCarts) {
+TEST(LuaParts, CartsLeaveOutCommentsAndIndents) {
   EXPECT_EQ(
       join_lua({"-- Head.\nlocal a = 1  -- px\n", "\n-- More.\nif a then\n  a = 2 - -a * \"b  c\"\nend\n"}),
       "-- Head.\nlocal a=1\nif a then\na=2- -a*\"b  c\"\nend\n");
@@ -140,7 +141,7 @@ TEST(LuaParts, WhatLuaDoesNotNeedIsLeftOutOfCarts) {
   EXPECT_EQ(cart.find("\n  "), std::string::npos);
 }
 
-TEST(LuaParts, FoldersHaveTheModuleAsItIsToBeRead) {
+TEST(LuaParts, FoldersHaveTheModuleInReadableForm) {
   for (const char* id : {"love", "lua-runtime"}) {
     const std::string text = exported(with_slope(flat_level()), id).files.front().bytes;
     const std::string parts = std::string(id) == "love" ? "slopes, balls, mouse" : "slopes, balls";
@@ -153,7 +154,7 @@ TEST(LuaParts, FoldersHaveTheModuleAsItIsToBeRead) {
   }
 }
 
-TEST(LuaLevel, IsARowOfTheMapATileABodyALine) {
+TEST(LuaLevel, HasALineForEachRowTileAndBody) {
   Level level = with_slope(flat_level());
   level.map.set({7, 0}, 200);
   level.curves.push_back({"", {Segment{{8, 8}, {16, 8.5}}, Curve::Faces::both}, ""});
@@ -190,7 +191,7 @@ TEST(LuaLevel, IsARowOfTheMapATileABodyALine) {
   EXPECT_EQ(text.substr(text.size() - end.size()), end);
 }
 
-TEST(LuaLevel, IsALineInACart) {
+TEST(LuaLevel, IsOneLineInACart) {
   const std::string text = lua_level(with_slope(flat_level()), LuaForm::small);
   EXPECT_EQ(
       text.find(
@@ -201,11 +202,11 @@ TEST(LuaLevel, IsALineInACart) {
   EXPECT_EQ(text.find("parts"), std::string::npos);
 }
 
-// ---- What a module says of what it lacks ----
+// ---- What a module says of missing parts ----
 
 class LuaModule : public FolderTest {
  protected:
-  // What a game prints that has the level's module, with parts asked for.
+  // The output of a game with the level's module and the chosen parts.
   std::string run(const Level& level, const std::string& game, std::string_view parts = {}) {
     for (const ExportedFile& file : exported(level, "lua-runtime", parts).files) put(file.name, file.bytes);
     put("game.lua",
@@ -235,7 +236,7 @@ TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
   EXPECT_EQ(run(flat_level(), add, "players").substr(0, 6), "table:");
 }
 
-TEST_F(LuaModule, ASecondBodyTakesThePartByWhichTheyBlock) {
+TEST_F(LuaModule, ASecondBodyNeedsThePartThatBlocksBodies) {
   const std::string game =
       "try(function() world:add {kind = 'ball', x = 16, y = -8} end)\n"
       "for _ = 1, 200 do world:step() end\n"
@@ -247,7 +248,7 @@ TEST_F(LuaModule, ASecondBodyTakesThePartByWhichTheyBlock) {
   EXPECT_EQ(run(flat_level(), game, "pairs"), "\n16.0\n8.0\n");
 }
 
-TEST_F(LuaModule, ALevelWhosePartsAreNotThereIsAnError) {
+TEST_F(LuaModule, ALevelWithoutItsPartsIsAnError) {
   const std::string game =
       "level.parts = {'balls', 'curves'}\ntry(talus.new, level)\nprint(talus.parts.balls)";
   EXPECT_EQ(run(flat_level(), game), "the level needs a part that is not in this module: curves\ntrue\n");

@@ -1,4 +1,4 @@
-// The Lua runtime gives the bits of the program: every body of every frame, by Lua 5.3 and by LuaJIT.
+// The Lua runtime gives the bits of the program, for every body of every frame, in Lua 5.3 and LuaJIT.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 // Levels that the solver and both Luas run.
 class LuaRuntime : public FolderTest {
  protected:
-  // Runs a level by the solver, and writes what the Luas need to run it.
+  // Runs a level by the solver, and writes the files that the Luas need to run it.
   void add(Level level, std::int64_t frames, const std::vector<CaseInput>& entries, const std::string& name) {
     level.tuning.solver = SolverKind::exact;
     level.tuning.exact.single_precision = 0;
@@ -47,10 +47,10 @@ class LuaRuntime : public FolderTest {
     body_frames_ += frames * static_cast<std::int64_t>(state.bodies.size());
   }
 
-  // Runs them by both Luas at a time, and says how many frames were compared.
+  // Runs the levels in both Luas at the same time, and prints how many frames were compared.
   void expect_same_bits() {
     put("list.lua", "return {" + list_ + "}");
-    // LuaJIT is told to compile later than it would: it meets a thousand short runs.
+    // LuaJIT compiles later than by default, as it runs a thousand short levels.
     const std::string luas[] = {"lua5.3", "luajit -Ohotloop=500,hotexit=100"};
     std::future<std::string> outputs[2];
     for (int i = 0; i < 2; ++i) {
@@ -92,8 +92,9 @@ class LuaRuntime : public FolderTest {
     return text;
   }
   struct Comparison {
-    std::int64_t bodies = 0, differences = 0;  // lines of bodies that were compared; lines that differ
-    std::string first;                         // the level and the lines of the first of them; empty: none
+    std::int64_t bodies = 0,
+                 differences = 0;  // the number of compared lines of bodies, and of those that differ
+    std::string first;             // the level and the lines of the first difference; empty: there is none
   };
   static Comparison compared_lines(const std::string& out, const std::string& expected) {
     Comparison found;
@@ -113,7 +114,7 @@ class LuaRuntime : public FolderTest {
     }
     return found;
   }
-  // The name of the file of a module of these parts: most levels need the same.
+  // The file name of a module with these parts. Most levels need the same module.
   std::string runtime_file(const std::vector<std::string>& parts) {
     const auto [entry, is_new] =
         runtimes_.emplace(parts, "runtime" + std::to_string(runtimes_.size()) + ".lua");
@@ -127,7 +128,7 @@ class LuaRuntime : public FolderTest {
   }
 
   std::string expected_, list_;
-  std::map<std::vector<std::string>, std::string> runtimes_;  // by parts, their files
+  std::map<std::vector<std::string>, std::string> runtimes_;  // files by parts
   int levels_ = 0;
   std::int64_t frames_ = 0, body_frames_ = 0;
 };
@@ -147,7 +148,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
   expect_same_bits();
 }
 
-// Besides what balls they have, many more fall on them.
+// Many more balls fall than the carts have.
 TEST_F(LuaRuntime, GivesTheBitsOfTheGoldenCarts) {
   for (const auto& entry : fs::directory_iterator(TALUS_SOURCE_DIR "/tests/golden/carts")) {
     auto loaded = load_level(entry.path().string());

@@ -9,9 +9,9 @@ namespace talus::map_mirror_test {
 
 using Kind = TileShape::Kind;
 
-// a: solid, one colour. b, c: the halves of an up-slope of 16x8 px as in the article, the left one with the
-// flag; d, e: of a down-slope, drawn as their mirror images. f: an up-slope of one tile with a shape of its
-// own. g: a sign without ground, drawn on its left. h: the sign's mirror image.
+// a: solid, one colour. b, c: the halves of an up-slope of 16x8 px as in the article, with the flag on the
+// left one. d, e: the halves of a down-slope, drawn as mirror images. f: an up-slope of one tile with its own
+// shape. g: a sign without ground, drawn on its left. h: the mirror image of the sign.
 Level mirror_level(const MapRows& rows) {
   Level level = level_of_rows(rows);
   Sheet& sheet = level.sheet(SheetId::tiles);
@@ -47,14 +47,14 @@ TEST(MapMirror, SlopeOfTwoTilesBecomesTheOneThatGoesDown) {
   EXPECT_EQ(text_of_missing(mirrored), "");
 }
 
-TEST(MapMirror, TwiceIsAsBefore) {
+TEST(MapMirror, MirroringTwiceRestoresTheMap) {
   const MapRows rows = {"abcdea.g", "g.bc.deh"};
   Level level = mirror_level(rows);
   for (int i = 0; i < 2; ++i) apply_edit(level, mirror_cells(level, {0, 0, 8, 2}, kLeftRight).edit);
   EXPECT_EQ(rows_of(level.map), rows);
 }
 
-TEST(MapMirror, OtherCellsAreLeftAlone) {
+TEST(MapMirror, CellsOutsideAreLeftAlone) {
   const Level level = mirror_level({"abca", "bcga"});
   EXPECT_EQ(rows_after(level, mirror_cells(level, {0, 1, 3, 1}, kLeftRight).edit), (MapRows{"abca", "hdea"}));
 }
@@ -69,9 +69,9 @@ TEST(MapMirror, PictureWithTheSameFlagsIsPreferred) {
   EXPECT_EQ(text_of_missing(mirrored), "1 tile is not drawn mirrored, as the sheet has no such picture.");
 }
 
-TEST(MapMirror, SlopeWithoutAPartnerGoesAsAWholeAndIsCounted) {
+TEST(MapMirror, SlopeWithoutAPartnerIsMovedAsAWholeAndCounted) {
   Level level = mirror_level({"fbc.."});
-  level.sheet(SheetId::tiles).flags[4] = 0;  // no down-slope on the sheet any more
+  level.sheet(SheetId::tiles).flags[4] = 0;  // the sheet has no down-slope any more
   const MirroredCells mirrored = mirror_cells(level, {0, 0, 5, 1}, kLeftRight);
   EXPECT_EQ(rows_after(level, mirrored.edit), MapRows{"..bcf"});
   EXPECT_EQ(mirrored.without_partner, 2);
@@ -87,7 +87,7 @@ TEST(MapMirror, SlopeThatTheSelectionCutsIsCounted) {
   EXPECT_EQ(mirrored.without_partner, 1);
 }
 
-TEST(MapMirror, OfSeveralPartnersTheMostAlikeIsTaken) {
+TEST(MapMirror, TheMostSimilarPartnerIsTaken) {
   Level level = mirror_level({"f"});
   for (const int tile : {9, 10})
     level.tile_shapes[static_cast<std::size_t>(tile)] = {.kind = Kind::slope, .heights = {8, 0}};

@@ -1,4 +1,4 @@
-// The map from afar.
+// The map as it is drawn when it is zoomed far out.
 #include "overlay/map_picture.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace talus::map_picture_test {
 
 constexpr Rgb kBlack{0, 0, 0}, kRed{200, 0, 0}, kBlue{0, 0, 100};
 
-// Tile 1 is red but for a corner of blue; tile 2 is blue and a ball.
+// Tile 1 is red with a blue corner. Tile 2 is blue and a ball.
 Level picture_level(int width, int height) {
   Level level;
   level.palette[0] = kBlack;
@@ -69,7 +69,7 @@ TEST(MapPicture, ABlockIsTheMeanOfItsCellsOnTheMap) {
   EXPECT_EQ(pixel(rgba, 1), (Rgb{100, 0, 0})) << "of its four cells two are on the map";
 }
 
-TEST(MapPicture, RowsAndColumnsAreNeverMissed) {
+TEST(MapPicture, EveryRowAndColumnCounts) {
   for (int phase = 0; phase < 4; ++phase) {
     Level rows = picture_level(64, 64), columns = picture_level(64, 64);
     for (int far = phase; far < 64; far += 4) {

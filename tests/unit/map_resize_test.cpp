@@ -1,4 +1,4 @@
-// The map made larger and smaller, and shifted, with bodies and curves.
+// The map is made larger and smaller and shifted, with its bodies and curves.
 #include "edit/map_resize.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(MapResize, CutsAndCountsWhatIsLost) {
   EXPECT_EQ(resized(level, {3, 2, {-1, 0}, false}).lost_tiles, 2u);
 }
 
-TEST(MapResize, WrapsWithoutLosingAnything) {
+TEST(MapResize, WrappingLosesNothing) {
   Level level = level_of_rows({"abc", "def"});
   level.spawns = {spawn_at_px({16, 8}), spawn_at_px({4, 0})};
   level.curves = {segment_curve({17, 1}, {23, 2})};
@@ -67,7 +67,7 @@ TEST(MapResize, CurveThatWouldBeTornByWrappingIsCounted) {
   EXPECT_EQ(resized(level, {3, 2, {1, 0}, true}).lost_curves, 1u);
 }
 
-TEST(MapResize, WhatLayBesideTheMapStaysBesideIt) {
+TEST(MapResize, BodiesBesideTheMapStayBesideIt) {
   Level level = level_of_rows({"a."});
   level.spawns = {spawn_at_px({-80, -80}), spawn_at_px({-3, 0})};
   const ResizedMap same = resized(level, {2, 1, {0, 0}, true});
@@ -93,7 +93,7 @@ TEST(MapResize, IsOneEntryWithTheSelection) {
   EXPECT_EQ(session.choices().selection, (CellRect{1, 1, 1, 1}));
 }
 
-TEST(MapResize, NothingToChangeIsEmpty) {
+TEST(MapResize, TheSameSizeGivesAnEmptyEdit) {
   const Level level = level_of_rows({"a."});
   EXPECT_TRUE(resize_map(level, {2, 1, {0, 0}, false}, {}).empty());
   EXPECT_EQ(resize_map(level, {2, 1, {1, 0}, false}, {}).label, "Shift map");

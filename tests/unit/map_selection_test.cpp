@@ -1,4 +1,4 @@
-// Moving, pasting and the clipboard of the map's selection.
+// Moving and pasting the map's selection, and its clipboard.
 #include "edit/map_selection.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST_F(MapSelection, IsCutAtTheMapsEdge) {
   EXPECT_EQ(selection(), std::nullopt);
 }
 
-TEST_F(MapSelection, MoveLeavesNothingAndBringsBackWhatItCrossed) {
+TEST_F(MapSelection, MoveRestoresTheCellsThatItCrossed) {
   open({"abc.."}, CellRect{0, 0, 2, 1});
   move(1, 0);
   EXPECT_EQ(rows(), MapRows{".ab.."}) << "the c is covered";
@@ -68,7 +68,7 @@ TEST_F(MapSelection, MoveStopsAtTheMapsEdge) {
   EXPECT_EQ(selection(), (CellRect{1, 1, 2, 1}));
 }
 
-TEST_F(MapSelection, MoveBackToWhereItWasLeavesNoEntry) {
+TEST_F(MapSelection, MoveBackToTheStartLeavesNoEntry) {
   open({"a.."}, CellRect{0, 0, 1, 1});
   move(1, 0);
   move(-1, 0);
@@ -76,7 +76,7 @@ TEST_F(MapSelection, MoveBackToWhereItWasLeavesNoEntry) {
   EXPECT_FALSE(session_->modified());
 }
 
-TEST_F(MapSelection, AnotherEditPutsItDown) {
+TEST_F(MapSelection, AnotherEditDropsTheSelection) {
   open({"a.b."}, CellRect{0, 0, 1, 1});
   move(2, 0);
   session_->apply(action::EditLevel{paint_stamp(session_->level(), {3, 0}, {1, 1, {3}})});
@@ -85,7 +85,7 @@ TEST_F(MapSelection, AnotherEditPutsItDown) {
   EXPECT_EQ(entries(), 3u);
 }
 
-TEST_F(MapSelection, CopyStaysBehindAndTheCopyMovesOn) {
+TEST_F(MapSelection, CopyLeavesTheOriginalAndMovesTheCopy) {
   open({"ab..."}, CellRect{0, 0, 2, 1});
   move(1, 0, true);
   EXPECT_EQ(rows(), MapRows{"aab.."});
@@ -94,7 +94,7 @@ TEST_F(MapSelection, CopyStaysBehindAndTheCopyMovesOn) {
   EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(MapSelection, PastedTilesAreSelectedAndMoveOffWhatTheyCovered) {
+TEST_F(MapSelection, PastedTilesAreSelectedAndRestoreWhatTheyCover) {
   open({"cccc", "...."}, std::nullopt);
   paste({1, 0}, {2, 1, {1, 2}});
   EXPECT_EQ(rows(), (MapRows{"cabc", "...."}));
@@ -114,8 +114,8 @@ TEST_F(MapSelection, PasteIsCutAtTheEdge) {
   EXPECT_FALSE(paste_cells(session_->level(), {5, 5}, {1, 1, {1}}, {}).selection);
 }
 
-// Painting so much that it is a copy of the map: the cells under it must come back all the same.
-TEST_F(MapSelection, LargeMovesToo) {
+// The edit is so large that it is a copy of the map. The cells under it must come back nevertheless.
+TEST_F(MapSelection, LargeMovesRestoreCellsToo) {
   Level level;
   level.map = TileMap(60, 40);
   for (int y = 0; y < 40; ++y)
@@ -134,7 +134,7 @@ TEST_F(MapSelection, LargeMovesToo) {
   EXPECT_EQ(entries(), 0u);
 }
 
-TEST_F(MapSelection, IsGoneWithAnotherLevelAndCutWithASmallerMap) {
+TEST_F(MapSelection, AnotherLevelEndsItASmallerMapCutsIt) {
   open({"....", "...."}, CellRect{1, 0, 3, 2});
   session_->apply(action::EditLevel{Edit{"Resize", {MapChange{session_->level().map, TileMap(2, 1)}}}});
   EXPECT_EQ(selection(), (CellRect{1, 0, 1, 1}));
@@ -143,7 +143,7 @@ TEST_F(MapSelection, IsGoneWithAnotherLevelAndCutWithASmallerMap) {
   EXPECT_EQ(selection(), std::nullopt);
 }
 
-// A text as TIC-80 makes it: each byte's low digit first.
+// A text as TIC-80 writes it: the low digit of each byte comes first.
 TEST(MapClipboard, HasTheFormOfTic80) {
   EXPECT_EQ(text_of_cells({3, 2, {0, 1, 16, 255, 35, 2}}), "3020001001ff3220");
   EXPECT_EQ(cells_of_text("3020001001ff3220"), (Stamp{3, 2, {0, 1, 16, 255, 35, 2}}));
@@ -162,7 +162,7 @@ TEST(MapClipboard, LargerThanAByteHasALineOfItsOwn) {
   EXPECT_EQ(cells_of_text(text_of_cells(most)), most);
 }
 
-TEST(MapClipboard, TellsWhatIsNoMap) {
+TEST(MapClipboard, RefusesTextThatIsNoMap) {
   EXPECT_EQ(cells_of_text("").error(), "the clipboard is empty");
   EXPECT_EQ(cells_of_text(" \n").error(), "the clipboard is empty");
   for (const char* text : {"hello", "10", "1010", "101", "20100", "1010ff00", "0010ff", "map 3x",

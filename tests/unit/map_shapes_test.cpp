@@ -67,7 +67,7 @@ TEST(MapShapes, ShapesStayInsideTheSelection) {
             (MapRows{".....", ".aa..", ".aa.."}));
 }
 
-TEST(MapShapes, FillDoesNotLeaveTheSelectionEvenAround) {
+TEST(MapShapes, FillDoesNotGoAroundOutsideTheSelection) {
   const Level level = level_of_rows({".....", ".b.b.", ".b.b."});
   EXPECT_EQ(rows_after(level, flood_fill(level, {0, 2}, kShapeA, CellRect{0, 1, 5, 2})),
             (MapRows{".....", "ab.b.", "ab.b."}))

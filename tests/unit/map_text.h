@@ -1,4 +1,4 @@
-// Maps drawn in letters, for the tests of the map's tools.
+// Maps written in letters, for tests of the map's tools.
 #pragma once
 
 #include <string>

@@ -36,14 +36,14 @@ TEST(MapTools, StampOfMapPicksAndIsCut) {
   EXPECT_EQ(stamp_of_map(level, {1, 1, 5, 5}), (Stamp{1, 1, {4}}));
 }
 
-TEST(MapTools, PaintStampLeavesOutWhatIsOutside) {
+TEST(MapTools, PaintStampLeavesOutCellsOutsideTheMap) {
   const Level level = level_of_rows({"...", "..."});
   EXPECT_EQ(rows_after(level, paint_stamp(level, {1, 0}, kSquare)), (Rows{".ab", ".cd"}));
   EXPECT_EQ(rows_after(level, paint_stamp(level, {2, 1}, kSquare)), (Rows{"...", "..a"}));
   EXPECT_EQ(rows_after(level, paint_stamp(level, {-1, -1}, kSquare)), (Rows{"d..", "..."}));
 }
 
-TEST(MapTools, PaintingWhatIsThereIsAnEmptyEdit) {
+TEST(MapTools, PaintingTheSameTilesIsAnEmptyEdit) {
   const Level level = level_of_rows({"a"});
   EXPECT_TRUE(paint_stamp(level, {0, 0}, kA).empty());
 }
@@ -113,7 +113,7 @@ TEST(MapTools, ALargeEditHoldsTheMapInsteadOfEveryCell) {
   EXPECT_TRUE(level == before);
 }
 
-// A fill that recursed would run out of stack here.
+// A recursive fill would run out of stack here.
 TEST(MapTools, FloodFillsAMillionCells) {
   Level level;
   level.map = TileMap(4096, 256);

@@ -1,4 +1,4 @@
-// Shapes, curves, players and the solvers' numbers in native levels.
+// Shapes, curves, players and the numbers of solvers in native levels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ Level level_with_everything() {
   return level;
 }
 
-TEST(NativeShapes, LookLikeThis) {
+TEST(NativeShapes, AreWrittenAsInThisFile) {
   const std::string text = native_of_level(level_with_everything());
   EXPECT_THAT(text, HasSubstr(R"(
   "flag_shapes": {
@@ -76,7 +76,7 @@ TEST(NativeShapes, AreReadAsWritten) {
   EXPECT_EQ(native_of_level(level_of_native(text)), text);
 }
 
-TEST(NativeShapes, TheFuzzersSeedIsGood) {
+TEST(NativeShapes, TheFuzzersSeedIsReadable) {
   const Level level = load_level(TALUS_SOURCE_DIR "/tests/fuzz/seeds/shapes.talus.json")->level;
   EXPECT_EQ(level.curves.size(), 7u);
   EXPECT_EQ(level_of_native(native_of_level(level)), level);
@@ -142,7 +142,7 @@ TEST(NativeShapes, CurveErrorsSayWhere) {
   expect(R"({"kind": "segment", "faces": "left"})", ".faces", R"(must be "up", "down" or "both")");
 }
 
-TEST(NativeShapes, NumbersThatNoDoubleHoldsSayWhere) {
+TEST(NativeShapes, NumbersTooLargeForADoubleSayWhere) {
   const std::string why = "has a number that is too large";
   expect_error(
       "\n\"curves\": [{\"kind\": \"segment\", \"from\": [0, 0], \"to\": [1, 1]},\n"
@@ -154,7 +154,7 @@ TEST(NativeShapes, NumbersThatNoDoubleHoldsSayWhere) {
   EXPECT_EQ(read_native("1e400", {}).error().place, "line 1");
 }
 
-TEST(NativeShapes, TheMapMayStandBehindItsCurves) {
+TEST(NativeShapes, TheMapMayFollowItsCurvesInTheFile) {
   const std::string curve = R"("curves": [{"kind": "segment", "from": [0, 0], "to": [2400, 1]}])";
   EXPECT_EQ(level_of_native(native_with(curve + R"(, "map": {"width": 300})")).curves.size(), 1u);
 }
@@ -172,7 +172,7 @@ TEST(NativeShapes, SpawnAndTuningErrorsSayWhere) {
   expect_error(R"("roles": {"one_way": 9})", "key roles.one_way", "must be a flag from 0 to 7, or null");
 }
 
-TEST(NativeShapes, WhatCouldNotBeReadIsNotWritten) {
+TEST(NativeShapes, LevelsThatCannotBeReadAreNotWritten) {
   const auto error_of = [](const Level& level) { return write_native(level, {}).error(); };
   Level level;
   level.tile_shapes[3] = {.kind = TileShape::Kind::slope,

@@ -1,4 +1,4 @@
-// Native levels: what they look like, what they keep, and what is refused.
+// Native levels: how they are written, what they keep, and what is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,7 +98,7 @@ constexpr const char* kSmallLevel = R"({
 }
 )";
 
-TEST(Native, LooksLikeThis) { EXPECT_EQ(native_of_level(small_level()), kSmallLevel); }
+TEST(Native, IsWrittenAsInThisFile) { EXPECT_EQ(native_of_level(small_level()), kSmallLevel); }
 
 TEST(Native, ReadsWhatItWrites) { EXPECT_EQ(level_of_native(kSmallLevel), small_level()); }
 
@@ -180,7 +180,7 @@ TEST(Native, ErrorsSayWhere) {
                       "must be eight rows of eight hexadecimal digits");
 }
 
-TEST(Native, MapErrorsSayInWhichRow) {
+TEST(Native, MapErrorsNameTheRow) {
   expect_native_error(native_with(R"("map": {"width": 2097153})"), "key map.width",
                       "must be a whole number from 1 to 2097152");
   expect_native_error(native_with(R"("map": {"height": 0})"), "key map.height",
@@ -199,7 +199,7 @@ TEST(Native, MapErrorsSayInWhichRow) {
                       "has a cell, number 1, that is not two hexadecimal digits");
 }
 
-TEST(Native, DeepAndEndlessJsonIsRefused) {
+TEST(Native, DeepAndHugeJsonIsRefused) {
   expect_native_error(std::string(100'000, '['), "line 1", "the JSON is nested deeper than 64 levels here");
   expect_native_error(native_with("\n\"x\": " + std::string(100'000, '[') + std::string(100'000, ']')),
                       "line 2", "the JSON is nested deeper than 64 levels here");
@@ -209,7 +209,7 @@ TEST(Native, DeepAndEndlessJsonIsRefused) {
   EXPECT_EQ(level_of_native(native_with(R"("x": "[[[[\"[[[")")).extra, R"({"x":"[[[[\"[[["})");
 }
 
-TEST(Native, TheLargestMapsComeBack) {
+TEST(Native, TheLargestMapsAreReadAgain) {
   for (const int width : {8, 4096, 1 << 21}) {
     Level level;
     level.map = TileMap(width, kMaxTerrainCells / width);
@@ -229,7 +229,7 @@ TEST(Native, NumbersKeepEveryBit) {
   EXPECT_TRUE(std::signbit(again.spawns[0].position.y));
 }
 
-TEST(Native, WhatCouldNotBeReadIsNotWritten) {
+TEST(Native, LevelsThatCannotBeReadAreNotWritten) {
   Level level;
   level.spawns.push_back({"", {std::numeric_limits<double>::quiet_NaN(), 0}, {}, ""});
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
@@ -272,7 +272,7 @@ TEST(Native, AnEditOfACartLevelIsOneLine) {
   EXPECT_EQ(write_tic(level_of_native(expected), {})->bytes, write_tic(level, {})->bytes);
 }
 
-TEST(Native, AMapTooLargeForItsCartKeepsTheCarts) {
+TEST(Native, AMapTooLargeForItsCartLeavesTheCartAsItIs) {
   Level level = read_tic(sample_cart(), {}).value();
   level.map = TileMap(300, 300);
   const std::string text = native_of_level(level);
@@ -294,7 +294,7 @@ TEST(Native, ATextProjectIsKeptLineByLine) {
   EXPECT_EQ(write_text(level_of_native(text), {"lua"})->bytes, plain);
 }
 
-TEST(Native, ATextProjectThatIsNoUtf8IsKept) {
+TEST(Native, ATextProjectOutsideUtf8IsKept) {
   const std::string project = "-- \xff\xfe\n-- <MAP>\n-- </MAP>\n";
   EXPECT_EQ(write_text(level_of_native(native_of_level(read_text(project, {"lua"}).value())), {"lua"})->bytes,
             project);

@@ -1,4 +1,4 @@
-// Native levels as text, and what is said of wrong ones.
+// Native levels as text, and the errors of invalid ones.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// A level with these members besides its version.
+// A level with its version and these members.
 inline std::string native_with(const std::string& members) { return R"({"talus": 1, )" + members + "}"; }
 
 inline Level level_of_native(const std::string& text) { return read_native(text, {}).value(); }

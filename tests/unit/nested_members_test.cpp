@@ -1,4 +1,4 @@
-// Whatever nesting a level may have, all that holds a level can hold it, too: its file, a companion, a
+// Every file that holds a level can hold a level of any allowed nesting: its own file, a companion, a
 // recording, an autosave.
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ std::vector<std::string> deepest_levels() {
   return levels;
 }
 
-// A run in which the level is edited: the edit adds whatever the level has besides `before`.
+// A run in which the level is edited: the edit adds whatever `after` has and `before` has not.
 Recording recording_of(const Level& before, const Level& after) {
   Timeline timeline(before);
   timeline.step({});
@@ -49,7 +49,7 @@ Recording recording_of(const Level& before, const Level& after) {
 
 class NestedMembers : public FolderTest {};
 
-TEST_F(NestedMembers, OfEveryLevelThatOpensAreSavedRecordedAndRecovered) {
+TEST_F(NestedMembers, AreSavedRecordedAndRecovered) {
   for (const std::string& text : deepest_levels()) {
     SCOPED_TRACE(text);
     const auto level = read_native(text, {});
@@ -85,7 +85,7 @@ TEST_F(NestedMembers, OfEveryLevelThatOpensAreSavedRecordedAndRecovered) {
   }
 }
 
-TEST(NestedLevels, OneMoreIsRefusedEverywhere) {
+TEST(NestedLevels, OneMoreNestingIsRefusedEverywhere) {
   const std::string deep = native_with("\"zz\": " + lists(kMaxJsonDepth));
   EXPECT_EQ(read_native(deep, {}).error().message, "the JSON is nested deeper than 64 levels here");
   const auto read =
@@ -94,8 +94,8 @@ TEST(NestedLevels, OneMoreIsRefusedEverywhere) {
   EXPECT_EQ(to_string(read.error(), "r"), "r:key level: error: is nested deeper than 64 levels");
 }
 
-// Keys that Talus adds when it writes the level must not make it unreadable.
-TEST(NestedLevels, AsManyUnknownKeysAsOpenAreSaved) {
+// Talus adds keys when it writes the level. They must not make it unreadable.
+TEST(NestedLevels, TheMostUnknownKeysThatOpenAreSaved) {
   const auto keys = [](std::size_t count) {
     std::string text = "\"0\": 0";
     for (std::size_t i = 1; i < count; ++i) text += ", \"z" + std::to_string(i) + "\": 0";
@@ -109,7 +109,7 @@ TEST(NestedLevels, AsManyUnknownKeysAsOpenAreSaved) {
                       "has more than 65536 keys that this Talus does not know");
 }
 
-// Each operation adds less than 64 levels, inside of what the one before has added.
+// Each operation adds less than 64 levels of nesting, inside the lists that the one before has added.
 std::string recording_with_deepening_edit(int operations, int lists_each) {
   std::string patch, path = "/zz";
   for (int i = 0; i < operations; ++i) {
@@ -122,7 +122,7 @@ std::string recording_with_deepening_edit(int operations, int lists_each) {
          patch + "]}]}";
 }
 
-TEST(DeepeningPatches, AreRefusedWhereTheLevelWouldBeTooDeep) {
+TEST(DeepeningPatches, AreRefusedIfTheLevelBecomesTooDeep) {
   const auto read = read_recording(recording_with_deepening_edit(40, 57));
   ASSERT_FALSE(read);
   EXPECT_EQ(to_string(read.error(), "r"),
@@ -131,7 +131,7 @@ TEST(DeepeningPatches, AreRefusedWhereTheLevelWouldBeTooDeep) {
   EXPECT_FALSE(read_recording(recording_with_deepening_edit(4, 16))) << "65 levels";
 }
 
-TEST(DeepeningPatches, OfManyOperationsCanBeCancelled) {
+TEST(DeepeningPatches, CanBeCancelled) {
   std::string patch = R"({"op": "add", "path": "/zz", "value": 0})";
   for (int i = 0; i < 5000; ++i) patch += R"(, {"op": "replace", "path": "/zz", "value": 0})";
   const std::string text =

@@ -29,7 +29,7 @@ Level empty_level() {
   return level;
 }
 
-// All lines must be the overlay's.
+// The ends of all lines, each of which must belong to the overlay.
 std::vector<Ends> ends_of_lines(const OverlayDrawing& drawing, const Overlay* overlay) {
   std::vector<Ends> lines;
   for (const OverlayLine& l : drawing.lines) {
@@ -54,7 +54,7 @@ TEST(Outline, NormalsAreDetails) {
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(drawing.lines[i].detail, i % 2 == 1) << i;
 }
 
-TEST(Outline, FullTilesHaveTheirOpenSidesAlone) {
+TEST(Outline, FullTilesHaveOnlyTheirOpenSides) {
   Level level = empty_level();
   level.map.set({2, 1}, 1);
   level.map.set({3, 1}, 1);
@@ -67,7 +67,7 @@ TEST(Outline, FullTilesHaveTheirOpenSidesAlone) {
                                    ends(32, 8, 32, 16), ends(32, 12, 35, 12)));
 }
 
-TEST(Outline, OneWayTileStopsFromAboveAlone) {
+TEST(Outline, OneWayTileHasOnlyItsTop) {
   Level level = empty_level();
   level.map.set({2, 1}, 3);
   EXPECT_THAT(outline(level), UnorderedElementsAre(ends(16, 8, 24, 8), ends(20, 8, 20, 5)));
@@ -96,7 +96,7 @@ TEST(Outline, LongSegmentIsOneLine) {
   EXPECT_EQ(lines[1], ends(11, 20, 11, 17));
 }
 
-TEST(Outline, WhatIsOutOfSightIsLeftOut) {
+TEST(Outline, LinesOutOfSightAreLeftOut) {
   Level level = empty_level();
   for (int x = 0; x < 8; ++x) level.map.set({x, 3}, 1);
   level.curves.push_back({"", {Segment{{4, 4}, {60, 4}}, Curve::Faces::up}, ""});
@@ -107,7 +107,7 @@ TEST(Outline, WhatIsOutOfSightIsLeftOut) {
   EXPECT_TRUE(outline(level, {17, 10, 6, 6}).empty());
 }
 
-TEST(Outline, OneWaySidesHaveArrowsTheWayThatBodiesPass) {
+TEST(Outline, OneWaySidesHaveArrowsInThePassableDirection) {
   Level level = empty_level();
   level.map.set({2, 1}, 3);
   level.map.set({4, 1}, 1);
@@ -126,7 +126,7 @@ std::vector<Ends> removed(const Level& level) {
   return ends_of_lines(drawing, &overlay::removed_edges);
 }
 
-TEST(RemovedEdges, AreTheSidesThatTilesShare) {
+TEST(RemovedEdges, AreTheSharedSidesOfTiles) {
   Level level = empty_level();
   for (const Cell c : {Cell{2, 1}, {3, 1}, {4, 1}, {3, 2}}) level.map.set(c, 1);
   EXPECT_THAT(removed(level), UnorderedElementsAre(ends(24, 8, 24, 16), ends(32, 8, 32, 16),  //
@@ -136,7 +136,7 @@ TEST(RemovedEdges, AreTheSidesThatTilesShare) {
 //       /|  a slope from 0 to 8 px against a tile, on another tile
 //      / |##
 //     ######
-TEST(RemovedEdges, OfASlopeAreItsFootAndItsBack) {
+TEST(RemovedEdges, OfASlopeAreItsBottomAndItsBack) {
   Level level = empty_level();
   level.map.set({2, 1}, 2);
   level.map.set({3, 1}, 1);
@@ -152,7 +152,7 @@ TEST(RemovedEdges, ASlopeAloneHasAllItsSides) {
   EXPECT_TRUE(removed(level).empty());
 }
 
-TEST(CurveLines, FollowAnArcAndShowOneThatFacesBothWaysOnce) {
+TEST(CurveLines, FollowAnArcAndShowATwoSidedOneOnce) {
   Level level = empty_level();
   level.curves.push_back({"", {Arc{{32, 28}, 20, 12, 52, true}, Curve::Faces::both}, ""});
   const auto lines = curve_lines(level, kEverything);
@@ -167,7 +167,7 @@ TEST(CurveLines, FollowAnArcAndShowOneThatFacesBothWaysOnce) {
   }
 }
 
-TEST(CurveLines, HaveVerticalSegmentsAndLeaveOutWhatCannotBeUsed) {
+TEST(CurveLines, HaveVerticalSegmentsAndLeaveOutInvalidCurves) {
   Level level = empty_level();
   level.curves.push_back({"", {Segment{{30, 2}, {30, 22}}, Curve::Faces::down}, ""});
   level.curves.push_back({"", {Arc{{32, 28}, -1, 12, 52, true}, Curve::Faces::up}, ""});

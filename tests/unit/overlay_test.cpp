@@ -1,4 +1,4 @@
-// Overlays: their table, and the exact geometry drawn for hand-made records.
+// Overlays: their table, and the exact geometry that they draw for handmade records.
 #include "overlay/overlay.h"
 
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ TEST(Overlays, NothingIsDrawnWhenNoneIsOn) {
               drawing.bars.empty() && drawing.labels.empty());
 }
 
-TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
+TEST(Overlays, DrawsBoxesOfTilesAndBodiesButNotOfSpawns) {
   Scene scene;
   scene.items = {item(TileRole::solid, {0, 96, 8, 8}), item(TileRole::up_slope, {16, 88, 16, 8}),
                  item(TileRole::ball, {40, 0, 8, 8})};
@@ -130,7 +130,7 @@ TEST(Overlays, BoxesOfTilesAndBodiesButNotOfStarts) {
   EXPECT_FALSE(drawing.boxes[2].filled);
 }
 
-TEST(Overlays, LeavesOutWhatCannotBeSeen) {
+TEST(Overlays, LeavesOutWhatIsOutOfSight) {
   Scene scene;
   scene.items = {item(TileRole::solid, {0, 0, 8, 8}), item(TileRole::solid, {80, 0, 8, 8})};
   const auto drawing = drawn(scene, {}, {}, only(overlay::boxes), 0, {4, 4, 40, 40});
@@ -191,13 +191,13 @@ TEST(Overlays, TouchPointHasTheTimeOfImpact) {
   EXPECT_EQ(drawing.labels[0].at, (Vec2{6, 8}));
   EXPECT_FALSE(drawing.labels[0].important);
   record.contacts[0].overlaps = true;
-  record.contacts[0].ti = -16;  // no time, but the area
+  record.contacts[0].ti = -16;  // no time, but minus the overlapping area
   const auto inside = drawn({}, state_of({body(1, {4, 0, 8, 8})}), record, only(overlay::touch_points), 0);
   ASSERT_EQ(inside.labels.size(), 1u);
   EXPECT_EQ(inside.labels[0].text, "inside");
 }
 
-TEST(Overlays, VelocityIsFourPixelsForEachPixelAFrame) {
+TEST(Overlays, VelocityIsDrawnFourTimesAsLong) {
   const State state = state_of({body(1, {0, 0, 8, 8}, {1.5, -0.25}), body(2, {20, 0, 8, 8})});
   const auto drawing = drawn({}, state, {}, only(overlay::velocity), 1);
   ASSERT_EQ(drawing.lines.size(), 1u) << "a body at rest has no arrow";
@@ -255,7 +255,7 @@ TEST(Overlays, ASlopesOwnNormalStandsOnItsFloor) {
   EXPECT_DOUBLE_EQ(drawing.lines[1].to.y, 92.4375 - 6.4);
 }
 
-TEST(Overlays, TheLastLookForAFloorCounts) {
+TEST(Overlays, TheLastSearchForAFloorCounts) {
   StepRecord record = on_slope();
   record.contacts.push_back(record.contacts[0]);
   record.contacts[1].slope->delta = 0.75;
@@ -276,14 +276,14 @@ TEST(Overlays, TestedTilesAreTintedOnce) {
   EXPECT_TRUE(drawing.boxes[0].filled && drawing.boxes[1].filled);
 }
 
-TEST(Overlays, ABodyThatAnEditTookAwayLeavesNothing) {
+TEST(Overlays, ARemovedBodyIsNotDrawn) {
   const auto drawing = drawn({}, state_of({}), on_slope(), OverlaySet::all(), 1);
   EXPECT_TRUE(drawing.lines.empty() && drawing.marks.empty() && drawing.bars.empty() &&
               drawing.labels.empty());
 }
 
-// A slope of 16x8 px from (16, 96) up to (32, 88), and level ground from there; two balls in the air.
-TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
+// A slope of 16x8 px from (16, 96) up to (32, 88), level ground behind it, and two balls in the air.
+TEST(Overlays, FloorHeightIsTheGroundBelowEachBody) {
   Level level;
   level.map = TileMap(30, 17);
   level.tile_shapes[1] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 8}};
@@ -307,8 +307,8 @@ TEST(Overlays, FloorHeightIsTheGroundsStraightBelowEachBody) {
   EXPECT_EQ(chosen.labels[1].text, "floor 88.00");
 }
 
-// The floor as it is under every x: level from x 12, a ramp up from 16, level again at its top from 24.
-TEST(Overlays, TheChosenBodyHasTheFloorUnderEachOfItsXs) {
+// The floor under each x: level from x = 12, a ramp up from 16, level again at its top from 24.
+TEST(Overlays, TheChosenBodyShowsTheFloorAlongItsWidth) {
   Level level;
   level.map = TileMap(30, 17);
   level.tile_shapes[1] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
@@ -328,7 +328,7 @@ TEST(Overlays, TheChosenBodyHasTheFloorUnderEachOfItsXs) {
                 {12, 88}, {13, 88}, {14, 88}, {15, 88}, {16, 88}, {17, 87}, {18, 86}, {19, 85}, {20, 84}}));
 }
 
-TEST(Overlays, PenetrationIsTheStripInTheGroundAndTheWayOut) {
+TEST(Overlays, PenetrationIsTheOverlapAndTheWayOut) {
   Level level;
   level.map = TileMap(30, 17);
   level.tile_shapes[2].kind = TileShape::Kind::solid;
@@ -380,7 +380,7 @@ TEST(NumberLabel, PartsOfNormalsAreShort) {
   EXPECT_EQ(one_decimal(0.96), "1");
 }
 
-TEST(NumberLabels, OfDifferencesHaveDigitsHoweverSmall) {
+TEST(NumberLabels, SmallDifferencesHaveDigits) {
   EXPECT_EQ(small_too(0), "0.00");
   EXPECT_EQ(small_too(1.234), "1.23");
   EXPECT_EQ(small_too(-0.005), "-0.01");
@@ -388,7 +388,7 @@ TEST(NumberLabels, OfDifferencesHaveDigitsHoweverSmall) {
   EXPECT_EQ(small_too(-0.0012), "-1.2e-03");
 }
 
-TEST(VisitedBoxes, AreThoseOfCellsAndOfWhatWasTestedEachOnce) {
+TEST(VisitedBoxes, ListCellsAndTestedItemsOnce) {
   Stage stage;
   stage.kind = StageKind::searched;
   stage.cells = {{2, 3}, {2, 3}};

@@ -1,5 +1,4 @@
-// The tables of the README and of docs/ are those of the program: formats, exports, sizes, parts
-// and commands.
+// The tables of the README and of docs/ match the program: formats, exports, sizes, parts and commands.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ testing::AssertionResult page_has(const std::string& page, const std::string& te
   return (has ? testing::AssertionSuccess() : testing::AssertionFailure()) << page << " lacks: " << text;
 }
 
-// A page from the heading on, up to the next one of the same rank.
+// The part of a page from the heading to the next heading of the same rank.
 std::string section_of(const std::string& page, const std::string& heading) {
   const std::string text = read_file(kRoot + page).value();
   const std::size_t from = text.find("\n## " + heading + "\n");
@@ -32,7 +31,7 @@ std::string section_of(const std::string& page, const std::string& heading) {
   return from == std::string::npos ? "" : text.substr(from, text.find("\n## ", from + 1) - from);
 }
 
-// The first cells of the rows of a table that are words of code.
+// The first cells of the table's rows, if they are words in code style.
 std::vector<std::string> named_rows(const std::string& text) {
   std::vector<std::string> names;
   const std::regex row("\n\\| `([a-z_0-9-]+)` \\|");
@@ -49,7 +48,7 @@ Exported exported(const Level& level, std::string_view id) {
   return find_exporter(id)->write({level, "game", read}).value();
 }
 
-// 12345: "12,345".
+// 12345 gives "12,345".
 std::string grouped(std::size_t number) {
   std::string digits = std::to_string(number);
   for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
@@ -57,12 +56,12 @@ std::string grouped(std::size_t number) {
   return digits;
 }
 
-// The row of the table of sizes for a level.
+// The row for a level in the table of sizes.
 std::string size_row(const std::string& what, const Level& level) {
   const Exported runtime = exported(level, "lua-runtime");
   EXPECT_EQ(runtime.files.front().name, "talus.lua");
   const std::string& text = runtime.files.front().bytes;
-  const std::size_t small = join_lua({"\n", text}).size();  // without its comment at the head, too
+  const std::size_t small = join_lua({"\n", text}).size();  // without the comment at its head
   const std::size_t cart = exported(level, "tic-text-playable").code_bytes.value();
   return "| " + what + " | " + grouped(text.size()) + " | " + grouped(small) + " | " + grouped(cart) + " |\n";
 }
@@ -77,7 +76,7 @@ Level full_tiles_and_a_ball() {
   return level;
 }
 
-TEST(Pages, TellTheSizesThatAreWritten) {
+TEST(Pages, StateTheSizesOfExports) {
   const std::string page = "docs/runtime.md";
   EXPECT_TRUE(page_has(page, size_row("full tiles, a ball", full_tiles_and_a_ball())));
   EXPECT_TRUE(page_has(
@@ -114,7 +113,7 @@ TEST(Pages, HaveARowForEachFormatWithItsExtension) {
   EXPECT_EQ(named_rows(levels), ids);
 }
 
-TEST(Pages, TellTheVersionsOfFiles) {
+TEST(Pages, StateTheVersionsOfFiles) {
   EXPECT_TRUE(
       page_has("docs/formats.md", "a level of Talus, version " + std::to_string(kNativeVersion) + ":"));
   EXPECT_TRUE(

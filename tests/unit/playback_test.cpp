@@ -1,4 +1,4 @@
-// Playback: real time to steps, stepping, resetting, dragging, and editing while it runs.
+// Playback: real time becomes steps; stepping, resetting, dragging, and editing during play.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace act = action;
 constexpr std::uint8_t kPlain = 3, kOtherSolid = 4;
 constexpr double kFrame = 1.0 / 60;
 
-// A ball of the article high above a floor: a body at (16, 8), the floor's top at 64.
+// A ball of the article high above a floor: the body is at (16, 8), and the floor's top at 64.
 Level ball_over_floor() {
   Level level = ball_room(8);
   level.tuning.solver = SolverKind::article;
@@ -32,7 +32,7 @@ act::EditLevel painted(const Session& session, Cell at, std::uint8_t tile) {
   return {paint_stamp(session.level(), at, {1, 1, {tile}}), 0};
 }
 
-// The states after 0, 1, 2... steps of a level that nobody edits.
+// The state after `steps` steps of a level that is not edited.
 State state_after(const Level& level, int steps) {
   State state = initial_state(compile_scene(level));
   for (int i = 0; i < steps; ++i) state = step(compile_scene(level), state, {});
@@ -57,7 +57,7 @@ TEST(Playback, MakesSixtyStepsASecond) {
   EXPECT_EQ(session.state(), state_after(session.level(), 60));
 }
 
-TEST(Playback, KeepsWhatIsLessThanAStep) {
+TEST(Playback, KeepsTimeShorterThanAStep) {
   Session session(ball_over_floor());
   session.apply(act::Play{});
   for (int i = 0; i < 7; ++i) session.advance(kFrame / 2);
@@ -88,7 +88,7 @@ TEST(Playback, SpeedIsClamped) {
   EXPECT_EQ(session.playback().speed, 0.125);
 }
 
-TEST(Playback, DropsWhatItCannotCatchUpWith) {
+TEST(Playback, DropsTimeThatItCannotCatchUpWith) {
   Session session(ball_over_floor());
   session.apply(act::Play{});
   session.advance(3600);
@@ -117,7 +117,7 @@ TEST(Playback, KeysAreHeldAndATapWhileItRunsCountsOnce) {
   Session session(level);
   const auto vx = [&] { return session.state().bodies[0].velocity.x; };
   session.apply({act::HoldKeys{.right = true}, act::HoldKeys{}, act::StepFrame{}});
-  EXPECT_EQ(vx(), 0);  // paused: only what is held now
+  EXPECT_EQ(vx(), 0);  // paused: only keys that are held now count
   session.apply({act::HoldKeys{.right = true}, act::HoldMouse{{200, 100}, false}, act::StepFrame{}});
   EXPECT_EQ(vx(), level.tuning.player.air_gain);
   session.apply({act::HoldKeys{}, act::ResetPlay{}, act::Play{}});
@@ -163,7 +163,7 @@ TEST(Playback, ResetGoesBackAndKeepsRunning) {
   EXPECT_TRUE(session.record().paths.empty());
 }
 
-TEST(Playback, TheRecordIsOfTheLastStep) {
+TEST(Playback, TheRecordDescribesTheLastStep) {
   Session session(ball_over_floor());
   session.apply({act::StepFrame{}, act::StepFrame{}});
   StepRecord expected;
@@ -173,7 +173,7 @@ TEST(Playback, TheRecordIsOfTheLastStep) {
   EXPECT_EQ(session.record().paths[0].to, session.state().bodies[0].box);
 }
 
-TEST(Playback, AnEditIsInTheNextStep) {
+TEST(Playback, AnEditTakesEffectInTheNextStep) {
   Session session(ball_over_floor());
   session.apply(act::Play{});
   session.advance(0.25);
@@ -190,14 +190,14 @@ TEST(Playback, AnEditIsInTheNextStep) {
       << "it lands on the new tile, above the floor";
 }
 
-TEST(Playback, AnEditInTheSameBatchIsInTheStepAfterIt) {
+TEST(Playback, AnEditTakesEffectInTheStepOfItsBatch) {
   Session session(ball_over_floor());
   session.apply(act::StepFrame{});
   session.apply({painted(session, {2, 2}, kRoomSolid), act::StepFrame{}});
   EXPECT_EQ(session.record().contacts.at(0).other.cell, (Cell{2, 2}));
 }
 
-TEST(Playback, UndoIsInTheNextStepToo) {
+TEST(Playback, UndoTakesEffectInTheNextStepToo) {
   Session session(ball_over_floor());
   const Scene before = session.scene();
   session.apply(painted(session, {2, 6}, kRoomSolid));
@@ -208,7 +208,7 @@ TEST(Playback, UndoIsInTheNextStepToo) {
   EXPECT_NE(session.scene(), before);
 }
 
-// What the physics cannot see must not cost a compilation: the very same scene object stays.
+// An edit without an effect on the physics must not cost a compilation: the scene stays the same object.
 TEST(Playback, PicturesAndPlainTilesDoNotRecompile) {
   Session session(ball_over_floor());
   const Scene* before = &session.scene();
@@ -223,7 +223,7 @@ TEST(Playback, PicturesAndPlainTilesDoNotRecompile) {
   EXPECT_EQ(session.scene(), compile_scene(session.level()));
 }
 
-TEST(Playback, EveryKindOfEditThatThePhysicsSeesRecompiles) {
+TEST(Playback, EveryEditThatChangesThePhysicsRecompiles) {
   Session session(ball_over_floor());
   const auto expect_recompiled = [&](Edit edit) {
     const Scene before = session.scene();
@@ -283,7 +283,7 @@ TEST(Playback, EditsOfCellsGiveTheSceneOfTheEditedLevel) {
   }
 }
 
-TEST(Playback, AtFrameZeroTheStateIsTheEditedLevels) {
+TEST(Playback, AtFrameZeroTheStateFollowsTheEditedLevel) {
   Level level = ball_over_floor();
   level.spawns = {Spawn{"hero", {100, 8}, {}, ""}};
   Session session(level);
@@ -293,11 +293,11 @@ TEST(Playback, AtFrameZeroTheStateIsTheEditedLevels) {
   EXPECT_EQ(session.state().bodies.at(1).box.x, 120);
 }
 
-TEST(Playback, TheChosenBodySurvivesEdits) {
+TEST(Playback, TheSameBodyStaysChosenAcrossEdits) {
   Session session(ball_over_floor());
   session.apply(act::SelectBody{1});
   EXPECT_EQ(session.choices().body, 1);
-  session.apply(painted(session, {1, 1}, kRoomBall));  // comes first in map order and takes id 1
+  session.apply(painted(session, {1, 1}, kRoomBall));  // this ball is first in map order and gets id 1
   EXPECT_EQ(session.choices().body, 2);
   EXPECT_EQ(session.state().find(2)->origin.cell, (Cell{2, 1}));
   session.apply(act::StepFrame{});
@@ -309,13 +309,13 @@ TEST(Playback, TheChosenBodySurvivesEdits) {
   EXPECT_EQ(session.choices().body, 0) << "its tile is gone";
 }
 
-TEST(Playback, ABodyThatIsNotThereCannotBeChosen) {
+TEST(Playback, AMissingBodyCannotBeChosen) {
   Session session(ball_over_floor());
   session.apply(act::SelectBody{7});
   EXPECT_EQ(session.choices().body, 0);
 }
 
-TEST(Playback, TheMouseDragsABall) {
+TEST(Playback, TheMouseCanDragABall) {
   Session session(ball_over_floor());
   session.apply({act::HoldMouse{{20, 12}, true}, act::StepFrame{}});
   EXPECT_EQ(session.state().grabbed, 1);
@@ -327,7 +327,7 @@ TEST(Playback, TheMouseDragsABall) {
   EXPECT_GT(session.state().bodies[0].velocity.x, 2) << "thrown";
 }
 
-// Three bodies placed by hand, high above the floor, side by side.
+// Three bodies placed side by side, high above the floor.
 Level three_spawns() {
   Level level = ball_over_floor();
   level.map.set({2, 1}, 0);
@@ -335,7 +335,7 @@ Level three_spawns() {
   return level;
 }
 
-TEST(Playback, BodiesKeepToTheirSpawnsWhenOneIsRemoved) {
+TEST(Playback, BodiesKeepTheirSpawnsWhenOneIsRemoved) {
   Session session(three_spawns());
   for (int i = 0; i < 5; ++i) session.apply(act::StepFrame{});
   session.apply(act::SelectSpawn{2});

@@ -1,4 +1,4 @@
-// PNG files made by hand, with palettes and mistakes that no encoder would write.
+// Handmade PNG files, with palettes and mistakes that no encoder would write.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline std::string png_chunk(const std::string& type, const std::string& content
          png_u32(static_cast<std::uint32_t>(crc));
 }
 
-// color_type: 2 RGB, 3 indices of a palette, 6 RGB and opacity; 8 bits each.
+// color_type: 2 for RGB, 3 for indices of a palette, 6 for RGB and opacity; 8 bits each.
 inline std::string png_header(std::uint32_t width, std::uint32_t height, char color_type) {
   using namespace std::string_literals;
   return "\x89PNG\r\n\x1a\n"s +

@@ -1,4 +1,4 @@
-// PNG pictures of sheets and palettes, and the colours that a picture gets.
+// PNG pictures of sheets and palettes, and the colours that pictures are given.
 #include <gtest/gtest.h>
 
 #include "formats/pictures/png_sheet.h"
@@ -87,7 +87,7 @@ TEST(Png, SaysWhyPixelsCannotBeUnpacked) {
 TEST(Png, EveryCutOffFileIsAnError) {
   const std::string good = png_of(8, 3, std::vector<std::string>(8, "\0\1\0\1\0\1\0\1"s), {kRed, kBlue});
   ASSERT_TRUE(read_png(good));
-  const std::size_t end_chunk = 12;  // IEND says nothing that is needed
+  const std::size_t end_chunk = 12;  // the pixels are complete without IEND
   for (std::size_t size = 0; size < good.size() - end_chunk; ++size)
     EXPECT_FALSE(read_png(good.substr(0, size))) << size;
 }
@@ -136,7 +136,7 @@ TEST(PngSheet, ShowsThePaletteInARow) {
   for (int i = 0; i < 16; ++i) EXPECT_EQ(picture->at(i, 0), level.palette[static_cast<std::size_t>(i)]);
 }
 
-TEST(PngColours, TakeTheNearestAndTheFirstOfEquals) {
+TEST(PngColours, TakeTheNearestColourAndTheFirstOfEquals) {
   Palette palette{};
   palette[1] = {10, 0, 0};
   palette[2] = {10, 0, 0};
@@ -150,7 +150,7 @@ TEST(PngColours, TakeTheNearestAndTheFirstOfEquals) {
   EXPECT_EQ(matched.farthest, (Cell{1, 0}));
 }
 
-TEST(PngColours, OfTransparentPixelsAreColourZero) {
+TEST(PngColours, TransparentPixelsGetColourZero) {
   const auto picture = read_png(png_of(1, 6, {"\xff\xff\xff\0"s}));
   ASSERT_TRUE(picture);
   const MatchedPicture matched = match_colors(*picture, default_palette());
@@ -159,7 +159,7 @@ TEST(PngColours, OfTransparentPixelsAreColourZero) {
   EXPECT_EQ(matched.largest_distance, 0);
 }
 
-TEST(PngColours, TakeOverAPaletteInItsOrder) {
+TEST(PngColours, TakeAPaletteInItsOrder) {
   const auto picture = read_png(png_of(1, 3, {"\0"s}, {kBlue, kRed}));
   ASSERT_TRUE(picture);
   const auto taken = palette_for(*picture, default_palette());
@@ -169,7 +169,7 @@ TEST(PngColours, TakeOverAPaletteInItsOrder) {
   EXPECT_EQ((*taken)[2], default_palette()[2]);
 }
 
-TEST(PngColours, WithoutAPaletteLeaveThoseThatAreThere) {
+TEST(PngColours, WithoutAPaletteTheLevelsOwnStay) {
   const Rgb known = default_palette()[1];
   const auto picture = read_png(rgb_png(4, {kRed, known, kGreen, kRed}));
   ASSERT_TRUE(picture);
@@ -181,7 +181,7 @@ TEST(PngColours, WithoutAPaletteLeaveThoseThatAreThere) {
   EXPECT_EQ((*taken)[3], default_palette()[3]);
 }
 
-TEST(PngColours, CannotBeMoreThanSixteen) {
+TEST(PngColours, MoreThanSixteenAreAnError) {
   std::vector<Rgb> pixels;
   for (int i = 0; i < 17; ++i) pixels.push_back({static_cast<std::uint8_t>(i), 0, 0});
   const auto seventeen = read_png(rgb_png(17, pixels));
@@ -197,7 +197,7 @@ TEST(PngColours, CannotBeMoreThanSixteen) {
   EXPECT_EQ((*taken)[15], (Rgb{15, 0, 0}));
 }
 
-TEST(PngColours, OfAPaletteStandSideBySide) {
+TEST(PngColours, APaletteIsOneRowOfPixels) {
   const auto two = read_png(rgb_png(2, {kRed, kRed}));
   ASSERT_TRUE(two);
   const auto palette = palette_in(*two, default_palette());

@@ -1,4 +1,4 @@
-// Keys that the user chose, the times of frames, and how preferences are written down.
+// Keys that the user has chosen, times of frames, and how preferences are written.
 #include "panels/preferences.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace talus::preferences_test {
 
-TEST(KeyText, IsReadAsItIsWritten) {
+TEST(KeyText, SurvivesWritingAndReading) {
   for (const Command& command : commands()) {
     for (KeyChord chord : {command.key, command.other_key})
       EXPECT_EQ(parse_chord(to_string(chord)), chord) << to_string(chord);
@@ -26,7 +26,7 @@ TEST(KeyText, IsReadAsItIsWritten) {
     EXPECT_FALSE(parse_chord(text)) << text;
 }
 
-TEST(KeyBindings, AKeyIsTakenFromWhoeverHadIt) {
+TEST(KeyBindings, ANewBindingReplacesTheOldOneOfTheKey) {
   KeyBindings bindings;
   const Command &save = find_command("file/save"), &grid = find_command("canvas/grid");
   ASSERT_TRUE(bindings.changed.empty());
@@ -41,7 +41,7 @@ TEST(KeyBindings, AKeyIsTakenFromWhoeverHadIt) {
   EXPECT_TRUE(bindings.changed.empty()) << "what is as it was is no change";
 }
 
-TEST(KeyBindings, ASideOfTheWindowHasKeysOfItsOwn) {
+TEST(KeyBindings, EachSideOfTheWindowHasItsOwnKeys) {
   KeyBindings bindings;
   const Command &pencil = find_command("pixels/pencil"), &stamp = find_command("map/stamp");
   ASSERT_EQ(pencil.key, stamp.key);
@@ -57,7 +57,7 @@ Preferences read_preferences(const nlohmann::json& object) {
   return preferences;
 }
 
-TEST(PreferencesJson, ComesBackAsItWasWritten) {
+TEST(PreferencesJson, IsReadAsItWasWritten) {
   Preferences preferences;
   preferences.theme = ThemeKind::light;
   preferences.font_size = 16;
@@ -68,7 +68,7 @@ TEST(PreferencesJson, ComesBackAsItWasWritten) {
   EXPECT_EQ(read_preferences(written_fields(preferences_fields(), Preferences())), Preferences());
 }
 
-TEST(PreferencesJson, WhatIsWrongGetsItsDefault) {
+TEST(PreferencesJson, WrongValuesGetTheirDefaults) {
   EXPECT_EQ(read_preferences(nlohmann::json::parse(
                 R"({"theme": 3, "font_size": 99, "keys": {"a": 1}, "programs": {"tic80": 4, "x": "y"}})")),
             Preferences());
@@ -79,7 +79,7 @@ TEST(PreferencesJson, WhatIsWrongGetsItsDefault) {
 
 class SettingsFile : public FolderTest {};
 
-TEST_F(SettingsFile, ComesBackAsItWasWritten) {
+TEST_F(SettingsFile, IsReadAsItWasWritten) {
   Settings settings;
   settings.width = 1000, settings.height = 700;
   settings.layout = {0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8};
@@ -116,7 +116,7 @@ TEST_F(SettingsFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(again.preferences, settings.preferences);
 }
 
-TEST(SettingsText, WhatIsMissingOrWrongGetsItsDefault) {
+TEST(SettingsText, MissingAndWrongValuesGetTheirDefaults) {
   const Settings defaults = default_settings();
   EXPECT_EQ(defaults.width, 0);
   EXPECT_EQ(defaults.canvas, CanvasMode::both);
@@ -159,7 +159,7 @@ TEST(FrameMetrics, RemembersTheLast120Frames) {
   EXPECT_EQ(metrics.last().draw_calls, 3);
 }
 
-// --- colours as colour-blind eyes see them: Machado, Oliveira and Fernandes (2009), in full strength.
+// --- Colours as colour-blind people see them, in full strength: Machado, Oliveira and Fernandes (2009).
 using Triple = std::array<double, 3>;
 using Matrix = std::array<Triple, 3>;
 constexpr Matrix kNormal = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -185,7 +185,7 @@ Triple seen_lab(std::uint32_t rgb, const Matrix& eyes) {
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-// The least difference of two overlays' colours in CIELAB, where 2.3 is just noticeable.
+// The smallest difference between two overlays' colours in CIELAB, where 2.3 is just noticeable.
 double least_difference(OverlayPalette palette, const Matrix& eyes) {
   double least = 1e9;
   for (const Overlay* a : all_overlays()) {

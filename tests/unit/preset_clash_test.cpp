@@ -1,4 +1,4 @@
-// Presets that would write one another's files, and the names and paths that presets get by themselves.
+// Presets that would overwrite each other's files, and the default names and paths of presets.
 #include "export/preset_clash.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ FormatResult<std::string> read_asset(const std::string& name) {
   return read_file(TALUS_SOURCE_DIR "/assets/" + name);
 }
 
-TEST(ExporterFiles, AreAllToldBefore) {
+TEST(ExporterFiles, AreAllNamedBeforehand) {
   Level level;
   level.curves.push_back({"", {Arc{{30, 20}, 8, 24, 36, true}, Curve::Faces::up}, ""});
   const ReadAsset read = read_asset;
@@ -41,7 +41,7 @@ TEST(ExporterFiles, AreAllToldBefore) {
   }
 }
 
-TEST(ExporterFiles, CompanionsAreNobodyElses) {
+TEST(ExporterFiles, CompanionsBelongToOneExport) {
   EXPECT_NE(clash({preset("cart", "tic", "out/a.tic"), preset("copy", "native", "out/a.tic.talus.json")}),
             "");
   EXPECT_EQ(clash({preset("cart", "tic", "out/a.tic"), preset("copy", "native", "out/a.talus.json")}), "");
@@ -51,10 +51,10 @@ TEST(ExporterFiles, CompanionsAreNobodyElses) {
             "another path");
 }
 
-TEST(ExporterFiles, PicturesThatAreSharedAreTheSame) {
+TEST(ExporterFiles, SharedPicturesAreTheSame) {
   Level level;
   level.sheet(SheetId::tiles).images[5].fill(7);
-  level.sheet(SheetId::tiles).flags[5] = 1 << 2;  // a slope of 16x8 px, which STI gets more tiles for
+  level.sheet(SheetId::tiles).flags[5] = 1 << 2;  // a slope of 16x8 px, for which STI gets additional tiles
   level.map.set({2, 2}, 5);
   const ReadAsset read = read_asset;
   std::set<std::string> pictures;
@@ -66,7 +66,7 @@ TEST(ExporterFiles, PicturesThatAreSharedAreTheSame) {
   EXPECT_EQ(pictures.size(), 1u);
 }
 
-TEST(PresetClash, UsualPathsHaveNone) {
+TEST(PresetClash, DefaultPathsDoNotClash) {
   std::vector<ExportPreset> presets;
   std::set<std::string> paths;
   for (const Exporter& exporter : exporters()) {
@@ -77,7 +77,7 @@ TEST(PresetClash, UsualPathsHaveNone) {
   for (std::size_t i = 0; i < presets.size(); ++i) EXPECT_EQ(clash(presets, i), "") << presets[i].name;
 }
 
-TEST(PresetClash, IsSaidWithBothNamesAndTheFile) {
+TEST(PresetClash, NamesBothPresetsAndTheFile) {
   EXPECT_EQ(clash({preset("data", "lua", "out/a.lua"), preset("map", "sti", "out/../out/a.lua")}),
             "the presets \"data\" and \"map\" would both write out/a.lua: give one of them another path");
   EXPECT_EQ(
@@ -92,7 +92,7 @@ TEST(PresetClash, IsSaidWithBothNamesAndTheFile) {
       "the presets \"data\" and \"love\" would both write game/main.lua: give one of them another path");
 }
 
-TEST(PresetClash, IsNoneWhereFilesAreTheSameOrApart) {
+TEST(PresetClash, EqualOrDifferentFilesDoNotClash) {
   EXPECT_EQ(clash({preset("a", "tmj", "out/a.tmj"), preset("b", "tmx", "out/a.tmx")}), "")
       << "both write the tiles' picture";
   EXPECT_EQ(clash({preset("a", "tmj", "out/a.tmj"), preset("b", "sti", "out/a.lua")}), "");
@@ -100,7 +100,7 @@ TEST(PresetClash, IsNoneWhereFilesAreTheSameOrApart) {
   EXPECT_EQ(clash({preset("a", "no-such", "out"), preset("b", "no-such", "out")}), "");
 }
 
-TEST(PresetClash, TheLevelIsNoFileOfAnExport) {
+TEST(PresetClash, AnExportMayNotReplaceTheLevel) {
   const std::vector<ExportPreset> presets = {preset("game", "cpp", "game")};
   EXPECT_EQ(clash_problem(presets, 0, "game/level.talus.json"), "");
   const std::vector<ExportPreset> own = {preset("game", "cpp", ".")};
@@ -108,7 +108,7 @@ TEST(PresetClash, TheLevelIsNoFileOfAnExport) {
             "level.talus.json is the level's own file, which the preset would overwrite: give another path");
 }
 
-TEST(PresetTarget, NameAndPathFollowIt) {
+TEST(PresetTarget, TheNameAndThePathFollowTheTarget) {
   const std::vector<ExportPreset> others = {preset("love", "love", "export/love"),
                                             preset("sti", "sti", "export/cave-sti.lua")};
   const auto changed = [&](const ExportPreset& before, const char* target) {

@@ -1,4 +1,4 @@
-// Runs other programs, for tests of what is written for them.
+// Runs other programs, for tests of the files that are written for them.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace talus {
 
-// What a shell command prints.
+// The output of a shell command.
 inline std::string output_of(const std::string& command) {
   std::string out;
   FILE* pipe = popen(command.c_str(), "r");

@@ -1,4 +1,4 @@
-// What a long command shows on a terminal, and how Ctrl+C ends it.
+// The progress of a long command on a terminal, and how Ctrl+C ends it.
 #include "cli/progress_line.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ namespace talus::progress_line_test {
 
 using std::chrono::seconds;
 
-// Signals that end the program wait while there is one, and those that came are forgotten when it goes.
+// While it exists, signals that would end the program are held back. Signals that came are dropped when it is
+// destroyed.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -36,7 +37,7 @@ class HeldSignals {
   sigset_t signals_{}, before_{};
 };
 
-TEST(ProgressLine, IsWrittenOverItselfAndWiped) {
+TEST(ProgressLine, OverwritesItselfAndIsErased) {
   std::ostringstream text;
   {
     ProgressLine line(text, "cave.json", true, seconds(0));
@@ -48,7 +49,7 @@ TEST(ProgressLine, IsWrittenOverItselfAndWiped) {
   EXPECT_EQ(text.str(), "\r\x1b[Kcave.json: 42 %\r\x1b[K");
 }
 
-TEST(ProgressLine, WhatIsQuickOrNotOnATerminalShowsNothing) {
+TEST(ProgressLine, QuickWorkAndPipesShowNothing) {
   std::ostringstream text;
   {
     ProgressLine quick(text, "a", true);

@@ -1,4 +1,5 @@
-// Where a player gets to: what is marked is reached by the keys that are told, and walls too high are walls.
+// Where a player can get to: marked cells are reached by the keys that are given, and walls that are too high
+// stop the player.
 #include "sim/reach.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 
 namespace talus::reach_test {
 
-// A player at the left of a wall; what is behind it is a room of its own.
+// A player to the left of a wall, and a separate room behind it.
 Level walled_level(int wall) {
   std::vector<std::string> rows(12, "..............");
   rows.push_back("##############");
@@ -24,7 +25,7 @@ ReachSearch search_of(const Level& level, ReachOptions options = {}) {
   return ReachSearch(scene, initial_state(scene).bodies.at(0), options);
 }
 
-TEST(Reach, AJumpGetsOverALowWallAlone) {
+TEST(Reach, AJumpGetsOverALowWallOnly) {
   ReachSearch low = search_of(walled_level(3));
   while (!low.advance(1000)) {
   }
@@ -38,12 +39,12 @@ TEST(Reach, AJumpGetsOverALowWallAlone) {
   while (!high.advance(1000)) {
   }
   EXPECT_TRUE(high.stood_at({0, 11}));
-  EXPECT_TRUE(high.reached({6, 8}));    // in the air, before the wall
+  EXPECT_TRUE(high.reached({6, 8}));    // in the air, in front of the wall
   EXPECT_FALSE(high.stood_at({6, 8}));  // in the air
   for (int x = 8; x < 14; ++x) EXPECT_FALSE(high.reached({x, 11})) << x;
 }
 
-TEST(Reach, TheWayLeadsThere) {
+TEST(Reach, TheInputLeadsToTheCell) {
   const Level level = walled_level(3);
   ReachSearch reach = search_of(level);
   while (!reach.advance(1000)) {
@@ -59,13 +60,13 @@ TEST(Reach, TheWayLeadsThere) {
                 box.bottom() > cell.y * 8)
         << cell.x << ", " << cell.y;
   }
-  EXPECT_TRUE(reach.way_to({2, 11}).empty());  // where it starts
+  EXPECT_TRUE(reach.way_to({2, 11}).empty());  // the cell of the start
   EXPECT_TRUE(reach.way_to({7, 9}).empty());
   EXPECT_TRUE(reach.way_to({-7, 12}).empty());
   EXPECT_FALSE(reach.reached({-7, 12}));
 }
 
-TEST(Reach, SlicesMakeNoDifference) {
+TEST(Reach, SearchingInSlicesGivesTheSame) {
   ReachSearch whole = search_of(walled_level(3)), sliced = search_of(walled_level(3));
   while (!whole.advance(100'000)) {
   }
@@ -77,7 +78,7 @@ TEST(Reach, SlicesMakeNoDifference) {
   EXPECT_EQ(whole.frames(), sliced.frames());
 }
 
-TEST(Reach, TooManyStatesEndIt) {
+TEST(Reach, TheLimitOfStatesEndsTheSearch) {
   ReachSearch reach = search_of(walled_level(3), {.most_states = 50});
   EXPECT_TRUE(reach.advance(100'000));
   EXPECT_TRUE(reach.is_full());
@@ -104,7 +105,7 @@ TEST(Reach, IsDrawnAsBoxesOfItsCells) {
   for (const OverlayBox& box : left.boxes) EXPECT_LE(box.box.right(), 24);
 }
 
-TEST(Reach, TheSessionSearchesAndPlaysTheWay) {
+TEST(Reach, TheSessionSearchesAndPlaysTheInput) {
   Session session(walled_level(3));
   session.apply(action::FindReach{});
   EXPECT_TRUE(session.choices().overlays.has(overlay::reach));
@@ -126,7 +127,7 @@ TEST(Reach, TheSessionSearchesAndPlaysTheWay) {
   EXPECT_EQ(session.reach().found(), nullptr);
 }
 
-TEST(Reach, ASearchIsStopped) {
+TEST(Reach, ASearchCanBeStopped) {
   Session session(walled_level(3));
   session.apply(action::FindReach{});
   session.apply(action::CancelReach{});
@@ -136,7 +137,7 @@ TEST(Reach, ASearchIsStopped) {
   EXPECT_TRUE(session.reach().found()->reached({2, 11}));
 }
 
-TEST(Reach, WithoutAPlayerThereIsNothingToFind) {
+TEST(Reach, WithoutAPlayerTheSearchIsAnError) {
   Level level = walled_level(3);
   level.spawns[0].kind = BodyKind::ball;
   Session balls(level);

@@ -1,4 +1,4 @@
-// Readers tell how far they are, and end when they are told to.
+// Readers report their progress, and end when they are stopped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ Level large_level() {
   return level;
 }
 
-// What a reader of one kind of file makes of a large one, as bytes; the shares that it told until it was
-// stopped, at the first one from `end` on.
+// What a reader of one kind of file makes of a large file, as bytes; and the shares that it reported until it
+// was stopped, at the first one that is at least `end`.
 struct Told {
   std::vector<double> shares;
   FormatResult<std::string> result;
@@ -57,7 +57,7 @@ Told told_by(const std::string& kind, double end) {
 
 class LongReading : public testing::TestWithParam<const char*> {};
 
-TEST_P(LongReading, TellsTheShareThatIsDone) {
+TEST_P(LongReading, ReportsTheShareThatIsDone) {
   const Told told = told_by(GetParam(), 2);
   ASSERT_TRUE(told.result) << told.result.error().message;
   ASSERT_GT(told.shares.size(), 3u);

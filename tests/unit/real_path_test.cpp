@@ -26,7 +26,7 @@ class RealPath : public FolderTest {
   std::string root_;
 };
 
-TEST_F(RealPath, FollowsEveryLinkAlsoOnesToNothing) {
+TEST_F(RealPath, FollowsEveryLinkEvenDanglingOnes) {
   EXPECT_EQ(real("in/./deep/../x"), below("in/x"));
   EXPECT_EQ(real("none/at/all"), below("none/at/all"));
   link("in/dangling", "../out/none");
@@ -41,7 +41,7 @@ TEST_F(RealPath, FollowsEveryLinkAlsoOnesToNothing) {
   EXPECT_EQ(real_folder_of(path("level")).value(), root_) << "where the link lies";
 }
 
-TEST_F(RealPath, OfAFolderAreNotThoseOfItsNeighbours) {
+TEST_F(RealPath, AFolderDoesNotContainItsNeighbours) {
   EXPECT_TRUE(is_within("/a/b", "/a/b"));
   EXPECT_TRUE(is_within("/a/b/c", "/a/b"));
   EXPECT_TRUE(is_within("/a", "/"));
@@ -49,7 +49,7 @@ TEST_F(RealPath, OfAFolderAreNotThoseOfItsNeighbours) {
   EXPECT_FALSE(is_within("/a", "/a/b"));
 }
 
-TEST_F(RealPath, BoundsHoldWhateverLinksLieThere) {
+TEST_F(RealPath, LinksCannotLeaveTheAllowedFolder) {
   const ExportBounds bounds = bounds_of_level(path("in/level.talus.json"));
   const auto place = [&](const std::string& name) { return place_within(bounds, path(name), true); };
   link("in/leaves", "../out");
@@ -68,7 +68,7 @@ TEST_F(RealPath, BoundsHoldWhateverLinksLieThere) {
       << "a level without a file has no folder";
 }
 
-TEST_F(RealPath, OnlyTheTypedFileMayBeAnywhere) {
+TEST_F(RealPath, OnlyATypedPathMayBeAnywhere) {
   link("in/cave.tmj", "../out/cave.tmj");
   link("in/cave-tiles.png", "../out/tiles.png");
   const ExportBounds bounds = bounds_of_output(path("in/cave.tmj"), false);
@@ -78,7 +78,7 @@ TEST_F(RealPath, OnlyTheTypedFileMayBeAnywhere) {
   EXPECT_TRUE(place_within(bounds_of_output(path("in/game"), true), path("in/game/level.lua"), false));
 }
 
-TEST_F(RealPath, TheSameFileIsKnownByOtherNames) {
+TEST_F(RealPath, OtherNamesOfTheSameFileAreRecognised) {
   put("in/a", "x");
   link("in/b", "a");
   fs::create_hard_link(path("in/a"), path("out/c"));

@@ -1,4 +1,4 @@
-// Runs of small levels, every frame kept, for the tests of the debugger.
+// Runs of small levels that keep every frame, for the tests of the debugger.
 #pragma once
 
 #include <functional>
@@ -41,7 +41,7 @@ class RecordedRun final : public FrameSource {
   std::vector<Frame> frames_;
 };
 
-// Frames made by hand: of the exact solver, with these states, and nothing in their records.
+// Handmade frames of the exact solver: these states, and empty records.
 class MadeFrames final : public FrameSource {
  public:
   explicit MadeFrames(std::vector<State> states) : scene_(std::make_shared<const Scene>()) {

@@ -1,4 +1,4 @@
-// Recordings as files: round trips, and what is refused.
+// Recordings as files: writing and reading them again, and what is refused.
 #include "formats/native/recording_file.h"
 
 #include <gmock/gmock.h>
@@ -75,7 +75,7 @@ TEST(RecordingFile, KeepsEverything) {
   EXPECT_EQ(text_of(*after), text_of(before));
 }
 
-TEST(RecordingFile, RunsAgainFromWhatWasRead) {
+TEST(RecordingFile, RunsAgainAfterReading) {
   Timeline timeline(read_recording(text_of(sample())).value());
   while (timeline.behind()) timeline.catch_up(7);
   EXPECT_EQ(timeline.unexpected_frame(timeline.current()), std::nullopt);
@@ -92,7 +92,7 @@ TEST(RecordingFile, IsReadableRowByRow) {
   EXPECT_LE(longest, 160u);
 }
 
-TEST(RecordingFile, AnEmptyOneIsOne) {
+TEST(RecordingFile, AnEmptyRecordingIsValid) {
   Timeline timeline(start());
   const auto again = read_recording(text_of(timeline.recording(timeline.current(), start())));
   ASSERT_TRUE(again) << to_string(again.error(), "file");
@@ -100,13 +100,13 @@ TEST(RecordingFile, AnEmptyOneIsOne) {
   EXPECT_EQ(again->hashes.size(), 1u);
 }
 
-TEST(RecordingFile, IsToldByItsBeginOrItsName) {
+TEST(RecordingFile, IsRecognisedByItsContentOrItsName) {
   EXPECT_TRUE(is_recording(text_of(sample()), {"json"}));
   EXPECT_TRUE(is_recording("", {"talusrec"}));
   EXPECT_FALSE(is_recording("{\"talus\": 1}", {"json"}));
 }
 
-// What is wrong with the file after a change to it: "PLACE: MESSAGE".
+// The error of the file after a change to it: "PLACE: MESSAGE".
 template <class Change>
 std::string error_after(Change change) {
   json document = json::parse(text_of(sample()));
@@ -115,7 +115,7 @@ std::string error_after(Change change) {
   return read ? "none" : read.error().place + ": " + read.error().message;
 }
 
-TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
+TEST(RecordingFile, NamesTheWrongKey) {
   EXPECT_EQ(error_after([](json&) {}), "none");
   const auto expect = [](const char* expected, auto change) { EXPECT_EQ(error_after(change), expected); };
   expect(": is JSON, but not a recording", [](json& d) { d = 5; });
@@ -151,7 +151,7 @@ TEST(RecordingFile, IsRefusedByTheKeyThatIsWrong) {
   });
 }
 
-TEST(RecordingFile, IsRefusedByTheInputThatIsWrong) {
+TEST(RecordingFile, NamesTheWrongInput) {
   const auto expect = [](const char* expected, auto change) { EXPECT_EQ(error_after(change), expected); };
   expect("key input: must be a list", [](json& d) { d["input"] = 1; });
   expect("key input[0]: an input line must be a JSON object", [](json& d) { d["input"][0] = 1; });
@@ -165,7 +165,7 @@ TEST(RecordingFile, IsRefusedByTheInputThatIsWrong) {
   expect("key input[0]: unknown key \"mice\"", [](json& d) { d["input"][0]["mice"] = 1; });
 }
 
-TEST(RecordingFile, IsRefusedByTheEditThatIsWrong) {
+TEST(RecordingFile, NamesTheWrongEdit) {
   const auto expect = [](const char* expected, auto change) { EXPECT_EQ(error_after(change), expected); };
   expect("key edits[0]: must be an object", [](json& d) { d["edits"][0] = 1; });
   expect("key edits[0].frame: must be a whole number from 1 to 40",
@@ -190,7 +190,7 @@ TEST(RecordingFile, IsRefusedByTheEditThatIsWrong) {
   });
 }
 
-TEST(RecordingFile, TruncatedAtAnyByteItIsRefused) {
+TEST(RecordingFile, IsRefusedIfTruncatedAtAnyByte) {
   const std::string text = text_of(sample());
   for (std::size_t length = 0; length + 2 < text.size(); length += 13)
     EXPECT_FALSE(read_recording(text.substr(0, length))) << length;
@@ -198,7 +198,7 @@ TEST(RecordingFile, TruncatedAtAnyByteItIsRefused) {
 
 class SavedRecording : public FolderTest {};
 
-TEST_F(SavedRecording, IsLoadedAgain) {
+TEST_F(SavedRecording, CanBeLoadedAgain) {
   ASSERT_TRUE(save_recording(sample(), path("run.talusrec")));
   const auto loaded = load_recording(path("run.talusrec"));
   ASSERT_TRUE(loaded);

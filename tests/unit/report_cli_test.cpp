@@ -33,7 +33,7 @@ TEST(ReportMetrics, SpreadOfErrors) {
   EXPECT_EQ(errors.spread()->max, std::numeric_limits<double>::infinity());
 }
 
-TEST(ReportMetrics, TeleportsGoFurtherThanAsked) {
+TEST(ReportMetrics, TeleportsAreMotionsBeyondTheAskedOne) {
   EXPECT_FALSE(is_teleport(3, 4, 0, 5));
   EXPECT_FALSE(is_teleport(3, 4, 0, 6));
   EXPECT_TRUE(is_teleport(3, 4, 0, 6.5));
@@ -47,7 +47,7 @@ TEST(ReportReference, KnowsFloorsAndTimes) {
   EXPECT_GT(time_of_impact(LineFloor{0, 10, 10, 10}, {0, 0, 8, 8}, 1, 1), 1);
 }
 
-// A drop under g = 1/2 that begins its curve with g/2: y = t/4 + t^2/4, so 5 px take 4 frames.
+// A drop under g = 1/2 whose curve begins with g/2: y = t/4 + t^2/4, so 5 px take 4 frames.
 TEST(ReportReference, BouncesForEver) {
   Tuning tuning;
   tuning.exact.gravity = 0.5;
@@ -60,7 +60,7 @@ TEST(ReportReference, BouncesForEver) {
   EXPECT_NEAR(y[8], -5, 1e-15);
 }
 
-// Coordinates are below 256 px, so that 1 ulp is 2^-45; from 2^20 px on it is 2^-32.
+// Coordinates below 256 px have an ulp of 2^-45; from 2^20 px on it is 2^-32.
 TEST(ReportRows, ExactIsExactOnLines) {
   for (const ReportScene scene : {ReportScene::flat_tiles, ReportScene::slope_tiles, ReportScene::segment}) {
     for (const auto& [scale, ulp] : {std::pair(1.0, 0x1p-45), std::pair(0x1p20, 0x1p-32)}) {
@@ -72,7 +72,7 @@ TEST(ReportRows, ExactIsExactOnLines) {
   }
 }
 
-TEST(ReportRows, TheKernelIsNot) {
+TEST(ReportRows, TheKernelIsNotExact) {
   const Row row = measure({.scene = ReportScene::flat_tiles}, {.moves = 500, .repeats = 1});
   EXPECT_GT(row.geometry->max, 1);
   EXPECT_EQ(row.counts->tunnels, 0u);
@@ -95,7 +95,7 @@ TEST(ReportRows, ArticleSinksIntoSlopes) {
   EXPECT_GT(row.counts->misses, 0u);
 }
 
-// One line a row, with as many fields as the heading has names.
+// Each row is a line with as many fields as the heading.
 TEST(ReportTable, EveryRowHasEveryColumn) {
   Row wall;
   wall.setup = {.scene = ReportScene::wall_of_bodies, .solver = SolverKind::bump, .scale = 1e7};

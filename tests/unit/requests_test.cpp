@@ -1,4 +1,4 @@
-// Requests of panels to each other: who takes them, and how long they wait.
+// Requests of panels to each other: who takes them, and when they expire.
 #include "panels/requests.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Requests, NamedOnesWaitForTheirName) {
   EXPECT_FALSE(requests.take<request::ShowTab>("why"));
 }
 
-TEST(Requests, NewerOnesTakeThePlaceOfOlder) {
+TEST(Requests, ANewerRequestReplacesAnOlderOne) {
   Requests requests;
   requests.ask(request::ShowTab("why"));
   requests.ask(request::FitMap{});
@@ -46,7 +46,7 @@ TEST(Requests, ScrollsAndZoomsAddUp) {
   EXPECT_EQ(requests.take<request::Scroll>()->by, (Vec2{64, -64}));
 }
 
-TEST(Requests, ForTheKeysAreDroppedInTime) {
+TEST(Requests, RequestsForTheKeysExpire) {
   Requests requests;
   requests.ask(request::FocusField("transport/frame"));
   requests.ask(request::ShowTab("why"));

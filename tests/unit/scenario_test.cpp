@@ -1,4 +1,4 @@
-// Scenarios: what is answered, what is refused, and what is not a scenario at all.
+// Scenarios: what is answered, what is refused, and which files are no scenarios.
 #include "formats/native/replay.h"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ TEST(Replay, AnswersEveryOperationWithALine) {
                           kOk, R"({"rect":[1,2,8,8]})", kOk, R"({"items":[7]})"));
 }
 
-TEST(Replay, AnswersWhatTheWorldRefusesInItsWords) {
+TEST(Replay, AnswersWithTheErrorsOfTheWorld) {
   EXPECT_THAT(replay(kBall + kBall + R"({"op":"add","item":2,"rect":[0,0,0,5]},
                        {"op":"add","item":2,"rect":[null,0,4,5]},{"op":"add","item":2,"rect":[0,"a",4,5]},
                        {"op":"add","item":2,"rect":[0,0,4]},{"op":"add","item":2,"rect":[0,0,true,4]},
@@ -56,7 +56,7 @@ TEST(Replay, AnswersWhatTheWorldRefusesInItsWords) {
                           R"j(Use world:add(item, x,y,w,h) to add it first."})j"));
 }
 
-TEST(Replay, ComplainsOfAnUnknownResponseOnlyWhenItIsReached) {
+TEST(Replay, ReportsAnUnknownResponseWhenItIsReached) {
   EXPECT_THAT(replay(kBall + kWall + R"({"op":"move","item":1,"goal":[1,0],"filter":{"default":"foo"}},
                        {"op":"move","item":1,"goal":[20,0],"filter":{"default":"foo"}},{"op":"getRect","item":1},
                        {"op":"move","item":1,"goal":[20,0],"filter":{"default":"foo","7":null}})"),
@@ -65,8 +65,8 @@ TEST(Replay, ComplainsOfAnUnknownResponseOnlyWhenItIsReached) {
                           R"({"x":20,"y":0,"cols":[]})"));
 }
 
-// A missing goal stands for the old place; only a response that sets it can save the move.
-TEST(Replay, TakesAGoalThatIsMissing) {
+// A missing goal stands for the old place. Then only a response that sets the goal lets the move succeed.
+TEST(Replay, AcceptsAMissingGoal) {
   EXPECT_THAT(
       replay(kBall + R"({"op":"check","item":1,"goal":[null,3]},{"op":"move","item":1,"goal":[null,3]},
                        {"op":"getRect","item":1},{"op":"add","item":2,"rect":[0,10,8,8]},
@@ -78,7 +78,7 @@ TEST(Replay, TakesAGoalThatIsMissing) {
 }
 
 // All answers together could be larger than the memory.
-TEST(Replay, GivesEachAnswerAtOnceUntilNoMoreAreWanted) {
+TEST(Replay, GivesEachAnswerAtOnceUntilItIsStopped) {
   EXPECT_THAT(replay(kBall + "5"), ElementsAre(kOk, "op 2: An operation must be an object."));
   int given = 0;
   const auto replayed =
@@ -87,7 +87,7 @@ TEST(Replay, GivesEachAnswerAtOnceUntilNoMoreAreWanted) {
   EXPECT_EQ(given, 2);
 }
 
-TEST(Replay, TellsWhereAScenarioIsMalformed) {
+TEST(Replay, ErrorsNameThePlaceInTheScenario) {
   const auto error = [](std::string_view text) {
     const auto replayed = replay_scenario(text, [](std::string_view) { return true; });
     return replayed ? "none" : replayed.error().place + ": " + replayed.error().message;

@@ -1,4 +1,4 @@
-// Compiling a level: which boxes it makes, and in which order.
+// Compiling a level: the boxes that it makes, and their order.
 
 #include <talus/sim/scene.h>
 
@@ -87,8 +87,8 @@ TEST(FlagRoles, SolidWinsOverSlopesAndSlopesOverBall) {
   EXPECT_EQ(role_of(0b11110000, roles), TileRole::none);
 }
 
-// 2 GB of boxes, and more, are told of and not made.
-TEST(Scene, OfTooMuchGroundForItsSolverHasNone) {
+// More than 2 GB of boxes are reported and not made.
+TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
   Level level;
   level.map = TileMap(2048, 1025);
   std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
@@ -109,8 +109,8 @@ TEST(Scene, OfTooMuchGroundForItsSolverHasNone) {
   EXPECT_FALSE(ground_problem(level));
 }
 
-// A few tiles of many heights are as much as a map full of others.
-TEST(Scene, GroundIsReckonedByTheHeightsOfItsTiles) {
+// A few tiles with many heights take as much as a map full of others.
+TEST(Scene, GroundIsCountedByTheHeightsOfItsTiles) {
   Level level;
   level.map = TileMap(400, 400);
   std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
@@ -130,7 +130,7 @@ TEST(Scene, GroundIsReckonedByTheHeightsOfItsTiles) {
   const Scene scene = compile_scene(level);
   EXPECT_FALSE(scene.ground->has_pieces());
 
-  // Edits that take it away, and bring it back.
+  // Edits that remove the ground, and add it again.
   Level edited = level;
   edited.map = TileMap(400, 400);
   edited.map.set({3, 3}, 1);
@@ -145,8 +145,8 @@ TEST(Scene, GroundIsReckonedByTheHeightsOfItsTiles) {
   EXPECT_FALSE(recompile_scene(fewer, level, changed).ground->has_pieces());
 }
 
-// Cells far smaller than the boxes would take gigabytes: the solver's own are larger then, and nothing else
-// differs.
+// Cells far smaller than the boxes would take gigabytes. The solver uses larger cells for such boxes, and
+// nothing else changes.
 TEST(Scene, LargeBodiesInSmallCellsAreStepped) {
   Level level = level_of({"....", "####"});
   Spawn large;

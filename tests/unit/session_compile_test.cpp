@@ -1,4 +1,4 @@
-// Large levels are compiled beside the session, which goes on meanwhile.
+// A thread compiles large levels, and the session goes on meanwhile.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace talus::session_compile_test {
 
 constexpr int kLargeSide = 400;  // cells
 
-// A floor of tile 1, which is solid, in every second row, and a ball over the first.
+// A floor of the solid tile 1 in every second row, and a ball over the first one.
 Level large_level() {
   Level level;
   level.sheet(SheetId::tiles).flags[1] = 1;
@@ -45,7 +45,7 @@ void expect_scene_of_level(const Session& session) {
 
 class SessionCompile : public FolderTest {};
 
-TEST_F(SessionCompile, AnEditOfALargeGroundIsSeenWhenItIsCompiled) {
+TEST_F(SessionCompile, AnEditOfALargeLevelShowsOnceItIsCompiled) {
   Session session(large_level());
   const Scene* before = &session.scene();
   session.apply(clear_solid_flag());
@@ -58,7 +58,7 @@ TEST_F(SessionCompile, AnEditOfALargeGroundIsSeenWhenItIsCompiled) {
   EXPECT_EQ(session.state().frame, 1);
 }
 
-TEST_F(SessionCompile, WhatIsPaintedMeanwhileComesWithIt) {
+TEST_F(SessionCompile, StrokesMadeMeanwhileAreIncluded) {
   Session session(large_level());
   session.apply(clear_solid_flag());
   session.apply(action::EditLevel{paint_stamp(session.level(), {7, 7}, {1, 1, {5}})});
@@ -68,7 +68,7 @@ TEST_F(SessionCompile, WhatIsPaintedMeanwhileComesWithIt) {
   EXPECT_EQ(session.level().map.at({7, 7}), 5);
 }
 
-TEST_F(SessionCompile, UndoMeanwhileEndsWithTheLevelAsItWas) {
+TEST_F(SessionCompile, UndoMeanwhileRestoresTheLevel) {
   Session session(large_level());
   session.apply(clear_solid_flag());
   session.apply(action::Undo{});
@@ -91,7 +91,7 @@ TEST_F(SessionCompile, TuningAndBodiesNeedNoGround) {
   EXPECT_EQ(session.state().bodies.size(), 2u);
 }
 
-TEST_F(SessionCompile, ALargeLevelIsOpenedAtOnceAndPlaysWhenItIsCompiled) {
+TEST_F(SessionCompile, ALargeLevelOpensAtOnceAndPlaysOnceCompiled) {
   const std::string file = path("large.talus.json");
   ASSERT_TRUE(save_level(large_level(), *find_format("native"), file));
   Session session;
@@ -108,7 +108,7 @@ TEST_F(SessionCompile, ALargeLevelIsOpenedAtOnceAndPlaysWhenItIsCompiled) {
   EXPECT_EQ(session.state().bodies.at(0).box.bottom(), 24) << "on the first floor";
 }
 
-TEST_F(SessionCompile, AnotherLevelGivesUpTheOneThatIsCompiled) {
+TEST_F(SessionCompile, AnotherLevelCancelsTheCompilation) {
   Session session(large_level());
   session.apply(clear_solid_flag());
   session.apply(action::NewLevel{});

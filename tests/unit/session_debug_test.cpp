@@ -1,4 +1,4 @@
-// The debugger of a session: stopping, watching and comparing by actions alone.
+// The debugger of a session: stopping, watching and comparing, all by actions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace talus::session_debug_test {
 
-// A ball that bounces on a floor in row 16 of 30x17 cells, and one that lies on it.
+// A ball that bounces on a floor in row 16 of 30x17 cells, and a ball that lies on the floor.
 Level bouncing_level() {
   Level level;
   level.tile_shapes[1].kind = TileShape::Kind::solid;
@@ -23,7 +23,7 @@ class SessionDebug : public ::testing::Test {
     for (int i = 0; i < count; ++i) session.apply(action::StepFrame{});
   }
   std::int64_t frame() const { return session.state().frame; }
-  // Lets real time pass until nothing is left to be done.
+  // Lets real time pass until no work is left.
   void settle() {
     for (int i = 0; i < 1000; ++i) {
       session.advance(0);
@@ -34,7 +34,7 @@ class SessionDebug : public ::testing::Test {
   void add_breakpoint(std::string condition, int count = 1) {
     session.apply(action::SetBreakpoint{{.condition = std::move(condition), .body = 1, .count = count}});
   }
-  // The frames at which the ball begins to move up.
+  // The frames in which the ball begins to move up.
   std::vector<std::int64_t> bounces(int frames) {
     std::vector<std::int64_t> found;
     Session other(bouncing_level());
@@ -49,7 +49,7 @@ class SessionDebug : public ::testing::Test {
   Session session{bouncing_level()};
 };
 
-TEST_F(SessionDebug, PlayingStopsAtABreakpointAndGoesOnBeyondIt) {
+TEST_F(SessionDebug, PlayingStopsAtABreakpointAndThenContinues) {
   const auto up = bounces(300);
   ASSERT_GE(up.size(), 3u);
   add_breakpoint("vy < 0");
@@ -82,7 +82,7 @@ TEST_F(SessionDebug, RunsBackAndForthBetweenTheSameStops) {
   EXPECT_EQ(frame(), up[1]);
 }
 
-TEST_F(SessionDebug, WhereNothingRecordedStopsForwardsGoesOnPlaying) {
+TEST_F(SessionDebug, SearchingForwardsPlaysOnPastTheRecording) {
   const auto up = bounces(200);
   add_breakpoint("vy < 0");
   step(2);
@@ -94,7 +94,7 @@ TEST_F(SessionDebug, WhereNothingRecordedStopsForwardsGoesOnPlaying) {
   EXPECT_EQ(session.timeline().last_frame(), up[0]);
 }
 
-TEST_F(SessionDebug, CountedHitsAreTheSameWhileItPlaysAndSearched) {
+TEST_F(SessionDebug, HitsAreEqualDuringPlayAndSearch) {
   const auto up = bounces(300);
   ASSERT_GE(up.size(), 3u);
   add_breakpoint("vy < 0", 2);
@@ -109,7 +109,7 @@ TEST_F(SessionDebug, CountedHitsAreTheSameWhileItPlaysAndSearched) {
   EXPECT_EQ(frame(), up[1]);
 }
 
-TEST_F(SessionDebug, AStopIsToldOfAndItsBodyChosenWhereNoneIs) {
+TEST_F(SessionDebug, AStopIsReportedAndItsBodyChosenIfNoneIs) {
   const auto up = bounces(200);
   add_breakpoint("vy < 0");
   session.apply(action::Play{});
@@ -131,7 +131,7 @@ TEST_F(SessionDebug, AStopIsToldOfAndItsBodyChosenWhereNoneIs) {
   EXPECT_EQ(session.message()->text, "No breakpoint stops before this frame.");
 }
 
-// What the list of breakpoints shows: the hits up to the shown frame, wherever that is.
+// The list of breakpoints shows the hits up to the shown frame, whichever frame that is.
 TEST_F(SessionDebug, HitsAreThoseUpToTheShownFrame) {
   const auto up = bounces(200);
   ASSERT_GE(up.size(), 2u);
@@ -164,8 +164,8 @@ TEST_F(SessionDebug, HitsOfAnotherBranchAreItsOwn) {
   EXPECT_EQ(session.debugger().stops().hits(1, frame()), 0);
 }
 
-// Where the sides of a comparison part is known for a solver as for a branch.
-TEST_F(SessionDebug, FindsWhereAVariantPartsAndHowFarItIsRun) {
+// The first frame in which the sides of a comparison differ is found for a solver as for a branch.
+TEST_F(SessionDebug, FindsTheFirstDifferenceAndHowFarAVariantRan) {
   step(150);
   EXPECT_EQ(session.debugger().parting_frame(session.timeline()), std::nullopt);
   session.apply({action::SetParting{0}, action::CompareVariant{Variant{SolverKind::exact, true}}});
@@ -186,7 +186,7 @@ TEST_F(SessionDebug, FindsWhereAVariantPartsAndHowFarItIsRun) {
   EXPECT_EQ(session.debugger().parting(), 0);
 }
 
-TEST_F(SessionDebug, AComparisonRunsNothingAgainThatItHasRun) {
+TEST_F(SessionDebug, AComparisonReusesFramesThatItHasRun) {
   step(100);
   session.apply(action::CompareVariant{Variant{SolverKind::article, false}});
   settle();
@@ -215,7 +215,7 @@ TEST_F(SessionDebug, AWrongOrDisabledBreakpointStopsNothing) {
   EXPECT_FALSE(session.debugger().stop());
 }
 
-TEST_F(SessionDebug, WatchesHaveTheNumberOfEveryFrameAndFollowTheRun) {
+TEST_F(SessionDebug, WatchesHaveANumberForEachFrameAndFollowTheRun) {
   session.apply(action::SelectBody{1});
   session.apply(action::SetWatch{0, {"body.vy * 2", 0}});
   session.apply(action::SetWatch{1, {"vy +", 0}});
@@ -258,7 +258,7 @@ TEST_F(SessionDebug, TheOtherSideHasTheSameInputAndAnotherSolver) {
   EXPECT_EQ(session.other_state(), nullptr);
 }
 
-TEST_F(SessionDebug, SinglePrecisionPartsAtTheFoundFrame) {
+TEST_F(SessionDebug, SinglePrecisionDiffersFromTheFoundFrameOn) {
   step(60);
   session.apply(action::CompareVariant{Variant{SolverKind::exact, true}});
   settle();
@@ -279,7 +279,7 @@ TEST_F(SessionDebug, SinglePrecisionPartsAtTheFoundFrame) {
   EXPECT_LE(apart(), 1e-9);
 }
 
-TEST_F(SessionDebug, StagesAreThoseOfTheStepMadeAgain) {
+TEST_F(SessionDebug, StagesDescribeTheRepeatedStep) {
   for (const auto& [solver, is_single] :
        {std::pair(SolverKind::article, false), std::pair(SolverKind::exact, false),
         std::pair(SolverKind::exact, true)}) {
@@ -305,7 +305,7 @@ TEST_F(SessionDebug, StagesAreThoseOfTheStepMadeAgain) {
   }
 }
 
-TEST_F(SessionDebug, BreakpointsAndPlotsGoOnAfterTheOtherSideEnds) {
+TEST_F(SessionDebug, BreakpointsAndPlotsContinueAfterTheOtherSide) {
   step(3);
   session.apply(action::SeekFrame{1});
   session.apply(action::TakeOver{});

@@ -1,5 +1,5 @@
-// Export presets that came with a file: they write nothing until the user has allowed them, and never
-// outside.
+// Export presets that came with a file write nothing until the user allows them, and never outside the
+// folder.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -31,7 +31,7 @@ class ForeignPresets : public FolderTest {
         ExportTools{[](const std::string& name) { return read_file(TALUS_SOURCE_DIR "/assets/" + name); },
                     path("state/exports"), path("state/allowed_exports")});
   }
-  // As somebody else would write it.
+  // Writes the level as somebody else would.
   std::string put_level(std::vector<ExportPreset> presets,
                         const std::string& name = "level/cave.talus.json") {
     Level level;
@@ -49,7 +49,7 @@ class ForeignPresets : public FolderTest {
     }
     ASSERT_FALSE(session().exporting().is_busy());
   }
-  // A stroke and Ctrl+S.
+  // Paints a stroke and saves, as by Ctrl+S.
   void paint_and_save() {
     const auto red = static_cast<std::uint8_t>(session().level().palette[3].r + 1);
     session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{red, 2, 3})});
@@ -62,7 +62,7 @@ class ForeignPresets : public FolderTest {
     wait();
   }
   bool asks() { return session().question() && session().question()->kind == Question::Kind::allow_exports; }
-  // What the folder holds besides the level.
+  // The files in the folder besides the level.
   std::set<std::string> written(const std::string& folder = "level") {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(path(folder))) {
@@ -77,7 +77,7 @@ class ForeignPresets : public FolderTest {
   std::unique_ptr<Session> session_;
 };
 
-TEST_F(ForeignPresets, WriteNothingUntilTheirFilesWereSeenAndAllowed) {
+TEST_F(ForeignPresets, WriteNothingUntilTheUserAllowsTheirFiles) {
   const std::string file = put_level({data_});
   open(file);
   EXPECT_FALSE(session().allows_export(0));
@@ -99,7 +99,7 @@ TEST_F(ForeignPresets, WriteNothingUntilTheirFilesWereSeenAndAllowed) {
   EXPECT_FALSE(session().question());
 }
 
-TEST_F(ForeignPresets, AreNotAskedAboutAgainByEachSave) {
+TEST_F(ForeignPresets, AreNotAskedAboutAtEachSave) {
   ExportPreset own = data_;
   own.name = "own";
   own.path = "out/own.lua";
@@ -177,7 +177,7 @@ TEST_F(ForeignPresets, AddNoLineToAMessageByTheirPath) {
   EXPECT_EQ(message().find("\nSaved everything"), std::string::npos) << message();
 }
 
-TEST_F(ForeignPresets, AreForeignAgainWhenSomebodyElseHasChangedThem) {
+TEST_F(ForeignPresets, AreForeignAgainAfterAForeignChange) {
   const std::string file = put_level({data_});
   open(file);
   paint_and_save();
@@ -206,8 +206,8 @@ TEST_F(ForeignPresets, AreForeignAgainWhenSomebodyElseHasChangedThem) {
   EXPECT_TRUE(session().allows_export(0)) << "as it was allowed";
 }
 
-// While the level is open, and with it the edit that reads it again.
-TEST_F(ForeignPresets, AreForeignTooWhenAnotherProgramChangesTheOpenFile) {
+// The change comes while the level is open, and with the edit that reads the file again.
+TEST_F(ForeignPresets, AreForeignAfterAnotherProgramChangesTheFile) {
   const std::string file = put_level({});
   open(file);
   put_level({data_});
@@ -222,7 +222,7 @@ TEST_F(ForeignPresets, AreForeignTooWhenAnotherProgramChangesTheOpenFile) {
   EXPECT_TRUE(written().empty());
 }
 
-TEST_F(ForeignPresets, OfAMapOfTiledARecordingOrAnAutosaveAreForeignToo) {
+TEST_F(ForeignPresets, FromMapsRecordingsAndAutosavesAreForeign) {
   Level level;
   level.exports = {data_};
   const ReadAsset none;
@@ -282,7 +282,7 @@ TEST_F(ForeignPresets, StayInTheFolderOfTheLevel) {
         << outcome.task.preset.path;
     EXPECT_TRUE(outcome.files.empty()) << "they are not even looked at";
   }
-  // A change of the user's that leaves the path alone is no word on the path.
+  // A change by the user that keeps the path does not allow the path.
   ExportPreset renamed = session().level().exports[0];
   renamed.name = "mine";
   session().apply(act::EditLevel{set_export(session().level(), 0, renamed, "Rename")});
@@ -292,8 +292,8 @@ TEST_F(ForeignPresets, StayInTheFolderOfTheLevel) {
   EXPECT_TRUE(written("home").empty());
 }
 
-// Between the look and the writing.
-TEST_F(ForeignPresets, AreHeldWhenALinkIsPutInTheirWayLater) {
+// The link is put there between the check and the write.
+TEST_F(ForeignPresets, ALinkPutInTheirWayLaterStopsThem) {
   fs::create_directories(path("home"));
   open(put_level({data_}));
   paint_and_save();
@@ -322,7 +322,7 @@ TEST_F(ForeignPresets, NeverReplaceTheLevelItself) {
   EXPECT_FALSE(session().question());
 }
 
-TEST_F(ForeignPresets, APathThatTheUserHasTypedMayLeave) {
+TEST_F(ForeignPresets, APathTypedByTheUserMayLeaveTheFolder) {
   fs::create_directories(path("game"));
   const std::string file = put_level({data_});
   open(file);
@@ -336,7 +336,7 @@ TEST_F(ForeignPresets, APathThatTheUserHasTypedMayLeave) {
   fs::remove(path("game/a.lua"));
   paint_and_save();
   EXPECT_TRUE(exists("game/a.lua")) << "it is remembered";
-  // But for that place alone.
+  // The permission holds for that place only.
   fs::create_directories(path("home"));
   fs::remove_all(path("game"));
   fs::create_symlink(path("home"), path("game"));
@@ -345,7 +345,7 @@ TEST_F(ForeignPresets, APathThatTheUserHasTypedMayLeave) {
   EXPECT_TRUE(session().message()->is_error);
 }
 
-TEST_F(ForeignPresets, AnAllowedPlaceOutsideIsStillAskedAboutOnce) {
+TEST_F(ForeignPresets, AnAllowedPlaceOutsideIsAskedAboutOnce) {
   fs::create_directories(path("game"));
   ExportPreset preset = data_;
   preset.path = "../game/a.lua";
@@ -359,8 +359,8 @@ TEST_F(ForeignPresets, AnAllowedPlaceOutsideIsStillAskedAboutOnce) {
   EXPECT_TRUE(exists("game/a.lua"));
 }
 
-// The paths are counted from where the link lies, and stay there.
-TEST_F(ForeignPresets, OfALevelThatIsALinkStayWhereTheLinkLies) {
+// The paths are relative to the folder of the link, and stay there.
+TEST_F(ForeignPresets, OfALinkedLevelStayBesideTheLink) {
   fs::create_directories(path("store"));
   put_level({data_}, "store/cave.talus.json");
   fs::create_symlink("../store/cave.talus.json", path("level/cave.talus.json"));
@@ -389,7 +389,7 @@ class ExportPermissionsFile : public FolderTest {
   static ExportPreset preset(const std::string& name, const std::string& extra = "") {
     return {.name = name, .exporter = "lua", .path = name + ".lua", .extra = extra};
   }
-  // Of 60 KB in the store.
+  // A preset that takes 60 KB in the store.
   static ExportPreset long_preset(const std::string& name) {
     return preset(name, R"({"x":")" + std::string(60'000, 'x') + "\"}");
   }
@@ -427,8 +427,8 @@ TEST_F(ExportPermissionsFile, ForgetsTheOldestBeforeItGrowsTooLarge) {
   EXPECT_EQ(bytes_of("allowed"), kept);
 }
 
-// Earlier versions did not bound it.
-TEST_F(ExportPermissionsFile, IsReadEvenWhereItIsLargerThanAnyLevel) {
+// Earlier versions did not limit its size.
+TEST_F(ExportPermissionsFile, IsReadEvenIfItIsLargerThanAnyLevel) {
   fs::resize_file(put("allowed", "{}\n"), kMaxFileBytes + 1);
   const std::vector<ExportPreset> presets = {preset("a")};
   ASSERT_TRUE(opened(path("level")).allow(presets));

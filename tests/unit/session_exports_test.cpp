@@ -1,4 +1,4 @@
-// Session: previews of exports, exports beside the editor, and the question before files of others go.
+// Session: previews of exports, exports by a thread, and the question before files of others are replaced.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -28,7 +28,7 @@ class SessionExports : public FolderTest {
     session_.reset();
   }
 
-  // A session on a saved level. Assets are read when the gate is open, if there is one.
+  // Starts a session on a saved level. If there is a gate, assets can be read only once it is open.
   void start(std::shared_future<void> gate = {}) {
     const ReadAsset read = [gate, this](const std::string& name) {
       if (gate.valid()) gate.wait();
@@ -73,7 +73,7 @@ class SessionExports : public FolderTest {
   std::unique_ptr<Session> session_;
 };
 
-TEST_F(SessionExports, ThePreviewIsWhatIsWritten) {
+TEST_F(SessionExports, ThePreviewShowsExactlyTheWrittenFiles) {
   add("game", "love", "out/game");
   const ExportOutcome shown = preview(0);
   ASSERT_FALSE(shown.problem);
@@ -89,7 +89,7 @@ TEST_F(SessionExports, ThePreviewIsWhatIsWritten) {
   for (const PlannedFile& file : preview(0).files) EXPECT_EQ(file.place, PlannedFile::Place::same);
 }
 
-TEST_F(SessionExports, ALevelWithoutAFileHasNoPlaceButSizes) {
+TEST_F(SessionExports, ALevelWithoutAFileHasSizesButNoPaths) {
   session().apply(act::NewLevel{});
   add("cart", "tic", "a.tic");
   const ExportOutcome& shown = preview(0);
@@ -102,7 +102,7 @@ TEST_F(SessionExports, ALevelWithoutAFileHasNoPlaceButSizes) {
   EXPECT_TRUE(session().message()->is_error);
 }
 
-TEST_F(SessionExports, WhatAnExportDidNotWriteIsAskedAbout) {
+TEST_F(SessionExports, FilesOfOthersAreAskedAboutBeforeReplacing) {
   fs::create_directories(path("out"));
   std::ofstream(path("out/a.tic")) << "mine";
   add("cart", "tic", "out/a.tic");
@@ -120,7 +120,7 @@ TEST_F(SessionExports, WhatAnExportDidNotWriteIsAskedAbout) {
   const std::string cart = bytes_of("out/a.tic");
   EXPECT_NE(cart, "mine");
 
-  // Its own file is replaced without a question, in another start of the program, too.
+  // An export's own file is replaced without a question, also by another start of the program.
   start();
   add("cart", "tic", "out/a.tic");
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
@@ -129,13 +129,13 @@ TEST_F(SessionExports, WhatAnExportDidNotWriteIsAskedAbout) {
   run();
   EXPECT_FALSE(session().question());
   EXPECT_NE(bytes_of("out/a.tic"), cart);
-  // Changed by hand it is somebody's again.
+  // A file changed by hand belongs to the user again.
   std::ofstream(path("out/a.tic"), std::ios::app) << "more";
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{4, 2, 3})});
   EXPECT_EQ(preview(0).foreign.size(), 1u);
 }
 
-TEST_F(SessionExports, SavingExportsWhatIsMarked) {
+TEST_F(SessionExports, SavingRunsTheMarkedPresets) {
   add("cart", "tic", "out/a.tic", true);
   add("text", "tic-text", "out/a.lua");
   session().apply(act::SaveFile{});
@@ -145,7 +145,7 @@ TEST_F(SessionExports, SavingExportsWhatIsMarked) {
   EXPECT_EQ(message(), "Saved cave.talus.json.\nExported cart: 1 file to out/a.tic.");
 }
 
-TEST_F(SessionExports, OneProblemDoesNotHoldUpTheOthers) {
+TEST_F(SessionExports, OneProblemDoesNotStopTheOtherPresets) {
   add("odd", "gameboy", "out/a.gb");
   add("cart", "tic", "out/a.tic");
   run();
@@ -157,7 +157,7 @@ TEST_F(SessionExports, OneProblemDoesNotHoldUpTheOthers) {
   EXPECT_EQ(session().level().exports[0].exporter, "gameboy");
 }
 
-TEST_F(SessionExports, ACancelledOneWritesNothing) {
+TEST_F(SessionExports, ACancelledRunWritesNothing) {
   start_gated();
   add("game", "love", "out/game");
   session().apply(act::RunExports{0});
@@ -176,7 +176,7 @@ TEST_F(SessionExports, ACancelledOneWritesNothing) {
   EXPECT_TRUE(exists("out/game/main.lua"));
 }
 
-TEST_F(SessionExports, APreviewDoesNotHoldUpARun) {
+TEST_F(SessionExports, APreviewDoesNotDelayARun) {
   add("cart", "tic", "out/a.tic");
   session().apply(act::PreviewExport{0});
   session().apply(act::RunExports{0});
@@ -186,7 +186,7 @@ TEST_F(SessionExports, APreviewDoesNotHoldUpARun) {
   EXPECT_FALSE(exporting().preview()) << "of what was there before";
 }
 
-TEST_F(SessionExports, ARunWritesWhatThePreviewMadeOfTheSameLevel) {
+TEST_F(SessionExports, ARunReusesThePreviewOfTheSameLevel) {
   add("game", "love", "out/game");
   preview(0);
   const int read = assets_read_;
@@ -200,7 +200,7 @@ TEST_F(SessionExports, ARunWritesWhatThePreviewMadeOfTheSameLevel) {
   EXPECT_EQ(assets_read_, 2 * read) << "of another level all is";
 }
 
-TEST_F(SessionExports, APreviewIsCancelledAndStaysSo) {
+TEST_F(SessionExports, ACancelledPreviewStaysCancelled) {
   start_gated();
   add("game", "love", "out/game");
   session().apply(act::PreviewExport{0});
@@ -223,7 +223,7 @@ TEST_F(SessionExports, APreviewIsCancelledAndStaysSo) {
   EXPECT_TRUE(exporting().preview());
 }
 
-TEST_F(SessionExports, ALongRunTellsItsShareAndStopsInAMoment) {
+TEST_F(SessionExports, ALongRunReportsItsShareAndStopsAtOnce) {
   session().apply(act::NewLevel{});
   Level large;
   large.map = TileMap(1500, 1500);
@@ -283,7 +283,7 @@ TEST_F(SessionExports, StartersThatTheUserChangedAreKept) {
   EXPECT_EQ(bytes_of("out/main.lua"), "mine");
   EXPECT_EQ(message(), "Saved cave.talus.json.\nExported game: " + std::to_string(count - 1) +
                            " files to out. Kept main.lua, which is yours now.");
-  // Made for a preview, they are written all the same when they are gone meanwhile.
+  // The preview made the files. They are written nevertheless if they are missing by then.
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{4, 2, 3})});
   preview(0);
   fs::remove(path("out/main.lua"));
@@ -292,7 +292,7 @@ TEST_F(SessionExports, StartersThatTheUserChangedAreKept) {
   EXPECT_TRUE(exists("out/main.lua"));
 }
 
-TEST_F(SessionExports, PresetsThatWouldReplaceOneAnotherAreProblems) {
+TEST_F(SessionExports, PresetsThatOverwriteEachOtherAreProblems) {
   add("data", "lua", "out/a.lua");
   add("map", "sti", "out/a.lua");
   add("cart", "tic", "out/a.tic");
@@ -309,7 +309,7 @@ TEST_F(SessionExports, PresetsThatWouldReplaceOneAnotherAreProblems) {
   EXPECT_FALSE(exists("out/a.lua"));
 }
 
-TEST_F(SessionExports, ACartWithTooMuchCodeIsSaid) {
+TEST_F(SessionExports, ACartWithTooMuchCodeIsReported) {
   Level large;
   for (int i = 0; i < 2000; ++i)
     large.curves.push_back(
@@ -323,7 +323,7 @@ TEST_F(SessionExports, ACartWithTooMuchCodeIsSaid) {
   EXPECT_TRUE(exists("out/a.tic"));
 }
 
-TEST_F(SessionExports, WhatAnotherProgramExportedIsNotAskedAbout) {
+TEST_F(SessionExports, ExportsOfAnotherTalusAreNotAskedAbout) {
   add("cart", "tic", "out/a.tic");
   run();
   fs::create_directories(path("out"));
@@ -336,8 +336,8 @@ TEST_F(SessionExports, WhatAnotherProgramExportedIsNotAskedAbout) {
   EXPECT_TRUE(preview(0).foreign.empty());
 }
 
-// Looked at when the level is made, and the game's own files are not.
-TEST(ExportPreviews, TellTheirShare) {
+// The share is read when the level is made, before the game's own files are.
+TEST(ExportPreviews, ReportTheirShare) {
   std::promise<void> gate;
   const std::shared_future<void> opened = gate.get_future().share();
   std::atomic<bool> is_waiting = false;
@@ -358,7 +358,7 @@ TEST(ExportPreviews, TellTheirShare) {
   EXPECT_LE(progress->share, 1);
 }
 
-TEST(ExportRecords, OfSeveralProgramsAreJoined) {
+TEST(ExportRecords, RecordsOfSeveralProcessesAreMerged) {
   const std::string file = ::testing::TempDir() + "talus-record-" + std::to_string(::getpid()) + "/exports";
   ExportRecord one(file), two(file);
   one.note("/a", 1);
@@ -374,7 +374,7 @@ TEST(ExportRecords, OfSeveralProgramsAreJoined) {
   fs::remove_all(fs::path(file).parent_path());
 }
 
-TEST(ExportRecords, KeepPathsWhateverIsInThem) {
+TEST(ExportRecords, KeepPathsWithAnyCharacters) {
   const std::string file = ::testing::TempDir() + "talus-paths-" + std::to_string(::getpid()) + "/exports";
   const std::array<std::string, 4> paths = {"/a\n5 /b", "/\xff/\r\n", "/=", "/ "};
   ExportRecord record(file);
@@ -383,7 +383,7 @@ TEST(ExportRecords, KeepPathsWhateverIsInThem) {
   const ExportRecord again(file);
   for (const std::string& path : paths) EXPECT_TRUE(again.has(path, 7)) << path;
   EXPECT_FALSE(again.knows("/b"));
-  std::ofstream(file) << "5 /old\nx\n7 =!\n7 =L2IKYw==\n";  // as earlier versions wrote it, and damaged ones
+  std::ofstream(file) << "5 /old\nx\n7 =!\n7 =L2IKYw==\n";  // as earlier versions wrote it, and damaged lines
   EXPECT_TRUE(ExportRecord(file).has("/old", 5));
   EXPECT_TRUE(ExportRecord(file).has("/b\nc", 7));
   fs::remove_all(fs::path(file).parent_path());
@@ -406,7 +406,7 @@ TEST(ExportRecords, NeverGrowBeyondWhatCanBeRead) {
   fs::remove_all(folder);
 }
 
-TEST(ExportRecords, WithoutAFileLastAsLongAsTheyAre) {
+TEST(ExportRecords, WithoutAFileTheyLastForTheProcess) {
   ExportRecord record;
   record.note("/a", 1);
   EXPECT_TRUE(record.save());

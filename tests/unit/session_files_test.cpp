@@ -1,4 +1,4 @@
-// Session: opening, saving, and the questions before changes are lost. Works on real files.
+// Session: opening, saving, and the questions before changes are lost. The tests work on real files.
 #include <gtest/gtest.h>
 
 #include "edit/level_settings.h"
@@ -15,11 +15,11 @@ namespace fs = std::filesystem;
 
 class SessionFiles : public FolderTest {
  protected:
-  // A session with the level's tile (1, 1) painted, and so modified.
+  // Paints the level's tile (1, 1), so that the session is modified.
   void paint(std::uint8_t tile) {
     session_.apply(act::EditLevel{paint_stamp(session_.level(), {1, 1}, {1, 1, {tile}}), 0});
   }
-  // A file of another level, whose tile (1, 1) is `tile`.
+  // Writes another level, whose tile at (1, 1) is `tile`. Returns the path.
   std::string other_file(const std::string& name, std::uint8_t tile) {
     Level level;
     level.map.set({1, 1}, tile);
@@ -55,7 +55,7 @@ TEST_F(SessionFiles, SaveWritesToTheSameFile) {
   EXPECT_EQ(load_level(path("a.tic"))->level.map.at({1, 1}), 6);
 }
 
-TEST_F(SessionFiles, HistoryOutlivesSaving) {
+TEST_F(SessionFiles, HistorySurvivesSaving) {
   paint(5);
   session_.apply(act::SaveFileAs{path("a.tic")});
   session_.apply(act::Undo{});
@@ -120,7 +120,7 @@ TEST_F(SessionFiles, AnUntouchedCartIsSavedByteForByte) {
   EXPECT_EQ(bytes_of(cart), before);
 }
 
-TEST_F(SessionFiles, SaveKeepsTheFormatThatTheContentWasIn) {
+TEST_F(SessionFiles, SaveKeepsTheFormatOfTheContent) {
   const std::string cart = path("cart.bin");
   fs::rename(other_file("b.talus.json", 9), cart);
   session_.apply(act::OpenFile{cart});
@@ -131,7 +131,7 @@ TEST_F(SessionFiles, SaveKeepsTheFormatThatTheContentWasIn) {
   EXPECT_EQ(load_level(cart)->level.map.at({1, 1}), 8);
 }
 
-// Only read: saving must not put a cart into the picture's place.
+// A picture can only be read: saving must not replace it by a cart.
 TEST_F(SessionFiles, APngCartBecomesALevelWithoutAFile) {
   other_file("a.tic", 7);
   const std::string picture = rgb_png(1, {{1, 2, 3}});
@@ -167,7 +167,7 @@ TEST_F(SessionFiles, AFileThatCannotBeReadLeavesTheLevelAlone) {
   EXPECT_EQ(session_.history().edits().size(), 1u);
 }
 
-TEST_F(SessionFiles, AFileThatIsNotThereIsAnError) {
+TEST_F(SessionFiles, AMissingFileIsAnError) {
   session_.apply(act::OpenFile{path("missing.tic")});
   ASSERT_TRUE(session_.message());
   EXPECT_TRUE(session_.message()->is_error);
@@ -233,7 +233,7 @@ TEST_F(SessionFiles, SaveOfAnUnnamedLevelGoesOnAfterItsName) {
   EXPECT_TRUE(session_.wants_quit());
 }
 
-TEST_F(SessionFiles, CancellingTheNameForgetsWhatWasToFollow) {
+TEST_F(SessionFiles, CancellingTheNameCancelsTheNextStep) {
   paint(5);
   session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}, act::CancelSaveAs{}});
   EXPECT_FALSE(session_.wants_save_as());
@@ -241,7 +241,7 @@ TEST_F(SessionFiles, CancellingTheNameForgetsWhatWasToFollow) {
   EXPECT_FALSE(session_.wants_quit());
 }
 
-TEST_F(SessionFiles, AFailedSaveForgetsWhatWasToFollow) {
+TEST_F(SessionFiles, AFailedSaveCancelsTheNextStep) {
   session_.apply(act::SaveFileAs{path("a.tic")});
   paint(5);
   fs::remove_all(folder_);
@@ -259,7 +259,7 @@ TEST_F(SessionFiles, AnAnswerWithoutAQuestionDoesNothing) {
   EXPECT_TRUE(session_.modified());
 }
 
-// What a cart cannot hold lies in its companion.
+// A companion holds what the cart cannot.
 class SessionCompanions : public SessionFiles {
  protected:
   void place(std::size_t spawns) {
@@ -269,7 +269,7 @@ class SessionCompanions : public SessionFiles {
   std::size_t placed() const { return session_.level().spawns.size(); }
 };
 
-TEST_F(SessionCompanions, AreSavedAndOpenedWithoutAWord) {
+TEST_F(SessionCompanions, AreSavedAndOpenedWithoutAMessage) {
   for (const std::string name : {"a.tic", "a.lua", "a.yue", "a.js"}) {
     session_.apply({act::NewLevel{}, act::AnswerQuestion{act::Answer::discard}});
     paint(5);
@@ -293,7 +293,7 @@ TEST_F(SessionCompanions, AreSavedAndOpenedWithoutAWord) {
   }
 }
 
-TEST_F(SessionCompanions, GoWithWhatTheyHold) {
+TEST_F(SessionCompanions, AreRemovedWhenTheyAreNoLongerNeeded) {
   paint(5);
   place(1);
   session_.apply(act::SaveFileAs{path("a.tic")});
@@ -318,7 +318,7 @@ TEST_F(SessionCompanions, AreOpenedByTheirOwnName) {
   EXPECT_EQ(message(), "Saved a.tic + a.tic.talus.json.");
 }
 
-TEST_F(SessionCompanions, ThatAnotherProgramChangesAreReadAgain) {
+TEST_F(SessionCompanions, ChangedByAnotherProgramAreReadAgain) {
   paint(5);
   place(1);
   session_.apply(act::SaveFileAs{path("a.tic")});
@@ -338,7 +338,7 @@ TEST_F(SessionCompanions, ThatAnotherProgramChangesAreReadAgain) {
   EXPECT_FALSE(exists("a.tic.talus-kept1.json")) << "it was read";
 }
 
-TEST_F(SessionCompanions, ThatAnotherProgramChangesAreAskedAboutAndKept) {
+TEST_F(SessionCompanions, ChangedByAnotherProgramAreAskedAboutAndKept) {
   paint(5);
   place(1);
   session_.apply(act::SaveFileAs{path("a.tic")});
@@ -356,7 +356,7 @@ TEST_F(SessionCompanions, ThatAnotherProgramChangesAreAskedAboutAndKept) {
   EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 2u);
 }
 
-TEST_F(SessionCompanions, ThatAreRemovedAreWrittenAnew) {
+TEST_F(SessionCompanions, RemovedOnesAreWrittenAgain) {
   paint(5);
   place(1);
   session_.apply(act::SaveFileAs{path("a.tic")});
@@ -371,7 +371,7 @@ TEST_F(SessionCompanions, ThatAreRemovedAreWrittenAnew) {
   EXPECT_TRUE(exists("a.tic.talus.json"));
 }
 
-TEST_F(SessionCompanions, ThatAnotherProgramBreaksTakeNothingAway) {
+TEST_F(SessionCompanions, BrokenByAnotherProgramDeleteNothing) {
   paint(5);
   place(1);
   session_.apply(act::SaveFileAs{path("a.tic")});
@@ -389,7 +389,7 @@ TEST_F(SessionCompanions, ThatAnotherProgramBreaksTakeNothingAway) {
   EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 1u);
 }
 
-TEST_F(SessionCompanions, OfACartThatTic80SavedAreKept) {
+TEST_F(SessionCompanions, OfACartSavedByTic80AreKept) {
   paint(5);
   place(2);
   session_.apply(act::SaveFileAs{path("a.tic")});
@@ -424,7 +424,7 @@ TEST_F(SessionCompanions, StayWithALevelThatIsRecovered) {
   EXPECT_EQ(load_level(path("a.tic"))->level.spawns.size(), 2u);
 }
 
-TEST_F(SessionCompanions, ThatAreBrokenAreToldOf) {
+TEST_F(SessionCompanions, BrokenOnesAreReported) {
   const std::string cart = other_file("a.tic", 9);
   put("a.tic.talus.json", "{");
   session_.apply(act::OpenFile{cart});
@@ -451,8 +451,8 @@ TEST_F(SessionCompanions, ComeFromAPngCartWithItsNewName) {
   EXPECT_EQ(painted(), 7);
 }
 
-// A cartridge can hold bytes that no text project can, and that are no part of a level either.
-TEST_F(SessionCompanions, DoNotHoldACartsOtherChunksSoThatQuittingAsks) {
+// A cartridge can hold bytes that no text project can hold, and that are no part of a level either.
+TEST_F(SessionCompanions, DoNotHoldOtherChunksSoQuittingAsks) {
   other_file("a.tic", 7);
   put("a.tic", bytes_of("a.tic") + std::string("\x13\x01\0\0b", 5));
   session_.apply({act::OpenFile{path("a.tic")}, act::SaveFileAs{path("a.lua")}});
@@ -466,7 +466,7 @@ TEST_F(SessionCompanions, DoNotHoldACartsOtherChunksSoThatQuittingAsks) {
             "A level of Talus, .talus.json, holds everything.");
   session_.apply(act::AnswerQuestion{act::Answer::cancel});
   EXPECT_FALSE(session_.wants_quit());
-  // After saving, too, which stores no more than before.
+  // Quitting asks after saving too, which stores no more than before.
   paint(3);
   session_.apply({act::Quit{}, act::AnswerQuestion{act::Answer::save}});
   ASSERT_TRUE(session_.question());

@@ -1,4 +1,4 @@
-// A map of Tiled in the editor: a new level, so that saving never writes over the map.
+// A map of Tiled becomes a new level in the editor, so that saving never replaces the map.
 #include <gmock/gmock.h>
 
 #include "folder_test.h"
@@ -25,7 +25,7 @@ TEST_F(SessionImportTest, AMapBecomesANewLevelThatHasNoFile) {
   EXPECT_EQ(bytes_of("cave.tmj"), exported.files[0].bytes);
 }
 
-TEST_F(SessionImportTest, TellsWhatIsNotInIt) {
+TEST_F(SessionImportTest, WarnsOfWhatIsDropped) {
   put("room.tmx",
       "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
       "<layer name=\"l\"><data encoding=\"csv\">0</data></layer><objectgroup name=\"things\">"
@@ -51,14 +51,14 @@ TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
   EXPECT_THAT(session.message()->text, testing::HasSubstr("room.tmx:line 1: error: has the orientation "));
 }
 
-// Two layers, and a tile that is mirrored in the second.
+// Two layers, and a mirrored tile in the second.
 constexpr const char* kTwoLayers =
     "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
     "<tileset firstgid=\"1\" name=\"t\" tilewidth=\"8\" tileheight=\"8\" tilecount=\"16\" columns=\"16\"/>"
     "<layer name=\"back\"><data encoding=\"csv\">3,0</data></layer>"
     "<layer name=\"front\"><data encoding=\"csv\">2147483654,6</data></layer></map>";
 
-TEST_F(SessionImportTest, AsksWhereTheMapHoldsMoreThanALevelCan) {
+TEST_F(SessionImportTest, AsksIfTheMapHoldsMoreThanALevelCan) {
   put("two.tmx", kTwoLayers);
   Session session;
   session.apply(action::OpenFile{path("two.tmx")});

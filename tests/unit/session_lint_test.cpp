@@ -1,4 +1,4 @@
-// The problems in a session: looked for while time passes, and always of the level as it is.
+// The problems in a session: found while time passes, and always those of the current level.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -22,7 +22,7 @@ TEST(SessionLint, AdvanceListsThem) {
 
   session.apply(action::EditLevel{{"Paint", {CellChange{{1, 1}, kSlopeA, 0}}}});
   EXPECT_TRUE(session.is_linting());
-  EXPECT_EQ(session.listed_problems().size(), 1u);  // as it was before
+  EXPECT_EQ(session.listed_problems().size(), 1u);  // as before
   session.advance(0);
   EXPECT_TRUE(session.listed_problems().empty());
   session.apply(action::Undo{});
@@ -45,7 +45,7 @@ TEST(SessionLint, ALargeLevelIsLookedAtALittleAtATime) {
   EXPECT_EQ(session.listed_problems()[0].cell, (Cell{7, 1023}));
 }
 
-TEST(SessionLint, JumpsThatAreMeant) {
+TEST(SessionLint, AllowedJumpsAreNotListed) {
   Session session(slope_level({"o....", ".a##.", "#####"}));
   EXPECT_EQ(session.problems().size(), 1u);
   session.apply(action::SetLintOptions{{4}});
@@ -58,7 +58,7 @@ TEST(SessionLint, JumpsThatAreMeant) {
   EXPECT_EQ(session.lint_options().seam, kMaxSeam);
 }
 
-TEST(SessionLint, AnotherLevelHasItsOwn) {
+TEST(SessionLint, AnotherLevelHasItsOwnProblems) {
   Session session(slope_level({"o....", ".a##.", "#####"}));
   look_at_all(session);
   session.apply(action::NewLevel{});

@@ -1,4 +1,4 @@
-// Pictures opened in a session, and what becomes of them.
+// Pictures that are opened in a session.
 #include <gtest/gtest.h>
 
 #include "folder_test.h"
@@ -11,7 +11,7 @@ namespace act = action;
 
 class SessionPictures : public FolderTest {
  protected:
-  // A file of a red picture of this size.
+  // Writes a red picture of this size, and returns its path.
   std::string red_png(const std::string& name, std::uint32_t width, std::size_t height) const {
     return put(name, rgb_png(width, std::vector<Rgb>(width * height, {255, 0, 0})));
   }
@@ -38,7 +38,7 @@ TEST_F(SessionPictures, WaitForApplyOrCancel) {
   EXPECT_EQ(session.level(), Level());
 }
 
-TEST_F(SessionPictures, GoWhereTheyFit) {
+TEST_F(SessionPictures, GoToTheFirstTileIfTheyDoNotFit) {
   Session session;
   session.apply(act::SelectTiles{{SheetId::tiles, {15, 0, 1, 1}}});
   session.apply(act::OpenPng{red_png("wide.png", 16, 8)});
@@ -51,7 +51,7 @@ TEST_F(SessionPictures, GoWhereTheyFit) {
   EXPECT_FALSE(session.modified());
 }
 
-TEST_F(SessionPictures, OfAnySizeAreMadeToFit) {
+TEST_F(SessionPictures, AreFittedWhateverTheirSize) {
   Session session;
   session.apply(act::SelectTiles{{SheetId::tiles, {15, 0, 1, 1}}});
   session.apply(act::OpenPng{red_png("odd.png", 10, 10)});
@@ -65,7 +65,7 @@ TEST_F(SessionPictures, OfAnySizeAreMadeToFit) {
   EXPECT_TRUE(session.png_import()->plan);
 }
 
-TEST_F(SessionPictures, BadOnesAreOneSentence) {
+TEST_F(SessionPictures, BadPicturesAreReportedInOneSentence) {
   Session session;
   const std::string wide = red_png("wide.png", 1025, 8);
   session.apply(act::OpenPng{wide});

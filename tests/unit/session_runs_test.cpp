@@ -1,4 +1,5 @@
-// What of the runs the user has made by hand is asked about before it is lost, and saved by itself.
+// Runs that the user has worked on: which are asked about before they are lost, and which are saved
+// automatically.
 #include <gtest/gtest.h>
 
 #include "edit/map_stroke.h"
@@ -35,7 +36,7 @@ class SessionRuns : public FolderTest {
   Session session_{level(), "", "slopes"};
 };
 
-TEST_F(SessionRuns, WhatWasOnlyPlayedIsNotAskedAbout) {
+TEST_F(SessionRuns, AMerePlaythroughIsNotAskedAbout) {
   session_.apply(act::SeekFrame{5});
   session_.apply(act::TakeOver{});
   play(session_, 5);
@@ -68,7 +69,7 @@ TEST_F(SessionRuns, AMarkIsAskedAboutAndKept) {
   EXPECT_EQ(saved->marks, (std::vector<Mark>{{7, "sticks"}}));
 }
 
-TEST_F(SessionRuns, ARemovedMarkIsNothingToKeep) {
+TEST_F(SessionRuns, ARemovedMarkIsNotAskedAbout) {
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::RemoveMark{3});
   EXPECT_FALSE(session_.unsaved_runs().empty()) << "another frame";
@@ -109,7 +110,7 @@ TEST_F(SessionRuns, TheLevelIsAskedAboutFirst) {
   EXPECT_TRUE(session_.wants_quit());
 }
 
-TEST_F(SessionRuns, SavedByItselfAndRecovered) {
+TEST_F(SessionRuns, AreSavedAutomaticallyAndRecovered) {
   session_.apply(act::SetMark{7, "sticks"});
   ASSERT_FALSE(session_.modified());
   {
@@ -139,7 +140,7 @@ TEST_F(SessionRuns, UnrunRunsAreSavedAutomaticallyAndRecovered) {
   run_again(session_);
   Session first, second;
   recover(first, saved_by_itself(session_, "first"));
-  recover(second, saved_by_itself(first, "second"));  // whose runs are all behind
+  recover(second, saved_by_itself(first, "second"));  // all runs of this session are over
   ASSERT_EQ(second.timeline().branches().size(), 2u);
   run_again(second);
   EXPECT_EQ(second.timeline().last_frame(), 20);
@@ -152,7 +153,7 @@ TEST_F(SessionRuns, UnrunRunsAreSavedAutomaticallyAndRecovered) {
   EXPECT_EQ(second.timeline().last_frame(), 20);
 }
 
-TEST_F(SessionRuns, WhatIsNotMarkedIsNotSavedByItself) {
+TEST_F(SessionRuns, RunsWithoutMarksAreNotSavedAutomatically) {
   Autosave autosave(path("state"));
   for (int second = 0; second < 20; ++second) EXPECT_FALSE(autosave.follow(session_, second));
   EXPECT_FALSE(exists("state"));

@@ -1,4 +1,4 @@
-// What steps take long of: however many of them are wanted, the window gets its turn in between.
+// Actions that need many steps: however slow a step is, the window gets its turn in between.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace act = action;
 
 constexpr int kFrames = 6;
 
-// Balls in one place, all of which meet all others: a step takes tens of ms.
+// Balls in one place, each of which meets all others: a step takes tens of ms.
 Level heap() {
   Level level = level_of({"..........", "..........", "##########"});
   level.tuning.solver = SolverKind::exact;
@@ -36,9 +36,9 @@ class SlowSteps : public FolderTest {
     session_.apply(act::SeekStart{});
   }
   const Timeline& timeline() const { return session_.timeline(); }
-  // Steps that a call may make which takes up to `seconds`, and what it has begun.
+  // The number of steps that a call of at most `seconds` may make, with the step that it has begun.
   std::int64_t most_steps(double seconds) const { return 2 + static_cast<std::int64_t>(seconds / fastest_); }
-  // Those that this call makes.
+  // The number of steps that this call makes.
   std::int64_t steps_of(FunctionRef<void()> call) const {
     const std::int64_t before = timeline().steps_again();
     call();
@@ -47,10 +47,10 @@ class SlowSteps : public FolderTest {
 
   Session session_{heap()};
   State last_;
-  double fastest_ = 1e9;  // s, of a step
+  double fastest_ = 1e9;  // of a step, in seconds
 };
 
-TEST_F(SlowSteps, TheWayToAnotherFrameTakesTurns) {
+TEST_F(SlowSteps, SeekingToAFarFrameTakesTurns) {
   ASSERT_EQ(session_.state().frame, 0);
   EXPECT_LE(steps_of([&] { session_.apply(act::SeekEnd{}); }), most_steps(0.03));
   int turns = 0;
@@ -61,7 +61,7 @@ TEST_F(SlowSteps, TheWayToAnotherFrameTakesTurns) {
   EXPECT_EQ(steps_of([&] { session_.advance(0); }), 0);
 }
 
-TEST_F(SlowSteps, TheFrameOfTheWayIsOneOfTheRun) {
+TEST_F(SlowSteps, TheFrameShownMeanwhileIsPartOfTheRun) {
   session_.apply(act::SeekEnd{});
   if (!timeline().on_the_way()) GTEST_SUCCEED() << "the machine is quick";
   const std::int64_t shown = session_.state().frame;
@@ -79,13 +79,13 @@ TEST_F(SlowSteps, AComparisonBeginsWithAStep) {
   while (timeline().on_the_way()) session_.advance(0);
   session_.apply(act::CompareVariant{Variant{SolverKind::exact, true}});
   session_.advance(0);
-  constexpr int kFollowed = 2;  // by the action, and before it plays
+  constexpr int kFollowed = 2;  // one by the action, one before it plays
   EXPECT_LE(session_.debugger().other_end().value_or(0), most_steps(0.004) + kFollowed);
   while (session_.debugger().is_busy()) session_.advance(0);
   EXPECT_EQ(session_.debugger().other_end(), kFrames);
 }
 
-TEST_F(SlowSteps, TheFramesBeforeComeInTurns) {
+TEST_F(SlowSteps, EarlierFramesAreComputedInTurns) {
   session_.apply(act::SeekEnd{});
   while (timeline().on_the_way()) session_.advance(0);
   const Stopwatch watch;

@@ -1,4 +1,4 @@
-// Session: edits with their history, choices and messages.
+// Session: edits and their history, choices and messages.
 #include "session/session.h"
 #include "edit/flag_lamps.h"
 #include "edit/map_stroke.h"
@@ -76,8 +76,8 @@ TEST(Session, EachStrokeGetsANumberOfItsOwn) {
   EXPECT_NE(session.next_stroke(), second);
 }
 
-// Ctrl+Z while the mouse draws: the tool saw the level before the undo that is carried out first.
-TEST(Session, AnEditAfterAnUndoInTheSameBatchIsFitted) {
+// Ctrl+Z during a stroke: the tool saw the level before the undo, and the undo is carried out first.
+TEST(Session, AnEditAfterAnUndoInTheSameBatchIsAdapted) {
   Session session;
   session.apply(painted(session, {1, 1}, 5));
   const act::EditLevel over_five = painted(session, {1, 1}, 6);
@@ -87,7 +87,7 @@ TEST(Session, AnEditAfterAnUndoInTheSameBatchIsFitted) {
   EXPECT_EQ(session.level().map.at({1, 1}), 0);
 }
 
-TEST(Session, ProblemsAreOfTheLevelAsItIs) {
+TEST(Session, ProblemsFollowTheLevel) {
   Session session;
   const std::vector<Problem>* problems = &session.problems();
   EXPECT_EQ(problems->size(), lint(session.level()).size());
@@ -100,7 +100,7 @@ TEST(Session, ProblemsAreOfTheLevelAsItIs) {
   EXPECT_EQ(session.problems()[0].message, expected[0].message);
 }
 
-TEST(Session, ChoicesAreSet) {
+TEST(Session, ChoicesAreStored) {
   Session session;
   const Stamp stamp{1, 2, {3, 4}};
   session.apply({act::SetStamp{stamp}, act::SetMapTool{MapTool::fill}, act::SetSpriteTool{SpriteTool::pick},
@@ -119,7 +119,7 @@ TEST(Session, ChoicesAreSet) {
   EXPECT_FALSE(session.modified());
 }
 
-TEST(Session, SelectedTilesAreTheStampToo) {
+TEST(Session, SelectedTilesBecomeTheStamp) {
   Session session;
   session.apply(act::SelectTiles{{SheetId::tiles, {2, 1, 2, 2}}});
   EXPECT_EQ(session.choices().area.tiles, (CellRect{2, 1, 2, 2}));

@@ -1,4 +1,4 @@
-// Session: going about in what was recorded, running it again, and recordings as files.
+// Session: moving about in a recording, running it again, and recordings as files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TEST_F(SessionTimeline, AKeyInThePastTakesOver) {
   EXPECT_EQ(session_.state().bodies[1].velocity.x, 0);
 }
 
-TEST_F(SessionTimeline, TheMouseTakesOverAndItsGripIsRecorded) {
+TEST_F(SessionTimeline, TheMouseTakesOverAndItsDragIsRecorded) {
   steps(20);
   session_.apply({act::SeekFrame{4}, act::SelectBody{1}, act::HoldMouse{{300, 20}, true}});
   EXPECT_EQ(session_.state().grabbed, 1) << "shown at once";
@@ -116,7 +116,7 @@ TEST_F(SessionTimeline, TheMouseTakesOverAndItsGripIsRecorded) {
   EXPECT_EQ(session_.state(), end);
 }
 
-TEST_F(SessionTimeline, TakeOverEndsTheBranchHere) {
+TEST_F(SessionTimeline, TakeOverCutsTheBranchAtTheShownFrame) {
   steps(20);
   session_.apply({act::SeekFrame{6}, act::TakeOver{}});
   EXPECT_EQ(timeline().last_frame(), 6);
@@ -142,7 +142,7 @@ TEST_F(SessionTimeline, ResettingKeepsTheOldRunAsABranch) {
   EXPECT_EQ(timeline().branches().size(), 2u);
 }
 
-TEST_F(SessionTimeline, MarksAreJumpedTo) {
+TEST_F(SessionTimeline, MarksCanBeJumpedTo) {
   steps(30);
   session_.apply({act::SetMark{10, "a"}, act::SetMark{20, "b"}, act::SetMark{20, "c"}, act::SeekFrame{15}});
   EXPECT_EQ(timeline().current().marks, (std::vector<Mark>{{10, "a"}, {20, "c"}}));
@@ -156,7 +156,7 @@ TEST_F(SessionTimeline, MarksAreJumpedTo) {
   EXPECT_EQ(frame(), 10);
 }
 
-TEST_F(SessionTimeline, AnEditGoesOnFromHereUnlessTheRuleSaysOtherwise) {
+TEST_F(SessionTimeline, AnEditContinuesFromHereByDefault) {
   steps(30);
   paint({2, 3});
   EXPECT_EQ(frame(), 30);
@@ -206,7 +206,7 @@ TEST_F(SessionTimeline, AnEditRunsAgainFromTheChosenFrame) {
   EXPECT_EQ(timeline().last_frame(), 60);
 }
 
-TEST_F(SessionTimeline, TimeStandsStillWhileItIsRunAgain) {
+TEST_F(SessionTimeline, TimeStandsStillDuringARerun) {
   steps(40);
   session_.apply({act::Play{}, act::Rerun{0}});
   EXPECT_TRUE(timeline().behind());
@@ -226,7 +226,7 @@ TEST_F(SessionTimeline, ARerunCanBeCancelled) {
   EXPECT_EQ(timeline().branches().size(), 2u);
 }
 
-TEST_F(SessionTimeline, TheInputRollIsEdited) {
+TEST_F(SessionTimeline, InputOfAFrameCanBeEdited) {
   steps(60);
   session_.apply(act::SetInput{11, 30, InputKey::right, true});
   run_again();
@@ -237,7 +237,7 @@ TEST_F(SessionTimeline, TheInputRollIsEdited) {
   EXPECT_GT(session_.state().bodies[1].box.x, 120);
 }
 
-// Painting while it plays: a stroke is one run, however many frames pass, and the next stroke another.
+// Painting during play: a stroke is one run, however many frames pass, and the next stroke is another run.
 TEST_F(SessionTimeline, EachStrokeDuringPlayMakesOneBranch) {
   steps(20);
   session_.apply({act::SetEditRule{{.kind = EditRule::Kind::from_start}}, act::Play{}});
@@ -254,7 +254,7 @@ TEST_F(SessionTimeline, EachStrokeDuringPlayMakesOneBranch) {
   EXPECT_EQ(timeline().branches().size(), 4u);
 }
 
-TEST_F(SessionTimeline, TrailsAreOfTheBodyAndMoveOnByAStep) {
+TEST_F(SessionTimeline, TrailsFollowTheBodyStepByStep) {
   steps(50);
   session_.take_time();
   const auto trail = session_.trail(timeline().current(), 1, 10, 50);
@@ -285,7 +285,7 @@ TEST_F(SessionTimeline, ARecordingIsSavedAndOpened) {
   EXPECT_FALSE(session_.message()->is_error);
 
   Session other;
-  other.apply(act::OpenFile{file});  // tells by its content what it is
+  other.apply(act::OpenFile{file});  // its content says that it is a recording
   EXPECT_EQ(other.state().frame, 0);
   EXPECT_TRUE(other.timeline().behind());
   while (other.timeline().behind()) other.advance(kFrame);
@@ -300,7 +300,7 @@ TEST_F(SessionTimeline, ARecordingIsSavedAndOpened) {
   EXPECT_EQ(other.path(), "") << "saving the level asks for a name";
 }
 
-TEST_F(SessionTimeline, ARecordingThatComesOutOtherwiseIsToldOf) {
+TEST_F(SessionTimeline, ARecordingThatRunsDifferentlyIsReported) {
   steps(30);
   const std::string file = path("other.talusrec");
   session_.apply(act::SaveRecording{file});
@@ -314,7 +314,7 @@ TEST_F(SessionTimeline, ARecordingThatComesOutOtherwiseIsToldOf) {
   EXPECT_TRUE(session_.message()->is_error);
 }
 
-TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutBadFilesIgnored) {
+TEST_F(SessionTimeline, ABadFileIsReportedAfterTheQuestion) {
   steps(3);
   paint({9, 9});
   const std::string file = put("bad.talusrec", "{\"talus_recording\": 1}");
@@ -329,8 +329,8 @@ TEST_F(SessionTimeline, UnsavedChangesAreAskedAboutBadFilesIgnored) {
   EXPECT_THAT(message(), testing::HasSubstr("missing.talusrec"));
 }
 
-// The solvers without a ground of their own see nothing of empty cells.
-TEST_F(SessionTimeline, AMapThatGrewByEmptyCellsIsPaintedInThem) {
+// Empty cells mean nothing to solvers without a ground of their own.
+TEST_F(SessionTimeline, EmptyCellsOfAGrownMapCanBePainted) {
   Tuning tuning = session_.level().tuning;
   tuning.solver = SolverKind::article;
   session_.apply(act::EditLevel{set_tuning(session_.level(), tuning)});

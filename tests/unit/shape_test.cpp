@@ -1,4 +1,4 @@
-// Shapes and curves that cannot be used, each with the sentence that says why.
+// Invalid shapes and curves, each with the sentence that says why.
 #include <talus/collision/shape.h>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TileShape shape_of(TileShape::Kind kind, std::vector<double> heights, int tiles 
   return {.kind = kind, .tiles = tiles, .heights = std::move(heights)};
 }
 
-TEST(TileShape, GoodOnesHaveNoProblem) {
+TEST(TileShape, ValidOnesHaveNoProblem) {
   EXPECT_EQ(problem(TileShape{}), "");
   EXPECT_EQ(problem(shape_of(TileShape::Kind::solid, {})), "");
   EXPECT_EQ(problem(shape_of(TileShape::Kind::slope, {0, 64}, 8)), "");
@@ -46,7 +46,7 @@ TEST(TileShape, ProblemsSayWhy) {
   EXPECT_EQ(problem(shape_of(Kind::profile, {0, 64.5, 0})), "has a height that is not from 0 to 64 px");
 }
 
-TEST(Curve, GoodOnesHaveNoProblem) {
+TEST(Curve, ValidOnesHaveNoProblem) {
   EXPECT_EQ(problem(Segment{{0, 0}, {1, -5}}), "");
   EXPECT_EQ(problem(Segment{{4, 1}, {4, 2}}), "");
   EXPECT_EQ(problem(Arc{{0, 0}, 64, -64, 64, true}), "");
@@ -79,7 +79,7 @@ TEST(Curve, EndsMustBeInOrder) {
   EXPECT_EQ(problem(Polyline{8, 8, {1, 2}}), zero);
 }
 
-TEST(Curve, WhatRoundingLeavesNothingOfIsBad) {
+TEST(Curve, ACurveThatRoundsToNothingIsInvalid) {
   const std::string why = "has a width of zero when rounded to 1/256 px";
   EXPECT_EQ(problem(Segment{{8, 8}, {8.0001, 8}}), "has a length of zero when rounded to 1/256 px");
   EXPECT_EQ(problem(Segment{{8, 8}, {8, 8.0001}}), "has a length of zero when rounded to 1/256 px");
@@ -94,7 +94,7 @@ TEST(Curve, WhatRoundingLeavesNothingOfIsBad) {
   EXPECT_EQ(problem(Parabola{{8, 8}, {8.003, 40}, 8}), "");  // 1/256 px wide
 }
 
-TEST(Curve, FormsHaveTheirOwnLimits) {
+TEST(Curve, EachKindHasItsOwnLimits) {
   EXPECT_EQ(problem(Arc{{0, 0}, 0, -1, 1, true}), "has a radius that is not above zero");
   EXPECT_EQ(problem(Arc{{0, 0}, 8, -8.001, 8, true}), "has an end beyond its circle");
   EXPECT_EQ(problem(Arc{{0, 0}, 8, -8, 8.001, true}), "has an end beyond its circle");
@@ -120,8 +120,8 @@ TEST(Curve, NothingReachesTooFar) {
   EXPECT_EQ(problem(Polyline{0, 8, {1, -kFar - 1}}), why);
 }
 
-// The cells that pieces of it lie in, of which a terrain keeps one each.
-TEST(CellsPassed, AreAboutThoseOfTheTerrain) {
+// The number of cells that pieces of a curve lie in. A terrain keeps one piece for each.
+TEST(CellsPassed, AreCloseToThoseOfTheTerrain) {
   const std::vector<double> zigzag = {100, 400, 100, 400, 100};
   const auto up = [](auto form) { return Curve{form, Curve::Faces::up}; };
   for (const Curve& curve :

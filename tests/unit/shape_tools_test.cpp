@@ -5,7 +5,7 @@
 
 namespace talus::shape_tools_test {
 
-// Tile 1 is solid; 3 and 4 are the two halves of the article's up-slope.
+// Tile 1 is solid; 3 and 4 are the halves of the article's up-slope.
 Level level_with_slopes() {
   Level level;
   level.map = TileMap(30, 17);
@@ -21,7 +21,7 @@ Level after(Level level, const tl::expected<Edit, std::string>& edit) {
   return level;
 }
 
-TEST(ShapeTools, SlopeIsLaidOfTheStampsSlopesWithItsFullTileBelow) {
+TEST(ShapeTools, SlopeUsesTheSlopesAndTheFullTileOfTheStamp) {
   const Level level = level_with_slopes();
   const Level laid = after(level, lay_slope(level, {16, 40}, {32, 32}, {3, 1, {3, 4, 1}}, 12));
   EXPECT_EQ(laid.map.at({2, 4}), 3);
@@ -30,7 +30,7 @@ TEST(ShapeTools, SlopeIsLaidOfTheStampsSlopesWithItsFullTileBelow) {
   EXPECT_TRUE(laid.sheets == level.sheets);
 }
 
-TEST(ShapeTools, SlopeIsDrawnWhereTheStampHasNone) {
+TEST(ShapeTools, SlopeIsDrawnIfTheStampHasNone) {
   const Level level = level_with_slopes();
   const Level laid = after(level, lay_slope(level, {32, 32}, {16, 40}, {1, 1, {1}}, 12));
   const std::uint8_t drawn = laid.map.at({2, 4});

@@ -9,9 +9,9 @@
 
 namespace talus {
 
-// '.' empty, '#' solid, 'a' and 'b' the halves of a slope up with shapes of their own, 'c' and 'd' those of
-// one down, 'e' 5 px high, '^' hangs down by 3 px at its right, 'o' a ball, '/' the left half of a flagged
-// slope up and '-' its right half. The number of a tile is its place here.
+// '.' empty, '#' solid, 'a' and 'b' the halves of an up-slope with their own shapes, 'c' and 'd' those of a
+// down-slope, 'e' 5 px high, '^' a ceiling that hangs down by 3 px at its right, 'o' a ball, '/' the left
+// half of a flagged up-slope and '-' its right half. The number of a tile is its place in this list.
 inline constexpr std::string_view kSlopeSigns = ".#abcde^o/-";
 inline constexpr std::uint8_t kSolidSign = 1, kSlopeA = 2, kSlopeB = 3, kBlockE = 6, kHangingSign = 7,
                               kBallSign = 8, kFlaggedSlope = 9, kFlaggedHalf = 10;
@@ -31,7 +31,7 @@ inline Level slope_level(const std::vector<std::string>& rows) {
   tiles.flags[kSolidSign] = 1;
   tiles.flags[kBallSign] = 2;
   tiles.flags[kFlaggedSlope] = 4;
-  // Its upper left half is clear; that of its right half is a corner.
+  // The upper left half of the left tile is clear, and only a corner of the right tile.
   for (std::size_t i = 0; i < 32; ++i) tiles.images[kFlaggedSlope][i] = 0;
   tiles.images[kFlaggedHalf][0] = 0;
   level.tile_shapes[kSlopeA] = {.kind = Kind::slope, .heights = {0, 4}};
@@ -44,7 +44,7 @@ inline Level slope_level(const std::vector<std::string>& rows) {
   return level;
 }
 
-// What lint finds, "code: message" each.
+// The problems that lint finds, each as "code: message".
 inline std::vector<std::string> lint_lines(const Level& level, const LintOptions& options = {}) {
   std::vector<std::string> lines;
   for (const Problem& problem : lint(level, options))

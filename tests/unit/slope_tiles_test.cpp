@@ -1,4 +1,4 @@
-// Tiles along a slope: what is drawn and placed has its floor on the line.
+// Tiles along a slope: the floors of drawn and placed tiles lie on the line.
 #include "level/slope_tiles.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ void put(Level& level, const SlopeTiles& tiles) {
   for (const SlopeTiles::Placed& placed : tiles.placed) level.map.set(placed.cell, placed.tile);
 }
 
-// The highest floor at a column line of pixels, seen from the cell whose side or inside it is: px, y down.
+// The y of the highest floor at x, in px down, seen from the cell to the left or to the right of x.
 double floor_at(const Level& level, int x, bool from_left) {
   double best = 1e9;
   for (int y = 0; y < level.map.height(); ++y) {
@@ -85,7 +85,7 @@ TEST(SlopeTiles, DrawnFloorsAreOnTheLine) {
       {{0, 136}, {24, 0}},  {{100, 30}, {177, 133}}};
   for (const auto& [from, to] : lines) {
     Level level = blank_level();
-    put(level, slope_tiles(level, to, from).value());  // the ends come in any order
+    put(level, slope_tiles(level, to, from).value());  // the ends may come in any order
     expect_on_line(level, from, to, kSlopeTileGrain / 2);
   }
 }
@@ -104,10 +104,10 @@ TEST(SlopeTiles, RepeatingTilesAreDrawnOnce) {
   const SlopeTiles third = slope_tiles(level, {0, 120}, {240, 40}).value();
   EXPECT_EQ(third.drawn.size(), 3u);
   put(level, third);
-  EXPECT_EQ(slope_tiles(level, {24, 128}, {48, 120})->drawn.size(), 0u);  // those that are there serve again
+  EXPECT_EQ(slope_tiles(level, {24, 128}, {48, 120})->drawn.size(), 0u);  // existing tiles are used again
 }
 
-TEST(SlopeTiles, TilesThatAreInUseAreLeftAlone) {
+TEST(SlopeTiles, TilesInUseAreLeftAlone) {
   Level level = blank_level();
   level.map.set({20, 1}, 1);                     // blank, but on the map
   level.sheet(SheetId::tiles).flags[2] = 1;      // flagged
@@ -128,7 +128,7 @@ TEST(SlopeTiles, ErrorsSayWhy) {
   EXPECT_EQ(error_of(level, {0, 8}, {8, 0}), "there are too few blank tiles to draw the slope with");
 }
 
-// Tiles 3 and 5: the article's slopes, each with its other half beside it; 1: solid.
+// Tiles 3 and 5 are the article's slopes, each with its other half beside it. Tile 1 is solid.
 Level level_with_set() {
   Level level = blank_level();
   auto& sheet = level.sheet(SheetId::tiles);
@@ -139,7 +139,7 @@ Level level_with_set() {
   return level;
 }
 
-TEST(SlopeTiles, ASetIsLaidWithItsOtherHalves) {
+TEST(SlopeTiles, SlopesOfASetAreLaidWithTheirOtherHalves) {
   const Level level = level_with_set();
   constexpr std::array<std::uint8_t, 2> kSet = {3, 5};
   const SlopeTiles tiles = slope_tiles(level, {16, 40}, {48, 24}, {.set = kSet, .below = 1}).value();
@@ -150,7 +150,7 @@ TEST(SlopeTiles, ASetIsLaidWithItsOtherHalves) {
                                         SlopeTiles::Placed{{5, 3}, 4}, SlopeTiles::Placed{{5, 4}, 1}));
 }
 
-TEST(SlopeTiles, ASetStaysNearTheLine) {
+TEST(SlopeTiles, SlopesOfASetStayNearTheLine) {
   constexpr std::array<std::uint8_t, 3> kSet = {1, 3, 5};
   const std::vector<std::pair<Vec2, Vec2>> lines = {
       {{0, 128}, {240, 8}}, {{0, 100}, {240, 40}}, {{7, 20}, {200, 61}}, {{0, 50}, {240, 50}}};
@@ -163,7 +163,7 @@ TEST(SlopeTiles, ASetStaysNearTheLine) {
   }
 }
 
-TEST(SlopeTiles, ASetMustBeAbleToFollow) {
+TEST(SlopeTiles, ASetThatCannotFollowTheLineIsAnError) {
   const Level level = level_with_set();
   constexpr std::array<std::uint8_t, 3> kSet = {1, 3, 5};
   constexpr std::array<std::uint8_t, 1> kUpOnly = {3}, kPicture = {4};

@@ -13,7 +13,7 @@ Spawn spawn_at_x(double x) {
   return spawn;
 }
 
-TEST(SpawnTools, AddChangeAndRemoveCanBeTakenBack) {
+TEST(SpawnTools, AddChangeAndRemoveCanBeUndone) {
   Level level;
   const Edit added = add_spawn(level, spawn_at_x(8));
   apply_edit(level, added);
@@ -35,7 +35,7 @@ TEST(SpawnTools, AddChangeAndRemoveCanBeTakenBack) {
   EXPECT_TRUE(change_spawn(level, 0, level.spawns[0], "").empty());
 }
 
-TEST(SpawnTools, TheLastOfThoseUnderThePointIsFound) {
+TEST(SpawnTools, TheLastSpawnUnderThePointIsFound) {
   Level level;
   level.spawns = {spawn_at_x(0), spawn_at_x(4), spawn_at_x(40)};
   level.spawns[2].size = {2, 20};

@@ -28,11 +28,11 @@ const std::string kClipTileText =
     "0000000f"
     "12";
 
-TEST(SpriteClipboard, TileIsADigitAPixelThenItsFlagsLowDigitFirst) {
+TEST(SpriteClipboard, TileIsADigitForEachPixelThenItsFlags) {
   EXPECT_EQ(tiles_to_text(level_with_numbered_tile(), kClipTile), kClipTileText);
 }
 
-// The digits of a row go over both tiles of the canvas before the next row begins.
+// The first row of both tiles comes before the second row of either.
 TEST(SpriteClipboard, SquareIsWrittenRowByRowThenTheFlagsOfEachTile) {
   Level level;
   Sheet& sheet = level.sheet(SheetId::sprites);
@@ -68,7 +68,7 @@ TEST(SpriteClipboard, PastePutsPixelsAndFlagsInOneEdit) {
   EXPECT_TRUE(level == before);
 }
 
-TEST(SpriteClipboard, WhatIsCopiedIsPastedElsewhereTheSame) {
+TEST(SpriteClipboard, ACopyIsPastedElsewhereUnchanged) {
   Level level;
   for (std::size_t i = 0; i < 64; ++i) {
     level.sheet(SheetId::tiles).images[3][i] = static_cast<std::uint8_t>(i * 7 % 16);
@@ -85,7 +85,7 @@ TEST(SpriteClipboard, WhatIsCopiedIsPastedElsewhereTheSame) {
   EXPECT_EQ(level.sheet(SheetId::sprites).flags[9 * 16 + 8], 0x5a);
 }
 
-TEST(SpriteClipboard, AnotherSizeIsAnErrorThatSaysBoth) {
+TEST(SpriteClipboard, AnotherSizeIsAnErrorThatNamesBoth) {
   const auto edit = paste_tiles(Level(), kClipFour, kClipTileText);
   ASSERT_FALSE(edit);
   EXPECT_EQ(edit.error(), "The clipboard holds 1x1 tiles, and 2x2 are selected: select 1x1 to paste them.");
@@ -108,7 +108,7 @@ TEST(SpriteClipboard, OtherTextIsAnError) {
   }
 }
 
-TEST(SpriteClipboard, PixelsAreTheirSizeAndTheirDigits) {
+TEST(SpriteClipboard, PixelsAreWrittenAsSizeAndDigits) {
   const PixelBlock block{3, 2, {1, 2, 3, 10, 15, 0}};
   EXPECT_EQ(pixels_to_text(block), "pixels 3x2\n123af0");
   EXPECT_EQ(pixels_from_text("pixels 3x2\n123\nAF0\n"), block);
@@ -134,7 +134,7 @@ TEST(SpriteClipboard, PaletteIsNinetySixDigits) {
   EXPECT_TRUE(level == before);
 }
 
-TEST(SpriteClipboard, SixDigitsAreTheChosenColour) {
+TEST(SpriteClipboard, SixDigitsSetTheChosenColour) {
   Level level;
   const auto edit = paste_palette(level, 3, "0180FF");
   ASSERT_TRUE(edit);

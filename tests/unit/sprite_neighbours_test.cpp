@@ -1,4 +1,4 @@
-// What stands around tiles on the map.
+// The neighbours of tiles on the map.
 #include "edit/tile_neighbours.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(SpriteNeighbours, PlaceIsWhereAllTilesStand) {
   EXPECT_EQ(place_of_tiles(pair, {3, 0, 2, 1}, {2, 0}), (Cell{1, 0})) << "from its second tile, too";
 }
 
-TEST(SpriteNeighbours, AtAPlaceAndNoneBeyondTheEdge) {
+TEST(SpriteNeighbours, AtAPlaceWithoutThoseBeyondTheEdge) {
   const TileNeighbours n = neighbours_at(map_of_joined_tiles(), {5, 0, 1, 1}, {3, 3});
   EXPECT_EQ(n.at(-1, 0), 6);
   EXPECT_EQ(n.at(1, 0), 4);
@@ -52,7 +52,7 @@ TEST(SpriteNeighbours, CommonestOnEachSide) {
   EXPECT_EQ(n.at(-1, -1), 0);
 }
 
-TEST(SpriteNeighbours, OfSeveralTilesEachEdgeTileHasItsOwn) {
+TEST(SpriteNeighbours, EachEdgeTileOfSeveralHasItsOwn) {
   const TileNeighbours n = commonest_neighbours(map_of_joined_tiles(), {3, 0, 3, 1});  // 3 4 5
   EXPECT_EQ(n.w, 3);
   EXPECT_EQ(n.at(2, -1), 1) << "above 5";
@@ -61,7 +61,7 @@ TEST(SpriteNeighbours, OfSeveralTilesEachEdgeTileHasItsOwn) {
   EXPECT_EQ(n.at(-1, 0), 4) << "to the left of 3";
 }
 
-TEST(SpriteNeighbours, NothingIsKnownOfTilesThatAreNotThere) {
+TEST(SpriteNeighbours, TilesMissingOnTheMapHaveNone) {
   const TileNeighbours n = commonest_neighbours(map_of_joined_tiles(), {9, 9, 1, 1});
   for (const auto& tile : n.ring) EXPECT_FALSE(tile);
 }

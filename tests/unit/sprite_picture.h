@@ -1,4 +1,4 @@
-// A canvas of 8x8 px as eight lines of text, so that tests show what they mean.
+// A canvas of 8x8 px as eight lines of text, so that a test shows its picture.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ inline std::string picture_of(const Level& level, const SpriteArea& area) {
   return text;
 }
 
-// `level` with this picture on the canvas.
+// Returns `level` with this picture on the canvas.
 inline Level with_picture(Level level, const SpriteArea& area, const std::string& text) {
   PixelBlock block{area.width(), area.height(), {}};
   for (char c : text)

@@ -1,4 +1,4 @@
-// Selected pixels: what moves, what stays behind, and what comes back.
+// Selected pixels: which of them move, which stay, and which come back.
 #include <gtest/gtest.h>
 
 #include "edit/sprite_clear.h"
@@ -41,7 +41,7 @@ TEST_F(SpriteSelection, IsClampedToTheCanvas) {
   EXPECT_EQ(undos(), 0u);
 }
 
-TEST_F(SpriteSelection, MovesOverWhatIsThereAndOnAgain) {
+TEST_F(SpriteSelection, MovesOverPixelsAndRestoresThem) {
   select({0, 0, 2, 2});
   move(5, 2);
   EXPECT_EQ(picture(), "77......\n77......\n.....12.\n....a34a\n....aaaa\n........\n........\n........\n");
@@ -57,7 +57,7 @@ TEST_F(SpriteSelection, MovesOverWhatIsThereAndOnAgain) {
   EXPECT_EQ(picture(), "77......\n77......\n........\n....aaaa\n....aaaa\n........\n.....12.\n.....34.\n");
 }
 
-TEST_F(SpriteSelection, BackWhereItWasIsNoChangeButTheHole) {
+TEST_F(SpriteSelection, MovingBackLeavesNoChange) {
   select({0, 0, 2, 2});
   move(3, 0);
   move(-3, 0);
@@ -68,7 +68,7 @@ TEST_F(SpriteSelection, BackWhereItWasIsNoChangeButTheHole) {
   EXPECT_EQ(undos(), 1u);
 }
 
-TEST_F(SpriteSelection, OverTheEdgeNothingIsLost) {
+TEST_F(SpriteSelection, PixelsOverTheEdgeAreKept) {
   select({0, 0, 2, 2});
   move(-1, 0);
   EXPECT_EQ(picture().substr(0, 18), "27......\n47......\n");
@@ -80,7 +80,7 @@ TEST_F(SpriteSelection, OverTheEdgeNothingIsLost) {
   EXPECT_EQ(picture().substr(0, 18), "7712....\n7734....\n");
 }
 
-TEST_F(SpriteSelection, PutDownOverTheEdgeIsWhatTheCanvasHasOfIt) {
+TEST_F(SpriteSelection, DroppedOverTheEdgeItIsCut) {
   select({0, 0, 2, 2});
   move(-1, 0);
   session.apply(act::EditLevel{clear_pixels(session.level(), kSelectionCanvas, *rect(), 9)});
@@ -91,7 +91,7 @@ TEST_F(SpriteSelection, PutDownOverTheEdgeIsWhatTheCanvasHasOfIt) {
   EXPECT_EQ(picture().substr(0, 27), "77......\n779.....\n..9.....\n");
 }
 
-TEST_F(SpriteSelection, AnotherEditPutsItDown) {
+TEST_F(SpriteSelection, AnotherEditDropsTheSelection) {
   select({0, 0, 2, 2});
   move(5, 2);
   session.apply(act::EditLevel{fill_pixels(session.level(), kSelectionCanvas, {4, 4}, 5)});
@@ -101,7 +101,7 @@ TEST_F(SpriteSelection, AnotherEditPutsItDown) {
   EXPECT_EQ(undos(), 3u);
 }
 
-TEST_F(SpriteSelection, TurnsInPlaceAndGoesOn) {
+TEST_F(SpriteSelection, TurnsInPlaceAndStaysSelected) {
   select({0, 0, 2, 2});
   session.apply(act::TurnPixels{PixelTurn::flip_horizontal});
   EXPECT_EQ(picture().substr(0, 18), "21......\n43......\n");
@@ -118,14 +118,14 @@ TEST_F(SpriteSelection, TurnsInPlaceAndGoesOn) {
       << "below it comes back";
 }
 
-TEST_F(SpriteSelection, RotatesALyingRectangleUpright) {
+TEST_F(SpriteSelection, RotatesAWideRectangleUpright) {
   select({4, 3, 4, 2});
   session.apply(act::TurnPixels{PixelTurn::rotate});
   EXPECT_EQ(rect(), (CellRect{5, 2, 2, 4}));
   EXPECT_EQ(picture(), "12......\n34......\n.....aa.\n....7aa7\n....7aa7\n.....aa.\n........\n........\n");
 }
 
-TEST_F(SpriteSelection, WithoutOneAllOfTheCanvasTurns) {
+TEST_F(SpriteSelection, WithoutASelectionTheWholeCanvasTurns) {
   session.apply(act::TurnPixels{PixelTurn::shift_right});
   EXPECT_EQ(picture().substr(0, 9), ".12.....\n");
   session.apply(act::TurnPixels{PixelTurn::rotate});
@@ -149,7 +149,7 @@ TEST_F(SpriteSelection, PastedPixelsFloat) {
   EXPECT_EQ(picture(), kSelectionStart);
 }
 
-TEST_F(SpriteSelection, GoesWithAnotherToolCanvasOrLevel) {
+TEST_F(SpriteSelection, EndsWithAnotherToolCanvasOrLevel) {
   select({0, 0, 2, 2});
   session.apply(act::SetSpriteTool{SpriteTool::fill});
   EXPECT_FALSE(rect());

@@ -16,7 +16,7 @@ std::string shape_drawn_by(const Edit& edit) {
   return picture_of(level, kShapeTile);
 }
 
-TEST(SpriteShapes, BrushLiesAboutThePixel) {
+TEST(SpriteShapes, BrushIsCentredOnThePixel) {
   EXPECT_EQ(brush_at({4, 4}, 1), (CellRect{4, 4, 1, 1}));
   EXPECT_EQ(brush_at({4, 4}, 2), (CellRect{4, 4, 2, 2}));
   EXPECT_EQ(brush_at({4, 4}, 3), (CellRect{3, 3, 3, 3}));
@@ -55,7 +55,7 @@ TEST(SpriteShapes, OutlineTakesTheBrush) {
             "........\n.2222222\n.2222222\n.22...22\n.22...22\n.22...22\n.2222222\n.2222222\n");
 }
 
-TEST(SpriteShapes, StraightIsLevelUprightOrDiagonal) {
+TEST(SpriteShapes, StraightLinesAreLevelUprightOrDiagonal) {
   EXPECT_EQ(straightened({2, 2}, {9, 3}), (Cell{9, 2}));
   EXPECT_EQ(straightened({2, 2}, {3, -9}), (Cell{2, -9}));
   EXPECT_EQ(straightened({2, 2}, {-2, 5}), (Cell{-2, 6}));

@@ -20,7 +20,8 @@ Level with(Level level, const Edit& edit) {
   return level;
 }
 
-// Pixels (0, 0), (1, 0) and (0, 1) of the area get colours 1, 2 and 3: no symmetry.
+// Pixels (0, 0), (1, 0) and (0, 1) of the area get the colours 1, 2 and 3, so that the picture has no
+// symmetry.
 Level with_corner(const SpriteArea& area) {
   Level level;
   level = with(level, draw_line(level, area, {0, 0}, {0, 0}, {1}));
@@ -46,7 +47,7 @@ TEST(SpriteTools, LineHasBothEndsAndIsCutAtTheArea) {
   EXPECT_EQ(level.sheet(SheetId::tiles).images[2][16], 0);
 }
 
-TEST(SpriteTools, DrawingTheSameColourIsAnEmptyEdit) {
+TEST(SpriteTools, DrawingInTheSameColourIsAnEmptyEdit) {
   EXPECT_TRUE(draw_line(Level(), kOne, {0, 0}, {7, 0}, {0}).empty());
 }
 
@@ -59,7 +60,7 @@ TEST(SpriteTools, FillStopsAtOtherColours) {
   EXPECT_EQ(pixel_at(level, kOne, 4, 0), 0);
 }
 
-TEST(SpriteTools, FillGoesOverTheTilesOfTheAreaAndNoFurther) {
+TEST(SpriteTools, FillStaysInTheTilesOfTheArea) {
   Level level;
   const Edit edit = fill_pixels(level, kFour, {0, 0}, 6);
   EXPECT_EQ(edit.changes.size(), 256u);
@@ -110,7 +111,7 @@ TEST(SpriteTools, FourRotationsGiveThePictureBack) {
   EXPECT_TRUE(turned == level);
 }
 
-TEST(SpriteTools, ShiftsComeInAtTheOtherSide) {
+TEST(SpriteTools, ShiftedPixelsReenterAtTheOtherSide) {
   Level level = with_corner(kFour);
   level = with(level, turn_pixels(level, kFour, PixelTurn::shift_left));
   EXPECT_EQ(pixel_at(level, kFour, 15, 0), 1);
@@ -196,7 +197,7 @@ TEST(SpriteTools, SettersOfTheSameValueAreEmpty) {
   EXPECT_TRUE(set_spawns(level, {}, "Place a spawn").empty());
 }
 
-TEST(SpriteTools, SettersSet) {
+TEST(SpriteTools, SettersSetTheirValue) {
   Level level;
   level = with(level, set_color(level, 4, {9, 8, 7}));
   level = with(level, rename_flag(level, 4, "ice"));

@@ -1,4 +1,4 @@
-// States: bodies at the start, across edits of the level, and their hash.
+// States: bodies at the start, bodies after edits of the level, and the hash of a state.
 
 #include <talus/sim/state.h>
 
@@ -23,7 +23,7 @@ TEST(State, BodiesAreNumberedInSceneOrder) {
   EXPECT_EQ(state.find(0), nullptr);
 }
 
-TEST(CarryOver, BodiesStayNewOnesComeAndOldOnesGo) {
+TEST(CarryOver, KeepsBodiesAddsNewOnesAndRemovesOldOnes) {
   State state = initial_state(compile_scene(level_of({"oo."})));
   state.frame = 7;
   state.bodies[1].box.y = 20;
@@ -37,7 +37,7 @@ TEST(CarryOver, BodiesStayNewOnesComeAndOldOnesGo) {
   EXPECT_EQ(next.grabbed, 2);
 }
 
-TEST(CarryOver, IdsAreNotReusedAndAGoneBodyIsLetGo) {
+TEST(CarryOver, IdsAreNotReusedAndARemovedBodyIsReleased) {
   State state = initial_state(compile_scene(level_of({"oo"})));
   state.grabbed = 2;
   state = carry_over(state, compile_scene(level_of({"o."})));

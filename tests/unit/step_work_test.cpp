@@ -1,4 +1,5 @@
-// A step's work is bounded, whatever the level: what would take minutes stops where it can be, and says so.
+// The work of a step is bounded in every level. A step that would take minutes stops bodies early, and says
+// so.
 #include <gtest/gtest.h>
 
 #include <talus/sim/solver.h>
@@ -35,14 +36,14 @@ struct Steps {
   StepRecord record;
 };
 
-// Within the same step without a record, too.
+// A step without a record must stop at the same place.
 void expect_same_without_record(const Level& level, const Steps& run) {
   Steps other(level);
   while (other.state.frame < run.state.frame) other.solver->step(other.state, {}, nullptr);
   EXPECT_EQ(state_hash(other.state), state_hash(run.state));
 }
 
-TEST(StepWork, BallsOfAnySpeedTakeNoLongerThanOthers) {
+TEST(StepWork, FastBallsTakeNoLongerThanOthers) {
   for (const SolverKind solver : kSolvers) {
     for (const double speed : {1e6, 1e8}) {
       Level level = level_of({"..........", "..........", "##########"});
@@ -58,8 +59,8 @@ TEST(StepWork, BallsOfAnySpeedTakeNoLongerThanOthers) {
   }
 }
 
-// 3000 balls in one place: each would be tested against all others, and on World once more for each that it
-// meets.
+// 3000 balls in one place: each ball would be tested against all others, and on World once more for each ball
+// that it meets.
 TEST(StepWork, AHeapOfThousandsIsStepped) {
   for (const SolverKind solver : kSolvers) {
     Level level = level_of({"..........", "..........", "##########"});
@@ -73,8 +74,8 @@ TEST(StepWork, AHeapOfThousandsIsStepped) {
   }
 }
 
-// A long way along a wall of free lines: no line is passed, though the step does not get to its end.
-TEST(StepWork, WhatUsesUpItsPartStopsBeforeWhatItHasNotLookedAt) {
+// A long motion along a wall of free lines: the body passes no line, though the step does not reach its goal.
+TEST(StepWork, ABodyStopsWhereItsBudgetEnds) {
   Level level;
   level.map = TileMap(1 << 18, 4);  // 2^21 px
   level.tuning.solver = SolverKind::exact;
@@ -88,7 +89,7 @@ TEST(StepWork, WhatUsesUpItsPartStopsBeforeWhatItHasNotLookedAt) {
   EXPECT_FALSE(run.record.paths[0].capped);
   const double x = run.state.bodies[0].box.x;
   EXPECT_GT(x, 1e4);
-  EXPECT_LT(x, 1e6);  // 4096 slices of 16 px, and what there is on the way
+  EXPECT_LT(x, 1e6);  // 4096 slices of 16 px, and the lines in them
   level.spawns.resize(1);
   Steps alone(level);
   alone.step();
@@ -96,8 +97,8 @@ TEST(StepWork, WhatUsesUpItsPartStopsBeforeWhatItHasNotLookedAt) {
   EXPECT_EQ(alone.state.bodies[0].box.right(), ((1 << 18) - 1) * 8.0) << "the wall";
 }
 
-// Large bodies deep in ground of many lines, from which there are many ways out.
-TEST(StepWork, LargeBodiesInsideOfTheGroundAreStepped) {
+// Large bodies deep in ground of many lines, with many possible ways out.
+TEST(StepWork, LargeBodiesInsideTheGroundAreStepped) {
   Level level;
   level.map = TileMap(200, 200);
   level.tuning.solver = SolverKind::exact;
@@ -116,8 +117,8 @@ TEST(StepWork, LargeBodiesInsideOfTheGroundAreStepped) {
   EXPECT_TRUE(many.cut_short(1));
 }
 
-// What all bodies look at together, one after the other, is counted; the last one may go beyond by what it
-// looks at in one go.
+// Counts everything that all bodies test in a step. The last body may exceed the limit by what it tests at
+// once.
 void expect_bounded(const char* what, Level level) {
   for (const SolverKind solver : kSolvers) {
     level.tuning.solver = solver;
@@ -145,7 +146,7 @@ Level many(int bodies, double side, double speed) {
   return level;
 }
 
-TEST(StepWork, OfManyFastBallsThatBlockIsBounded) {
+TEST(StepWork, OfManyFastCollidingBallsIsBounded) {
   const Level level = many(9000, 0, 4096);
   expect_bounded("fast balls", level);
   Level exact = level;
@@ -181,7 +182,7 @@ TEST(StepWork, OfPartsOfAStepIsBounded) {
   expect_bounded("parts", level);
 }
 
-// A box that is known to rest counts as one that is not: a solver may step states in any order.
+// A box at rest counts like any other, as a solver may step states in any order.
 TEST(StepWork, DoesNotDependOnTheStepsBefore) {
   Level level = many(300, 0, 0);
   level.tuning.solver = SolverKind::exact;
@@ -196,7 +197,7 @@ TEST(StepWork, DoesNotDependOnTheStepsBefore) {
   EXPECT_EQ(record.work, run.record.work);
 }
 
-TEST(StepWork, EveryLookAtOtherBodiesIsCharged) {
+TEST(StepWork, EveryTestOfOtherBodiesIsCounted) {
   BodyGrid grid;
   std::vector<Body> bodies(1000);
   for (std::size_t i = 0; i < bodies.size(); ++i)

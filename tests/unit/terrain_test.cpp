@@ -1,4 +1,4 @@
-// The compiled ground: what is on its outline and what is not, and that editing gives what compiling gives.
+// The compiled ground: what is on its outline, and that editing gives the same ground as compiling.
 #include <talus/collision/terrain.h>
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 
 namespace talus::terrain_test {
 
-// A piece as text: its facing, its ends, "(" or ")" where an end is convex, "|" where nothing goes on.
+// A piece as text: its facing and its ends; "(" or ")" where an end is convex, "|" where no piece continues.
 std::string text_of(const Piece<double>& p) {
   const auto number = [](double v) {
     std::string text = std::to_string(v);
@@ -44,9 +44,9 @@ std::vector<std::string> outline_of(const Terrain& terrain) {
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-// ---- What is on the outline ----
+// ---- The outline ----
 
-TEST(Terrain, FullTilesAreBitsAlone) {
+TEST(Terrain, FullTilesAreStoredAsBitsOnly) {
   const Terrain terrain = TestMap({"....", ".11.", "...."}).compile();
   for (Cell c{-1, -1}; c.y <= 3; ++c.y) {
     for (c.x = -1; c.x <= 4; ++c.x) EXPECT_EQ(terrain.is_solid(c), c.y == 1 && (c.x == 1 || c.x == 2));
@@ -63,7 +63,8 @@ TEST(Terrain, ALoneSlopeIsALineAWallABaseAndATip) {
 }
 
 TEST(Terrain, SlopesJoinTheFloorsBesideThem) {
-  // A floor, a slope up to the next floor: no wall between them is left, and only real turns are convex.
+  // A floor, and a slope up to the next floor: there is no wall between them, and only real corners are
+  // convex.
   const Terrain terrain = TestMap({"....", "..21", "1111"}).compile();
   EXPECT_THAT(
       outline_of(terrain),
@@ -96,7 +97,7 @@ TEST(Terrain, AProfileIsALineThroughItsHeights) {
                            "up 16,16 24,16)|", "up 8,16 10,12", "up |(0,16 8,16"));
 }
 
-TEST(Terrain, ASlopeOfManyTilesIsOnePieceACell) {
+TEST(Terrain, ASlopeOfManyTilesHasOnePieceForEachCell) {
   const Terrain terrain = TestMap({".....", ".5...", "11111"}).compile();
   EXPECT_THAT(
       outline_of(terrain),
@@ -120,14 +121,14 @@ TEST(Terrain, FloorAndCeilingThatTouchLeaveNothingBetween) {
                                                         "right (16,12 16,16)", "up |(8,12 16,12)|"));
 }
 
-TEST(Terrain, AWedgeMayEndInsideOfACell) {
+TEST(Terrain, ASlopeMayEndInsideACell) {
   Terrain terrain = TestMap({"...", "...", "..."}).compile();
   terrain.set_cell({1, 1}, kTail);
   EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("down |(8,16 12,16)|", "left (8,8 8,16)",
                                                         "right (12,16 12,16)", "up |(8,8 12,16)|"));
 }
 
-TEST(Terrain, ALineThatBoundsNothingJoinsNothing) {
+TEST(Terrain, AShapeWithoutHeightAddsNoOutline) {
   Terrain terrain = TestMap({"...", "...", ".4."}).compile();
   const std::vector<std::string> alone = outline_of(terrain);
   terrain.set_cell({0, 2}, kFlat);
@@ -139,7 +140,7 @@ TEST(Terrain, OneWayShapesAreThinLines) {
   EXPECT_THAT(outline_of(terrain), UnorderedElementsAre("up thin 16,8 24,8)|", "up thin |(8,8 16,8"));
 }
 
-TEST(Terrain, GroundHidesOneWayShapesInsideOfIt) {
+TEST(Terrain, GroundHidesOneWayShapesInsideIt) {
   const Terrain terrain = TestMap({"1..", "71.", "..."}).compile();
   EXPECT_THAT(
       outline_of(terrain),
@@ -185,8 +186,8 @@ TEST(Terrain, ALineThatFacesBothSidesHasTips) {
                                    "up |(20,4 20,4)|", "up |(8,16 16,12", "up |(8,16 16,12)|"));
 }
 
-// Looking for what goes on at each end among all the others would take seconds here.
-TEST(Terrain, ALongPolylineHasTipsAtItsEndsAlone) {
+// Comparing each end with all other pieces would take seconds here.
+TEST(Terrain, ALongPolylineHasTipsOnlyAtItsEnds) {
   Polyline line{0, 16384, {}};
   for (int i = 0; i <= 16384; ++i) line.ys.push_back(i % 2);
   const std::vector<Curve> curves = {{line, Curve::Faces::both}};
@@ -265,7 +266,7 @@ void paint_and_compare(TestMap map, int edits, unsigned seed) {
   }
 }
 
-TEST(TerrainEdit, GivesWhatCompilingFromScratchGives) {
+TEST(TerrainEdit, EqualsCompilingFromTheStart) {
   paint_and_compare(TestMap(12, 12), 160, 1);
   paint_and_compare(TestMap(1, 1), 20, 2);
   paint_and_compare(TestMap(64, 3), 100, 3);
@@ -273,8 +274,8 @@ TEST(TerrainEdit, GivesWhatCompilingFromScratchGives) {
   paint_and_compare(TestMap(130, 72), 32, 5);
 }
 
-// A map may be as long or as high as curves may reach. Its far end is like any other place.
-TEST(TerrainEdit, GivesTheSameAtTheFarEnds) {
+// A map may be as long or as high as curves may reach. Its far end behaves like any other place.
+TEST(TerrainEdit, EqualsCompilingAtTheFarEnds) {
   for (const bool is_long : {true, false}) {
     const int width = is_long ? kMaxTerrainSide : 8, height = kMaxTerrainCells / width;
     TestMap map(width, height);
@@ -301,7 +302,7 @@ TEST(TerrainEdit, GivesTheSameAtTheFarEnds) {
         for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(same(a[i], b[i])) << text_of(a[i]);
       }
     }
-    // The pieces lie where those of a small map do, moved.
+    // The pieces are those of a small map, moved.
     TestMap small(8, 8);
     for (Cell back{0, 0}; back.y < 8; ++back.y) {
       for (back.x = 0; back.x < 8; ++back.x)
@@ -332,7 +333,7 @@ TEST(Terrain, SizesHaveLimits) {
   EXPECT_FALSE(is_terrain_size(2147483647, 2147483647));
 }
 
-TEST(TerrainEdit, GivesTheSameBesideCurves) {
+TEST(TerrainEdit, EqualsCompilingBesideCurves) {
   TestMap map(72, 72);
   map.curves = {{Arc{{500, 520}, 60, 445, 550, true}, Curve::Faces::both},
                 {Segment{{0, 0}, {576, 500}}, Curve::Faces::up},
@@ -340,7 +341,7 @@ TEST(TerrainEdit, GivesTheSameBesideCurves) {
   paint_and_compare(map, 32, 6);
 }
 
-TEST(TerrainEdit, TheLastSlopeTakesThePiecesWithIt) {
+TEST(TerrainEdit, RemovingTheLastSlopeRemovesItsPieces) {
   Terrain terrain = TestMap({"...", ".2.", "111"}).compile();
   EXPECT_TRUE(terrain.has_pieces());
   terrain.set_cell({1, 1}, 0);
@@ -348,7 +349,7 @@ TEST(TerrainEdit, TheLastSlopeTakesThePiecesWithIt) {
   expect_same(terrain, TestMap({"...", "...", "111"}).compile());
 }
 
-TEST(TerrainEdit, CopiesAreValues) {
+TEST(TerrainEdit, CopiesAreIndependent) {
   const Terrain before = TestMap({"...", ".2.", "111"}).compile();
   Terrain after = before;
   EXPECT_TRUE(after == before);

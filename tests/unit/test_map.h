@@ -35,14 +35,14 @@ struct TestMap {
   std::vector<std::uint8_t> cells;
   std::vector<Curve> curves = {};
   TestMap(int w, int h) : width(w), height(h), cells(static_cast<std::size_t>(w) * h) {}
-  // One row of text a row of cells; a digit is a tile.
+  // Each row of text is a row of cells, and each digit a tile.
   explicit TestMap(const std::vector<std::string>& rows)
       : width(static_cast<int>(rows[0].size())), height(static_cast<int>(rows.size())) {
     for (const std::string& row : rows) {
       for (const char c : row) cells.push_back(static_cast<std::uint8_t>(c == '.' ? 0 : c - '0'));
     }
   }
-  // Refers to the map, which must stay.
+  // Refers to the map, which must outlive it.
   TerrainSource source() const {
     TerrainSource source;
     source.width = width, source.height = height;

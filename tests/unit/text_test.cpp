@@ -19,7 +19,7 @@ std::string write(const Level& level, const std::string& extension = "lua") {
 FormatError error_of(const std::string& bytes) { return read_text(bytes, {"lua"}).error(); }
 
 std::string zeros(int digits) { return std::string(static_cast<std::size_t>(digits), '0'); }
-// A row of the map whose first cells are these digits, low digit of each first.
+// A row of the map that begins with these digits, the low digit of each cell first.
 std::string map_row(const std::string& digits) {
   return digits + zeros(480 - static_cast<int>(digits.size()));
 }
@@ -71,7 +71,7 @@ TEST(Text, AnotherExtensionGetsItsComment) {
   EXPECT_EQ(write(level, "js"), "code\n// <MAP>\n// 001:" + map_row("1032") + "\n// </MAP>\n\n");
 }
 
-TEST(Text, TheCommentIsTakenFromTheContentOfAStranger) {
+TEST(Text, TheCommentOfAnUnknownFileComesFromItsContent) {
   EXPECT_TRUE(accepts_text("x\n;; <MAP>\n;; </MAP>\n", {"txt"}));
   EXPECT_FALSE(accepts_text("x\n;; <MAPPE>\n", {"txt"}));
   EXPECT_EQ(read_text("x\n;; <MAP>\n;; </MAP>\n", {"txt"})->cart->comment, ";;");
@@ -88,7 +88,7 @@ TEST(Text, KeepsEveryByteOfAnUntouchedProject) {
   }
 }
 
-TEST(Text, AnEditChangesItsSectionAlone) {
+TEST(Text, AnEditChangesOnlyItsSection) {
   const std::string before = "code\n-- <SFX>\n\n-- </SFX>\n-- <COVER>\n";
   Level level = read(before + kMapSection + kTileSection + "trail");
   level.map.set({0, 2}, 0xab);
@@ -112,7 +112,7 @@ TEST(Text, NewSectionsGoWhereTic80WritesThem) {
                               "\n-- </FLAGS>\n\n" + screen);
 }
 
-TEST(Text, TheFirstSectionLeavesTheCodeAsItWas) {
+TEST(Text, AddingTheFirstSectionKeepsTheCode) {
   for (const std::string code : {"code", "code\n", "code\n\n"}) {
     Level level = read(code);
     level.map.set({0, 1}, 1);
@@ -146,7 +146,7 @@ TEST(Text, OfTwoSectionsTheFirstCounts) {
   EXPECT_EQ(write(level), "c\n-- <MAP>\n-- 001:" + map_row("0032") + "\n-- </MAP>\n\n" + second);
 }
 
-TEST(Text, TheOtherBanksReachTheCartridge) {
+TEST(Text, TheCartridgeGetsTheOtherBanks) {
   const std::string text = "c\n-- <TILES3>\n-- 000:" + tile_row("12") +
                            "\n-- </TILES3>\n\n-- <SFX1>\n-- 000:1" + zeros(131) + "\n-- </SFX1>\n\n";
   const WrittenLevel cart = write_tic(read(text), {}).value();
@@ -182,7 +182,7 @@ TEST(Text, ListsWhatATextProjectCannotHold) {
                                         "the carriage returns of the code"));
 }
 
-TEST(Text, TheDefaultsOfACartridgeAreSpelledOut) {
+TEST(Text, TheDefaultsOfACartridgeAreWrittenOut) {
   std::string cart;
   append_tic_chunk(cart, {.type = kTicDefault, .bank = 2});
   append_tic_chunk(cart, {.type = kTicCode, .data = "c"});

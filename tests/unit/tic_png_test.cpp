@@ -24,8 +24,8 @@ std::string with_chunk(const std::string& content, const std::string& type = "ca
   return picture.substr(0, picture.size() - end.size()) + png_chunk(type, content) + end;
 }
 
-// A picture of `width` px whose bytes' low bits hold a header and as much of `hidden` as fits, all other
-// bits 1.
+// A picture of `width` px. The low bits of its bytes hold a header and as much of `hidden` as fits; all other
+// bits are 1.
 std::string with_hidden(const std::string& hidden, std::uint32_t bits, std::uint32_t width,
                         std::size_t rows) {
   std::string pixels(4 * width * rows, '\xff');
@@ -70,7 +70,7 @@ TEST(TicPng, ReadsTheCartInTheLowBitsOfThePixels) {
   }
 }
 
-// Worked out by hand: 1 bit a byte; the sizes and the first bytes of a stream of zlib, 0x78 0x9c.
+// Worked out by hand: 1 bit for each byte; the sizes, and the first bytes of a zlib stream, 0x78 0x9c.
 TEST(TicPng, TheLowBitsAreThoseOfTic80) {
   const std::string picture = with_hidden("\x78\x9c", 1, 4, 2);
   const auto pixels = read_rgba(picture);
@@ -98,7 +98,7 @@ TEST(TicPng, IsReadByItsContentAndNeverWritten) {
   EXPECT_EQ(format_for_file("cart.png"), nullptr);
 }
 
-TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
+TEST(TicPng, APictureWithoutACartSaysHowToUseIt) {
   EXPECT_EQ(error_of(rgb_png(2, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {1, 1, 1}})), kNoCart);
   EXPECT_EQ(error_of(rgb_png(1, {{1, 2, 3}})), kNoCart);  // too small for a header
   EXPECT_EQ(error_of(with_chunk("")), kNoCart);
@@ -111,7 +111,7 @@ TEST(TicPng, APictureWithoutACartSaysWhatToDoWithIt) {
             "x.png: error: is 1025x1 px, but may have at most 1024x1024 px");
 }
 
-TEST(TicPng, DamagedOnesAreErrors) {
+TEST(TicPng, DamagedPicturesAreErrors) {
   const std::string packed = zipped(small_cart());
   EXPECT_EQ(error_of(with_chunk("no zlib")),
             "x.png: error: has a damaged cartridge in it, which cannot be unpacked: incorrect header check");
@@ -127,8 +127,8 @@ TEST(TicPng, DamagedOnesAreErrors) {
     EXPECT_FALSE(read_tic_png(whole.substr(0, size), {"png"})) << size;
 }
 
-// A picture of few pixels must not unpack to much more than they are.
-TEST(TicPng, APictureThatUnpacksToTooMuchIsRefused) {
+// A small picture must not unpack to many times its size.
+TEST(TicPng, APictureThatUnpacksTooLargeIsRefused) {
   const std::string bytes =
       png_header(8, 8, 6) + png_chunk("IDAT", zipped(std::string(1 << 20, '\0'))) + png_chunk("IEND", "");
   EXPECT_EQ(error_of(bytes), "x.png: error: has more data than a picture of its size can have");

@@ -41,7 +41,7 @@ TEST(Tic, DecodesTheSectionsOfBankZero) {
   EXPECT_EQ(level.palette[1], (Rgb{0, 0, 0}));
 }
 
-TEST(Tic, FlagsBehindTheTilesAreTheSprites) {
+TEST(Tic, FlagsAfterThoseOfTilesBelongToSprites) {
   std::string flags(257, '\0');
   flags.back() = '\x80';
   const Level level = read(chunk(kFlags, flags));
@@ -113,7 +113,7 @@ TEST(Tic, AnEditedPaletteKeepsTheSecondOne) {
   EXPECT_EQ(write(level), chunk(kPalette, edited + second) + chunk(kCode, "c"));
 }
 
-TEST(Tic, AnEditedDefaultPaletteSpellsOutTheWaves) {
+TEST(Tic, AnEditedDefaultPaletteWritesTheWaves) {
   Level level = read(chunk(27, "u") + chunk(17, "") + chunk(kTiles, "t") + chunk(17, "", 1));
   level.palette[0] = {9, 9, 9};
   std::string palette(default_palette_bytes());
@@ -131,7 +131,7 @@ TEST(Tic, AWaveformWinsOverADefaultBehindIt) {
   EXPECT_THAT(write(level), HasSubstr(chunk(kWaves, waves)));
 }
 
-TEST(Tic, ALevelWithoutCartIsWrittenAsTic80WouldWriteIt) {
+TEST(Tic, ALevelWithoutACartIsWrittenLikeTic80Does) {
   Level level;
   level.map.set({0, 0}, 1);
   level.sheet(SheetId::tiles).flags[1] = 1;

@@ -17,7 +17,7 @@ TEST(TileSearch, CountsInTheSelectionOrEverywhere) {
   EXPECT_EQ(count_tile(map, 1, CellRect{7, 7, 1, 1}), 0u);
 }
 
-TEST(TileSearch, GoesRowByRowAndAroundTheEnd) {
+TEST(TileSearch, GoesRowByRowAndWrapsAround) {
   const TileMap map = level_of_rows({".a.", "a..", "..a"}).map;
   std::optional<Cell> at;
   for (const Cell expected : {Cell{1, 0}, {0, 1}, {2, 2}, {1, 0}})
@@ -27,7 +27,7 @@ TEST(TileSearch, GoesRowByRowAndAroundTheEnd) {
     EXPECT_EQ(at = find_tile(map, 1, at, kPrevious), expected);
 }
 
-TEST(TileSearch, TheOnlyOneIsFoundFromItself) {
+TEST(TileSearch, TheOnlyTileIsFoundFromItself) {
   const TileMap map = level_of_rows({"...", ".a."}).map;
   EXPECT_EQ(find_tile(map, 1, Cell{1, 1}, kNext), (Cell{1, 1}));
   EXPECT_EQ(find_tile(map, 1, Cell{1, 1}, kPrevious), (Cell{1, 1}));

@@ -1,4 +1,4 @@
-// Shapes of tiles: proposed from pixels, spread, turned, copied and given to many.
+// Shapes of tiles: proposed from pixels, extended over tiles, mirrored, copied and given to many tiles.
 #include "edit/tile_shapes.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace talus::tile_shapes_test {
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
-// Eight rows of eight pixels for each tile beside one another; '#' is opaque.
+// Eight rows of eight pixels for each tile, side by side; '#' is opaque.
 void draw_tile_rows(Level& level, int tile, std::initializer_list<std::string_view> rows) {
   int y = 0;
   for (const std::string_view row : rows) {
@@ -31,7 +31,7 @@ TileShape sloped(std::vector<double> heights, Side side = Side::floor, int tiles
   return {.kind = Kind::slope, .side = side, .tiles = tiles, .heights = std::move(heights)};
 }
 
-TEST(TileShapes, OfNoPixelsAndOfAFullTile) {
+TEST(TileShapes, AreProposedForEmptyAndFullTiles) {
   EXPECT_EQ(suggested({}), std::nullopt);
   const auto row = "########";
   EXPECT_EQ(suggested({row, row, row, row, row, row, row, row}), TileShape{.kind = Kind::solid});
@@ -41,7 +41,7 @@ TEST(TileShapes, OfNoPixelsAndOfAFullTile) {
       << "its outline counts";
 }
 
-TEST(TileShapes, OfASlopesStairs) {
+TEST(TileShapes, AreProposedForTheStairsOfASlope) {
   EXPECT_EQ(suggested({".......#", "......##", ".....###", "....####", "...#####", "..######", ".#######",
                        "########"}),
             sloped({0, 8}));
@@ -53,26 +53,26 @@ TEST(TileShapes, OfASlopesStairs) {
   EXPECT_EQ(suggested({"", "", "", "", "", "########", "########", "########"}), sloped({3, 3}));
 }
 
-TEST(TileShapes, OfWhatHangs) {
+TEST(TileShapes, AreProposedForCeilings) {
   EXPECT_EQ(suggested({"########", "#######.", "######..", "#####...", "####....", "###.....", "##......",
                        "#......."}),
             sloped({8, 0}, Side::ceiling));
   EXPECT_EQ(suggested({"########", "########", "", "", "", "", "", ""}), sloped({2, 2}, Side::ceiling));
 }
 
-TEST(TileShapes, OfABumpIsAProfile) {
+TEST(TileShapes, AProfileIsProposedForABump) {
   const auto shape = suggested({"", "", "", "", "...##...", "..####..", ".######.", "########"});
   EXPECT_EQ(shape, (TileShape{.kind = Kind::profile, .heights = {1, 1.5, 2.5, 3.5, 4, 3.5, 2.5, 1.5, 1}}));
 }
 
-TEST(TileShapes, OverTwoTiles) {
+TEST(TileShapes, AreProposedOverTwoTiles) {
   EXPECT_EQ(suggested({"..............##", "............####", "..........######", "........########",
                        "......##########", "....############", "..##############", "################"},
                       2),
             sloped({0, 8}, Side::floor, 2));
 }
 
-TEST(TileShapes, OfTheHalvesOfTheSameStairs) {
+TEST(TileShapes, AreProposedForHalvesOfTheSameStairs) {
   EXPECT_EQ(suggested({"", "", "", "", "......##", "....####", "..######", "########"}), sloped({0, 4}));
   EXPECT_EQ(suggested({"", "", "", "", "", "......##", "....####", "..######"}), sloped({0, 4}));
   EXPECT_EQ(suggested({"......##", "....####", "..######", "########", "########", "########", "########",
@@ -93,7 +93,7 @@ TEST(TileShapes, AreSuggestedForAllSelectedTilesAtOnce) {
   EXPECT_EQ(level.tile_shapes[4], sloped({1, 2}));
 }
 
-TEST(TileShapes, OneShapeForManyTilesIsOneUndo) {
+TEST(TileShapes, OneShapeForManyTilesIsOneEdit) {
   Level level;
   const Level before = level;
   const Edit edit = give_shape(level, {SheetId::tiles, {3, 1, 2, 2}}, sloped({0, 8}));
@@ -104,7 +104,7 @@ TEST(TileShapes, OneShapeForManyTilesIsOneUndo) {
   EXPECT_EQ(level, before);
 }
 
-TEST(TileShapes, ChangeOfTheFirstIsMadeInAllOthersThatHaveIt) {
+TEST(TileShapes, AChangeIsMadeInAllTilesThatHaveTheShape) {
   Level level;
   level.tile_shapes[3] = sloped({0, 8}, Side::floor, 2);  // over tile 4
   level.tile_shapes[5] = sloped({6, 2});
@@ -201,7 +201,7 @@ TEST(TileShapes, FreeTargetHasRoomForAllTiles) {
   EXPECT_EQ(free_target(level, 3, ShapeTurn::mirrored), std::nullopt);
 }
 
-TEST(TileShapes, WideOnesReachOverTheTilesToTheRight) {
+TEST(TileShapes, WideShapesExtendOverTilesToTheRight) {
   Level level;
   level.tile_shapes[3] = sloped({0, 8}, Side::floor, 3);
   level.tile_shapes[5] = {.kind = Kind::solid};

@@ -1,4 +1,4 @@
-// A level with something of everything that maps of Tiled hold, and maps of it.
+// A level with one of everything that maps of Tiled hold, and maps of it.
 #pragma once
 
 #include <gtest/gtest.h>

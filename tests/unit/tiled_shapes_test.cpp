@@ -1,4 +1,4 @@
-// Outlines of Tiled's tiles: those that are shapes, and what stands for the others.
+// Outlines of Tiled's tiles: those that are shapes, and what replaces the others.
 #include "formats/tiled/tiled_shapes.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
-// A map whose tileset has one tile with an outline, number 5.
+// A map whose tileset has one tile with an outline, tile 5.
 LoadedLevel map_with(const std::string& object, const std::string& properties = "") {
   const auto loaded = read_level(
       R"(<map orientation="orthogonal" width="1" height="1" tilewidth="8" tileheight="8">)"
@@ -27,7 +27,7 @@ LoadedLevel map_with(const std::string& object, const std::string& properties = 
 std::string polygon(const std::string& points) {
   return R"(<object x="0" y="0"><polygon points=")" + points + R"("/></object>)";
 }
-// What is told beside the missing picture.
+// The warnings besides the one about the missing picture.
 std::vector<std::string> told(const LoadedLevel& loaded) {
   std::vector<std::string> phrases = loaded.dropped;
   std::erase(phrases, "the picture of the tileset \"t\"");
@@ -59,7 +59,7 @@ TEST(TiledShapes, CeilingsAreNotTakenForWholeTiles) {
       << "turned by half, it is a floor";
 }
 
-TEST(TiledShapes, WhatLiesOnTheBottomBesideAnOutlineIsNothing) {
+TEST(TiledShapes, FlatPartsAtTheBottomAreIgnored) {
   EXPECT_EQ(shape_of(polygon("4,8 8,0 8,8")), (TileShape{.kind = Kind::profile, .heights = {0, 0, 8}}));
   EXPECT_EQ(shape_of(polygon("2,0 6,0 4,3")),
             (TileShape{.kind = Kind::profile, .side = Side::ceiling, .heights = {0, 0, 3, 0, 0}}));
@@ -67,7 +67,7 @@ TEST(TiledShapes, WhatLiesOnTheBottomBesideAnOutlineIsNothing) {
             (TileShape{.kind = Kind::profile, .heights = {0, 4, 0, 4, 0}}));
 }
 
-TEST(TiledShapes, OtherOutlinesGetTheNearestAndAreToldByTile) {
+TEST(TiledShapes, OtherOutlinesAreApproximatedWithAWarning) {
   const LoadedLevel leaning = map_with(polygon("0,2 8,4 0,8"));
   EXPECT_THAT(told(leaning), ElementsAre("the outline of tile 5, which hangs in the air: its upper line is "
                                          "kept, as a one-way floor"));
@@ -110,8 +110,8 @@ TEST(TiledShapes, OtherOutlinesGetTheNearestAndAreToldByTile) {
             "that tile 5 has 2 collision shapes: a level's has one");
 }
 
-// Millions of them took many seconds.
-TEST(TiledShapes, OutlinesOfThousandsOfCornersAreToldAndLeftOut) {
+// Millions of corners took many seconds.
+TEST(TiledShapes, OutlinesOfThousandsOfCornersAreLeftOut) {
   std::string points;
   for (int i = 0; i < 1024; ++i) points += std::to_string(i / 128.0) + (i % 2 == 0 ? ",2 " : ",4 ");
   EXPECT_EQ(told_of(polygon(points + "8,8")),
@@ -119,7 +119,7 @@ TEST(TiledShapes, OutlinesOfThousandsOfCornersAreToldAndLeftOut) {
   EXPECT_THAT(told_of(polygon(points)), testing::StartsWith("the outline of tile 5, "));
 }
 
-TEST(TiledShapes, WordsOfTheSameLineGiveItsHeights) {
+TEST(TiledShapes, PropertiesGiveTheExactHeightsOfALine) {
   const std::string words = R"(<property name="shape" value="profile"/>)"
                             R"(<property name="shape_heights" value="2 3 4"/>)";
   const LoadedLevel same = map_with(polygon("0,6 8,4 8,8 0,8"), words);
@@ -132,7 +132,7 @@ TEST(TiledShapes, WordsOfTheSameLineGiveItsHeights) {
                           "the property \"shape_heights\" of a tile, as its outline says otherwise"));
 }
 
-TEST(TiledShapes, OneWayLinesStopBodiesOnTheBottomTooAndSoAreTold) {
+TEST(TiledShapes, OneWayLinesOnTheBottomGiveAWarning) {
   const std::string one_way = R"(<property name="shape_one_way" type="bool" value="true"/>)";
   const LoadedLevel half = map_with(polygon("4,8 8,0 8,8"), one_way);
   EXPECT_EQ(half.level.tile_shapes[5],

@@ -1,4 +1,4 @@
-// Timeline: every frame of a recording again, forwards and backwards; branches, edits, re-runs and the
+// Timeline: every frame of a recording is reproduced, forwards and backwards; branches, edits, reruns and the
 // budget.
 #include "sim/timeline.h"
 
@@ -28,7 +28,7 @@ Level with_tile(Level level, Cell cell, std::uint8_t tile) {
   return level;
 }
 
-// What a user does: runs to and fro, jumps, and throws the first ball about.
+// The input of a user who runs to and fro, jumps, and throws the first ball about.
 Input input_at(std::int64_t frame) {
   Input input;
   input.right = frame % 90 < 50;
@@ -42,7 +42,7 @@ Input input_at(std::int64_t frame) {
 
 class TimelineOf : public testing::TestWithParam<SolverKind> {
  protected:
-  // Plays, with edits on the way: of single cells, of the tuning, of the list of bodies.
+  // Plays with edits on the way: of single cells, of the tuning, of the list of bodies.
   void play(Timeline& timeline, std::int64_t frames) {
     Level level = room(GetParam());
     for (std::int64_t frame = 1; frame <= frames; ++frame) {
@@ -74,13 +74,13 @@ TEST_P(TimelineOf, RecordingChangesNothing) {
   }
 }
 
-TEST_P(TimelineOf, EveryFrameIsTheSameAgainForwardsAndBackwards) {
+TEST_P(TimelineOf, EveryFrameIsReproducedInBothDirections) {
   Timeline timeline(room(GetParam()));
   play(timeline, 300);
   const auto expect_same = [&](std::int64_t frame) {
     timeline.seek(frame);
     ASSERT_EQ(timeline.frame(), frame);
-    // The states were noted after their step; edits of the frame come on top of that.
+    // The states were noted right after their step. Edits of these frames came later.
     if (frame != 49 && frame != 50 && frame != 129 && frame != 130) {
       ASSERT_EQ(timeline.state(), states_[static_cast<std::size_t>(frame)]) << frame;
     }
@@ -92,7 +92,7 @@ TEST_P(TimelineOf, EveryFrameIsTheSameAgainForwardsAndBackwards) {
   EXPECT_EQ(timeline.branches().size(), 1u);
 }
 
-TEST_P(TimelineOf, RecordsAreMadeAgain) {
+TEST_P(TimelineOf, RecordsAreReproduced) {
   Timeline timeline(room(GetParam()));
   std::vector<StepRecord> records(1);
   for (std::int64_t frame = 1; frame <= 100; ++frame) {
@@ -115,7 +115,7 @@ TEST_P(TimelineOf, RecordsAreMadeAgain) {
   }
 }
 
-TEST_P(TimelineOf, ARecordingOfItRunsAgain) {
+TEST_P(TimelineOf, ItsRecordingRunsAgain) {
   Timeline timeline(room(GetParam()));
   play(timeline, 200);
   timeline.set_mark(7, "here");
@@ -132,7 +132,7 @@ TEST_P(TimelineOf, ARecordingOfItRunsAgain) {
   EXPECT_EQ(again.scene(), timeline.scene());
 }
 
-TEST_P(TimelineOf, ARunWithTheSameInputOnTheSameLevelDoesNotPart) {
+TEST_P(TimelineOf, TheSameInputOnTheSameLevelGivesTheSameRun) {
   Timeline timeline(room(GetParam()));
   for (std::int64_t frame = 1; frame <= 150; ++frame) timeline.step(input_at(frame));
   timeline.rerun(0);
@@ -155,7 +155,7 @@ void finish(Timeline& timeline) {
   while (timeline.behind()) timeline.catch_up(100);
 }
 
-TEST(FrameHash, ChangesWithAnyBitAndWithTheSignsOfTwoBodies) {
+TEST(FrameHash, ChangesWithAnyBitOfTheState) {
   State state = initial_state(compile_scene(level_of({"oo"})));
   const std::uint64_t hash = frame_hash(state);
   State other = state;
@@ -177,7 +177,7 @@ TEST(FrameHash, ChangesWithAnyBitAndWithTheSignsOfTwoBodies) {
   EXPECT_NE(frame_hash(other), hash);
 }
 
-TEST(FrameHash, StaysAsItIs) {
+TEST(FrameHash, StaysTheSameAcrossVersions) {
   EXPECT_EQ(frame_hash(initial_state(compile_scene(drop()))), 15550583919971695676u);
 }
 
@@ -221,7 +221,7 @@ TEST(Timeline, ReplayStopsAtTheEnd) {
   EXPECT_EQ(timeline.branches().size(), 1u);
 }
 
-TEST(Timeline, ADroppedBranchLeavesTheOthersWhole) {
+TEST(Timeline, DroppingABranchKeepsTheOthers) {
   Timeline timeline(drop());
   played(timeline, 40);
   const State end = timeline.state();
@@ -242,7 +242,7 @@ TEST(Timeline, ADroppedBranchLeavesTheOthersWhole) {
   EXPECT_EQ(timeline.frame(), 0);
 }
 
-TEST(Timeline, RestartLeavesTheOldRunButNoEmptyOne) {
+TEST(Timeline, RestartKeepsTheOldRunUnlessItIsEmpty) {
   Timeline timeline(drop());
   timeline.restart();
   EXPECT_EQ(timeline.branches().size(), 1u);
@@ -260,7 +260,7 @@ TEST(Timeline, RestartLeavesTheOldRunButNoEmptyOne) {
 TEST(Timeline, ARerunFindsTheFirstDifferentFrame) {
   Timeline timeline(drop());
   played(timeline, 120);
-  std::int64_t hit = 1;  // the first frame in which the ball is lower than it may be above the new tile
+  std::int64_t hit = 1;  // the first frame in which the ball is lower than the new tile allows
   while (timeline.state_at(timeline.current(), hit).bodies[0].box.bottom() <= 24) ++hit;
   const int old = timeline.current().id;
   timeline.edit_and_rerun(with_tile(drop(), {0, 3}, 1), nullptr, 0);
@@ -280,7 +280,7 @@ TEST(Timeline, ARerunFindsTheFirstDifferentFrame) {
   EXPECT_LE(timeline.state().bodies[0].box.bottom(), 24);
 }
 
-TEST(Timeline, FurtherEditsRunTheSameDraftAgain) {
+TEST(Timeline, FurtherEditsRerunTheSameDraft) {
   Timeline timeline(drop());
   played(timeline, 50);
   Level level = drop();
@@ -299,7 +299,7 @@ TEST(Timeline, FurtherEditsRunTheSameDraftAgain) {
   EXPECT_EQ(timeline.branches().size(), 3u) << "it was no draft any more";
 }
 
-TEST(Timeline, TheMouseHoldsABodyWhoseNumberChanges) {
+TEST(Timeline, TheMouseKeepsABodyWhoseNumberChanges) {
   Level level = level_of({".o...", ".....", ".....", "#####"});
   Timeline timeline(level);
   for (int i = 0; i < 20; ++i) timeline.step({.mouse = {30, 12}, .mouse_down = true, .grab = 1});
@@ -312,7 +312,7 @@ TEST(Timeline, TheMouseHoldsABodyWhoseNumberChanges) {
   EXPECT_EQ(timeline.current().input(1).grab, 0) << "there is none to hold";
 }
 
-TEST(Timeline, CancelledItEndsWhereItIs) {
+TEST(Timeline, ACancelledRerunEndsWhereItIs) {
   Timeline timeline(drop());
   played(timeline, 50);
   timeline.set_mark(40, "late");
@@ -338,7 +338,7 @@ TEST(Timeline, ABranchOfARerunForgetsWhichFrameWasWanted) {
   EXPECT_EQ(timeline.frame(), 20) << "another run is shown at the same frame";
 }
 
-TEST(Timeline, AKeyIsSetOverARangeAndTheRestRunAgain) {
+TEST(Timeline, SettingAKeyInARangeRerunsTheRest) {
   Level level = room(SolverKind::exact);
   Timeline timeline(level);
   played(timeline, 60);
@@ -365,7 +365,7 @@ TEST(Timeline, AKeyIsSetOverARangeAndTheRestRunAgain) {
   EXPECT_EQ(before.frame, 60);
 }
 
-TEST(Timeline, TheMousesPlaceIsSetOverARangeAndTheRestRunAgain) {
+TEST(Timeline, SettingTheMouseInARangeRerunsTheRest) {
   Timeline timeline(room(SolverKind::exact));
   for (std::int64_t frame = 1; frame <= 40; ++frame) timeline.step(input_at(frame));
   timeline.set_mouse(10, 12, {});
@@ -381,7 +381,7 @@ TEST(Timeline, TheMousesPlaceIsSetOverARangeAndTheRestRunAgain) {
   EXPECT_EQ(timeline.current().run_frame(), 0);
 }
 
-TEST(Timeline, OtherInputLeavesARunOnAnEditedLevelAsItIs) {
+TEST(Timeline, NewInputKeepsARunOnAnEditedLevel) {
   Timeline timeline(drop());
   played(timeline, 20);
   timeline.edit_and_rerun(with_tile(drop(), {0, 3}, 1), nullptr, 0);
@@ -398,7 +398,7 @@ TEST(Timeline, OtherInputLeavesARunOnAnEditedLevelAsItIs) {
   EXPECT_EQ(timeline.branches().size(), 4u) << "nor is other input a draft of an edited level";
 }
 
-TEST(Timeline, OtherInputLeavesWhatWasPlayedOnADraftAsItIs) {
+TEST(Timeline, NewInputKeepsFramesPlayedOnADraft) {
   Timeline timeline(drop());
   played(timeline, 20);
   timeline.set_input(5, 6, InputKey::left, true);
@@ -411,7 +411,7 @@ TEST(Timeline, OtherInputLeavesWhatWasPlayedOnADraftAsItIs) {
   EXPECT_TRUE(timeline.find(draft)->input(5).left);
 }
 
-TEST(Timeline, TheNextStrokeLeavesWhatWasPlayed) {
+TEST(Timeline, TheNextStrokeKeepsPlayedFrames) {
   Timeline timeline(drop());
   played(timeline, 20);
   Level level = drop();
@@ -436,7 +436,7 @@ TEST(Timeline, TheNextStrokeLeavesWhatWasPlayed) {
   EXPECT_EQ(timeline.branches().size(), 3u) << "nothing was played on it";
 }
 
-TEST(Timeline, ABranchOfARerunLeavesItsParentWhereItIsRunAgain) {
+TEST(Timeline, ABranchOfARerunStartsAtTheRerunFrame) {
   Timeline timeline(drop());
   played(timeline, 20);
   timeline.rerun(0);
@@ -454,7 +454,7 @@ TEST(Timeline, ABranchOfARerunLeavesItsParentWhereItIsRunAgain) {
   EXPECT_EQ(timeline.current().fork, 10);
 }
 
-TEST(Timeline, BeginsAnewWhenLevelsTakeTooMuchMemory) {
+TEST(Timeline, RestartsWhenLevelsTakeTooMuchMemory) {
   Level level = drop();
   const std::size_t one = memory_of(version_of(level), nullptr);
   Timeline timeline(level, Timeline::kKeyframeBytes, 10 * one);
@@ -491,7 +491,7 @@ TEST(Timeline, EditsOfOneFrameAreOneChapter) {
   EXPECT_EQ(timeline.state(), end);
 }
 
-TEST(Timeline, AnotherBranchIsPlayedOnOnTheLevelAsItIs) {
+TEST(Timeline, AnotherBranchContinuesOnTheCurrentLevel) {
   Timeline timeline(drop());
   played(timeline, 10);
   const int first = timeline.current().id;
@@ -522,7 +522,7 @@ TEST(Timeline, WalkVisitsEachFrameOnceUntilItIsEnough) {
   EXPECT_EQ(timeline.frame(), 40) << "what is shown stays";
 }
 
-TEST(Timeline, LookingAtTheEndDoesNotOutliveAnEditThere) {
+TEST(Timeline, AnEditAtTheEndDiscardsTheLookAhead) {
   Timeline timeline(drop());
   played(timeline, 9);
   EXPECT_EQ(timeline.state_at(timeline.current(), 9).bodies.size(), 1u);
@@ -533,7 +533,7 @@ TEST(Timeline, LookingAtTheEndDoesNotOutliveAnEditThere) {
   EXPECT_EQ(timeline.state_at(timeline.current(), 10), next);
 }
 
-TEST(Timeline, MarksAreByFrameAndGoWithTheirBranch) {
+TEST(Timeline, MarksBelongToAFrameAndABranch) {
   Timeline timeline(drop());
   played(timeline, 30);
   timeline.set_mark(20, "b");
@@ -548,9 +548,9 @@ TEST(Timeline, MarksAreByFrameAndGoWithTheirBranch) {
   EXPECT_TRUE(timeline.current().marks.empty());
 }
 
-// The promise of an hour with 100 bodies, in numbers that do not depend on the machine: a seek runs so many
-// steps again at most, and the keyframes take so many bytes. The times are in tests/bench.
-TEST(Timeline, KeyframesKeepToTheirBudgetAndSeeksStayShort) {
+// The promise for an hour with 100 bodies, in numbers that do not depend on the machine: a seek repeats at
+// most this many steps, and the keyframes take at most this many bytes. The times are in tests/bench.
+TEST(Timeline, KeyframesObeyTheirBudgetAndSeeksStayShort) {
   Level level = level_of({"o.o.o.o.o.o.o.o.o.o.", "....................", "####################"});
   constexpr std::size_t kBudget = 400'000;
   Timeline timeline(level, kBudget);
@@ -572,7 +572,7 @@ TEST(Timeline, KeyframesKeepToTheirBudgetAndSeeksStayShort) {
   }
 }
 
-TEST(Timeline, OfManyBodiesFewerFramesAreKept) {
+TEST(Timeline, LevelsOfManyBodiesHaveFewerKeyframes) {
   Level level;
   level.tuning.shared.balls_block = 0;
   level.spawns.resize(1'000);
@@ -613,7 +613,7 @@ TEST(Timeline, BranchesShareTheirKeyframes) {
   EXPECT_LT(timeline.keyframe_bytes(), bytes);
 }
 
-TEST(Timeline, ARecordingTakesTheScenesThatWereCompiledBefore) {
+TEST(Timeline, ARecordingReusesScenesCompiledBefore) {
   Timeline timeline(drop());
   played(timeline, 20);
   timeline.edit(with_tile(drop(), {0, 0}, 1));
@@ -631,7 +631,7 @@ TEST(Timeline, ARecordingTakesTheScenesThatWereCompiledBefore) {
   EXPECT_FALSE(cancelled.first || cancelled.last);
 }
 
-TEST(Timeline, TheWayToAFrameCanBeLimited) {
+TEST(Timeline, TheStepsOfASeekCanBeLimited) {
   Timeline timeline(drop());
   played(timeline, 30);
   const State last = timeline.state();
@@ -647,7 +647,7 @@ TEST(Timeline, TheWayToAFrameCanBeLimited) {
   }
   EXPECT_EQ(timeline.state(), last);
   EXPECT_FALSE(timeline.on_the_way());
-  // What is done on the way goes on from the frame that is shown.
+  // Other work goes on from the frame that is shown meanwhile.
   timeline.seek(1);
   timeline.seek(29);
   const std::int64_t shown = timeline.frame();

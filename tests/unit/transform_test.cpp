@@ -72,7 +72,7 @@ TEST(Transform, CurvesAreMirroredAndMoved) {
   EXPECT_EQ(shifted.curves[5].curve.form, decltype(Curve::form)(Polyline{24, 40, {9, 13, 11}}));
 }
 
-TEST(Transform, AnUprightSegmentTurnsItsFace) {
+TEST(Transform, AnUprightSegmentIsMirroredWithItsFace) {
   Level level = level_of({"...."});
   LevelCurve& wall = level.curves.emplace_back();
   wall.curve.form = Segment{{8, 0}, {8, 8}};
@@ -80,7 +80,7 @@ TEST(Transform, AnUprightSegmentTurnsItsFace) {
   EXPECT_EQ(mirrored(level).curves[0].curve.faces, Curve::Faces::down);
 }
 
-TEST(Transform, MovingTakesEverythingAlong) {
+TEST(Transform, MovingMovesEverything) {
   const Level level = scene(), image = moved(level, 3, 2);
   EXPECT_EQ(image.map.at({4, 2}), level.map.at({1, 0}));
   EXPECT_EQ(image.spawns[0].position, (Vec2{27, 18}));

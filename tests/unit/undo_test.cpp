@@ -1,4 +1,4 @@
-// The undo stack, and that every tool can be taken back.
+// The undo stack, and that every tool can be undone.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -104,7 +104,7 @@ TEST(UndoStack, KnowsTheSavedState) {
   EXPECT_FALSE(stack.is_saved()) << "the saved state was dropped with what was undone";
 }
 
-TEST(UndoStack, AStrokeThatGoesOnAfterSavingIsModified) {
+TEST(UndoStack, AStrokeContinuedAfterSavingIsModified) {
   Level level;
   UndoStack stack;
   stack.push(level, paint(level, 0, 1), 7);
@@ -116,7 +116,7 @@ TEST(UndoStack, AStrokeThatGoesOnAfterSavingIsModified) {
   EXPECT_EQ(level.map.at({0, 0}), 1);
 }
 
-// A tool with its gesture, as small numbers; each is brought into the range that the tool wants.
+// A tool and its gesture as small numbers. Each number is brought into the range that the tool allows.
 struct Gesture {
   int tool, a, b, c, d, stroke;
 };
@@ -193,7 +193,7 @@ rc::Gen<Gesture> gestures() {
       [](const auto& t) { return std::apply([](auto... n) { return Gesture{n...}; }, t); });
 }
 
-// Undo all the way back, then redo all the way forward, over any sequence of tools and strokes.
+// Undoes everything and then redoes everything, over any sequence of tools and strokes.
 RC_GTEST_PROP(UndoStackProperty, GivesEveryStateBackBitForBit, ()) {
   const auto sequence = *rc::gen::container<std::vector<Gesture>>(gestures());
   Level level;

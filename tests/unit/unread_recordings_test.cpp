@@ -1,4 +1,4 @@
-// Recordings of an autosave that no reader accepts: nothing else is lost with them.
+// Recordings in an autosave that no reader accepts: everything else is kept.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class UnreadRecordings : public FolderTest {
   }
 };
 
-TEST_F(UnreadRecordings, InAnAutosaveTakeNothingElseWithThem) {
+TEST_F(UnreadRecordings, InAnAutosaveDoNotAffectTheRest) {
   SavedWork saved = work();
   saved.recordings.push_back(saved.recordings.front());
   ASSERT_TRUE(write_saved_work(saved));
@@ -56,7 +56,7 @@ TEST_F(UnreadRecordings, InAnAutosaveTakeNothingElseWithThem) {
   EXPECT_TRUE(Autosave::left_behind_in(folder_.string(), "", {}).empty());
 }
 
-TEST_F(UnreadRecordings, ThatCannotBeWrittenAreSaidAndAllElseIsSaved) {
+TEST_F(UnreadRecordings, UnwritableOnesAreReportedAndTheRestIsSaved) {
   SavedWork saved = work();
   auto bad = std::make_shared<Recording>(*saved.recordings.front());
   bad->marks.push_back({0, "\xff"});

@@ -1,4 +1,4 @@
-// Where the user's own things are, whatever the environment is.
+// The place of the user's own files, whatever the environment is.
 #include "platform/user_folder.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace talus::user_folder_test {
 
-// Sets a variable, or takes it away, while it lives.
+// Sets a variable, or removes it, for its lifetime.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {
@@ -33,8 +33,8 @@ TEST(UserFolder, IsBelowHome) {
   EXPECT_EQ(state_folder(), "/elsewhere/talus");
 }
 
-// A folder that was downloaded could bring permissions, records of exports and command lines.
-TEST(UserFolder, IsNeverCountedFromTheFolderOfTheStart) {
+// A downloaded folder could contain permissions, records of exports and command lines.
+TEST(UserFolder, IsNeverRelativeToTheWorkingFolder) {
   const Variable own("TALUS_STATE_DIR", nullptr), own_config("TALUS_CONFIG_DIR", nullptr);
   for (const char* bad : {static_cast<const char*>(nullptr), "", "home", "./home"}) {
     const Variable home("HOME", bad), state("XDG_STATE_HOME", bad), config("XDG_CONFIG_HOME", bad);

@@ -1,4 +1,4 @@
-// Text of files, as it is shown.
+// Text of files, as it is shown to the user.
 #include "formats/text/utf8_text.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(Utf8Text, IsTold) {
     EXPECT_FALSE(is_utf8(bad)) << printable(bad);
 }
 
-TEST(Utf8Text, WhatIsNoTextIsEscaped) {
+TEST(Utf8Text, BytesThatAreNoTextAreEscaped) {
   EXPECT_EQ(printable("caf\xc3\xa9 \xe2\x82\xac"), "caf\xc3\xa9 \xe2\x82\xac");
   EXPECT_EQ(printable(std::string_view("a\nb\r\t\0\x7f", 7)), R"(a\nb\r\t\x00\x7f)");
   EXPECT_EQ(printable("\x1b[31mred"), R"(\x1b[31mred)");
@@ -33,7 +33,7 @@ TEST(Utf8Text, WhatIsNoTextIsEscaped) {
   EXPECT_EQ(printable(printable("a\n\x1b")), printable("a\n\x1b"));
 }
 
-TEST(Utf8Text, NoLineIsACommandOfALog) {
+TEST(Utf8Text, NoLineCanBecomeACommandOfALog) {
   EXPECT_EQ(printable_line("::error file=a::b"), R"(\x3a:error file=a::b)");
   EXPECT_EQ(printable_line("  ::error"), R"(  \x3a:error)");
   EXPECT_EQ(printable_line("\u00a0\u2003 \u3000::error"), "\u00a0\u2003 \u3000\\x3a:error")

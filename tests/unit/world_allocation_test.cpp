@@ -1,4 +1,4 @@
-// A warm World allocates nothing: every operator new of its thread is counted.
+// A warm World allocates nothing. The test counts every operator new of its thread.
 #include <gtest/gtest.h>
 
 #include <talus/collision/world.h>
@@ -10,7 +10,7 @@ constexpr auto kCross = [](ItemId, ItemId) { return Response::cross; };
 
 class WorldAllocation : public testing::TestWithParam<World::Mode> {};
 
-// A crowd in a closed room, moved about by a fixed pattern with contacts and changes of cells in every round.
+// A crowd in a closed room. It moves by a fixed pattern, with contacts and changes of cells in every round.
 struct Crowd {
   World world;
   std::vector<ItemId> movers;
@@ -51,7 +51,7 @@ struct Crowd {
   }
 };
 
-TEST_P(WorldAllocation, IsNoneOnceWarm) {
+TEST_P(WorldAllocation, AWarmWorldAllocatesNothing) {
   constexpr int kRounds = 200;
   Crowd crowd(GetParam());
   std::vector<Rect> start;

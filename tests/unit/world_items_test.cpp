@@ -1,4 +1,4 @@
-// Items of a World: adding, placing, removing, handles, cells and the sentences of its errors.
+// Items of a World: adding, placing, removing, handles, cells and the texts of errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(WorldItems, KeepWhatTheyWereAddedWith) {
   EXPECT_EQ(world.item_count(), 1u);
 }
 
-TEST(WorldItems, AreListedInTheOrderOfAddingEvenInReusedSlots) {
+TEST(WorldItems, AreListedInTheOrderOfAdding) {
   World world;
   const ItemId a = world.add({0, 0, 1, 1});
   const ItemId b = world.add({2, 0, 1, 1});
@@ -61,7 +61,7 @@ TEST(WorldItems, AreListedInTheOrderOfAddingEvenInReusedSlots) {
   EXPECT_THAT(in_rect(world, {-1, -1, 20, 20}), ElementsAre(b, c, d));
 }
 
-TEST(WorldItems, AreUnknownUnderAStaleOrNullHandle) {
+TEST(WorldItems, AStaleOrNullHandleIsRefused) {
   World world;
   const ItemId a = world.add({0, 0, 1, 1});
   world.remove(a);
@@ -143,7 +143,7 @@ TEST(WorldItems, WanderWithoutPilingUpEmptyCells) {
   EXPECT_THAT(in_rect(world, {100'000, 0, 5, 5}), ElementsAre(a));
 }
 
-TEST(WorldItems, KeepZeroWhenPlacedAtMinusZero) {
+TEST(WorldItems, AreAtZeroWhenPlacedAtMinusZero) {
   World world;
   const ItemId a = world.add({0, 0, 1, 1});
   world.update(a, Vec2{-0.0, 0});
@@ -221,8 +221,8 @@ TEST(WorldNumbers, InfinityAndFarCellsAreRefusedAndChangeNothing) {
   EXPECT_EQ(world.move(a, {0, 1e9}, hits), (Vec2{0, 1e9}));
 }
 
-// Sweeps of more cells than there are items look at the items instead, with the same answer.
-TEST(WorldNumbers, LongMovesMeetWhatShortOnesMeet) {
+// A sweep over more cells than there are items tests the items instead, with the same answer.
+TEST(WorldNumbers, LongMovesMeetTheSameItemsAsShortOnes) {
   World world(1);
   const ItemId a = world.add({0, 0, 1, 1});
   const ItemId wall = world.add({1'000'000, 1'000'000, 4, 4});
@@ -235,7 +235,7 @@ TEST(WorldNumbers, LongMovesMeetWhatShortOnesMeet) {
 }
 
 // The memory of the grid is bounded for all items together.
-TEST(WorldItems, CoverOnlySoManyCells) {
+TEST(WorldItems, TheNumberOfCoveredCellsIsLimited) {
   World world(1);
   const ItemId first = world.add({0, 0, 1000, 1000});
   EXPECT_THROW(world.add({0, 0, 1000, 1000}), WorldError);

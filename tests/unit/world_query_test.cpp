@@ -1,4 +1,4 @@
-// Questions about a rectangle, a point, a segment.
+// Queries for a rectangle, a point and a segment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST_F(WorldQueries, RectFindsStrictOverlapsInOrderOfAdding) {
   EXPECT_THAT(in_rect({-5, -5, 100, 5}), IsEmpty());
 }
 
-TEST_F(WorldQueries, PointFindsWhatHoldsItInside) {
+TEST_F(WorldQueries, PointFindsItemsThatContainIt) {
   EXPECT_THAT(at({5, 5}), ElementsAre(a));
   EXPECT_THAT(at({5, 10}), IsEmpty());
   EXPECT_THAT(at({5, 10 + 0.5e-10}), IsEmpty());
@@ -59,7 +59,7 @@ TEST_F(WorldQueries, PointFindsWhatHoldsItInside) {
   EXPECT_THAT(at({1e300, 0}), IsEmpty());
 }
 
-TEST_F(WorldQueries, SegmentFindsWhatItCutsFromItsStart) {
+TEST_F(WorldQueries, SegmentFindsItemsInOrderFromItsStart) {
   EXPECT_THAT(cut_items({-5, 5}, {40, 5}), ElementsAre(a, b));
   EXPECT_THAT(cut_items({40, 5}, {-5, 5}), ElementsAre(b, a));
   EXPECT_THAT(cut_items({5, -5}, {5, 40}), ElementsAre(a, c));
@@ -86,13 +86,13 @@ TEST_F(WorldQueries, SegmentThatBeginsInsideIsReported) {
   EXPECT_EQ(hits[0].ti2, 0.5);
 }
 
-// bump's quirk, kept: neither end of the way lies strictly between the segment's own.
-TEST_F(WorldQueries, SegmentThatStaysInsideIsNot) {
+// bump's quirk, kept: neither end of the overlap lies strictly inside the segment.
+TEST_F(WorldQueries, SegmentThatStaysInsideIsNotReported) {
   EXPECT_THAT(cut({4, 5}, {6, 5}), IsEmpty());
   EXPECT_THAT(cut({5, 5}, {5, 5}), IsEmpty());
 }
 
-// The way runs through the common corners of four cells; an item that only just reaches it is found.
+// The segment runs through the common corners of four cells. An item that it only just reaches is found.
 TEST_F(WorldQueries, SegmentThroughCellCornersMissesNothing) {
   const ItemId small = world.add({17, 33, 1, 6});
   const ItemId corner = world.add({24, 23, 1, 10});
@@ -113,7 +113,7 @@ TEST_F(WorldQueries, FiltersLeaveItemsOut) {
   EXPECT_EQ(hits[0].item, b);
 }
 
-TEST_F(WorldQueries, FiltersMayAskInTurn) {
+TEST_F(WorldQueries, FiltersMayAskTheWorldToo) {
   std::vector<SegmentHit> hits;
   world.query_segment(
       {-5, 5}, {40, 5},

@@ -1,4 +1,4 @@
-// How a mover goes on after a contact: the four responses, filters, and responses of the user's own.
+// How a mover continues after a contact: the four responses, filters, and responses of the user.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,14 +56,14 @@ TEST_F(Responses, BounceMirrorsTheRestOfTheMotion) {
   EXPECT_EQ(hits.at(0).aim, (Vec2{-12, 4}));
 }
 
-TEST_F(Responses, IgnorePassesWithoutAReport) {
+TEST_F(Responses, IgnoreGoesThroughWithoutAReport) {
   EXPECT_EQ(move(Response::ignore), (Vec2{20, 4}));
   EXPECT_TRUE(hits.empty());
 }
 
 TEST_F(Responses, SlideIsTheDefault) { EXPECT_EQ(world.move(ball, {20, 4}, hits), (Vec2{4, 4})); }
 
-TEST_F(Responses, CheckOnlyAsks) {
+TEST_F(Responses, CheckDoesNotMoveTheItem) {
   const Vec2 end = world.check(ball, {20, 4}, Always{Response::slide}, hits);
   EXPECT_EQ(end, (Vec2{4, 4}));
   EXPECT_EQ(world.rect(ball), (Rect{0, 0, 8, 8}));
@@ -74,7 +74,7 @@ TEST_F(Responses, CheckOnlyAsks) {
 //    \   |  |
 //   +----+--+   slides along the floor, then meets the wall
 //   +-------+
-TEST(WorldResponses, SlideGoesOnIntoTheNextContact) {
+TEST(WorldResponses, SlideContinuesToTheNextContact) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
   const ItemId floor = world.add({-50, 12, 200, 8});
@@ -85,8 +85,8 @@ TEST(WorldResponses, SlideGoesOnIntoTheNextContact) {
   EXPECT_EQ(hits[1].move, (Vec2{48, 0}));
 }
 
-// An overlapping box that does not move is told the way out: slide leaves its goal alone, bounce takes it.
-TEST(WorldResponses, AStillBoxLeavesItsOverlapByABounceAlone) {
+// A box that overlaps and does not move gets the way out in its contact: slide ignores it, bounce takes it.
+TEST(WorldResponses, AStillBoxLeavesItsOverlapOnlyByABounce) {
   for (const Response response : {Response::slide, Response::bounce}) {
     World world;
     const ItemId ball = world.add({0, 0, 8, 8});
@@ -100,8 +100,8 @@ TEST(WorldResponses, AStillBoxLeavesItsOverlapByABounceAlone) {
   }
 }
 
-// Each item is met once a move, so the second time the ball goes through the wall.
-TEST(WorldResponses, MeetEachItemOnce) {
+// An item is met once in a move, so the ball goes through the wall the second time.
+TEST(WorldResponses, EachItemIsMetOnce) {
   World world;
   const ItemId left = world.add({-10, -10, 10, 30});
   const ItemId right = world.add({20, -10, 10, 30});
@@ -147,7 +147,7 @@ TEST(WorldResponses, HaveNames) {
   EXPECT_THROW(world.response_name(Response{77}), WorldError);
 }
 
-TEST(WorldResponses, ThatAreUnknownThrowWhenReachedAndNothingMoves) {
+TEST(WorldResponses, UnknownOnesThrowWhenReachedAndNothingMoves) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
   world.add({12, 0, 8, 8});
@@ -163,12 +163,12 @@ TEST(WorldResponses, ThatAreUnknownThrowWhenReachedAndNothingMoves) {
   EXPECT_EQ(world.move(ball, {20, 0}, hits), (Vec2{4, 0}));
 }
 
-// Stops half-way to the contact and looks no further.
+// Stops half-way to the contact and does not search further.
 Vec2 halt(const World&, Collision& hit, Rect start, Vec2, World::Filter, std::vector<Collision>&) {
   return start.position() + (hit.touch - start.position()) * 0.5;
 }
 
-TEST(UserResponses, GiveTheNewGoal) {
+TEST(UserResponses, ReturnTheNewGoal) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
   world.add({12, 0, 8, 8});
@@ -192,7 +192,7 @@ TEST(UserResponses, ReplaceThoseOfTheSameName) {
   EXPECT_EQ(world.add_response("ignore", halt), Response::first_user);
 }
 
-// The slide written as a user would, by projecting from the contact with the filter it is given.
+// The slide as a user would write it: it projects from the contact with the given filter.
 Vec2 own_slide(const World& world, Collision& hit, Rect start, Vec2 goal, World::Filter filter,
                std::vector<Collision>& next) {
   (hit.normal.x != 0 ? goal.x : goal.y) = hit.normal.x != 0 ? hit.touch.x : hit.touch.y;
@@ -200,7 +200,7 @@ Vec2 own_slide(const World& world, Collision& hit, Rect start, Vec2 goal, World:
   return goal;
 }
 
-TEST(UserResponses, ProjectOnWithTheSameFilter) {
+TEST(UserResponses, CanProjectWithTheSameFilter) {
   for (const World::Mode mode : {World::Mode::faithful, World::Mode::robust}) {
     World world(64, mode);
     const ItemId ball = world.add({0, 0, 8, 8});
@@ -214,9 +214,9 @@ TEST(UserResponses, ProjectOnWithTheSameFilter) {
   }
 }
 
-// A response may ask the world anything, even a whole check of the same mover; what the outer check has met
-// stays met.
-TEST(UserResponses, MayCheckInTurn) {
+// A response may call any function of the world, even a whole check of the same mover. The outer check keeps
+// the items that it has met.
+TEST(UserResponses, MayCheckTheWorldToo) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
   const ItemId near = world.add({12, 0, 8, 8});
@@ -237,7 +237,7 @@ TEST(UserResponses, MayCheckInTurn) {
   EXPECT_THAT(inner, ElementsAre(near, far, near, far));
 }
 
-TEST(UserResponses, ThatReportWithoutEndAreStopped) {
+TEST(UserResponses, EndlessOnesAreStopped) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
   world.add({12, 0, 8, 8});
@@ -267,7 +267,7 @@ TEST(Groups, ChooseTheResponse) {
   EXPECT_TRUE(hits.empty());
 }
 
-TEST(Checks, MayStartFromABoxThatIsNoItem) {
+TEST(Checks, MayStartFromAnyBox) {
   World world;
   const ItemId wall = world.add({12, 0, 8, 8}, 1);
   std::vector<Collision> hits;
@@ -280,7 +280,7 @@ TEST(Checks, MayStartFromABoxThatIsNoItem) {
   EXPECT_THROW(world.check({0, 0, 0, 8}, {20, 0}, responses, hits), WorldError);
 }
 
-TEST(Filters, ThatThrowLeaveTheWorldUsable) {
+TEST(Filters, AThrowingFilterLeavesTheWorldUsable) {
   World world;
   const ItemId ball = world.add({0, 0, 8, 8});
   const ItemId near = world.add({12, 0, 8, 8});

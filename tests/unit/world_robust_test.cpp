@@ -1,4 +1,4 @@
-// The hard cases that a faithful World gets wrong and a robust one must not: seams, overlaps, far
+// The hard cases that a faithful World gets wrong and a robust World must not: seams, overlaps, far
 // coordinates, sensors. Each case runs at distances S from the origin, where a unit in the last place grows
 // with S.
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(WorldRobust, LeavesAnOverlapByItsShortestWay) {
             -14);
 }
 
-// Pushed into a wall from a random side, then one away from it: more than that is a teleport.
+// Pushes a box into a wall from a random side, then 1 away from it. A longer motion is a teleport.
 double teleport_rate(World::Mode mode, double distance) {
   constexpr int kRuns = 400;
   Random random;
@@ -149,7 +149,7 @@ TEST(WorldRobust, LeavesAWallItWasPushedAgainst) {
   EXPECT_GT(teleport_rate(World::Mode::faithful, 1e7), 0.1);
 }
 
-// After any push the expression that tells overlaps must see none, so that the next move starts clean.
+// After any push the test for overlaps must find none, so that the next move starts outside.
 TEST(WorldRobust, EndsWithoutAnOverlapHoweverFar) {
   Random random;
   std::vector<Collision> hits;
@@ -175,7 +175,7 @@ TEST(WorldRobust, EndsWithoutAnOverlapHoweverFar) {
   }
 }
 
-// A box that fits a shaft exactly touches both walls all the way and must fall freely.
+// A box as wide as a shaft touches both walls all the way and must fall freely.
 TEST(WorldRobust, FallsThroughAShaftOfItsOwnWidth) {
   Random random;
   std::vector<Collision> hits;
@@ -201,7 +201,7 @@ TEST(WorldRobust, FallsThroughAShaftOfItsOwnWidth) {
   }
 }
 
-// A random room with and without a sensor: the mover must end at the same place to the last bit.
+// Random rooms with and without a sensor. The mover must end at the same place to the last bit.
 int paths_bent_by_a_sensor(World::Mode mode) {
   Random random;
   int bent = 0;
@@ -239,7 +239,7 @@ TEST(WorldRobust, ASensorDoesNotBendThePath) {
 
 //   ball      |wall
 //    o--zone->|  zone beyond   the second zone is behind the wall: never reached, never reported
-TEST(WorldRobust, ReportsOnlySensorsOnTheWayTravelled) {
+TEST(WorldRobust, ReportsOnlySensorsOnTheTravelledPath) {
   World world(64, World::Mode::robust);
   const ItemId ball = world.add({0, 0, 8, 8});
   const ItemId near_zone = world.add({20, 0, 8, 8});
@@ -257,7 +257,7 @@ TEST(WorldRobust, ReportsOnlySensorsOnTheWayTravelled) {
 }
 
 //  |  o->    |   20 wide inside, a ball of 4, the goal 200 ahead: it ends where a triangle wave does
-TEST(WorldRobust, BouncesBetweenTwoWallsAsOftenAsTheWayAsks) {
+TEST(WorldRobust, BouncesBetweenWallsForTheWholeMotion) {
   std::vector<Collision> hits;
   const auto end = [&](World::Mode mode) {
     World world(64, mode);
@@ -267,14 +267,15 @@ TEST(WorldRobust, BouncesBetweenTwoWallsAsOftenAsTheWayAsks) {
     return world.move(
         ball, {203, 0}, [](ItemId, ItemId) { return Response::bounce; }, hits);
   };
-  // The free way is 16; 203 = 12 * 16 + 11, and after an even number of turns it runs to the right.
+  // The free distance is 16, and 203 = 12 * 16 + 11: after an even number of turns the ball runs to the
+  // right.
   EXPECT_EQ(end(World::Mode::robust), (Vec2{11, 0}));
   EXPECT_EQ(hits.size(), 12u);
   EXPECT_EQ(end(World::Mode::faithful), (Vec2{171, 0}));
   EXPECT_EQ(hits.size(), 2u);
 }
 
-TEST(WorldRobust, StaysAtTheLastContactWhenBouncesHaveNoEnd) {
+TEST(WorldRobust, StopsAtTheLastContactOfEndlessBounces) {
   World world(64, World::Mode::robust);
   world.add({-10, -10, 10, 30});
   world.add({8, -10, 10, 30});

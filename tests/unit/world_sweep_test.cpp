@@ -1,4 +1,4 @@
-// What a moving box meets: times, normals, touch points, overlaps, and the order of contacts.
+// The contacts of a moving box: times, normals, touch points, overlaps, and their order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::vector<Collision> project(const World& world, Rect rect, Vec2 goal) {
   return hits;
 }
 
-// The contact of a mover at (0,0,8,8) with one other box.
+// The contacts of a mover at (0, 0, 8, 8) with one other box.
 std::vector<Collision> contacts(Rect other, Vec2 goal) {
   World world;
   world.add(other);
@@ -29,7 +29,7 @@ std::vector<Collision> contacts(Rect other, Vec2 goal) {
 //   +--+          +--+
 //   |  | -20-> 12 |  |      4/20 of the way is free
 //   +--+          +--+
-TEST(WorldSweep, TellsTimeNormalAndTouch) {
+TEST(WorldSweep, ReportsTimeNormalAndTouch) {
   const auto hits = contacts({12, 0, 8, 8}, {20, 0});
   ASSERT_EQ(hits.size(), 1u);
   const Collision& hit = hits[0];
@@ -45,7 +45,7 @@ TEST(WorldSweep, TellsTimeNormalAndTouch) {
   EXPECT_FALSE(hit.aim);
 }
 
-TEST(WorldSweep, TellsTheSideThatWasHit) {
+TEST(WorldSweep, ReportsTheSideThatWasHit) {
   EXPECT_EQ(contacts({-20, 0, 8, 8}, {-20, 0}).at(0).normal, (Vec2{1, 0}));
   EXPECT_EQ(contacts({0, 20, 8, 8}, {0, 20}).at(0).normal, (Vec2{0, -1}));
   EXPECT_EQ(contacts({0, -20, 8, 8}, {0, -20}).at(0).normal, (Vec2{0, 1}));
@@ -81,12 +81,12 @@ TEST(WorldSweep, MeetsATouchingBoxOnlyWhenItPushes) {
   EXPECT_TRUE(contacts({8, 0, 8, 8}, {0, 0}).empty());
 }
 
-TEST(WorldSweep, SaysNothingOfAGoalThatExactlyTouches) {
+TEST(WorldSweep, IgnoresAGoalThatExactlyTouches) {
   EXPECT_TRUE(contacts({12, 0, 8, 8}, {4, 0}).empty());
   EXPECT_EQ(contacts({12, 0, 8, 8}, {std::nextafter(4.0, 5.0), 0}).size(), 1u);
 }
 
-// The tolerance is 1e-10 of the move: that deep in, a contact still counts, deeper it does not.
+// The tolerance is 1e-10 of the move: at that depth a contact still counts, deeper it does not.
 TEST(WorldSweep, ForgivesATinyOverlapInProportionToTheMove) {
   EXPECT_EQ(contacts({8 - 0.5e-10, 0, 8, 8}, {1, 0}).size(), 1u);
   EXPECT_TRUE(contacts({8 - 0.9e-10, 0, 8, 8}, {0.5, 0}).empty());
@@ -122,7 +122,7 @@ TEST(WorldSweep, PushesFromTheExactCentreToTheFarSide) {
   EXPECT_EQ(hits[0].touch, (Vec2{0, 8}));
 }
 
-// Moving while overlapping leads back along the motion, however far that is.
+// A box that moves while it overlaps is put back along its motion, however far that is.
 TEST(WorldSweep, PushesAMovingBoxBackAlongItsMotion) {
   const auto hits = contacts({6, 0, 8, 80}, {0, 4});
   ASSERT_EQ(hits.size(), 1u);
@@ -176,7 +176,7 @@ TEST(WorldSweep, LeavesOutTheMoverItself) {
   EXPECT_EQ(hits.size(), 1u);
 }
 
-// Filters see every item of the swept cells once, also one that the geometry would never meet.
+// A filter sees each item of the swept cells once, even an item that the box cannot meet.
 TEST(WorldSweep, AsksTheFilterOnceForEveryCandidate) {
   World world(10);
   const ItemId mover = world.add({1, 1, 2, 2});
@@ -196,7 +196,7 @@ TEST(WorldSweep, AsksTheFilterOnceForEveryCandidate) {
   EXPECT_THAT(asked, testing::UnorderedElementsAre(big, in_cell));
 }
 
-TEST(WorldSweep, RejectsEarlyOnlyWhatCannotHit) {
+TEST(WorldSweep, RejectsEarlyOnlyItemsThatCannotBeHit) {
   EXPECT_TRUE(misses_axis(5, 9, 5));
   EXPECT_FALSE(misses_axis(std::nextafter(5.0, 0.0), 9, 5));
   EXPECT_TRUE(misses_axis(-9, -5, -5));

@@ -20,13 +20,13 @@ TEST(LinesBetweenWords, KeepNumbersWhole) {
   }
 }
 
-TEST(LinesBetweenWords, AreAsLongAsFits) {
+TEST(LinesBetweenWords, LinesAreAsLongAsTheWidthAllows) {
   EXPECT_THAT(lines("ab cd ef", 8), ElementsAre("ab cd ef"));
   EXPECT_THAT(lines("ab cd ef", 7), ElementsAre("ab cd", "ef"));
   EXPECT_THAT(lines("ab cd ef", 2), ElementsAre("ab", "cd", "ef"));
 }
 
-TEST(LinesBetweenWords, GiveALongWordALineForItself) {
+TEST(LinesBetweenWords, ALongWordGetsItsOwnLine) {
   EXPECT_THAT(lines("a longword b", 4), ElementsAre("a", "longword", "b"));
   EXPECT_THAT(lines("longword", 4), ElementsAre("longword"));
   EXPECT_THAT(lines("", 4), ElementsAre(""));

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// A stream of zlib.
+// Compresses the bytes to a zlib stream.
 inline std::string zipped(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string out(size, '\0');
